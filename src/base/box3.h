@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// An axis-aligned closed box, and the clipping of lines against it (slab method).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "base/vec3.h"
+
+namespace deliso {
+
+// A range of a line's parameter; empty when lo > hi.
+struct Range {
+  double lo = -std::numeric_limits<double>::infinity();
+  double hi = std::numeric_limits<double>::infinity();
+  bool empty() const { return !(lo <= hi); }
+};
+
+struct Box3 {
+  Vec3 lo, hi;
+
+  bool contains(const Vec3& p) const {
+    return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
+  }
+  Vec3 size() const { return hi - lo; }
+  double smallest_side() const { return std::min({size().x, size().y, size().z}); }
+};
+
+// The part of `range` in which origin + t * direction lies in the box.
+inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const Box3& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = origin[axis], d = direction[axis];
+    if (d == 0) {
+      if (o < box.lo[axis] || o > box.hi[axis]) return {1, 0};
+      continue;
+    }
+    double t0 = (box.lo[axis] - o) / d, t1 = (box.hi[axis] - o) / d;
+    if (t0 > t1) std::swap(t0, t1);
+    range.lo = std::max(range.lo, t0);
+    range.hi = std::min(range.hi, t1);
+  }
+  return range;
+}
+
+}  // namespace deliso

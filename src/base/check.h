@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Three kinds of failure, three tools: bad input throws InputError, a broken invariant trips
+// DELISO_CHECK (always on) or DELISO_ASSERT (debug builds), a normal outcome is a return value.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#ifdef __FAST_MATH__
+#error "DelIso's predicates need IEEE arithmetic: build without -ffast-math"
+#endif
+
+namespace deliso {
+
+// What the user gave cannot be used; what() is one line that names the file and the fault.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
+  std::fprintf(stderr, "deliso: internal error: %s does not hold (%s:%d)\n", condition, file, line);
+  std::abort();
+}
+
+}  // namespace deliso
+
+#define DELISO_CHECK(condition) \
+  ((condition) ? void(0) : ::deliso::check_failed(#condition, __FILE__, __LINE__))
+#ifdef NDEBUG
+#define DELISO_ASSERT(condition) void(0)
+#else
+#define DELISO_ASSERT(condition) DELISO_CHECK(condition)
+#endif

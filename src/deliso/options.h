@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a run can be told: the paper's parameters with its defaults (§3.1, §3.2), and ours.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "roots/cubic.h"
+
+namespace deliso {
+
+// A length given as a fraction of b, the smallest side of the box, or in voxels (`0.5vox`, of the
+// smallest spacing).
+struct RelativeLength {
+  double value = 0.001;
+  bool in_voxels = false;
+};
+
+struct Options {
+  double epsilon = 0.2;   // Stage 1: h/r
+  double epsilon1 = 0.1;  // Stage 2: h/r
+  double epsilon2 = 0.2;  // Stage 2: r/h_sigma
+  double lambda = 2.0;    // r/l, both stages
+  RelativeLength r_min;   // nothing with r <= r_min is refined
+  double max_distance = std::numeric_limits<double>::infinity();  // h, world units
+  double max_radius = std::numeric_limits<double>::infinity();    // r, world units
+
+  std::uint64_t seed = 1;
+  std::size_t samples = 50;  // N0 random ray hits to begin with
+  double min_component = 0;  // components whose bounding box is smaller (voxels) are not seeded
+  CubicMethod cubic = CubicMethod::isolation;
+  int threads = 1;
+
+  bool single_stage = false;  // Table 2's baseline: all refinement on the 3D triangulation
+  bool stop_after_recover = false;
+  std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
+  // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
+  bool keep_partial = false;
+
+  // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
+  std::function<void(const char* stage, double share)> progress;
+};
+
+}  // namespace deliso

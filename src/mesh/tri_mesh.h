@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The plain triangle mesh of Stage 2 (the T_S of paper §3.2): vertices, facets, and for each facet
+// its three neighbours. It knows neither tetrahedra nor voxels.
+//
+// Invariants (check_mesh tests them by these numbers):
+//   I1  every facet has three different vertices, all below vertex count;
+//   I2  neighbours are mutual: if n[i] of f is g, then g has f across the same two vertices;
+//   I3  orientation is consistent: f and g run along their common edge in opposite directions;
+//   I4  an edge belongs to at most two facets (n[i] == kNoId where it belongs to one);
+//   I5  the facets at a vertex form one disk or one half disk (vertex-manifold).
+// Facets are counter-clockwise seen from the side where f < kappa.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/vec3.h"
+
+namespace deliso {
+
+struct Face {
+  std::array<VertexId, 3> v;  // corners, counter-clockwise
+  std::array<FaceId, 3> n;    // n[i] shares the edge opposite v[i]; kNoId on the boundary
+};
+
+using Triangle = std::array<VertexId, 3>;
+
+struct TriMesh {
+  std::vector<Vec3> points;
+  std::vector<Face> faces;
+  // One per facet once Stage 1 has handed over: x = the point of Sigma on the facet's dual line,
+  // the center of its surface ball. Empty for meshes read from a file.
+  std::vector<Vec3> surface_points;
+};
+
+// Index of the corner of f opposite its neighbour g, i.e. f.n[i] == g. pre: they are neighbours.
+inline int neighbor_index(const Face& f, FaceId g) {
+  return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
+}
+
+// Fills the neighbours from the corners, in O(F log F). An edge of more than two facets, or of two
+// that run along it in the same direction, is left without neighbours on all of them and counted.
+struct LinkResult {
+  std::size_t non_manifold_edges = 0;
+  std::size_t boundary_edges = 0;
+};
+LinkResult link_faces(TriMesh& mesh);
+
+// A mesh of `triangles` over `points`, linked. Vertices that no triangle uses are kept.
+TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles);
+
+}  // namespace deliso

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "volume/volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace deliso {
+namespace {
+
+struct Local {
+  Index3 voxel;
+  Vec3 u;  // coordinates in the voxel, each in [0, 1]
+};
+
+Local localize(const Volume& volume, const Vec3& p) {
+  Local local{volume.voxel_at(p), {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double u = p[axis] / volume.spacing()[axis] - local.voxel[axis];
+    local.u[axis] = std::clamp(u, 0.0, 1.0);
+  }
+  return local;
+}
+
+}  // namespace
+
+std::size_t size_of(SampleType type) {
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+std::string_view name_of(SampleType type) {
+  constexpr std::string_view names[] = {"uint8",  "int8",  "uint16",  "int16",
+                                        "uint32", "int32", "float32", "float64"};
+  return names[static_cast<std::size_t>(type)];
+}
+
+Volume::Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
+               std::shared_ptr<const void> owner, Orientation orientation)
+    : dims_(dims),
+      spacing_(spacing),
+      type_(type),
+      bytes_(bytes),
+      owner_(std::move(owner)),
+      orientation_(orientation) {
+  DELISO_CHECK(dims.i >= 1 && dims.j >= 1 && dims.k >= 1);
+  DELISO_CHECK(spacing.x > 0 && spacing.y > 0 && spacing.z > 0);
+}
+
+Box3 Volume::box() const {
+  return {{0, 0, 0}, position({dims_.i - 1, dims_.j - 1, dims_.k - 1})};
+}
+
+Index3 Volume::voxel_at(const Vec3& p) const {
+  Index3 voxel;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double u = p[axis] / spacing_[axis];
+    const int last = std::max(dims_[axis] - 2, 0);
+    voxel[axis] = u > 0 ? static_cast<int>(std::min(u, static_cast<double>(last))) : 0;
+  }
+  return voxel;
+}
+
+Corners Volume::corners(Index3 voxel) const {
+  const std::size_t n = index(voxel.i, voxel.j, voxel.k);
+  const std::size_t dy = static_cast<std::size_t>(dims_.i);
+  const std::size_t dz = dy * static_cast<std::size_t>(dims_.j);
+  return visit([=](const auto* s) {
+    s += n;
+    return Corners{static_cast<double>(s[0]),       static_cast<double>(s[1]),
+                   static_cast<double>(s[dy]),      static_cast<double>(s[dy + 1]),
+                   static_cast<double>(s[dz]),      static_cast<double>(s[dz + 1]),
+                   static_cast<double>(s[dz + dy]), static_cast<double>(s[dz + dy + 1])};
+  });
+}
+
+double Volume::value(const Vec3& p) const {
+  const Local at = localize(*this, p);
+  const Corners c = corners(at.voxel);
+  const Vec3 u = at.u;
+  const double c00 = c[0] + u.x * (c[1] - c[0]), c10 = c[2] + u.x * (c[3] - c[2]);
+  const double c01 = c[4] + u.x * (c[5] - c[4]), c11 = c[6] + u.x * (c[7] - c[6]);
+  const double c0 = c00 + u.y * (c10 - c00), c1 = c01 + u.y * (c11 - c01);
+  return c0 + u.z * (c1 - c0);
+}
+
+Vec3 Volume::gradient(const Vec3& p) const {
+  const Local at = localize(*this, p);
+  const Corners c = corners(at.voxel);
+  const Vec3 u = at.u;
+  const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
+  const double gx =
+      mix(mix(c[1] - c[0], c[3] - c[2], u.y), mix(c[5] - c[4], c[7] - c[6], u.y), u.z);
+  const double gy =
+      mix(mix(c[2] - c[0], c[3] - c[1], u.x), mix(c[6] - c[4], c[7] - c[5], u.x), u.z);
+  const double gz =
+      mix(mix(c[4] - c[0], c[5] - c[1], u.x), mix(c[6] - c[2], c[7] - c[3], u.x), u.y);
+  return {gx / spacing_.x, gy / spacing_.y, gz / spacing_.z};
+}
+
+ValueRange value_range(const Volume& volume) {
+  const std::size_t count = volume.sample_count();
+  return volume.visit([&](const auto* s) {
+    using T = std::remove_cvref_t<decltype(*s)>;
+    if constexpr (std::is_floating_point_v<T>) {
+      for (std::size_t n = 0; n < count; ++n) {
+        if (std::isfinite(s[n])) continue;
+        const std::size_t nx = static_cast<std::size_t>(volume.dims().i);
+        const std::size_t ny = static_cast<std::size_t>(volume.dims().j);
+        throw InputError(std::string(std::isnan(s[n]) ? "NaN" : "infinite") + " sample at (" +
+                         std::to_string(n % nx) + ", " + std::to_string(n / nx % ny) + ", " +
+                         std::to_string(n / nx / ny) + ")");
+      }
+    }
+    T lo = s[0], hi = s[0];
+    for (std::size_t n = 1; n < count; ++n) {
+      lo = std::min(lo, s[n]);
+      hi = std::max(hi, s[n]);
+    }
+    return ValueRange{static_cast<double>(lo), static_cast<double>(hi)};
+  });
+}
+
+double effective_isovalue(const Volume& volume, double kappa) {
+  const std::size_t count = volume.sample_count();
+  return volume.visit([&](const auto* s) {
+    using T = std::remove_cvref_t<decltype(*s)>;
+    if constexpr (std::is_integral_v<T>) {
+      // An integer type holds no kappa with a fraction; skip the scan.
+      if (kappa != std::floor(kappa)) return kappa;
+    }
+    bool equal = false;
+    double below = -std::numeric_limits<double>::infinity();
+    double lo = static_cast<double>(s[0]), hi = lo;
+    for (std::size_t n = 0; n < count; ++n) {
+      const double v = static_cast<double>(s[n]);
+      equal |= v == kappa;
+      if (v < kappa) below = std::max(below, v);
+      lo = std::min(lo, v);
+      hi = std::max(hi, v);
+    }
+    if (!equal || below == -std::numeric_limits<double>::infinity()) return kappa;
+    const double step = std::min(1e-9 * (hi - lo), 0.5 * (kappa - below));
+    const double lowered = kappa - step;
+    return lowered > below && lowered < kappa ? lowered : kappa;
+  });
+}
+
+}  // namespace deliso

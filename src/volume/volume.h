@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// A scalar volume: samples on a regular grid, kept in their own type, with the trilinear
+// interpolant g of paper §2 between them.
+//
+// Frame: sample (i,j,k) lies at (i*sx, j*sy, k*sz); all geometry runs in this scaled frame. Where
+// the file says the volume sits in the world is in `orientation`, applied when a mesh is written.
+// Layout: x fastest, native byte order, aligned for the type, either owned or memory-mapped.
+// A voxel is the cell between eight samples; corner number m of voxel (i,j,k) is the sample
+// (i + (m&1), j + (m>>1&1), k + (m>>2)).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "base/box3.h"
+#include "base/check.h"
+#include "base/vec3.h"
+
+namespace deliso {
+
+enum class SampleType : std::uint8_t { u8, i8, u16, i16, u32, i32, f32, f64 };
+
+std::size_t size_of(SampleType type);
+std::string_view name_of(SampleType type);  // "uint8", "float32", ...
+
+struct Index3 {
+  int i = 0, j = 0, k = 0;
+  int operator[](int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
+  int& operator[](int axis) { return axis == 0 ? i : axis == 1 ? j : k; }
+  friend bool operator==(const Index3&, const Index3&) = default;
+};
+
+// The eight values at a voxel's corners.
+using Corners = std::array<double, 8>;
+
+// World position of a point p of the scaled frame: origin + p.x * axes[0] + p.y * axes[1] + p.z *
+// axes[2], with unit axes. The axes may be left-handed; writers then turn the triangles round.
+struct Orientation {
+  Vec3 origin{0, 0, 0};
+  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+
+  Vec3 to_world(const Vec3& p) const {
+    return origin + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];
+  }
+  bool left_handed() const { return dot(cross(axes[0], axes[1]), axes[2]) < 0; }
+};
+
+class Volume {
+ public:
+  // `bytes` holds dims.i * dims.j * dims.k samples; `owner` keeps them alive (a vector, a mapping).
+  // pre: every dimension >= 1 (>= 2 to have a voxel), spacing > 0.
+  Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
+         std::shared_ptr<const void> owner, Orientation orientation = {});
+
+  // Copies `samples` (dims.i * dims.j * dims.k of them).
+  template <class T>
+  static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples);
+
+  Index3 dims() const { return dims_; }
+  Index3 voxels() const { return {dims_.i - 1, dims_.j - 1, dims_.k - 1}; }
+  Vec3 spacing() const { return spacing_; }
+  SampleType type() const { return type_; }
+  const Orientation& orientation() const { return orientation_; }
+  std::size_t sample_count() const {
+    return static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j) *
+           static_cast<std::size_t>(dims_.k);
+  }
+  std::size_t index(int i, int j, int k) const {
+    return static_cast<std::size_t>(i) +
+           static_cast<std::size_t>(dims_.i) *
+               (static_cast<std::size_t>(j) +
+                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(k));
+  }
+
+  // The box of all samples, [0, (n-1)*s] along each axis.
+  Box3 box() const;
+  Vec3 position(Index3 sample) const {
+    return {sample.i * spacing_.x, sample.j * spacing_.y, sample.k * spacing_.z};
+  }
+  // The voxel that holds p, clamped to the box.
+  Index3 voxel_at(const Vec3& p) const;
+
+  // Calls f with the samples as a pointer to their own type, so that inner loops are monomorphic.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    switch (type_) {
+      case SampleType::u8:
+        return f(reinterpret_cast<const std::uint8_t*>(bytes_));
+      case SampleType::i8:
+        return f(reinterpret_cast<const std::int8_t*>(bytes_));
+      case SampleType::u16:
+        return f(reinterpret_cast<const std::uint16_t*>(bytes_));
+      case SampleType::i16:
+        return f(reinterpret_cast<const std::int16_t*>(bytes_));
+      case SampleType::u32:
+        return f(reinterpret_cast<const std::uint32_t*>(bytes_));
+      case SampleType::i32:
+        return f(reinterpret_cast<const std::int32_t*>(bytes_));
+      case SampleType::f32:
+        return f(reinterpret_cast<const float*>(bytes_));
+      case SampleType::f64:
+        break;
+    }
+    return f(reinterpret_cast<const double*>(bytes_));
+  }
+
+  double sample(int i, int j, int k) const {
+    const std::size_t n = index(i, j, k);
+    return visit([n](const auto* s) { return static_cast<double>(s[n]); });
+  }
+  Corners corners(Index3 voxel) const;
+
+  // Trilinear interpolant and its gradient (per unit of the scaled frame; that of the voxel which
+  // voxel_at picks, since g is only C0 across voxels). Points outside the box are clamped to it.
+  double value(const Vec3& p) const;
+  Vec3 gradient(const Vec3& p) const;
+
+ private:
+  Index3 dims_;
+  Vec3 spacing_;
+  SampleType type_;
+  const std::byte* bytes_;
+  std::shared_ptr<const void> owner_;
+  Orientation orientation_;
+};
+
+// Smallest and largest sample. Throws InputError naming the first NaN or infinite sample.
+struct ValueRange {
+  double min = 0, max = 0;
+};
+ValueRange value_range(const Volume& volume);
+
+// Inside is f >= kappa. Where samples equal kappa the surface would touch itself at samples and
+// whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and
+// always by less than the gap to the next lower sample. Returns kappa where no sample equals it.
+double effective_isovalue(const Volume& volume, double kappa);
+
+template <class T>
+constexpr SampleType sample_type_of();
+template <>
+constexpr SampleType sample_type_of<std::uint8_t>() {
+  return SampleType::u8;
+}
+template <>
+constexpr SampleType sample_type_of<std::int8_t>() {
+  return SampleType::i8;
+}
+template <>
+constexpr SampleType sample_type_of<std::uint16_t>() {
+  return SampleType::u16;
+}
+template <>
+constexpr SampleType sample_type_of<std::int16_t>() {
+  return SampleType::i16;
+}
+template <>
+constexpr SampleType sample_type_of<std::uint32_t>() {
+  return SampleType::u32;
+}
+template <>
+constexpr SampleType sample_type_of<std::int32_t>() {
+  return SampleType::i32;
+}
+template <>
+constexpr SampleType sample_type_of<float>() {
+  return SampleType::f32;
+}
+template <>
+constexpr SampleType sample_type_of<double>() {
+  return SampleType::f64;
+}
+
+template <class T>
+Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples) {
+  auto owner = std::make_shared<const std::vector<T>>(samples);
+  Volume volume(dims, spacing, sample_type_of<T>(),
+                reinterpret_cast<const std::byte*>(owner->data()), owner);
+  DELISO_CHECK(samples.size() == volume.sample_count());
+  return volume;
+}
+
+}  // namespace deliso
