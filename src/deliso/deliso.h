@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// DelIso(f, kappa) of paper Figure 4: a Delaunay mesh of the isosurface, in two stages.
+#pragma once
+
+#include "deliso/options.h"
+#include "deliso/report.h"
+#include "mesh/tri_mesh.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// The mesh of {g = kappa}, in the scaled frame, facets counter-clockwise seen from g < kappa.
+// Empty where no voxel holds the isovalue. Throws InputError when --max-vertices is passed.
+// pre: all samples are finite (value_range() has been asked).
+TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
+
+}  // namespace deliso

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a run did: seconds, points, searches, and a counter for everything that was refused or left
+// unresolved. A clean run shows zeros; nothing is dropped without being counted.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "isosurface/isosurface.h"
+
+namespace deliso {
+
+enum class Counter : std::uint8_t {
+  // Stage 1
+  seeds_skipped,            // seeds closer than r_min to another point
+  components_skipped,       // by --min-component
+  boundary_splits_recover,  // boundary edges split because a point encroached upon them
+  cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
+  bogus_hits,               // hits whose ball holds a vertex: the Voronoi edge was garbage
+  capped_insertions,        // insertions refused by the hard cap
+  unresolved_facets,        // facets that still meet Sigma more than once
+  unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
+  dropped_facets,           // restricted facets left out to hand over a manifold
+  // Stage 2, refused insertions by reason
+  refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
+  refused_no_surface_point,  // a new facet's dual line misses Sigma
+  refused_folded,            // a new facet's normal runs against the gradient
+  refused_offset,            // a new facet would have h > r
+  refused_too_close,         // the point is too near to a vertex of the rim
+  refused_boundary,          // a boundary edge encroached upon that cannot be split
+  boundary_splits_refine,
+  unrefined_facets,  // facets that still violate a criterion because their point was refused
+  count_
+};
+inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
+std::string_view name_of(Counter counter);  // "cancelled_pairs", ...
+
+struct Report {
+  // Seconds, wall clock, per step.
+  double seconds_tree = 0, seconds_contour = 0, seconds_init = 0, seconds_recover = 0,
+         seconds_poles = 0, seconds_refine = 0, seconds_total = 0;
+  std::size_t points_initial = 0;    // S_0
+  std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
+  std::size_t points_refined = 0;    // n_RF: points inserted by Stage 2
+  SearchCounters searches_recover, searches_refine;
+  double kappa_effective = 0;  // lowered where samples equal the isovalue
+  double r_min = 0;            // scaled frame
+  bool stopped_at_max_vertices = false;
+  std::array<std::uint64_t, kCounterCount> counters{};
+
+  std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }
+  std::uint64_t operator[](Counter c) const { return counters[static_cast<std::size_t>(c)]; }
+};
+
+}  // namespace deliso
