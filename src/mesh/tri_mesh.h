@@ -7,7 +7,8 @@
 //   I2  neighbours are mutual: if n[i] of f is g, then g has f across the same two vertices;
 //   I3  orientation is consistent: f and g run along their common edge in opposite directions;
 //   I4  an edge belongs to at most two facets (n[i] == kNoId where it belongs to one);
-//   I5  the facets at a vertex form one disk or one half disk (vertex-manifold).
+//   I5  the facets at a vertex form one disk or one half disk (vertex-manifold);
+//   I6  all points are finite; surface points are absent or one per facet, and finite.
 // Facets are counter-clockwise seen from the side where f < kappa.
 #pragma once
 
@@ -40,8 +41,9 @@ inline int neighbor_index(const Face& f, FaceId g) {
   return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
 }
 
-// Fills the neighbours from the corners, in O(F log F). An edge of more than two facets, or of two
-// that run along it in the same direction, is left without neighbours on all of them and counted.
+// Fills the neighbours from the corners, in O(V + F) but for vertices of huge degree. An edge of
+// more than two facets, or of two that run along it in the same direction, is left without
+// neighbours on all of them and counted. pre: all corners are below the vertex count.
 struct LinkResult {
   std::size_t non_manifold_edges = 0;
   std::size_t boundary_edges = 0;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A file that appears whole or not at all: the bytes go to a temporary file beside the target,
+// which takes the target's name, and an old target's permissions, at commit().
+//
+//   A1  until commit() returns, a regular target is as it was (absent, or its old bytes);
+//   A2  when commit() is not reached, or fails, the temporary is removed;
+//   A3  what cannot be replaced is written in place: `-` and /dev/stdout (standard output), other
+//       descriptors under /dev/fd, devices, pipes; a symbolic link stays, its target is replaced;
+//   A4  every fault is an InputError of one line that names the path and the system's reason.
+// POSIX. A process killed by a signal may leave its temporary (.deliso-<pid>-<n>.tmp) behind.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace deliso {
+
+class AtomicFile {
+ public:
+  // Opens for writing. With `sync`, commit() also waits until the bytes are on the medium.
+  explicit AtomicFile(std::string path, bool sync = false);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view bytes);
+  // Writes what is buffered, closes, and gives the file its name. Nothing may be written after it.
+  void commit();
+
+  const std::string& path() const { return path_; }
+
+ private:
+  static constexpr std::size_t kBufferSize = std::size_t{1} << 18;
+
+  void open_temporary();
+  void flush();
+  [[noreturn]] void fail(int error);
+
+  std::string path_;       // as the user gave it
+  std::string target_;     // the path with symbolic links followed
+  std::string temporary_;  // empty when the target is written in place
+  std::string buffer_;
+  int descriptor_ = -1;
+  bool sync_;
+};
+
+}  // namespace deliso

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Text from parts. Numbers become the shortest digits that read back as the same number, in no
+// locale, the same on every machine (std::to_chars).
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <string>
+#include <string_view>
+
+namespace deliso {
+
+inline void append_text(std::string& text, std::string_view part) {
+  text.append(part);
+}
+
+template <class T>
+requires std::integral<T> || std::floating_point<T>
+void append_text(std::string& text, T number) {
+  char digits[32];  // the longest double, -2.2250738585072014e-308, takes 24
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
+// text("facet ", 7, " of ", 9.5) == "facet 7 of 9.5".
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::string all;
+  (append_text(all, parts), ...);
+  return all;
+}
+
+}  // namespace deliso

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Says what a triangle mesh is and what is wrong with it. Slow (it sorts all edges and all corners)
+// and independent of the fast path: it trusts no stored neighbour, and shares no code with
+// link_faces or classify_star.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/box3.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// The first broken rule of tri_mesh.h, in the order of its numbers, as one line that opens with the
+// number and names the ids and coordinates; empty when all of them hold. Beyond I1, rules are only
+// looked at while the ones before them hold.
+std::string check_mesh(const TriMesh& mesh);
+
+// Paper §5: a surface may end only where the volume ends. Names the first edge with one facet whose
+// ends do not lie on one common face of `box`, by exact equality of a coordinate; empty when there
+// is none. pre: I1. `box` is in the frame of the points.
+std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box);
+
+struct ComponentTopology {
+  std::size_t vertices = 0, edges = 0, faces = 0;
+  std::size_t boundary_edges = 0, boundary_loops = 0;
+  Box3 box;  // of its vertices
+
+  std::ptrdiff_t euler() const {
+    return static_cast<std::ptrdiff_t>(vertices + faces) - static_cast<std::ptrdiff_t>(edges);
+  }
+  bool closed() const { return boundary_edges == 0; }
+};
+
+// Counted on the corners alone. A component is a set of facets connected through shared vertices.
+// An edge is a boundary edge when one facet holds it; boundary loops are the connected pieces of
+// the boundary edges, which are loops wherever the mesh is a manifold.
+struct MeshTopology {
+  std::size_t vertices_used = 0, isolated_vertices = 0;
+  std::size_t edges = 0, faces = 0;
+  std::size_t boundary_edges = 0, boundary_loops = 0, closed_components = 0;
+  std::size_t duplicate_faces = 0;            // facets beyond the first on the same three vertices
+  std::vector<ComponentTopology> components;  // in the order of their smallest vertex
+
+  std::ptrdiff_t euler() const {
+    return static_cast<std::ptrdiff_t>(vertices_used + faces) - static_cast<std::ptrdiff_t>(edges);
+  }
+};
+
+// pre: all corners are below the vertex count.
+MeshTopology mesh_topology(const TriMesh& mesh);
+
+}  // namespace deliso

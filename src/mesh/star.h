@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The paper's Disk() test (§3.1) and its half-disk relaxation (§5), as pure combinatorics: what do
+// the triangles around one vertex form? Both stages ask; no coordinate, adjacency or orientation is
+// looked at.
+//
+// The link of q has one edge per triangle: the triangle's side opposite q. So
+//   S1  disk       the link is one simple cycle (of three or more edges, all different);
+//   S2  half disk  the link is one simple path (of one or more edges), q on the boundary;
+//   S3  a link with two pieces, a vertex of three or more edges, an edge twice, or a triangle
+//       that names a vertex twice is neither.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+enum class Star : std::uint8_t {
+  empty,      // no triangle: q is not on the surface's mesh
+  disk,       // S1: the triangles close up around q
+  half_disk,  // S2: the triangles fan out once, between two boundary edges at q
+  singular,   // S3: q is no manifold vertex
+};
+
+const char* name_of(Star star);
+
+// Classifies the triangles around q. pre: each of them contains q. Allocates nothing and takes
+// about n^2 comparisons for up to 64 triangles; O(n log n) beyond.
+Star classify_star(VertexId q, std::span<const Triangle> triangles);
+
+// Paper §5: inner vertices must have disks, marked boundary points may have half disks instead.
+constexpr bool is_disk_or_allowed_half_disk(Star star, bool on_boundary) {
+  return star == Star::disk || (on_boundary && star == Star::half_disk);
+}
+
+}  // namespace deliso

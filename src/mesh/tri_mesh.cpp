@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/tri_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// Side i of facet f, the one opposite corner i, is the half-edge 3 f + i.
+struct Side {
+  VertexId from, to;
+};
+
+Side side_of(const Face& face, std::uint32_t i) {
+  return {face.v[(i + 1) % 3], face.v[(i + 2) % 3]};
+}
+
+// The half-edges of one undirected edge, given as the keys of link_faces.
+void link_edge(TriMesh& mesh, std::span<const std::uint64_t> edge, LinkResult& result) {
+  const auto half_edge = [](std::uint64_t key) { return static_cast<std::uint32_t>(key); };
+  if (edge.size() == 1) {
+    ++result.boundary_edges;
+    return;
+  }
+  const std::uint32_t a = half_edge(edge[0]), b = half_edge(edge[1]);
+  Face& f = mesh.faces[a / 3];
+  Face& g = mesh.faces[b / 3];
+  const Side fs = side_of(f, a % 3), gs = side_of(g, b % 3);
+  if (edge.size() > 2 || fs.from != gs.to || fs.from == fs.to || a / 3 == b / 3) {
+    ++result.non_manifold_edges;
+    return;
+  }
+  f.n[a % 3] = b / 3;
+  g.n[b % 3] = a / 3;
+}
+
+}  // namespace
+
+LinkResult link_faces(TriMesh& mesh) {
+  DELISO_CHECK(mesh.faces.size() <= kNoId / 3);
+  const std::size_t half_edges = 3 * mesh.faces.size();
+
+  // Bucket the half-edges by the smaller end: a counting sort, linear in the mesh.
+  std::vector<std::uint32_t> begin(mesh.points.size() + 1, 0);
+  for (const Face& face : mesh.faces) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Side side = side_of(face, i);
+      DELISO_ASSERT(std::max(side.from, side.to) < mesh.points.size());
+      ++begin[std::min(side.from, side.to) + 1];
+    }
+  }
+  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+
+  // A key holds the larger end above the half-edge, so that sorting a bucket brings the half-edges
+  // of an edge together, in the order of their ids.
+  std::vector<std::uint64_t> keys(half_edges);
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    mesh.faces[f].n = {kNoId, kNoId, kNoId};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Side side = side_of(mesh.faces[f], i);
+      const std::uint64_t larger = std::max(side.from, side.to);
+      keys[next[std::min(side.from, side.to)]++] = larger << 32 | (3 * f + i);
+    }
+  }
+
+  LinkResult result;
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    const std::span bucket(keys.data() + begin[v], keys.data() + begin[v + 1]);
+    std::sort(bucket.begin(), bucket.end());
+    for (std::size_t i = 0, j; i < bucket.size(); i = j) {
+      for (j = i + 1; j < bucket.size() && bucket[j] >> 32 == bucket[i] >> 32;) ++j;
+      link_edge(mesh, bucket.subspan(i, j - i), result);
+    }
+  }
+  return result;
+}
+
+TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles) {
+  TriMesh mesh;
+  mesh.points = std::move(points);
+  mesh.faces.reserve(triangles.size());
+  for (const Triangle& t : triangles) mesh.faces.push_back({t, {kNoId, kNoId, kNoId}});
+  link_faces(mesh);
+  return mesh;
+}
+
+}  // namespace deliso

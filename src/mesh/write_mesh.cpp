@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/write_mesh.h"
+
+#include "base/check.h"
+#include "base/text.h"
+#include "mesh/mesh_formats.h"
+
+namespace deliso {
+namespace {
+
+struct Ending {
+  std::string_view text;
+  MeshFormat format;
+};
+constexpr Ending kEndings[] = {{".ply", MeshFormat::ply},
+                               {".off", MeshFormat::off},
+                               {".obj", MeshFormat::obj},
+                               {".stl", MeshFormat::stl},
+                               {".vtp", MeshFormat::vtp}};
+
+bool ends_with(std::string_view path, std::string_view ending) {
+  if (path.size() <= ending.size()) return false;
+  path.remove_prefix(path.size() - ending.size());
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    const char c = path[i];
+    if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+MeshFormat mesh_format_of(std::string_view path) {
+  std::string known;
+  for (const Ending& ending : kEndings) {
+    if (ends_with(path, ending.text)) return ending.format;
+    known += text(known.empty() ? "" : ", ", ending.text);
+  }
+  throw InputError(text("'", path, "' has no mesh format's ending (", known, ")"));
+}
+
+void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  const MeshFormat format = options.format ? *options.format
+                            : path == "-"  ? MeshFormat::ply
+                                           : mesh_format_of(path);
+  const WorldMesh world(mesh, options.frame);
+  AtomicFile out(path, options.sync);
+  switch (format) {
+    case MeshFormat::ply:
+      write_ply(out, world, options.single_precision, options.ascii);
+      break;
+    case MeshFormat::off:
+      write_off(out, world, options.single_precision);
+      break;
+    case MeshFormat::obj:
+      write_obj(out, world, options.single_precision);
+      break;
+    case MeshFormat::stl:
+      write_stl(out, world);
+      break;
+    case MeshFormat::vtp:
+      write_vtp(out, world, options.single_precision);
+      break;
+  }
+  out.commit();
+}
+
+}  // namespace deliso

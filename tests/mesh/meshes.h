@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Tiny named meshes and seeded random ones, for the tests of src/mesh.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/random.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso::test {
+
+using Triangles = std::vector<Triangle>;
+
+// Points in general position: all distinct, no three on a line.
+inline std::vector<Vec3> some_points(std::size_t n) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i);
+    points.push_back({t, t * t, t * t * t});
+  }
+  return points;
+}
+
+inline TriMesh mesh_of(const Triangles& triangles) {
+  VertexId last = 0;
+  for (const Triangle& t : triangles) last = std::max({last, t[0], t[1], t[2]});
+  return make_tri_mesh(some_points(triangles.empty() ? 0 : last + 1), triangles);
+}
+
+inline Triangles tetrahedron() {
+  return {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+}
+
+inline Triangles octahedron() {
+  return {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+}
+
+// n x m squares of two triangles, both directions closed: a torus for n, m >= 3.
+inline Triangles torus_grid(VertexId n, VertexId m) {
+  Triangles triangles;
+  const auto id = [=](VertexId i, VertexId j) { return (i % n) + n * (j % m); };
+  for (VertexId j = 0; j < m; ++j) {
+    for (VertexId i = 0; i < n; ++i) {
+      triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+    }
+  }
+  return triangles;
+}
+
+// n triangles around vertex 0, closed (n >= 3).
+inline Triangles one_ring(VertexId n) {
+  Triangles triangles;
+  for (VertexId i = 0; i < n; ++i) triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  return triangles;
+}
+
+// The triangles of one_ring(n) but the last: vertex 0 is on the boundary.
+inline Triangles fan(VertexId n) {
+  Triangles triangles = one_ring(n + 1);
+  triangles.pop_back();
+  return triangles;
+}
+
+// Three squares: 3 4 5
+//                0 1 2 -> the square over 1 2 is missing.
+inline Triangles l_shape() {
+  return {{0, 1, 4}, {0, 4, 3}, {3, 4, 7}, {3, 7, 6}, {1, 2, 5}, {1, 5, 4}};
+}
+
+// A ring of triangles between two triangles' corners, open at both ends: an annulus.
+inline Triangles annulus() {
+  return {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+}
+
+// Two tetrahedra that share vertex 0 alone.
+inline Triangles hourglass() {
+  Triangles triangles = tetrahedron();
+  for (Triangle t : tetrahedron()) {
+    for (VertexId& v : t) v = v == 0 ? 0 : v + 3;
+    triangles.push_back(t);
+  }
+  return triangles;
+}
+
+// Two triangles that share vertex 0 alone.
+inline Triangles bow_tie() {
+  return {{0, 1, 2}, {0, 3, 4}};
+}
+
+// Five triangles in a strip closed with a half turn; no orientation of it is consistent.
+inline Triangles moebius_strip() {
+  return {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 0, 4}, {4, 0, 1}};
+}
+
+inline Triangles fan_of_three_on_an_edge() {
+  return {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+}
+
+inline Triangles duplicated_facet() {
+  Triangles triangles = octahedron();
+  triangles.push_back(triangles[3]);
+  return triangles;
+}
+
+inline Triangles flipped_facet() {
+  Triangles triangles = octahedron();
+  std::swap(triangles[3][0], triangles[3][1]);
+  return triangles;
+}
+
+// One triangle and its back: every edge is right, no vertex has a disk.
+inline Triangles pillow() {
+  return {{0, 1, 2}, {0, 2, 1}};
+}
+
+// Two octahedra.
+inline Triangles two_spheres() {
+  Triangles triangles = octahedron();
+  for (Triangle t : octahedron()) {
+    for (VertexId& v : t) v += 6;
+    triangles.push_back(t);
+  }
+  return triangles;
+}
+
+// A mesh that starts as `triangles` and is changed by moves that keep its topology.
+class RandomMesh {
+ public:
+  RandomMesh(const Triangles& triangles, std::uint64_t seed)
+      : mesh_(mesh_of(triangles)), random_(seed) {}
+
+  // One random move: a facet split in three, an edge with its two facets split in four, or an edge
+  // flipped (unless the new edge is there already). Boundary edges are left alone.
+  void change() {
+    Triangles t = triangles();
+    const FaceId f = random_.below(static_cast<std::uint32_t>(t.size()));
+    const int i = static_cast<int>(random_.below(3));
+    const FaceId g = mesh_.faces[f].n[i];
+    const VertexId a = t[f][i], b = t[f][(i + 1) % 3], c = t[f][(i + 2) % 3];
+    const VertexId p = static_cast<VertexId>(mesh_.points.size());
+    switch (random_.below(3)) {
+      case 0:
+        t[f] = {p, a, b};
+        t.push_back({p, b, c});
+        t.push_back({p, c, a});
+        break;
+      case 1: {
+        if (g == kNoId) return;
+        const VertexId d = mesh_.faces[g].v[neighbor_index(mesh_.faces[g], f)];
+        t[f] = {p, c, a};
+        t[g] = {p, a, b};
+        t.push_back({p, b, d});
+        t.push_back({p, d, c});
+        break;
+      }
+      default: {
+        if (g == kNoId) return;
+        const VertexId d = mesh_.faces[g].v[neighbor_index(mesh_.faces[g], f)];
+        if (a == d || has_edge(a, d)) return;
+        t[f] = {a, b, d};
+        t[g] = {a, d, c};
+        break;
+      }
+    }
+    std::size_t vertices = mesh_.points.size();
+    for (const Triangle& u : t)
+      vertices = std::max<std::size_t>(vertices, *std::max_element(u.begin(), u.end()) + 1);
+    mesh_ = make_tri_mesh(some_points(vertices), t);
+  }
+
+  const TriMesh& mesh() const { return mesh_; }
+  Random& random() { return random_; }
+  Triangles triangles() const {
+    Triangles all;
+    for (const Face& face : mesh_.faces) all.push_back(face.v);
+    return all;
+  }
+  bool has_edge(VertexId a, VertexId b) const {
+    for (const Face& face : mesh_.faces) {
+      const auto has = [&](VertexId v) {
+        return std::find(face.v.begin(), face.v.end(), v) != face.v.end();
+      };
+      if (has(a) && has(b)) return true;
+    }
+    return false;
+  }
+
+ private:
+  TriMesh mesh_;
+  Random random_;
+};
+
+}  // namespace deliso::test

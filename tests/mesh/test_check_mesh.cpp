@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The checker finds nothing in sound meshes and, after one fault is put in, that fault by its
+// number.
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+
+#include "mesh/check_mesh.h"
+#include "mesh/meshes.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+std::string rule(const TriMesh& mesh) {
+  return check_mesh(mesh).substr(0, 2);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("sound meshes, with their topology") {
+  struct Case {
+    const char* name;
+    Triangles triangles;
+    std::size_t components, loops, closed;
+    std::ptrdiff_t euler;
+  };
+  const Case cases[] = {
+      {"nothing", {}, 0, 0, 0, 0},
+      {"one triangle", {{0, 1, 2}}, 1, 1, 0, 1},
+      {"tetrahedron", tetrahedron(), 1, 0, 1, 2},
+      {"octahedron", octahedron(), 1, 0, 1, 2},
+      {"smallest torus grid", torus_grid(3, 3), 1, 0, 1, 0},
+      {"torus grid", torus_grid(6, 5), 1, 0, 1, 0},
+      {"one ring", one_ring(6), 1, 1, 0, 1},
+      {"fan", fan(5), 1, 1, 0, 1},
+      {"L shape", l_shape(), 1, 1, 0, 1},
+      {"open cone", one_ring(3), 1, 1, 0, 1},
+      {"annulus", annulus(), 1, 2, 0, 0},
+      {"two spheres", two_spheres(), 2, 0, 2, 4},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(std::string(c.name));
+    const TriMesh mesh = mesh_of(c.triangles);
+    CHECK(check_mesh(mesh) == "");
+    const MeshTopology topology = mesh_topology(mesh);
+    CHECK(topology.components.size() == c.components);
+    CHECK(topology.boundary_loops == c.loops);
+    CHECK(topology.closed_components == c.closed);
+    CHECK(topology.euler() == c.euler);
+    CHECK(topology.faces == c.triangles.size());
+    CHECK(topology.isolated_vertices + topology.vertices_used == mesh.points.size());
+    CHECK(topology.duplicate_faces == 0);
+    std::ptrdiff_t euler = 0;
+    for (const ComponentTopology& component : topology.components) euler += component.euler();
+    CHECK(euler == c.euler);
+  }
+}
+
+TEST_CASE("each named fault by its number, its ids and its coordinates") {
+  struct Case {
+    const char* name;
+    Triangles triangles;
+    const char* says;
+  };
+  const Case cases[] = {
+      {"a vertex twice", {{0, 1, 1}}, "I1: facet 0 (0, 1, 1) has vertex 1 (1, 1, 1) twice"},
+      {"flipped facet", flipped_facet(),
+       "I3: facet 3 (0, 3, 4) and facet 7 (0, 3, 5) run the same way along the edge from vertex 0 "
+       "(0, 0, 0) to vertex 3 (3, 9, 27)"},
+      {"Moebius strip", moebius_strip(), "I3: "},
+      {"fan of three on an edge", fan_of_three_on_an_edge(),
+       "I4: 3 facets share the edge from vertex 0 (0, 0, 0) to vertex 1 (1, 1, 1): 0 1 2"},
+      {"duplicated facet", duplicated_facet(), "I4: 3 facets share the edge from vertex 0"},
+      {"hourglass", hourglass(),
+       "I5: at vertex 0 (0, 0, 0) the facets 0 1 3 4 5 7 form 2 separate fans"},
+      {"bow tie", bow_tie(), "I5: at vertex 0 (0, 0, 0) the facets 0 1 form 2 separate fans"},
+      {"pillow", pillow(), "I5: at vertex 0 (0, 0, 0) the facets 0 1 cover each other"},
+  };
+  for (const Case& c : cases) {
+    CAPTURE(std::string(c.name));
+    const std::string text = check_mesh(mesh_of(c.triangles));
+    CHECK_MESSAGE(text.starts_with(c.says), text);
+    CHECK(text.find('\n') == std::string::npos);
+  }
+  CHECK(mesh_topology(mesh_of(duplicated_facet())).duplicate_faces == 1);
+  CHECK(mesh_topology(mesh_of(pillow())).duplicate_faces == 1);
+}
+
+TEST_CASE("one fault put into random sound meshes") {
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    CAPTURE(seed);
+    RandomMesh source(seed % 2 ? octahedron() : torus_grid(4, 4), seed);
+    for (int i = 0; i < 30; ++i) source.change();
+    const TriMesh& sound = source.mesh();
+    REQUIRE(check_mesh(sound) == "");
+    Random& random = source.random();
+    const FaceId f = random.below(static_cast<std::uint32_t>(sound.faces.size()));
+    const int i = static_cast<int>(random.below(3));
+    const FaceId g = sound.faces[f].n[i];
+    const int j = neighbor_index(sound.faces[g], f);
+
+    TriMesh mesh = sound;
+    mesh.faces[f].v[i] = static_cast<VertexId>(mesh.points.size());
+    CHECK(rule(mesh) == "I1");
+    mesh = sound;
+    mesh.faces[f].v[i] = mesh.faces[f].v[(i + 1) % 3];
+    CHECK(rule(mesh) == "I1");
+
+    mesh = sound;
+    mesh.faces[f].n[i] = kNoId;
+    CHECK(rule(mesh) == "I2");
+    CHECK(contains(check_mesh(mesh), "facet " + std::to_string(g) + " "));
+    mesh = sound;
+    mesh.faces[f].n[i] = static_cast<FaceId>(mesh.faces.size());
+    CHECK(rule(mesh) == "I2");
+    mesh = sound;
+    mesh.faces[f].n[i] = f;
+    CHECK(rule(mesh) == "I2");
+    mesh = sound;
+    std::swap(mesh.faces[f].n[i], mesh.faces[f].n[(i + 1) % 3]);
+    CHECK(rule(mesh) == "I2");
+
+    Triangles triangles = source.triangles();
+    std::swap(triangles[f][0], triangles[f][1]);
+    CHECK(rule(mesh_of(triangles)) == "I3");
+
+    mesh = sound;  // both sides deny the edge
+    mesh.faces[f].n[i] = mesh.faces[g].n[j] = kNoId;
+    CHECK(rule(mesh) == "I4");
+    triangles = source.triangles();
+    triangles.push_back(triangles[f]);
+    CHECK(rule(mesh_of(triangles)) == "I4");
+    CHECK(mesh_topology(mesh_of(triangles)).duplicate_faces == 1);
+    triangles = source.triangles();  // a fin on an inner edge
+    triangles.push_back(
+        {sound.faces[f].v[0], sound.faces[f].v[1], static_cast<VertexId>(sound.points.size())});
+    CHECK(rule(mesh_of(triangles)) == "I4");
+
+    mesh = sound;
+    mesh.points[sound.faces[f].v[i]].y = std::numeric_limits<double>::quiet_NaN();
+    CHECK(rule(mesh) == "I6");
+    mesh = sound;
+    mesh.surface_points.resize(sound.faces.size() - 1);
+    CHECK(rule(mesh) == "I6");
+    mesh.surface_points.resize(sound.faces.size());
+    CHECK(check_mesh(mesh) == "");
+    mesh.surface_points[f].x = std::numeric_limits<double>::infinity();
+    CHECK(rule(mesh) == "I6");
+
+    // A tetrahedron hung on one vertex.
+    triangles = source.triangles();
+    const VertexId q = sound.faces[f].v[i], n = static_cast<VertexId>(sound.points.size());
+    for (const Triangle& t :
+         Triangles{{q, n + 1, n}, {q, n, n + 2}, {n, n + 1, n + 2}, {n + 1, q, n + 2}}) {
+      triangles.push_back(t);
+    }
+    CHECK(rule(mesh_of(triangles)) == "I5");
+    CHECK(contains(check_mesh(mesh_of(triangles)), "vertex " + std::to_string(q) + " "));
+
+    // A facet taken out leaves a sound mesh with one hole and one facet less.
+    triangles = source.triangles();
+    triangles.erase(triangles.begin() + f);
+    mesh = make_tri_mesh(sound.points, triangles);
+    CHECK(check_mesh(mesh) == "");
+    const MeshTopology before = mesh_topology(sound), after = mesh_topology(mesh);
+    CHECK(after.euler() == before.euler() - 1);
+    CHECK(after.boundary_edges == 3);
+    CHECK(after.boundary_loops == 1);
+    CHECK(after.closed_components == 0);
+    CHECK(after.isolated_vertices == 0);
+  }
+}
+
+TEST_CASE("components are listed by their smallest vertex, with their boxes") {
+  TriMesh mesh;
+  mesh.points = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 7}};
+  mesh = make_tri_mesh(mesh.points, Triangles{{4, 5, 6}, {1, 2, 3}});
+  const MeshTopology topology = mesh_topology(mesh);
+  CHECK(topology.isolated_vertices == 1);
+  CHECK(topology.vertices_used == 6);
+  CHECK(topology.edges == 6);
+  REQUIRE(topology.components.size() == 2);
+  CHECK(topology.components[0].box.hi == Vec3{1, 2, 0});
+  CHECK(topology.components[1].box.lo == Vec3{5, 5, 5});
+  CHECK(topology.components[1].box.hi == Vec3{6, 6, 7});
+  CHECK(topology.components[1].vertices == 3);
+  CHECK(topology.components[1].boundary_edges == 3);
+}
+
+TEST_CASE("boundary edges only on the box") {
+  const Box3 box{{0, 0, 0}, {4, 4, 4}};
+  const Triangles triangle{{0, 1, 2}};
+  // All three edges on the face z = 4.
+  TriMesh mesh = make_tri_mesh({{0, 0, 4}, {3, 1, 4}, {1, 2, 4}}, triangle);
+  CHECK(check_boundary_on_box(mesh, box) == "");
+  // An edge of the box lies on two faces; the third vertex shares one with each of its ends.
+  mesh = make_tri_mesh({{0, 0, 1}, {0, 0, 3}, {0, 2, 2}}, triangle);
+  CHECK(check_boundary_on_box(mesh, box) == "");
+  // On the box, but on no common face.
+  mesh = make_tri_mesh({{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}, triangle);
+  CHECK(contains(check_boundary_on_box(mesh, box),
+                 "facet 0 (0, 1, 2) ends inside the box at the edge from vertex 0 (0, 1, 1)"));
+  // One step of the floating point numbers off the face.
+  mesh = make_tri_mesh({{0, 0, 4}, {3, 1, std::nextafter(4.0, 0.0)}, {1, 2, 4}}, triangle);
+  CHECK(check_boundary_on_box(mesh, box) != "");
+  // Closed meshes have no boundary to be anywhere.
+  CHECK(check_boundary_on_box(mesh_of(octahedron()), box) == "");
+}
