@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The Delaunay triangulation of points in space, grown point by point (Bowyer 1981, Watson 1981).
 //
-// Cells live in flat arrays: four vertex ids and four neighbour ids each, with a free list. There
-// is one infinite vertex instead of a huge first tetrahedron, so every facet has two cells and the
-// hull needs no special case.
+// Cells live in a flat array: four vertex ids and four links each, with a free list. There is one
+// infinite vertex instead of a huge first tetrahedron, so every facet has two cells and the hull
+// needs no special case.
 //
 // Invariants (check_triangulation tests them by these numbers):
 //   I1  neighbours are mutual and share the three other vertices;
@@ -12,13 +12,23 @@
 //   I3  no vertex lies strictly inside the circumsphere of a finite cell, or strictly beyond the
 //       hull facet of an infinite one (or in its plane and strictly inside its circumcircle);
 //   I4  every vertex's incident cell holds it.
+//
+// Why no flat cell is ever made, without symbolic perturbation: a cell is in conflict with p only
+// when p is strictly inside. If p lay in the plane of a facet of the zone's boundary, the spheres
+// of both its cells would cut that plane in the facet's circumcircle, so p would be in conflict
+// with both or with neither. This is the limit of lifting each new point infinitely more than all
+// before it, so the result is a regular triangulation even where many points are cospherical.
+// Therefore the visibility walk of locate() ends: it never comes back to a cell (Edelsbrunner
+// 1990, "An acyclicity theorem for cell complexes in d dimensions"), given exact predicates.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/check.h"
 #include "base/ids.h"
 #include "base/vec3.h"
 
@@ -39,6 +49,8 @@ struct ConflictZone {
   VertexId duplicate = kNoId;   // the vertex at this very position; then nothing is in conflict
 };
 
+// Coordinates: finite, any unit, in the range of predicates.h. Up to 2^30 cells.
+// Const functions may run in several threads at once, except find_conflicts (it marks cells).
 class Triangulation {
  public:
   static constexpr VertexId kInfinite = 0;  // finite vertices are 1, 2, ...
@@ -48,30 +60,75 @@ class Triangulation {
   // duplicates share one. Returns false, and stays empty, when all points lie in one plane.
   bool build(std::span<const Vec3> points, std::vector<VertexId>& ids);
 
-  std::size_t vertex_capacity() const;  // ids are below this; 0 is the infinite vertex
-  std::size_t cell_capacity() const;    // ids are below this; some may be free
-  bool is_live(CellId c) const;
+  std::size_t vertex_capacity() const { return points_.size(); }  // ids are below; 0 is infinite
+  std::size_t cell_capacity() const { return cells_.size(); }     // ids are below; some are free
+  bool is_live(CellId c) const { return cells_[c].vertices[0] != kNoId; }
 
-  const Vec3& point(VertexId v) const;
-  VertexId vertex(CellId c, int i) const;
-  CellId neighbor(CellId c, int i) const;
-  const std::array<VertexId, 4>& vertices(CellId c) const;
-  bool is_infinite(CellId c) const;
-  CellId incident_cell(VertexId v) const;
-  Facet mirror(Facet f) const;
+  const Vec3& point(VertexId v) const { return points_[v]; }
+  VertexId vertex(CellId c, int i) const { return cells_[c].vertices[i]; }
+  CellId neighbor(CellId c, int i) const { return cells_[c].links[i] >> 2; }
+  const std::array<VertexId, 4>& vertices(CellId c) const { return cells_[c].vertices; }
+  bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
+  // Which vertex of c is the infinite one; -1 when c is finite.
+  int infinite_index(CellId c) const {
+    const auto& v = cells_[c].vertices;
+    for (int i = 0; i < 4; ++i)
+      if (v[i] == kInfinite) return i;
+    return -1;
+  }
+  CellId incident_cell(VertexId v) const { return incident_[v]; }
+  // The same facet seen from its other cell.
+  Facet mirror(Facet f) const { return facet(cells_[f.cell].links[f.index]); }
 
   // The cell that holds p (finite, or infinite when p is beyond the hull), by a remembering walk
-  // from `hint` (kNoId: from anywhere).
+  // from `hint` (kNoId or a cell that is no more: from the last cell created).
+  // pre: build() has succeeded, here and below.
   CellId locate(const Vec3& p, CellId hint) const;
   // The conflict zone of p. Const: nothing changes until insert_in_zone.
   void find_conflicts(const Vec3& p, CellId hint, ConflictZone& zone) const;
   // Stars the zone from p. created[k] is the new cell on zone.boundary[k] = (c, i): it has the
   // vertices of c with p in place of number i, so that the surviving facet keeps its index.
-  // Ids of the zone's cells become free (and may be reused by `created`).
+  // Ids of the zone's cells become free; `created` uses ids freed earlier, or new ones.
   // pre: find_conflicts(p) gave this zone, nothing inserted since, no duplicate.
   VertexId insert_in_zone(const Vec3& p, const ConflictZone& zone, std::vector<CellId>& created);
   // locate + find_conflicts + insert_in_zone; returns the existing vertex for a duplicate.
   VertexId insert(const Vec3& p, CellId hint = kNoId);
+
+ private:
+  // A link names a facet in one word: 4 * cell + index. links[i] is the facet opposite to vertex i
+  // as the neighbour sees it, so that walking needs no search. One cell is half a cache line.
+  using Link = std::uint32_t;
+  struct alignas(32) Cell {
+    std::array<VertexId, 4> vertices;  // vertices[0] == kNoId: free
+    std::array<Link, 4> links;
+  };
+  static Link link(Facet f) { return 4 * f.cell + static_cast<Link>(f.index); }
+  static Facet facet(Link l) { return {l >> 2, static_cast<int>(l & 3)}; }
+
+  void clear();
+  void connect(Link a, Link b) {
+    cells_[a >> 2].links[a & 3] = b;
+    cells_[b >> 2].links[b & 3] = a;
+  }
+  void create_first_cells(const std::array<Vec3, 4>& corners);
+  bool is_in_conflict(CellId c, const Vec3& p) const;
+  CellId new_cell();
+  // Facet `over` of the new cell on boundary facet f must meet some other new cell: turns from f
+  // through the zone, around the edge f shares with (f.cell, over), to the boundary facet on the
+  // other side, and returns the facet of the new cell there.
+  Link turn_through_zone(Facet f, int over) const;
+
+  std::vector<Vec3> points_;
+  std::vector<CellId> incident_;
+  std::vector<Cell> cells_;
+  std::vector<CellId> free_;
+  CellId last_created_ = kNoId;
+
+  // Marks of the last search: in_conflict_ or in_conflict_ + 1 (tested, not in conflict).
+  mutable std::vector<std::uint32_t> marks_;
+  mutable std::uint32_t in_conflict_ = 0;
+  ConflictZone scratch_zone_;
+  std::vector<CellId> scratch_created_;
 };
 
 }  // namespace deliso

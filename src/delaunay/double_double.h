@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Numbers of about 106 bits as unevaluated sums of two doubles (Dekker 1971; bounds in Joldes,
+// Muller and Popescu 2017): relative error of a sum or product below 2^-102. For the Voronoi
+// vertices of flat cells, where doubles lose every digit; signs are predicates.h's business.
+#pragma once
+
+#include "base/vec3.h"
+#include "delaunay/expansion.h"
+
+namespace deliso {
+
+struct DoubleDouble {
+  double high = 0, low = 0;
+
+  static DoubleDouble difference(double a, double b) {
+    const TwoTerms d = two_sum(a, -b);
+    return {d.value, d.error};
+  }
+  double rounded() const { return high + low; }
+
+  friend DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
+  friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+    const TwoTerms s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
+    const TwoTerms u = fast_two_sum(s.value, s.error + t.value);
+    const TwoTerms v = fast_two_sum(u.value, u.error + t.error);
+    return {v.value, v.error};
+  }
+  friend DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-b); }
+  friend DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+    const TwoTerms p = two_product(a.high, b.high);
+    const TwoTerms s = fast_two_sum(p.value, p.error + (a.high * b.low + a.low * b.high));
+    return {s.value, s.error};
+  }
+};
+
+struct DoubleDouble3 {
+  DoubleDouble x, y, z;
+
+  static DoubleDouble3 difference(const Vec3& a, const Vec3& b) {
+    return {DoubleDouble::difference(a.x, b.x), DoubleDouble::difference(a.y, b.y),
+            DoubleDouble::difference(a.z, b.z)};
+  }
+  Vec3 rounded() const { return {x.rounded(), y.rounded(), z.rounded()}; }
+
+  friend DoubleDouble3 operator+(const DoubleDouble3& a, const DoubleDouble3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend DoubleDouble3 operator*(DoubleDouble s, const DoubleDouble3& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
+  friend DoubleDouble dot(const DoubleDouble3& a, const DoubleDouble3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  friend DoubleDouble3 cross(const DoubleDouble3& a, const DoubleDouble3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+}  // namespace deliso

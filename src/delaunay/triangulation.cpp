@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The first cells, and bulk insertion.
+#include "delaunay/triangulation.h"
+
+#include <optional>
+#include <utility>
+
+#include "delaunay/hilbert.h"
+#include "delaunay/predicates.h"
+#include "delaunay/tet_tables.h"
+
+namespace deliso {
+namespace {
+
+// The first four points, in the given order, that span a tetrahedron; positively oriented.
+std::optional<std::array<std::uint32_t, 4>> first_tetrahedron(
+    std::span<const Vec3> points, std::span<const std::uint32_t> order) {
+  std::array<std::uint32_t, 4> corner;
+  int found = 0;
+  for (std::uint32_t i : order) {
+    const Vec3& p = points[i];
+    const auto at = [&](int k) { return points[corner[k]]; };
+    const bool independent = found == 0   ? true
+                             : found == 1 ? p != at(0)
+                             : found == 2 ? !collinear(at(0), at(1), p)
+                                          : orient3d(at(0), at(1), at(2), p) != 0;
+    if (independent) corner[found++] = i;
+    if (found == 4) {
+      if (orient3d(at(0), at(1), at(2), at(3)) < 0) std::swap(corner[0], corner[1]);
+      return corner;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Triangulation::clear() {
+  *this = Triangulation();
+}
+
+void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
+  // Vertex ids: corner k is 1 + k. Cell ids: the finite one is 0, behind its facet i lies 1 + i.
+  points_ = {Vec3{}, corners[0], corners[1], corners[2], corners[3]};
+  incident_ = {1, 0, 0, 0, 0};
+  cells_.push_back({{1, 2, 3, 4}, {}});
+  for (int i = 0; i < 4; ++i) {
+    const auto& f = kFacetVertices[i];
+    const auto id = [](int k) { return static_cast<VertexId>(1 + k); };
+    cells_.push_back({{kInfinite, id(f[0]), id(f[2]), id(f[1])}, {}});
+  }
+  marks_.assign(5, 0);
+  last_created_ = 0;
+
+  // Any two of these five cells share the one facet that leaves out a vertex of each.
+  const auto vertex_missing_in = [](CellId c) { return c == 0 ? kInfinite : VertexId{c}; };
+  const auto index_of = [&](CellId c, VertexId v) {
+    int i = 0;
+    while (cells_[c].vertices[i] != v) ++i;
+    return i;
+  };
+  for (CellId a = 0; a < 5; ++a) {
+    for (CellId b = a + 1; b < 5; ++b) {
+      connect(link({a, index_of(a, vertex_missing_in(b))}),
+              link({b, index_of(b, vertex_missing_in(a))}));
+    }
+  }
+}
+
+bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& ids) {
+  clear();
+  ids.assign(points.size(), kNoId);
+  const std::vector<std::uint32_t> order = biased_hilbert_order(points);
+  const auto first = first_tetrahedron(points, order);
+  if (!first) return false;
+
+  const auto& f = *first;
+  create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
+  for (int k = 0; k < 4; ++k) ids[f[k]] = static_cast<VertexId>(1 + k);
+  for (std::uint32_t i : order)
+    if (ids[i] == kNoId) ids[i] = insert(points[i]);
+  return true;
+}
+
+}  // namespace deliso

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "delaunay/voronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "delaunay/double_double.h"
+#include "delaunay/predicates.h"
+#include "delaunay/tet_tables.h"
+
+namespace deliso {
+namespace {
+
+// Below these sizes, relative to what they are computed from, a squared sine or a height has lost
+// too many of its 53 bits to keep the accuracy promised.
+constexpr double kThin = 1e-6;
+constexpr double kFlat = 1e-6;
+// The same for the 106 bits of a double-double.
+constexpr double kVeryFlat = 1e-22;
+
+// 2 det[u, v, w] times the circumcenter of 0, u, v, w.
+template <class Vector>
+Vector scaled_circumcenter(const Vector& u, const Vector& v, const Vector& w) {
+  return dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
+}
+
+// det[b-a, c-a, d-a] given as a double-double; the exact one where that has no digit left.
+double resolved_determinant(DoubleDouble det, double size, const Vec3& a, const Vec3& b,
+                            const Vec3& c, const Vec3& d) {
+  return std::fabs(det.high) > kVeryFlat * size ? det.rounded() : orient3d_value(a, b, c, d);
+}
+
+}  // namespace
+
+FacetLine facet_line(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a, n = cross(u, v);
+  const double u2 = length2(u), v2 = length2(v), n2 = length2(n);
+  if (n2 >= kThin * u2 * v2) {
+    const Vec3 offset = (u2 * cross(v, n) + v2 * cross(n, u)) / (2 * n2);
+    return {a + offset, n / std::sqrt(n2), length(offset)};
+  }
+  const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a);
+  const auto dn = cross(du, dv);
+  const Vec3 normal = dn.rounded();
+  const Vec3 offset =
+      (dot(du, du) * cross(dv, dn) + dot(dv, dv) * cross(dn, du)).rounded() / (2 * length2(normal));
+  return {a + offset, normal / length(normal), length(offset)};
+}
+
+double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                             const FacetLine& line) {
+  // With w = d - a: |d-center|^2 - r^2 = w.(w - 2 (center - a)), and n.(d-center) = n.w.
+  const Vec3 w = d - a;
+  const double height = dot(line.normal, w);
+  const double w1 = length(w);
+  if (std::fabs(height) * line.radius >= kFlat * w1 * (w1 + 2 * line.radius))
+    return dot(w, w - 2 * (line.center - a)) / (2 * height);
+
+  const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a),
+             dw = DoubleDouble3::difference(d, a);
+  const auto dn = cross(du, dv);
+  const double area = length(dn.rounded());
+  const double det = resolved_determinant(dot(dn, dw), area * w1, a, b, c, d);
+  return dot(dn, scaled_circumcenter(du, dv, dw)).rounded() / (2 * area * det);
+}
+
+FacetDual facet_dual(const Triangulation& t, Facet f) {
+  std::array<VertexId, 3> v;
+  for (int k = 0; k < 3; ++k) v[k] = t.vertex(f.cell, kFacetVertices[f.index][k]);
+  // Sorted by id; each swap turns the normal round, which began by pointing out of f.cell.
+  bool outwards = true;
+  const auto order = [&](int i, int j) {
+    if (v[i] <= v[j]) return;
+    std::swap(v[i], v[j]);
+    outwards = !outwards;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  const Vec3 &a = t.point(v[0]), &b = t.point(v[1]), &c = t.point(v[2]);
+  const FacetLine line = facet_line(a, b, c);
+
+  const auto end = [&](Facet g, double at_infinity) {
+    const VertexId apex = t.vertex(g.cell, g.index);
+    if (apex == Triangulation::kInfinite) return at_infinity;
+    return equidistant_parameter(a, b, c, t.point(apex), line);
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Facet g = t.mirror(f);
+  const double t_lo = end(outwards ? f : g, -kInfinity), t_hi = end(outwards ? g : f, kInfinity);
+  // Exact ends never cross; those of cells with (nearly) one circumsphere may by rounding.
+  return {line.center,          line.normal,          line.radius,
+          std::min(t_lo, t_hi), std::max(t_lo, t_hi), outwards};
+}
+
+Circumsphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a, v = c - a, w = d - a;
+  const double det = dot(u, cross(v, w));
+  const double size = length(u) * length(v) * length(w);
+  if (std::fabs(det) >= kFlat * size) {
+    const Vec3 offset = scaled_circumcenter(u, v, w) / (2 * det);
+    return {a + offset, length(offset)};
+  }
+  const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a),
+             dw = DoubleDouble3::difference(d, a);
+  const double fine_det = resolved_determinant(dot(du, cross(dv, dw)), size, a, b, c, d);
+  const Vec3 offset = scaled_circumcenter(du, dv, dw).rounded() / (2 * fine_det);
+  return {a + offset, length(offset)};
+}
+
+Circumsphere circumsphere(const Triangulation& t, CellId c) {
+  const auto& v = t.vertices(c);
+  return circumsphere(t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3]));
+}
+
+}  // namespace deliso
