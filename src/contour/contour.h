@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The exact contour T of a volume: a triangle mesh with the topology of the trilinear surface
+// Sigma = g^-1(kappa), inside meaning g >= kappa. Voxel by voxel: grid edges that Sigma crosses
+// give vertices, voxel faces give the segments between them (asymptotic decider, Nielson and Hamann
+// 1991), the segments close into loops, and each loop bounds a disk unless two of them bound one
+// tube, which a plane swept through the voxel decides (contour/voxel_topology.h). It is the ground
+// truth of components, Euler number and boundary loops, and T seeds and certifies the mesh.
+//
+// Invariants of a ContourMesh:
+//   I1  every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel;
+//   I2  T is an edge- and vertex-manifold, with boundary on the box of the volume only;
+//   I3  triangles are counter-clockwise seen from g < kappa;
+//   I4  a vertex lies on a face of the box exactly when its bit in `box_faces` is set, and then
+//   that
+//       coordinate is the box's to the last bit; inner points of voxels never lie on the box;
+//   I5  within its voxel each piece of T is what the piece of Sigma is (disk or tube), so T and
+//       Sigma are homeomorphic, component by component, and so are their boundaries;
+//   I6  everything is in scan order (x fastest, then y, z): vertices of a slab of voxels before
+//       those of the next, components by the first voxel that meets them.
+// No piece of Sigma is closed within a voxel: g is harmonic there, so it would be constant inside.
+//
+// Samples that equal kappa are inside, by the same rule everywhere, so T keeps its topology then
+// too; only vertices may coincide. effective_isovalue() avoids that.
+// Memory beside the result: two layers of edge slots and sample bits, O(slice).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "base/vec3.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// One connected component of Sigma.
+struct ContourComponent {
+  std::int64_t euler = 0;       // V - E + F
+  std::uint64_t crossings = 0;  // grid edges it crosses
+  std::uint64_t pieces = 0;     // pieces in voxels: its voxels, those it visits twice counted so
+  std::uint64_t tubes = 0;      // pieces that are tubes
+  std::uint64_t boundary_loops = 0;
+  Index3 lo, hi;  // first and last voxel it visits along each axis
+
+  friend bool operator==(const ContourComponent&, const ContourComponent&) = default;
+};
+
+struct ContourSummary {
+  std::vector<ContourComponent> components;  // by first voxel in scan order
+  std::uint64_t active_voxels = 0;
+
+  std::int64_t euler() const;
+  std::uint64_t boundary_loops() const;
+  friend bool operator==(const ContourSummary&, const ContourSummary&) = default;
+};
+
+// A face of the box, 2 * axis + (0 at the low end, 1 at the high end).
+using BoxFace = std::uint8_t;
+constexpr int axis_of(BoxFace face) {
+  return face >> 1;
+}
+
+// The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
+// closed from the last to the first; consecutive vertices are a grid edge's crossings on one pixel
+// of one box face. Chains run as the triangles of T do, so that T lies on the left seen from where
+// g < kappa, and each starts at its smallest vertex.
+struct BoundaryChains {
+  std::vector<std::uint32_t> first{0};
+  std::vector<VertexId> vertices;
+  std::vector<BoxFace> face;              // of the segment from this vertex to the next
+  std::vector<std::uint8_t> on_box_edge;  // the curve turns from one face to another at this vertex
+  std::vector<std::uint32_t> component;   // one per chain
+
+  std::size_t size() const { return component.size(); }
+  std::span<const VertexId> chain(std::size_t c) const {
+    return std::span(vertices).subspan(first[c], first[c + 1] - first[c]);
+  }
+};
+
+struct ContourMesh {
+  std::vector<Vec3> points;
+  std::vector<std::uint32_t> component;  // per vertex, index into summary.components
+  std::vector<std::uint8_t> box_faces;   // per vertex, bit f: on box face f; two bits on a box edge
+  std::vector<std::array<VertexId, 3>> triangles;
+  BoundaryChains boundary;
+  ContourSummary summary;
+
+  bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
+};
+
+// T itself, in one pass over the samples. A volume without voxels (a dimension of 1) has none.
+// Throws InputError when T would have 2^32 - 1 vertices or more.
+ContourMesh build_contour(const Volume& volume, double kappa);
+
+// The summary alone, without T: for volumes of any size.
+ContourSummary summarize_contour(const Volume& volume, double kappa);
+
+// The point of Sigma on box face `face` halfway between two of its points a and b there: where the
+// in-face normal line of the chord ab, through its midpoint, meets Sigma nearest to the midpoint,
+// at most half the chord's length away. Its coordinate across the face is the box's to the last
+// bit. Between two points of one arc within a pixel there always is one: the arc is a convex,
+// monotone piece of a hyperbola. Points are in the scaled frame.
+std::optional<Vec3> boundary_midpoint(const Volume& volume, double kappa, BoxFace face,
+                                      const Vec3& a, const Vec3& b);
+
+}  // namespace deliso

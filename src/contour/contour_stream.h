@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// One pass over the samples that walks the contour voxel by voxel, in scan order. It keeps two
+// layers of samples as bits (inside or not), and for each grid edge between them a slot with the
+// vertex on it, so nothing is ever looked up by hash. What becomes of crossings and pieces is the
+// sink's affair (contour.cpp): a mesh, or nothing where only the summary is wanted.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contour/components.h"
+#include "contour/voxel_topology.h"
+
+namespace deliso {
+
+// A segment of T on the box, directed as the triangle that holds it.
+struct BoundarySegment {
+  VertexId from, to;
+  std::uint32_t component;  // a label, later a component's number
+  BoxFace face;
+};
+
+// The smallest sample value that is inside; none when no value of the type is.
+template <class T>
+std::optional<T> inside_threshold(double kappa) {
+  using Limits = std::numeric_limits<T>;
+  if (!(kappa <= static_cast<double>(Limits::max()))) return std::nullopt;
+  if (kappa <= static_cast<double>(Limits::lowest())) return Limits::lowest();
+  if constexpr (std::is_integral_v<T>) {
+    return static_cast<T>(std::ceil(kappa));
+  } else {
+    const T rounded = static_cast<T>(kappa);
+    return static_cast<double>(rounded) < kappa ? std::nextafter(rounded, Limits::max()) : rounded;
+  }
+}
+
+// One bit per sample of a layer, rows padded to whole words and one empty word more, so that the
+// word after any word of a row may be read.
+class LayerBits {
+ public:
+  LayerBits(int nx, int ny)
+      : nx_(nx), words_((nx + 63) / 64), stride_(words_ + 1), bits_(size_t(stride_) * size_t(ny)) {
+    buffer_.resize(static_cast<std::size_t>(words_) * 64);
+  }
+
+  int words() const { return words_; }
+  const std::uint64_t* row(int j) const { return bits_.data() + std::size_t(stride_) * size_t(j); }
+
+  template <class T>
+  void load_row(int j, const T* samples, T threshold) {
+    for (int i = 0; i < nx_; ++i) buffer_[i] = samples[i] >= threshold;
+    std::uint64_t* out = bits_.data() + std::size_t(stride_) * size_t(j);
+    for (int w = 0; w < words_; ++w) {
+      std::uint64_t word = 0;
+      for (int byte = 0; byte < 8; ++byte) {
+        std::uint64_t eight;
+        std::memcpy(&eight, buffer_.data() + 64 * w + 8 * byte, 8);
+        word |= (eight * kGather >> 56) << (8 * byte);
+      }
+      out[w] = word;
+    }
+  }
+
+ private:
+  using size_t = std::size_t;
+  // The product's top byte holds the lowest bits of the eight bytes, in order of address.
+  static constexpr std::uint64_t kGather =
+      std::endian::native == std::endian::little ? 0x0102040810204080u : 0x8040201008040201u;
+
+  int nx_, words_, stride_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint8_t> buffer_;
+};
+
+// Sink:
+//   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces)
+//     a grid edge from `sample` along `axis` is crossed, values minus kappa at its ends; the id
+//     must be unique among crossings on the box;
+//   void disk(Index3 voxel, const Corners& c, std::span<const VertexId> loop, std::uint32_t label)
+//   void tube(Index3 voxel, const Corners& c, std::span<const VertexId> a, b, std::uint32_t label)
+template <class T, class Sink>
+class ContourStream {
+ public:
+  ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink)
+      : volume_(volume),
+        samples_(samples),
+        kappa_(kappa),
+        sink_(sink),
+        dims_(volume.dims()),
+        row_stride_(static_cast<std::size_t>(dims_.i)),
+        layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
+
+  void run() {
+    const std::optional<T> threshold = inside_threshold<T>(kappa_);
+    if (!threshold || dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
+    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
+    for (auto& slots : slots_) slots.resize(layer_size_);
+    for (int k = 0; k < dims_.k; ++k) {
+      load_layer(k, *threshold);
+      if (k > 0) cross_between_layers(k - 1);
+      cross_within_layer(k);
+      if (k > 0) walk_voxels(k - 1);
+    }
+  }
+
+  GrowingComponents components;
+  std::vector<BoundarySegment> boundary;
+  std::uint64_t active_voxels = 0;
+
+ private:
+  struct Slot {
+    VertexId vertex;
+    std::uint32_t label;  // of its component; kNoId before its first voxel
+  };
+  // Slots of the edges along x and y in the two layers, and along z between them.
+  enum SlotArray { kX0, kX1, kY0, kY1, kZ };
+
+  const LayerBits& layer(int k) const { return *layers_[k & 1]; }
+  std::size_t in_layer(int i, int j) const { return row_stride_ * size_t(j) + size_t(i); }
+  double value(int i, int j, int k) const {
+    return static_cast<double>(samples_[layer_size_ * size_t(k) + in_layer(i, j)]) - kappa_;
+  }
+
+  void load_layer(int k, T threshold) {
+    const T* row = samples_ + layer_size_ * size_t(k);
+    for (int j = 0; j < dims_.j; ++j, row += row_stride_) {
+      layers_[k & 1]->load_row(j, row, threshold);
+    }
+  }
+
+  // Calls visit(i) for every bit set in bits(w), below `limit`.
+  template <class Bits, class Visit>
+  static void for_each_bit(int words, int limit, Bits bits, Visit visit) {
+    for (int w = 0; w < words; ++w) {
+      std::uint64_t rest = bits(w);
+      if (limit - 64 * w < 64) rest &= (std::uint64_t{1} << (limit - 64 * w)) - 1;
+      for (; rest != 0; rest &= rest - 1) visit(64 * w + std::countr_zero(rest));
+    }
+  }
+
+  // The bits of the samples one further along x.
+  static std::uint64_t shifted(const std::uint64_t* row, int w) {
+    return row[w] >> 1 | row[w + 1] << 63;
+  }
+
+  void add_crossing(SlotArray array, int axis, Index3 sample) {
+    Index3 end = sample;
+    ++end[axis];
+    int faces = 0;
+    for (int other = 0; other < 3; ++other) {
+      if (other == axis) continue;
+      if (sample[other] == 0) faces |= 1 << (2 * other);
+      if (sample[other] == dims_[other] - 1) faces |= 2 << (2 * other);
+    }
+    const VertexId vertex =
+        sink_.crossing(axis, sample, value(sample.i, sample.j, sample.k),
+                       value(end.i, end.j, end.k), static_cast<std::uint8_t>(faces));
+    slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
+  }
+
+  void cross_within_layer(int k) {
+    const LayerBits& bits = layer(k);
+    const SlotArray along_x = (k & 1) != 0 ? kX1 : kX0, along_y = (k & 1) != 0 ? kY1 : kY0;
+    for (int j = 0; j < dims_.j; ++j) {
+      const std::uint64_t* row = bits.row(j);
+      for_each_bit(
+          bits.words(), dims_.i - 1, [&](int w) { return row[w] ^ shifted(row, w); },
+          [&](int i) {
+            add_crossing(along_x, 0, {i, j, k});
+          });
+      if (j + 1 == dims_.j) break;
+      const std::uint64_t* next = bits.row(j + 1);
+      for_each_bit(
+          bits.words(), dims_.i, [&](int w) { return row[w] ^ next[w]; },
+          [&](int i) {
+            add_crossing(along_y, 1, {i, j, k});
+          });
+    }
+  }
+
+  void cross_between_layers(int k) {
+    for (int j = 0; j < dims_.j; ++j) {
+      const std::uint64_t *row = layer(k).row(j), *above = layer(k + 1).row(j);
+      for_each_bit(
+          layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; },
+          [&](int i) {
+            add_crossing(kZ, 2, {i, j, k});
+          });
+    }
+  }
+
+  void walk_voxels(int k) {
+    for (int j = 0; j + 1 < dims_.j; ++j) {
+      const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
+                                      layer(k + 1).row(j + 1)};
+      for (int w = 0; w < layer(k).words(); ++w) {
+        std::uint64_t near[4], far[4], any = 0, all = ~std::uint64_t{0};
+        for (int r = 0; r < 4; ++r) {
+          near[r] = rows[r][w];
+          far[r] = shifted(rows[r], w);
+          any |= near[r] | far[r];
+          all &= near[r] & far[r];
+        }
+        std::uint64_t active = any & ~all;
+        const int valid = dims_.i - 1 - 64 * w;
+        if (valid < 64) active &= (std::uint64_t{1} << valid) - 1;
+        for (; active != 0; active &= active - 1) {
+          const int b = std::countr_zero(active);
+          int mask = 0;
+          for (int r = 0; r < 4; ++r) {
+            mask |= static_cast<int>((near[r] >> b & 1) | (far[r] >> b & 1) << 1) << (2 * r);
+          }
+          walk_voxel({64 * w + b, j, k}, mask);
+        }
+      }
+    }
+  }
+
+  Slot& slot(Index3 voxel, int edge) {
+    const int u = edge & 1, v = edge >> 1 & 1;
+    if (edge >= 8) return slots_[kZ][in_layer(voxel.i + u, voxel.j + v)];
+    const bool odd_layer = ((voxel.k + v) & 1) != 0;
+    if (edge < 4) return slots_[odd_layer ? kX1 : kX0][in_layer(voxel.i, voxel.j + u)];
+    return slots_[odd_layer ? kY1 : kY0][in_layer(voxel.i + u, voxel.j)];
+  }
+
+  // Bit f: face f of the voxel lies on the box.
+  int box_faces(Index3 voxel) const {
+    int faces = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (voxel[axis] == 0) faces |= 1 << (2 * axis);
+      if (voxel[axis] == dims_[axis] - 2) faces |= 2 << (2 * axis);
+    }
+    return faces;
+  }
+
+  void walk_voxel(Index3 voxel, int mask) {
+    const T* s = samples_ + layer_size_ * size_t(voxel.k) + in_layer(voxel.i, voxel.j);
+    Corners c;
+    for (int m = 0; m < 8; ++m) {
+      const std::size_t at =
+          size_t(m & 1) + row_stride_ * size_t(m >> 1 & 1) + layer_size_ * size_t(m >> 2);
+      c[m] = static_cast<double>(s[at]) - kappa_;
+    }
+    ++active_voxels;
+    VoxelLoops scratch;
+    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
+    const Tube tube = find_tube(mask, c, loops);
+    std::array<VertexId, 12> vertex;
+    for (int l = 0; l < loops.count; ++l) {
+      if (tube && l == tube.b) continue;
+      std::uint32_t label = join(voxel, loops.edges(l), vertex.data() + loops.first[l], kNoId);
+      if (tube && l == tube.a) {
+        label = join(voxel, loops.edges(tube.b), vertex.data() + loops.first[tube.b], label);
+      }
+      auto& counts = components.counts(label);
+      ++counts.pieces;
+      for (int axis = 0; axis < 3; ++axis) {
+        counts.lo[axis] = std::min(counts.lo[axis], voxel[axis]);
+        counts.hi[axis] = std::max(counts.hi[axis], voxel[axis]);
+      }
+      count_sides(voxel, loops, l, vertex, label);
+      if (tube && l == tube.a) {
+        ++counts.tubes;
+        count_sides(voxel, loops, tube.b, vertex, label);
+        sink_.tube(voxel, c, vertices(loops, l, vertex), vertices(loops, tube.b, vertex), label);
+      } else {
+        ++counts.disks;
+        sink_.disk(voxel, c, vertices(loops, l, vertex), label);
+      }
+    }
+  }
+
+  static std::span<const VertexId> vertices(const VoxelLoops& loops, int l,
+                                            const std::array<VertexId, 12>& vertex) {
+    return std::span(vertex).subspan(loops.first[l], loops.edges(l).size());
+  }
+
+  // Writes the loop's vertices to `out` and makes them one component, with that of `label` where
+  // there is one; returns its root.
+  std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, VertexId* out,
+                     std::uint32_t label) {
+    std::array<Slot*, 12> slots;
+    std::size_t fresh = 0;
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      slots[n] = &slot(voxel, edges[n]);
+      out[n] = slots[n]->vertex;
+      if (slots[n]->label == kNoId) {
+        ++fresh;
+        continue;
+      }
+      const std::uint32_t root = components.root(slots[n]->label);
+      label = label == kNoId ? root : components.unite(label, root);
+    }
+    if (label == kNoId) label = components.add(voxel);
+    for (std::size_t n = 0; n < edges.size(); ++n) slots[n]->label = label;
+    components.counts(label).crossings += fresh;
+    return label;
+  }
+
+  void count_sides(Index3 voxel, const VoxelLoops& loops, int l,
+                   const std::array<VertexId, 12>& vertex, std::uint32_t label) {
+    const int first = loops.first[l], end = loops.first[l + 1];
+    auto& counts = components.counts(label);
+    counts.half_sides += static_cast<std::uint64_t>(end - first);
+    const int on_box = box_faces(voxel);
+    if (on_box == 0) return;
+    for (int n = first; n < end; ++n) {
+      const std::uint8_t face = loops.face[n];
+      if ((on_box >> face & 1) == 0) continue;
+      ++counts.half_sides;
+      boundary.push_back({vertex[n], vertex[n + 1 < end ? n + 1 : first], label, face});
+    }
+  }
+
+  using size_t = std::size_t;
+
+  const Volume& volume_;
+  const T* samples_;
+  double kappa_;
+  Sink& sink_;
+  Index3 dims_;
+  std::size_t row_stride_, layer_size_;
+  std::array<std::optional<LayerBits>, 2> layers_;
+  std::array<std::vector<Slot>, 5> slots_;
+};
+
+}  // namespace deliso

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "contour/voxel_topology.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace deliso {
+namespace {
+
+// Corners of each face, counter-clockwise seen from outside the voxel.
+constexpr int kFaceCorners[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                    {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+constexpr int edge_between(int corner, int other) {
+  const int low = std::min(corner, other);
+  const int x = low & 1, y = low >> 1 & 1, z = low >> 2;
+  switch (corner ^ other) {
+    case 1:
+      return y + 2 * z;
+    case 2:
+      return 4 + x + 2 * z;
+    default:
+      return 8 + x + 2 * y;
+  }
+}
+
+constexpr bool is_inside(int mask, int corner) {
+  return (mask >> corner & 1) != 0;
+}
+
+constexpr std::uint8_t find_ambiguous_faces(int mask) {
+  int faces = 0;
+  for (int f = 0; f < 6; ++f) {
+    const auto& k = kFaceCorners[f];
+    const bool a = is_inside(mask, k[0]), b = is_inside(mask, k[1]);
+    if (a != b && a == is_inside(mask, k[2]) && b == is_inside(mask, k[3])) faces |= 1 << f;
+  }
+  return static_cast<std::uint8_t>(faces);
+}
+
+// Round a face counter-clockwise, crossings alternate between entering the inside and leaving it. A
+// segment runs from an entering to a leaving one, with the inside on its right seen from outside
+// the voxel: from the leaving next after it, which cuts the inside corners between them off, or,
+// where the inside corners are joined, from the one next before it. An edge is passed in opposite
+// directions by its two faces, so each crossing is the start of one segment and the end of another.
+constexpr VoxelLoops trace(int mask, std::uint8_t joined) {
+  std::array<int, 12> next{}, face{};
+  next.fill(-1);
+  const std::uint8_t ambiguous = find_ambiguous_faces(mask);
+  for (int f = 0; f < 6; ++f) {
+    const auto& k = kFaceCorners[f];
+    const bool reach_back = (ambiguous >> f & 1) != 0 && (joined >> f & 1) != 0;
+    for (int s = 0; s < 4; ++s) {
+      const int from = k[s], to = k[(s + 1) % 4];
+      if (is_inside(mask, from) || !is_inside(mask, to)) continue;
+      int leaving = s;
+      do {
+        leaving = (leaving + (reach_back ? 3 : 1)) % 4;
+      } while (is_inside(mask, k[leaving]) == is_inside(mask, k[(leaving + 1) % 4]));
+      const int e = edge_between(from, to);
+      next[e] = edge_between(k[leaving], k[(leaving + 1) % 4]);
+      face[e] = f;
+    }
+  }
+  VoxelLoops loops;
+  int size = 0;
+  for (int start = 0; start < 12; ++start) {
+    if (next[start] < 0) continue;
+    for (int e = start; next[e] >= 0;) {
+      loops.edge[size] = static_cast<std::uint8_t>(e);
+      loops.face[size] = static_cast<std::uint8_t>(face[e]);
+      ++size;
+      const int following = next[e];
+      next[e] = -1;
+      e = following;
+    }
+    loops.first[++loops.count] = static_cast<std::uint8_t>(size);
+  }
+  return loops;
+}
+
+struct MaskTable {
+  std::array<VoxelLoops, 256> loops;  // where no face is ambiguous
+  std::array<std::uint8_t, 256> ambiguous;
+};
+
+constexpr MaskTable make_mask_table() {
+  MaskTable table{};
+  for (int mask = 0; mask < 256; ++mask) {
+    table.ambiguous[mask] = find_ambiguous_faces(mask);
+    table.loops[mask] = trace(mask, 0);
+  }
+  return table;
+}
+
+constexpr MaskTable kMasks = make_mask_table();
+
+// The rule of the header comment, for the corners c00, c10, c01, c11 of an ambiguous bilinear face.
+bool inside_corners_joined(double c00, double c10, double c01, double c11) {
+  const double diagonal = c00 * c11, other = c10 * c01;
+  return c00 >= 0 ? diagonal >= other : other >= diagonal;
+}
+
+bool inside_corners_joined(const Corners& c, int f) {
+  const auto& k = kFaceCorners[f];
+  return inside_corners_joined(c[k[0]], c[k[1]], c[k[3]], c[k[2]]);
+}
+
+// The plane swept along z. Columns are the edges along z, numbered as corners 0-3; a column's sign
+// flips when the plane passes its crossing.
+class Sweep {
+ public:
+  Sweep(int mask, const Corners& c, const VoxelLoops& loops) : mask_(mask), c_(c) {
+    std::iota(piece_.begin(), piece_.end(), 0);
+    for (int l = 0; l < loops.count; ++l) {
+      for (const int e : loops.edges(l)) loop_of_edge_[e] = l;
+    }
+    for (int m = 0; m < 4; ++m) {
+      if (is_inside(mask, m) == is_inside(mask, m + 4)) continue;
+      height_[m] = c[m] / (c[m] - c[m + 4]);
+      order_[events_++] = m;
+    }
+    std::stable_sort(order_.begin(), order_.begin() + events_,
+                     [&](int m, int n) { return height_[m] < height_[n]; });
+  }
+
+  Tube run() {
+    for (int slab = 0; slab <= events_; ++slab) {
+      unite_arcs(slab);
+      if (slab < events_) passed_[order_[slab]] = true;
+    }
+    for (int l = kMaxLoops - 1; l > 0; --l) {
+      if (piece_[l] != l) return {piece_[l], l};
+    }
+    return {};
+  }
+
+ private:
+  bool sign(int column) const { return is_inside(mask_, column + (passed_[column] ? 4 : 0)); }
+
+  void unite(int l, int m) {
+    const int from = std::max(piece_[l], piece_[m]), to = std::min(piece_[l], piece_[m]);
+    std::replace(piece_.begin(), piece_.end(), from, to);
+  }
+
+  // The loop that holds the end of the slice's arc on the side face between two columns. The face
+  // has a segment at its lower edge, one at its upper edge, or one that both columns' signs tell.
+  int loop_at(int column, int other) const {
+    int e = 8 + (passed_[column] ? column : other);
+    if (passed_[column] == passed_[other]) {
+      const int up = passed_[column] ? 4 : 0;
+      e = edge_between(column + up, other + up);
+    }
+    return loop_of_edge_[e];
+  }
+
+  // Arc around one column: from the face it shares with one neighbouring column to the other.
+  void unite_around(int column) { unite(loop_at(column, column ^ 1), loop_at(column, column ^ 2)); }
+
+  void unite_arcs(int slab) {
+    const bool s[4] = {sign(0), sign(1), sign(2), sign(3)};
+    const int inside = s[0] + s[1] + s[2] + s[3];
+    if (inside == 1 || inside == 3) {
+      for (int m = 0; m < 4; ++m) {
+        if (s[m] == (inside == 1)) unite_around(m);
+      }
+    } else if (inside == 2 && s[0] != s[3]) {
+      const int across = s[0] == s[1] ? 2 : 1;  // the arc runs between columns m and m ^ across
+      unite(loop_at(0, across), loop_at(3, 3 ^ across));
+    } else if (inside == 2) {
+      const bool joined_below = joined_at(slab - 1, s[0]), joined_above = joined_at(slab, s[0]);
+      const bool both = joined_below != joined_above || saddle_flips(slab, s[0], joined_below);
+      if (both || joined_below != s[0]) {
+        unite_around(0);
+        unite_around(3);
+      }
+      if (both || joined_below == s[0]) {
+        unite_around(1);
+        unite_around(2);
+      }
+    }
+  }
+
+  // Whether the inside columns of an alternating slab are joined at one of its ends: the slice at
+  // event number e, or at a face of the voxel. At an event a column's value is zero, so its product
+  // is, and the other product, of two values of equal sign, is positive.
+  bool joined_at(int e, bool column_0_inside) const {
+    if (e < 0) return inside_corners_joined(c_, 4);
+    if (e >= events_) return inside_corners_joined(c_, 5);
+    const int column = order_[e];
+    const bool column_inside = (column == 0 || column == 3) == column_0_inside;
+    return !column_inside;
+  }
+
+  // Whether the saddle expression, of equal sign at both ends of an alternating slab, changes it
+  // twice in between: r(z) = (product of inside columns) - (product of outside ones) has its
+  // extremum there, on the other side of zero (where zero counts as joined).
+  bool saddle_flips(int slab, bool column_0_inside, bool joined) const {
+    const double d0 = c_[4] - c_[0], d1 = c_[5] - c_[1], d2 = c_[6] - c_[2], d3 = c_[7] - c_[3];
+    double r2 = d0 * d3 - d1 * d2;
+    double r1 = (c_[0] * d3 + c_[3] * d0) - (c_[1] * d2 + c_[2] * d1);
+    double r0 = c_[0] * c_[3] - c_[1] * c_[2];
+    if (!column_0_inside) r2 = -r2, r1 = -r1, r0 = -r0;
+    const double low = slab == 0 ? 0 : height_[order_[slab - 1]];
+    const double high = slab == events_ ? 1 : height_[order_[slab]];
+    const double discriminant = r1 * r1 - 4 * r2 * r0;
+    if (joined) return r2 > 0 && discriminant > 0 && -r1 > 2 * r2 * low && -r1 < 2 * r2 * high;
+    return r2 < 0 && discriminant >= 0 && -r1 < 2 * r2 * low && -r1 > 2 * r2 * high;
+  }
+
+  int mask_;
+  const Corners& c_;
+  std::array<int, kMaxLoops> piece_{};  // smallest loop of the piece of each loop
+  std::array<int, 12> loop_of_edge_{};
+  std::array<double, 4> height_{};  // of a column's crossing
+  std::array<int, 4> order_{};      // columns with a crossing, from below
+  int events_ = 0;
+  std::array<bool, 4> passed_{};
+};
+
+}  // namespace
+
+std::uint8_t ambiguous_faces(int mask) {
+  return kMasks.ambiguous[mask];
+}
+
+VoxelLoops trace_loops(int mask, std::uint8_t joined) {
+  return trace(mask, joined);
+}
+
+const VoxelLoops& voxel_loops(int mask, const Corners& c, VoxelLoops& scratch) {
+  const std::uint8_t ambiguous = kMasks.ambiguous[mask];
+  if (ambiguous == 0) return kMasks.loops[mask];
+  int joined = 0;
+  for (int f = 0; f < 6; ++f) {
+    if ((ambiguous >> f & 1) != 0 && inside_corners_joined(c, f)) joined |= 1 << f;
+  }
+  scratch = trace(mask, static_cast<std::uint8_t>(joined));
+  return scratch;
+}
+
+Tube find_tube(int mask, const Corners& c, const VoxelLoops& loops) {
+  if (loops.count < 2) return {};
+  return Sweep(mask, c, loops).run();
+}
+
+}  // namespace deliso

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// T as a mesh: a manifold with boundary on the box, on Sigma, with its summary and its chains, for
+// random volumes and for fields of known topology.
+#include "contour/contour.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "base/random.h"
+#include "mesh_checks.h"
+
+using namespace deliso;
+
+namespace {
+
+// Checks T and returns its summary.
+ContourSummary checked_summary(const Volume& volume, double kappa) {
+  const ContourMesh mesh = build_contour(volume, kappa);
+  CHECK(check_contour(mesh, volume, kappa) == "");
+  CHECK(summarize_contour(volume, kappa) == mesh.summary);
+  return mesh.summary;
+}
+
+Volume sampled_field(Index3 dims, const std::function<double(double, double, double)>& field) {
+  std::vector<float> samples;
+  for (int k = 0; k < dims.k; ++k) {
+    for (int j = 0; j < dims.j; ++j) {
+      for (int i = 0; i < dims.i; ++i) samples.push_back(static_cast<float>(field(i, j, k)));
+    }
+  }
+  return Volume::from_samples(dims, {1, 1, 1}, samples);
+}
+
+double torus_field(double x, double y, double z, double big, double small) {
+  const double d = std::sqrt(x * x + y * y) - big;
+  return small - std::sqrt(d * d + z * z);
+}
+
+}  // namespace
+
+TEST_CASE("random volumes of every sample type give a valid contour") {
+  Random random(7);
+  std::size_t with_boundary = 0, with_tubes = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    CAPTURE(trial);
+    const Index3 dims{2 + static_cast<int>(random.below(7)), 2 + static_cast<int>(random.below(7)),
+                      2 + static_cast<int>(random.below(7))};
+    const Vec3 spacing{random.uniform(0.2, 3), random.uniform(0.2, 3), random.uniform(0.2, 3)};
+    const auto check = [&]<class T>(T, std::uint32_t levels, double kappa) {
+      std::vector<T> samples;
+      for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+        samples.push_back(static_cast<T>(random.below(levels)));
+      }
+      const Volume volume = Volume::from_samples(dims, spacing, samples);
+      const ContourSummary summary = checked_summary(volume, effective_isovalue(volume, kappa));
+      with_boundary += summary.boundary_loops() > 0;
+      for (const auto& component : summary.components) with_tubes += component.tubes > 0;
+    };
+    switch (trial % 5) {
+      case 0:
+        check(std::uint8_t{}, 256, random.uniform(20, 230));
+        break;
+      case 1:
+        check(std::int16_t{}, 5, 2);  // many ties
+        break;
+      case 2:
+        check(std::uint32_t{}, 1000000, 400000.5);
+        break;
+      case 3:
+        check(float{}, 100, 50);
+        break;
+      default:
+        check(double{}, 1 << 20, 1 << 19);
+    }
+  }
+  CHECK(with_boundary > 1000);
+  CHECK(with_tubes > 50);
+}
+
+TEST_CASE("samples equal to kappa break nothing") {
+  Random random(8);
+  for (int trial = 0; trial < 300; ++trial) {
+    CAPTURE(trial);
+    std::vector<std::uint8_t> samples;
+    for (int n = 0; n < 5 * 5 * 5; ++n) {
+      samples.push_back(static_cast<std::uint8_t>(random.below(3)));
+    }
+    const Volume volume = Volume::from_samples({5, 5, 5}, {1, 1, 1}, samples);
+    checked_summary(volume, 1);
+  }
+}
+
+TEST_CASE("fields of known topology") {
+  const auto distance_to = [](double x, double y, double z) {
+    return std::sqrt(x * x + y * y + z * z);
+  };
+  SUBCASE("sphere") {
+    const Volume volume = sampled_field({33, 33, 33}, [&](double x, double y, double z) {
+      return 10.3 - distance_to(x - 16.1, y - 15.9, z - 16.2);
+    });
+    const ContourSummary s = checked_summary(volume, 0);
+    REQUIRE(s.components.size() == 1);
+    CHECK(s.euler() == 2);
+    CHECK(s.boundary_loops() == 0);
+    CHECK(s.components[0].lo == Index3{5, 5, 5});
+    CHECK(s.components[0].hi == Index3{26, 26, 26});
+  }
+  SUBCASE("half a sphere, cut by the box") {
+    const Volume volume = sampled_field({33, 33, 33}, [&](double x, double y, double z) {
+      return 10.3 - distance_to(x - 16.1, y - 15.9, z + 0.2);
+    });
+    const ContourSummary s = checked_summary(volume, 0);
+    REQUIRE(s.components.size() == 1);
+    CHECK(s.euler() == 1);
+    CHECK(s.boundary_loops() == 1);
+  }
+  SUBCASE("torus") {
+    const Volume volume = sampled_field({40, 40, 40}, [](double x, double y, double z) {
+      return torus_field(x - 19.6, y - 19.4, z - 19.7, 12, 4);
+    });
+    const ContourSummary s = checked_summary(volume, 0);
+    REQUIRE(s.components.size() == 1);
+    CHECK(s.euler() == 0);
+  }
+  SUBCASE("two linked tori") {
+    const Volume volume = sampled_field({48, 40, 40}, [](double x, double y, double z) {
+      return std::max(torus_field(x - 16.6, y - 19.4, z - 19.7, 10, 3),
+                      torus_field(x - 27.1, z - 19.4, y - 19.7, 10, 3));
+    });
+    const ContourSummary s = checked_summary(volume, 0);
+    REQUIRE(s.components.size() == 2);
+    for (const auto& component : s.components) CHECK(component.euler == 0);
+  }
+  SUBCASE("five spheres, in scan order") {
+    const Vec3 centers[5] = {{9, 9, 7}, {29, 9, 8}, {9, 29, 9}, {29, 29, 10}, {19, 19, 30}};
+    const Volume volume = sampled_field({40, 40, 40}, [&](double x, double y, double z) {
+      double best = -1e9;
+      for (const Vec3& c : centers) {
+        best = std::max(best, 5.2 - distance_to(x - c.x - 0.1, y - c.y + 0.2, z - c.z));
+      }
+      return best;
+    });
+    const ContourSummary s = checked_summary(volume, 0);
+    REQUIRE(s.components.size() == 5);
+    for (std::size_t n = 0; n < 5; ++n) {
+      CHECK(s.components[n].euler == 2);
+      CHECK(s.components[n].lo.i <= centers[n].x);
+      CHECK(s.components[n].hi.i >= centers[n].x);
+      CHECK(s.components[n].lo.k <= centers[n].z);
+      CHECK(s.components[n].hi.k >= centers[n].z);
+    }
+  }
+}
+
+TEST_CASE("a volume without voxels, or without an inside or outside, has no contour") {
+  const Volume flat = Volume::from_samples<std::uint8_t>({3, 2, 1}, {1, 1, 1}, {0, 9, 0, 9, 0, 9});
+  CHECK(build_contour(flat, 4.5).points.empty());
+  const Volume cube =
+      Volume::from_samples<std::uint8_t>({2, 2, 2}, {1, 1, 1}, {0, 9, 0, 9, 0, 9, 0, 255});
+  for (const double kappa : {-1.0, 255.5, 1e300, -1e300}) {
+    const ContourMesh mesh = build_contour(cube, kappa);
+    CHECK(mesh.triangles.empty());
+    CHECK(mesh.summary.components.empty());
+    CHECK(mesh.boundary.size() == 0);
+  }
+}
