@@ -3,6 +3,13 @@
 // interpolant (paper §2.2.3 and §4). Three questions: every point of Sigma on a segment, the point
 // of Sigma on a line nearest to a given point of it, and the gradient there. It counts what it does
 // (Table 4's CPI): the counters are the caller's, so that each stage has its own.
+//
+// A hit is a passage between inside (g >= kappa) and outside. A line that touches Sigma without
+// passing has no hit there, or two at (nearly) equal t: never one. So the number of hits on a
+// segment is odd exactly when its ends lie on different sides (V1 and V2 of voxel_ray.h). Each hit
+// lies in the box, with |g - kappa| <= 1e-9 times the range of its voxel's samples.
+//
+// Lines of no length, or not finite, or that touch the box in a point have no hits.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +23,8 @@
 
 namespace deliso {
 
+// A computation is one voxel-ray intersection: the cubic formed in one voxel that has samples on
+// both sides of kappa, once per voxel and search. What min and max pass over costs none.
 struct SearchCounters {
   std::uint64_t searches = 0;
   std::uint64_t searches_with_hit = 0;
@@ -55,6 +64,7 @@ class Isosurface {
   const VoxelTree& tree_;
   double kappa_;
   CubicMethod method_;
+  bool empty_;  // no voxel is active
 };
 
 }  // namespace deliso

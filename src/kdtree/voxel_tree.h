@@ -1,2 +1,184 @@
 // SPDX-License-Identifier: MIT
+// The min/max kd-tree over a volume's voxels (paper §4.1; Havran 2000 for the traversal, Wald et
+// al. 2005 for the implicit tree with ranges).
+//
+// A perfect binary tree in an array, children of n at 2n and 2n+1, so a node is nothing but the
+// smallest and largest sample of its voxels' corners, in the volume's own sample type.
+//   K1  All nodes of one level split across the same axis, the longest there, in the middle on a
+//       voxel boundary; sides of nodes of a level differ by at most one voxel.
+//   K2  A leaf is a brick of at most kLeafVoxels voxels and, while there are enough to split, more
+//       than about half as many: two nodes a leaf, two samples a node, so some 3 to 7 % of the
+//       volume's bytes.
+//   K3  A node's range covers every sample at a corner of its voxels, shared faces included.
+//   K4  A node or voxel is active for kappa when it has samples both >= kappa and < kappa. (The
+//       paper prunes by kappa_min <= kappa <= kappa_max; inside is >= kappa, so min < kappa.)
 #pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "base/segment.h"
+#include "kdtree/lattice_line.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// The smallest value of T that is >= kappa, so that samples compare in their own type.
+// pre: some value of T is >= kappa.
+template <class T>
+T inside_threshold(double kappa) {
+  if constexpr (std::is_integral_v<T>) {
+    const double up = std::ceil(kappa);
+    return up <= static_cast<double>(std::numeric_limits<T>::lowest())
+               ? std::numeric_limits<T>::lowest()
+               : static_cast<T>(up);
+  } else {
+    const T near = static_cast<T>(kappa);
+    return static_cast<double>(near) >= kappa
+               ? near
+               : std::nextafter(near, std::numeric_limits<T>::infinity());
+  }
+}
+
+class VoxelTree {
+ public:
+  static constexpr int kLeafVoxels = 128;
+
+  // Reads every sample once; keeps a reference to the volume, which must outlive the tree.
+  explicit VoxelTree(const Volume& volume);
+
+  const Volume& volume() const { return volume_; }
+  VoxelBox box() const { return {{0, 0, 0}, volume_.voxels()}; }
+  // Whether any voxel is active.
+  bool active(double kappa) const;
+  std::size_t bytes() const;
+  int depth() const { return depth_; }
+
+  // CollectVoxels of Figure 12: the active voxels that r crosses, in order, each with its piece of
+  // r (t in [0, 1]). Voxels touched in a point only are left out; a segment in a face shared by two
+  // voxels is in one of them. Replaces the contents of `spans`.
+  void collect_voxels(const Segment& r, double kappa, std::vector<VoxelSpan>& spans) const;
+
+  // Calls visit(span) for the active voxels along `range` of the line, in order, until it returns
+  // true; whether it did. T: the volume's sample type.
+  // pre: range from line.clip(.., box()); active(kappa); threshold = inside_threshold<T>(kappa).
+  template <class T, class Visit>
+  bool find_along(const LatticeLine& line, Range range, T threshold, Visit&& visit) const;
+
+  // origin + t * direction (scaled frame) in voxel units, same t. An origin in the volume's box is
+  // in the box of voxels too, however the spacing rounds.
+  LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
+    Vec3 start = scaled(origin);
+    for (int axis = 0; axis < 3; ++axis)
+      if (origin[axis] <= volume_box_.hi[axis])
+        start[axis] = std::min(start[axis], static_cast<double>(box().hi[axis]));
+    return {start, scaled(direction)};
+  }
+
+ private:
+  template <class T>
+  struct MinMax {
+    T min, max;
+    bool active(T threshold) const { return min < threshold && max >= threshold; }
+  };
+  template <class T>
+  using Nodes = std::vector<MinMax<T>>;
+
+  // A node still to be searched. One level pushes at most one, and an axis of fewer than 2^31
+  // voxels is halved at most 31 times: the stack cannot overflow.
+  struct Pending {
+    std::size_t node;
+    int level;
+    VoxelBox box;
+    Range range;
+  };
+  static constexpr int kMaxDepth = 3 * 31;
+  static_assert(std::numeric_limits<int>::digits <= 31);
+
+  template <class T>
+  void build(const T* samples);
+  void choose_axes();
+  Vec3 scaled(const Vec3& p) const {
+    return {p.x * per_spacing_.x, p.y * per_spacing_.y, p.z * per_spacing_.z};
+  }
+
+  const Volume& volume_;
+  Box3 volume_box_;
+  Vec3 per_spacing_;
+  int depth_ = 0;                               // levels of inner nodes
+  std::array<std::uint8_t, kMaxDepth> axis_{};  // across which each level splits
+  std::variant<Nodes<std::uint8_t>, Nodes<std::int8_t>, Nodes<std::uint16_t>, Nodes<std::int16_t>,
+               Nodes<std::uint32_t>, Nodes<std::int32_t>, Nodes<float>, Nodes<double>>
+      nodes_;  // [0] unused, [1] the root
+};
+
+// Whether the voxel whose first corner is *s is active. Steps: to the next sample in y and in z.
+template <class T>
+bool is_active_voxel(const T* s, std::size_t dy, std::size_t dz, T threshold) {
+  const int inside = (s[0] >= threshold) + (s[1] >= threshold) + (s[dy] >= threshold) +
+                     (s[dy + 1] >= threshold) + (s[dz] >= threshold) + (s[dz + 1] >= threshold) +
+                     (s[dz + dy] >= threshold) + (s[dz + dy + 1] >= threshold);
+  return inside != 0 && inside != 8;
+}
+
+template <class T, class Visit>
+bool VoxelTree::find_along(const LatticeLine& line, Range range, T threshold, Visit&& visit) const {
+  if (!(range.lo < range.hi)) return false;
+  const auto& nodes = std::get<Nodes<T>>(nodes_);
+  const T* samples = volume_.visit([](const auto* s) { return reinterpret_cast<const T*>(s); });
+  const std::size_t dy = static_cast<std::size_t>(volume_.dims().i);
+  const std::size_t dz = dy * static_cast<std::size_t>(volume_.dims().j);
+
+  std::array<Pending, kMaxDepth> stack;
+  std::size_t waiting = 0;
+  Pending at{1, 0, box(), range};
+  while (true) {
+    const bool active = nodes[at.node].active(threshold);
+    if (active && at.level < depth_) {
+      // Go to the child that comes first along the line; the other one waits. Crossings of the
+      // split plane are compared exactly as a voxel walk compares them.
+      const std::size_t axis = axis_[static_cast<std::size_t>(at.level)];
+      const int a = static_cast<int>(axis);
+      const int middle = at.box.lo[a] + (at.box.hi[a] - at.box.lo[a]) / 2;
+      bool upper_first = false, first = true, second = false;
+      double split = 0;
+      if (line.parallel(axis)) {
+        upper_first = line.origin(axis) >= middle;
+      } else {
+        upper_first = !line.ascending(axis);
+        split = line.at_plane(axis, middle);
+        first = split > at.range.lo;
+        second = split < at.range.hi;
+      }
+      const auto child = [&](bool upper, Range part) {
+        Pending node{2 * at.node + upper, at.level + 1, at.box, part};
+        (upper ? node.box.lo : node.box.hi)[a] = middle;
+        return node;
+      };
+      if (first && second) {
+        stack[waiting++] = child(!upper_first, {split, at.range.hi});
+        at = child(upper_first, {at.range.lo, split});
+      } else {
+        at = child(first ? upper_first : !upper_first, at.range);
+      }
+      continue;
+    }
+    if (active) {
+      for (VoxelWalk walk(line, at.range, at.box); !walk.done(); walk.step()) {
+        const Index3 v = walk.voxel();
+        if (is_active_voxel(samples + volume_.index(v.i, v.j, v.k), dy, dz, threshold) &&
+            visit(walk.span()))
+          return true;
+      }
+    }
+    if (waiting == 0) return false;
+    at = stack[--waiting];
+  }
+}
+
+}  // namespace deliso

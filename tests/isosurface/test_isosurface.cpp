@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The oracle against brute force over all voxels, and its own promises: each hit on Sigma and in
+// its voxel, hits odd in number exactly between points on different sides.
+#include "isosurface/isosurface.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields.h"
+#include "isosurface/voxel_ray.h"
+
+using namespace deliso;
+
+namespace {
+
+// Whether the voxel is the one that a line in a lattice plane counts for.
+bool owns(const LatticeLine& line, std::size_t axis, int n, int count) {
+  return !line.parallel(axis) || line.origin(axis) < n + 1 || n == count - 1;
+}
+
+// Every voxel of the volume is clipped against the line by itself and solved if that leaves a
+// piece.
+std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Range range,
+                             CubicMethod method) {
+  std::vector<Hit> hits;
+  const Volume& volume = field.volume;
+  const Index3 n = volume.voxels();
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) {
+        if (!owns(line, 0, i, n.i) || !owns(line, 1, j, n.j) || !owns(line, 2, k, n.k)) continue;
+        const Range piece = line.clip(range, {{i, j, k}, {i + 1, j + 1, k + 1}});
+        if (!(piece.lo < piece.hi)) continue;
+        Corners corners = volume.corners({i, j, k});
+        for (double& c : corners) c -= field.kappa;
+        const VoxelSpan span = line.span({i, j, k}, piece.lo, piece.hi);
+        for (const double s : find_intersections(corners, span, method))
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume.spacing())});
+      }
+    }
+  }
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
+  return hits;
+}
+
+double range_of(const Corners& c) {
+  return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end());
+}
+
+// On Sigma to 1e-9 of the voxel's range, and inside the box.
+bool on_surface(const TestField& field, const Vec3& point) {
+  const double range = range_of(field.volume.corners(field.volume.voxel_at(point)));
+  return field.volume.box().contains(point) &&
+         std::abs(field.volume.value(point) - field.kappa) <= 1e-9 * range;
+}
+
+// The side of the point, 0 when too near to Sigma to say.
+int side_of(const TestField& field, const Vec3& point) {
+  const double g = field.volume.value(point) - field.kappa;
+  const double range = range_of(field.volume.corners(field.volume.voxel_at(point)));
+  return std::abs(g) <= 1e-6 * range ? 0 : g > 0 ? 1 : -1;
+}
+
+}  // namespace
+
+TEST_CASE("intersect equals brute force over all voxels") {
+  for (const TestField& field : test_fields()) {
+    const VoxelTree tree(field.volume);
+    for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
+      CAPTURE(field.name);
+      const Isosurface surface(field.volume, tree, field.kappa, method);
+      SearchCounters counters;
+      std::vector<Hit> hits;
+      std::size_t found = 0, parities = 0;
+      const std::uint64_t trials = method == CubicMethod::isolation ? 100'000 : 20'000;
+      for (std::uint64_t seed = 0; seed < trials; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const Segment r = hard_segment(random, field.volume);
+        surface.intersect(r, hits, counters);
+        const LatticeLine line = tree.lattice_line(r.a, r.direction());
+        const std::vector<Hit> expected = brute_force(field, line, {0, 1}, method);
+
+        REQUIRE(hits.size() == expected.size());
+        for (std::size_t n = 0; n < hits.size(); ++n) {
+          REQUIRE(hits[n].t == expected[n].t);
+          REQUIRE(on_surface(field, hits[n].point));
+          REQUIRE(hits[n].t >= 0);
+          REQUIRE(hits[n].t <= 1);
+          const double slack = 1e-12 * (1 + length(r.a) + length(r.b));
+          REQUIRE(distance(hits[n].point, r.at(hits[n].t)) <= slack);
+        }
+        found += hits.size();
+
+        if (!field.volume.box().contains(r.a) || !field.volume.box().contains(r.b)) continue;
+        const int a = side_of(field, r.a), b = side_of(field, r.b);
+        if (a == 0 || b == 0) continue;
+        REQUIRE((hits.size() % 2 == 1) == (a != b));
+        ++parities;
+      }
+      CHECK(found > trials / 4);
+      CHECK(parities > trials / 2);
+      CHECK(counters.searches == trials);
+    }
+  }
+}
+
+TEST_CASE("nearest equals the nearest of all brute-force hits") {
+  for (const TestField& field : test_fields()) {
+    CAPTURE(field.name);
+    const VoxelTree tree(field.volume);
+    const Isosurface surface(field.volume, tree, field.kappa);
+    SearchCounters counters;
+    std::size_t found = 0;
+    constexpr std::uint64_t kTrials = 100'000;
+    for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
+      CAPTURE(seed);
+      Random random(seed + 1'000'000);
+      const Segment r = hard_segment(random, field.volume);
+      const double size = length(r.direction());
+      const Vec3 direction = size > 0 ? r.direction() / size : Vec3{0, 0, 0};
+      const double limit = std::ldexp(random.uniform(), static_cast<int>(random.below(12)) - 4);
+      const std::optional<Hit> hit = surface.nearest(r.a, direction, limit, counters);
+
+      const LatticeLine line = tree.lattice_line(r.a, direction);
+      const std::vector<Hit> all =
+          brute_force(field, line, {-limit, limit}, CubicMethod::isolation);
+      const auto best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.t) < std::abs(b.t) || (std::abs(a.t) == std::abs(b.t) && a.t > b.t);
+      });
+      REQUIRE(hit.has_value() == (best != all.end()));
+      if (!hit) continue;
+      REQUIRE(hit->t == best->t);
+      REQUIRE(on_surface(field, hit->point));
+      REQUIRE(std::abs(hit->t) <= limit);
+      ++found;
+    }
+    CHECK(found > kTrials / 5);
+    CHECK(counters.searches == kTrials);
+    CHECK(counters.searches_with_hit == found);
+  }
+}
+
+TEST_CASE("lines that are none have no hits") {
+  const TestField field = test_fields().front();
+  const VoxelTree tree(field.volume);
+  const Isosurface surface(field.volume, tree, field.kappa);
+  SearchCounters counters;
+  std::vector<Hit> hits;
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const double bad : {inf, -inf, nan, 1e308}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 p{3, 4, 5};
+      p[axis] = bad;
+      surface.intersect({p, {1, 2, 3}}, hits, counters);
+      CHECK(hits.empty());
+      CHECK(!surface.nearest(p, {0, 0, 1}, 100, counters));
+    }
+  }
+  CHECK(!surface.nearest({3, 4, 5}, {0, 0, 0}, 100, counters));
+  CHECK(!surface.nearest({3, 4, 5}, {nan, 0, 1}, 100, counters));
+  // Unlimited search is fine.
+  CHECK(surface.nearest({3.3, 4.4, 5.5}, {0, 0, 1}, inf, counters));
+}
+
+TEST_CASE("an isovalue beyond the samples has no surface") {
+  const TestField field = test_fields().front();
+  const VoxelTree tree(field.volume);
+  SearchCounters counters;
+  std::vector<Hit> hits;
+  for (const double kappa : {-1e9, -1.0, 255.5, 1e9}) {
+    const Isosurface surface(field.volume, tree, kappa);
+    surface.intersect({{0, 0, 0}, {11, 9, 10}}, hits, counters);
+    CHECK(hits.empty());
+    CHECK(!surface.nearest({5, 5, 5}, {0, 0, 1}, 100, counters));
+  }
+  CHECK(counters.computations == 0);
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// The kd-tree against all voxels: what it collects along random and hard segments, for random
+// isovalues, over volumes of many shapes and all sample types; the chain of pieces; its memory.
+#include "kdtree/voxel_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "../isosurface/fields.h"
+
+using namespace deliso;
+
+namespace {
+
+bool same(const VoxelSpan& a, const VoxelSpan& b) {
+  return a.voxel == b.voxel && a.t0 == b.t0 && a.t1 == b.t1 && a.u0 == b.u0 && a.u1 == b.u1;
+}
+
+// The voxel's piece of the line, by clipping it alone.
+std::optional<VoxelSpan> piece_of(const LatticeLine& line, Index3 voxel, Index3 count) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int n = voxel[static_cast<int>(axis)];
+    const bool last = n == count[static_cast<int>(axis)] - 1;
+    if (line.parallel(axis) && !(line.origin(axis) < n + 1) && !last) return std::nullopt;
+  }
+  const Range piece = line.clip({0, 1}, {voxel, {voxel.i + 1, voxel.j + 1, voxel.k + 1}});
+  if (!(piece.lo < piece.hi)) return std::nullopt;
+  return line.span(voxel, piece.lo, piece.hi);
+}
+
+// Pieces of all voxels, in order along the line.
+std::vector<VoxelSpan> all_pieces(const LatticeLine& line, const Volume& volume) {
+  std::vector<VoxelSpan> spans;
+  const Index3 n = volume.voxels();
+  for (int k = 0; k < n.k; ++k)
+    for (int j = 0; j < n.j; ++j)
+      for (int i = 0; i < n.i; ++i)
+        if (const auto span = piece_of(line, {i, j, k}, n)) spans.push_back(*span);
+  std::sort(spans.begin(), spans.end(),
+            [](const VoxelSpan& a, const VoxelSpan& b) { return a.t0 < b.t0; });
+  return spans;
+}
+
+bool is_active(const Volume& volume, Index3 voxel, double kappa) {
+  const Corners c = volume.corners(voxel);
+  const auto inside = std::count_if(c.begin(), c.end(), [&](double v) { return v >= kappa; });
+  return inside > 0 && inside < 8;
+}
+
+// Where one piece ends the next begins, at the same point seen from both voxels (L2, L3).
+bool is_chain(const std::vector<VoxelSpan>& spans) {
+  for (std::size_t n = 0; n + 1 < spans.size(); ++n) {
+    const VoxelSpan &a = spans[n], &b = spans[n + 1];
+    if (a.t1 != b.t0 || a.voxel == b.voxel) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int step = b.voxel[axis] - a.voxel[axis];
+      if (step == 0 ? a.u1[axis] != b.u0[axis]
+                    : std::abs(step) != 1 || a.u1[axis] != (step > 0) || b.u0[axis] != (step < 0))
+        return false;
+    }
+  }
+  return true;
+}
+
+template <class T>
+Volume random_volume(Random& random, double lo, double hi) {
+  // Long, flat, thin, and without voxels at all.
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis)
+    dims[axis] = 1 + static_cast<int>(random.below(random.below(3) == 0 ? 40 : 9));
+  const Vec3 spacing{random.uniform(0.1, 3), random.uniform(0.1, 3), random.uniform(0.1, 3)};
+  // Mostly empty, so that there is something to prune.
+  return sampled<T>(dims, spacing, [&](int, int, int) {
+    return random.below(20) == 0 ? random.uniform(lo, hi) : lo;
+  });
+}
+
+std::size_t check_volume(const Volume& volume, double kappa, std::uint64_t seed, int segments) {
+  CAPTURE(seed);
+  CAPTURE(volume.dims().i);
+  CAPTURE(volume.dims().j);
+  CAPTURE(volume.dims().k);
+  CAPTURE(kappa);
+  const VoxelTree tree(volume);
+  Random random(seed);
+  std::vector<VoxelSpan> collected;
+  std::size_t total = 0;
+  for (int n = 0; n < segments; ++n) {
+    CAPTURE(n);
+    const Segment r = hard_segment(random, volume);
+    std::vector<VoxelSpan> expected = all_pieces(tree.lattice_line(r.a, r.direction()), volume);
+    REQUIRE(is_chain(expected));
+    std::erase_if(expected, [&](const VoxelSpan& s) { return !is_active(volume, s.voxel, kappa); });
+    tree.collect_voxels(r, kappa, collected);
+    REQUIRE(collected.size() == expected.size());
+    for (std::size_t m = 0; m < collected.size(); ++m) REQUIRE(same(collected[m], expected[m]));
+    total += collected.size();
+  }
+  return total;
+}
+
+}  // namespace
+
+TEST_CASE("collect_voxels finds exactly the active voxels on the segment, in order") {
+  std::size_t total = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    Random random(seed);
+    const double kappa = random.uniform(-5, 100);
+    const auto run = [&]<class T>(T, double lo, double hi, double at) {
+      total += check_volume(random_volume<T>(random, lo, hi), at, seed, 40);
+    };
+    switch (seed % 8) {
+      case 0:
+        run(std::uint8_t{}, 0, 255, kappa);
+        break;
+      case 1:
+        run(std::int8_t{}, -128, 127, kappa - 30);
+        break;
+      case 2:
+        run(std::uint16_t{}, 0, 300, std::round(kappa));
+        break;
+      case 3:
+        run(std::int16_t{}, -3, 300, kappa);
+        break;
+      case 4:
+        run(std::uint32_t{}, 0, 4e9, 4e7 * kappa);
+        break;
+      case 5:
+        run(std::int32_t{}, -2e9, 2e9, 1e7 * kappa);
+        break;
+      case 6:
+        run(float{}, -1, 1, 0.01 * kappa);
+        break;
+      default:
+        run(double{}, 0, 1e-3, 1e-5 * kappa);
+        break;
+    }
+  }
+  MESSAGE("voxels collected: " << total);
+  CHECK(total > 20'000);
+}
+
+TEST_CASE("a sample equal to kappa counts as inside") {
+  // One voxel; its only sample that is not below kappa equals it.
+  const std::vector<std::uint8_t> samples{1, 1, 1, 1, 1, 1, 1, 7};
+  const Volume volume = Volume::from_samples({2, 2, 2}, {1, 1, 1}, samples);
+  const VoxelTree tree(volume);
+  CHECK(tree.active(7));
+  CHECK(!tree.active(7.5));
+  CHECK(!tree.active(1));
+  std::vector<VoxelSpan> spans;
+  tree.collect_voxels({{0.1, 0.2, 0.3}, {0.9, 0.8, 0.7}}, 7, spans);
+  CHECK(spans.size() == 1);
+  tree.collect_voxels({{0.1, 0.2, 0.3}, {0.9, 0.8, 0.7}}, 1, spans);
+  CHECK(spans.empty());
+}
+
+TEST_CASE("thresholds decide as kappa does, for samples at and around it") {
+  Random random(3);
+  for (int trial = 0; trial < 100'000; ++trial) {
+    const double kappa = random.uniform(-130, 130);
+    const auto rounded = static_cast<std::int8_t>(kappa);
+    for (int step = -2; step <= 2; ++step) {
+      const int v = std::clamp(rounded + step, -128, 127);
+      if (kappa <= 127) REQUIRE((v >= inside_threshold<std::int8_t>(kappa)) == (v >= kappa));
+      float f = static_cast<float>(kappa);
+      for (int n = 0; n < std::abs(step); ++n) f = std::nextafter(f, step < 0 ? -1e9f : 1e9f);
+      REQUIRE((f >= inside_threshold<float>(kappa)) == (static_cast<double>(f) >= kappa));
+    }
+  }
+}
+
+TEST_CASE("memory stays well under a tenth of the volume") {
+  for (const Index3 dims : {Index3{64, 64, 64},
+                            {103, 94, 161},
+                            {256, 256, 98},
+                            {129, 65, 33},
+                            {341, 341, 93},
+                            {2, 2, 5000},
+                            {500, 500, 2},
+                            {100, 101, 102}}) {
+    CAPTURE(dims.i);
+    CAPTURE(dims.k);
+    const Volume volume = Volume::from_samples(
+        dims, {1, 1, 1},
+        std::vector<std::uint8_t>(static_cast<std::size_t>(dims.i * dims.j * dims.k)));
+    const VoxelTree tree(volume);
+    CHECK(static_cast<double>(tree.bytes()) <= 0.08 * static_cast<double>(volume.sample_count()));
+  }
+}
