@@ -74,6 +74,7 @@ AtomicFile::AtomicFile(std::string path, bool sync) : path_(std::move(path)), sy
   }
   struct stat status {};
   const bool exists = stat(path_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ =
@@ -82,7 +83,7 @@ AtomicFile::AtomicFile(std::string path, bool sync) : path_(std::move(path)), sy
     return;
   }
   // The rename would also replace a file that its owner has made read-only.
-  if (exists && access(path_.c_str(), W_OK) != 0) fail(errno);
+  if (exists && faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   open_temporary();
   if (exists) fchmod(descriptor_, status.st_mode & 0777);
 }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Inside of read_mesh: the parsers, one per format, and what they share.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+// Takes the next word off the front of `text`; empty when only blanks are left.
+inline std::string_view take_word(std::string_view& text) {
+  std::size_t begin = 0;
+  while (begin < text.size() && is_blank(text[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && !is_blank(text[end])) ++end;
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+// The whole word as a number; nothing else may stand in it but a leading '+'.
+template <class T>
+std::optional<T> number_in(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  T value{};
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+// What stands in a message for a word of the file: printable, and not the whole file.
+std::string quoted(std::string_view word);
+
+// The lines of a text file, counted from 1.
+class Lines {
+ public:
+  Lines(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
+
+  // Moves to the next line; false at the end of the file.
+  bool next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++number_;
+    return true;
+  }
+  // The part of the line that no word has been taken of.
+  std::string_view& line() { return line_; }
+  std::string_view rest() const { return rest_; }
+  std::size_t number() const { return number_; }
+  [[noreturn]] void fail(const std::string& fault) const { fail_at(number_, fault); }
+  [[noreturn]] void fail_at(std::size_t line, const std::string& fault) const {
+    throw InputError(text("'", name_, "' line ", line, ": ", fault));
+  }
+
+ private:
+  std::string_view rest_, line_;
+  std::string name_;
+  std::size_t number_ = 0;
+};
+
+// What the parsers fill. Corners are checked by the parser, which knows where it is.
+struct MeshParts {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+
+  // Rule R1. pre: three corners or more.
+  void add_polygon(const std::vector<VertexId>& corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    }
+  }
+};
+
+// As many vertices as ids can name, and as many facets as link_faces can take.
+inline constexpr std::uint64_t kMostVertices = kNoId - 1;
+inline constexpr std::uint64_t kMostFaces = kNoId / 3;
+
+MeshParts parse_ply(std::string_view bytes, const std::string& name);
+MeshParts parse_off(std::string_view bytes, const std::string& name);
+MeshParts parse_obj(std::string_view bytes, const std::string& name);
+
+}  // namespace deliso

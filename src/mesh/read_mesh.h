@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Reads a triangle mesh from PLY (ASCII, binary of either byte order), OFF or OBJ.
+//
+//   R1  polygons are cut into triangles that fan out from their first corner;
+//   R2  what is not geometry (colors, normals, texture, groups, further elements) is skipped;
+//   R3  facets are kept as they are, with corners twice or edges of three facets: check_mesh says;
+//   R4  whatever the bytes, the outcome is a mesh of finite points with all corners below the
+//       vertex count, or an InputError of one line that names the file, the line or byte, and the
+//       fault. Memory follows what the file holds, never what it promises.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/tri_mesh.h"
+#include "mesh/write_mesh.h"
+
+namespace deliso {
+
+// Reads the file at `path`, in the format of its ending. `-` is standard input, whose format is
+// told from its first bytes. The facets are linked (link_faces).
+TriMesh read_mesh(const std::string& path);
+
+// The same from memory; `name` stands for the file in errors.
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
+
+}  // namespace deliso
