@@ -37,11 +37,16 @@ struct Index3 {
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
 
+// The anatomical frame of world coordinates, where the file names it: axes to the patient's right,
+// anterior, superior (RAS) or left, posterior, superior (LPS).
+enum class AnatomicalSpace : std::uint8_t { unknown, ras, lps };
+
 // World position of a point p of the scaled frame: origin + p.x * axes[0] + p.y * axes[1] + p.z *
 // axes[2], with unit axes. The axes may be left-handed; writers then turn the triangles round.
 struct Orientation {
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  AnatomicalSpace space = AnatomicalSpace::unknown;
 
   Vec3 to_world(const Vec3& p) const {
     return origin + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];
@@ -128,15 +133,17 @@ class Volume {
   Orientation orientation_;
 };
 
-// Smallest and largest sample. Throws InputError naming the first NaN or infinite sample.
+// Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or
+// infinite sample by its index.
 struct ValueRange {
   double min = 0, max = 0;
 };
-ValueRange value_range(const Volume& volume);
+ValueRange value_range(const Volume& volume, std::string_view name = "volume");
 
 // Inside is f >= kappa. Where samples equal kappa the surface would touch itself at samples and
 // whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and
 // always by less than the gap to the next lower sample. Returns kappa where no sample equals it.
+// pre: no sample is NaN or infinite.
 double effective_isovalue(const Volume& volume, double kappa);
 
 template <class T>

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "volume/read_volume.h"
+
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+#include "volume/builtin_fields.h"
+#include "volume/text_scan.h"
+#include "volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+bool ends_with_ignoring_case(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() &&
+         starts_with_ignoring_case(text.substr(text.size() - end.size()), end);
+}
+
+[[noreturn]] void fail_unknown(const Bytes& bytes) {
+  if (bytes.size() == 0) fail(bytes.name, "is empty");
+  if (ends_with_ignoring_case(bytes.name, ".raw") || ends_with_ignoring_case(bytes.name, ".img"))
+    fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
+  if (ends_with_ignoring_case(bytes.name, ".hdr"))
+    fail(bytes.name, "is no NIfTI header (ANALYZE 7.5 is not supported)");
+  fail(bytes.name,
+       "is in no known format (NRRD, MetaImage, NIfTI, VTK; raw data needs dimensions "
+       "and type)");
+}
+
+Volume read_recognised(const VolumeInput& input) {
+  const Bytes& bytes = input.bytes;
+  if (input.options.raw) return read_raw(input);
+  if (looks_like_nrrd(bytes)) return read_nrrd(input);
+  if (looks_like_vtk(bytes)) return read_vtk(input);
+  if (looks_like_nifti(bytes)) return read_nifti(input);
+  if (looks_like_vti(bytes)) return read_vti(input);
+  if (looks_like_metaimage(bytes)) return read_metaimage(input);
+  fail_unknown(bytes);
+}
+
+[[noreturn]] void fail_option(std::string_view text, const char* wanted) {
+  throw InputError(quoted(text) + " is not " + wanted);
+}
+
+// "a<separator>b<separator>c" split; nothing if it has not `count` parts.
+std::optional<std::vector<std::string_view>> split(std::string_view text, char separator,
+                                                   std::size_t count) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 1);
+  }
+  if (parts.size() != count) return std::nullopt;
+  return parts;
+}
+
+std::optional<int> to_index(std::string_view text) {
+  const std::optional<std::int64_t> value = to_int(text);
+  if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(*value);
+}
+
+}  // namespace
+
+Volume read_volume(const std::string& input, const ReadOptions& options,
+                   std::vector<std::string>* notes) {
+  std::vector<std::string> own_notes;
+  try {
+    if (input.starts_with("builtin:")) return make_builtin_volume(input, options.roi);
+    const std::size_t slash = input.rfind('/');
+    const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
+    return read_recognised({input == "-" ? read_standard_input() : open_file(input), directory,
+                            options, notes ? *notes : own_notes});
+  } catch (const std::bad_alloc&) {
+    fail(input, "not enough memory to read it");
+  } catch (const std::length_error&) {
+    fail(input, "not enough memory to read it");
+  }
+}
+
+Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
+  if (file_name.empty()) fail(input.name(), "names no data file");
+  const bool absolute = file_name[0] == '/';
+  const std::string path = (absolute ? "" : input.directory) + std::string(file_name);
+  try {
+    return open_file(path);
+  } catch (const InputError& error) {
+    fail(input.name(), std::string("its data file ") + error.what());
+  }
+}
+
+SampleType supported_type(const VolumeInput& input, std::string_view name) {
+  if (const std::optional<SampleType> type = sample_type_named(name)) return *type;
+  fail(input.name(), "sample type " + quoted(name) +
+                         " is not supported (integers of up to 32 bits, float32, float64 are)");
+}
+
+std::optional<SampleType> sample_type_named(std::string_view name) {
+  std::string plain = lower(trimmed(name));
+  for (char& c : plain)
+    if (c == '_') c = ' ';
+  if (plain.starts_with("met ")) plain.erase(0, 4);
+  if (plain.ends_with(" t")) plain.resize(plain.size() - 2);
+  struct Spelling {
+    std::string_view name;
+    SampleType type;
+  };
+  constexpr Spelling spellings[] = {
+      {"uint8", SampleType::u8},
+      {"uchar", SampleType::u8},
+      {"unsigned char", SampleType::u8},
+      {"int8", SampleType::i8},
+      {"char", SampleType::i8},
+      {"signed char", SampleType::i8},
+      {"uint16", SampleType::u16},
+      {"ushort", SampleType::u16},
+      {"unsigned short", SampleType::u16},
+      {"unsigned short int", SampleType::u16},
+      {"int16", SampleType::i16},
+      {"short", SampleType::i16},
+      {"short int", SampleType::i16},
+      {"signed short", SampleType::i16},
+      {"signed short int", SampleType::i16},
+      {"uint32", SampleType::u32},
+      {"uint", SampleType::u32},
+      {"unsigned int", SampleType::u32},
+      {"int32", SampleType::i32},
+      {"int", SampleType::i32},
+      {"signed int", SampleType::i32},
+      {"float32", SampleType::f32},
+      {"float", SampleType::f32},
+      {"float64", SampleType::f64},
+      {"double", SampleType::f64},
+  };
+  for (const Spelling& spelling : spellings)
+    if (spelling.name == plain) return spelling.type;
+  return std::nullopt;
+}
+
+Roi parse_roi(std::string_view text) {
+  constexpr const char* wanted = "a region like 0:64,0:64,10:32";
+  const auto axes = split(text, ',', 3);
+  if (!axes) fail_option(text, wanted);
+  Roi roi;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto ends = split((*axes)[static_cast<std::size_t>(axis)], ':', 2);
+    const std::optional<int> begin = ends ? to_index((*ends)[0]) : std::nullopt;
+    const std::optional<int> end = ends ? to_index((*ends)[1]) : std::nullopt;
+    if (!begin || !end || *begin >= *end) fail_option(text, wanted);
+    roi.begin[axis] = *begin;
+    roi.end[axis] = *end;
+  }
+  return roi;
+}
+
+Index3 parse_dims(std::string_view text) {
+  constexpr const char* wanted = "dimensions like 256x256x128";
+  const auto parts = split(text, 'x', 3);
+  if (!parts) fail_option(text, wanted);
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<int> n = to_index((*parts)[static_cast<std::size_t>(axis)]);
+    if (!n) fail_option(text, wanted);
+    dims[axis] = *n;
+  }
+  return dims;
+}
+
+SampleType parse_sample_type(std::string_view text) {
+  if (const std::optional<SampleType> type = sample_type_named(text)) return *type;
+  fail_option(text, "a sample type (uint8, int8, uint16, int16, uint32, int32, float32, float64)");
+}
+
+}  // namespace deliso
