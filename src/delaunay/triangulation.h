@@ -31,6 +31,7 @@
 #include "base/check.h"
 #include "base/ids.h"
 #include "base/vec3.h"
+#include "delaunay/tet_tables.h"
 
 namespace deliso {
 
@@ -130,5 +131,17 @@ class Triangulation {
   ConflictZone scratch_zone_;
   std::vector<CellId> scratch_created_;
 };
+
+// The vertices of f, counter-clockwise seen from outside f.cell.
+inline std::array<VertexId, 3> facet_vertices(const Triangulation& t, Facet f) {
+  const auto& v = t.vertices(f.cell);
+  const auto& index = kFacetVertices[f.index];
+  return {v[index[0]], v[index[1]], v[index[2]]};
+}
+
+inline bool has_infinite_vertex(const Triangulation& t, Facet f) {
+  const int infinite = t.infinite_index(f.cell);
+  return infinite >= 0 && infinite != f.index;
+}
 
 }  // namespace deliso

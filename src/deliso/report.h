@@ -27,7 +27,6 @@ enum class Counter : std::uint8_t {
   refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
   refused_no_surface_point,  // a new facet's dual line misses Sigma
   refused_folded,            // a new facet's normal runs against the gradient
-  refused_offset,            // a new facet would have h > r
   refused_too_close,         // the point is too near to a vertex of the rim
   refused_boundary,          // a boundary edge encroached upon that cannot be split
   boundary_splits_refine,

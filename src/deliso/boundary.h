@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Where the box cuts Sigma (paper §5): the boundary curves, and the chain of mesh edges along them.
+//
+// A curve is a closed polygon of points of Sigma on the box, one per grid edge it crosses (the
+// exact contour's boundary chain). The mesh follows it with far fewer edges: a coarse chain to
+// begin with, split in the middle of an edge's arc whenever a point encroaches upon the edge, that
+// is, lies in its diametral ball. Splitting goes on below voxel size: there the middle is a root on
+// the bilinear arc. Both stages share this; only vertex ids change between them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "contour/contour.h"
+#include "isosurface/isosurface.h"
+
+namespace deliso {
+
+// A place on a boundary curve: between points number floor(s) and floor(s) + 1 of a loop.
+struct CurvePlace {
+  std::uint32_t loop = kNoId;
+  double s = 0;
+};
+
+struct BoundaryLoop {
+  std::vector<Vec3> points;           // closed: the last is joined to the first
+  std::vector<std::uint8_t> corners;  // per point: lies on an edge of the box, must be kept
+  std::vector<BoxFace> faces;         // per point: the face of the arc from it to the next
+};
+
+class BoundaryCurves {
+ public:
+  // Keeps a reference to the surface.
+  BoundaryCurves(const Isosurface& surface, const ContourMesh& contour);
+
+  std::size_t loop_count() const { return loops_.size(); }
+  // Places of a coarse chain along the loop: its corners, and as many more points as keep every
+  // chord's sagitta below `sagitta` times its length; never fewer than three.
+  std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
+  // pre: place.s is a whole number.
+  const Vec3& point(CurvePlace place) const;
+
+  struct Split {
+    CurvePlace place;
+    Vec3 point;
+  };
+  // The middle of the arc that runs from a (at pa) to b (at pb). Nothing when the arc is too short
+  // to have one that differs from its ends.
+  std::optional<Split> split(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+
+ private:
+  const Isosurface& surface_;
+  std::vector<BoundaryLoop> loops_;
+};
+
+// The chain: which vertices lie on a curve, where, and who comes next.
+class BoundaryChain {
+ public:
+  bool is_boundary(VertexId v) const { return v < links_.size() && links_[v].next != kNoId; }
+  VertexId next(VertexId v) const { return links_[v].next; }
+  VertexId previous(VertexId v) const { return links_[v].previous; }
+  CurvePlace place(VertexId v) const { return links_[v].place; }
+  bool is_edge(VertexId a, VertexId b) const {
+    return is_boundary(a) && (links_[a].next == b || links_[a].previous == b);
+  }
+
+  void add_loop(std::span<const VertexId> vertices, std::span<const CurvePlace> places);
+  // Puts v between a and its next.
+  void insert_after(VertexId a, VertexId v, CurvePlace place);
+  // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone; its chain must be
+  // gone with it).
+  BoundaryChain renumbered(std::span<const VertexId> new_id) const;
+  std::size_t vertex_capacity() const { return links_.size(); }
+
+ private:
+  struct Link {
+    VertexId next = kNoId, previous = kNoId;
+    CurvePlace place;
+  };
+  Link& link(VertexId v);
+  std::vector<Link> links_;
+};
+
+// p lies strictly inside the ball whose diameter is ab.
+constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {
+  return dot(a - p, b - p) < 0;
+}
+
+}  // namespace deliso

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/deliso.h"
+
+#include <chrono>
+
+#include "contour/contour.h"
+#include "deliso/init_triangulation.h"
+#include "deliso/poles.h"
+#include "deliso/recover.h"
+#include "deliso/recovered.h"
+#include "deliso/refine.h"
+#include "kdtree/voxel_tree.h"
+
+namespace deliso {
+namespace {
+
+// Adds the seconds of its own life to a step of the report.
+class StepTimer {
+ public:
+  explicit StepTimer(double& seconds) : seconds_(seconds) {}
+  StepTimer(const StepTimer&) = delete;
+  StepTimer& operator=(const StepTimer&) = delete;
+  ~StepTimer() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double scaled_length(const RelativeLength& length, const Volume& volume) {
+  const Vec3 s = volume.spacing();
+  return length.value *
+         (length.in_voxels ? std::min({s.x, s.y, s.z}) : volume.box().smallest_side());
+}
+
+Criteria recover_criteria(const Options& o, double r_min) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {o.epsilon, infinity, o.lambda, r_min, infinity, infinity};
+}
+
+Criteria refine_criteria(const Options& o, double r_min) {
+  return {o.epsilon1, o.epsilon2, o.lambda, r_min, o.max_distance, o.max_radius};
+}
+
+}  // namespace
+
+// Figure 4, its lines in order, with Figure 5 and Figure 9 unrolled into it.
+TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options,
+                        Report& report) {
+  const StepTimer total(report.seconds_total);
+  const auto progress = [&](const char* stage, double share) {
+    if (options.progress) options.progress(stage, share);
+  };
+  report.kappa_effective = effective_isovalue(volume, kappa);
+  report.r_min = scaled_length(options.r_min, volume);
+
+  std::optional<VoxelTree> tree;
+  {
+    const StepTimer timer(report.seconds_tree);
+    tree.emplace(volume);
+  }
+  const Isosurface surface(volume, *tree, report.kappa_effective, options.cubic);
+  ContourMesh contour;
+  {
+    const StepTimer timer(report.seconds_contour);
+    contour = build_contour(volume, report.kappa_effective);
+  }
+  if (contour.points.empty()) return {};
+  const BoundaryCurves curves(surface, contour);
+
+  InitialSample initial;
+  {
+    const StepTimer timer(report.seconds_init);
+    progress("sample", 0);
+    initial = init_triangulation(surface, contour, curves, options, report.r_min, report);
+  }
+  Recovered recovered;
+  {
+    std::optional<RestrictedDelaunay> restricted;
+    {
+      const StepTimer timer(report.seconds_recover);
+      progress("recover", 0);
+      restricted.emplace(surface, std::move(initial.triangulation), report.r_min, report);
+      Recovery recovery(*restricted, curves, initial.chain, options, report.r_min);
+      recovery.protect_boundary();
+      recovery.multi_intersect();
+      recovery.extract_manifold();
+      std::vector<double> no_poles;
+      recovery.approximate_geom(recover_criteria(options, report.r_min), no_poles);
+      recovery.extract_manifold();
+      report.points_recovered = restricted->triangulation().vertex_capacity() - 1;
+    }
+    std::vector<double> poles;
+    {
+      const StepTimer timer(report.seconds_poles);
+      poles = compute_poles(restricted->triangulation(), surface);
+    }
+    if (options.single_stage) {
+      const StepTimer timer(report.seconds_refine);
+      Recovery refinement(*restricted, curves, initial.chain, options, report.r_min);
+      refinement.approximate_geom(refine_criteria(options, report.r_min), poles);
+      refinement.extract_manifold();
+      poles.resize(restricted->triangulation().vertex_capacity(),
+                   std::numeric_limits<double>::infinity());
+    }
+    const StepTimer timer(report.seconds_refine);
+    Recovery(*restricted, curves, initial.chain, options, report.r_min).count_unresolved();
+    recovered = build_tri_mesh(std::move(*restricted), initial.chain, poles);
+  }
+  if (!options.stop_after_recover && !options.single_stage) {
+    const StepTimer timer(report.seconds_refine);
+    progress("refine", 0);
+    const std::size_t before = recovered.mesh.points.size();
+    refine_geom(recovered, surface, curves, refine_criteria(options, report.r_min), options,
+                report);
+    report.points_refined = recovered.mesh.points.size() - before;
+  }
+  return std::move(recovered.mesh);
+}
+
+}  // namespace deliso

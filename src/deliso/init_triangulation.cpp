@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/init_triangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "base/random.h"
+
+namespace deliso {
+namespace {
+
+// Sagitta of the coarse boundary chain, as a share of its chords.
+constexpr double kChainSagitta = 0.1;
+// Components that cross no more grid edges than this get them all as seeds; larger ones get
+// kSeedsPerComponent at random, and one per block of kBlock^3 voxels.
+constexpr std::uint64_t kSmallComponent = 64;
+constexpr std::size_t kSeedsPerComponent = 32;
+constexpr double kBlock = 8;
+
+// The sample so far, and whether a point is near one of it: a grid of cells as wide as the distance
+// asked for. Only looked up, never walked, so the order of the hash decides nothing.
+class Sample {
+ public:
+  explicit Sample(double spacing) : spacing_(spacing) {}
+
+  std::uint32_t add(const Vec3& p) {
+    const auto id = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(p);
+    next_.push_back(kNoId);
+    auto [head, fresh] = head_.try_emplace(key(cell(p)), id);
+    if (!fresh) next_[id] = std::exchange(head->second, id);
+    return id;
+  }
+  bool has_near(const Vec3& p) const {
+    const Cell c = cell(p);
+    for (std::int64_t dz = -1; dz <= 1; ++dz) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        for (std::int64_t dx = -1; dx <= 1; ++dx) {
+          const auto head = head_.find(key({c[0] + dx, c[1] + dy, c[2] + dz}));
+          if (head == head_.end()) continue;
+          for (std::uint32_t q = head->second; q != kNoId; q = next_[q]) {
+            if (distance2(points_[q], p) < spacing_ * spacing_) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+  const std::vector<Vec3>& points() const { return points_; }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  Cell cell(const Vec3& p) const {
+    return {static_cast<std::int64_t>(std::floor(p.x / spacing_)),
+            static_cast<std::int64_t>(std::floor(p.y / spacing_)),
+            static_cast<std::int64_t>(std::floor(p.z / spacing_))};
+  }
+  static std::uint64_t key(const Cell& c) {
+    std::uint64_t k = 0;
+    for (const std::int64_t i : c) k = (k ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+    return k ^ (k >> 29);
+  }
+
+  double spacing_;
+  std::vector<Vec3> points_;
+  std::vector<std::uint32_t> next_;
+  std::unordered_map<std::uint64_t, std::uint32_t> head_;
+};
+
+void add_random_points(const Isosurface& surface, const Options& options, Random& random,
+                       Sample& sample, Report& report) {
+  const Box3 box = surface.volume().box();
+  const auto random_point = [&] {
+    const double x = random.uniform(box.lo.x, box.hi.x), y = random.uniform(box.lo.y, box.hi.y);
+    return Vec3{x, y, random.uniform(box.lo.z, box.hi.z)};
+  };
+  std::vector<Hit> hits;
+  std::size_t found = 0;
+  // Segments that miss are many where the surface is small; the contour's seeds do not depend on
+  // these points, so there is no harm in giving up.
+  for (std::size_t tries = 0; found < options.samples && tries < 100 * options.samples; ++tries) {
+    const Vec3 from = random_point();
+    surface.intersect({from, random_point()}, hits, report.searches_recover);
+    for (const Hit& hit : hits) {
+      if (found == options.samples) break;
+      if (sample.has_near(hit.point)) continue;
+      sample.add(hit.point);
+      ++found;
+    }
+  }
+}
+
+double largest_side(const ContourComponent& c) {
+  return 1 + std::max({c.hi.i - c.lo.i, c.hi.j - c.lo.j, c.hi.k - c.lo.k});
+}
+
+void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Options& options,
+               Random& random, Sample& sample, Report& report) {
+  const std::vector<ContourComponent>& components = contour.summary.components;
+  std::vector<std::uint64_t> vertices(components.size(), 0);
+  for (const std::uint32_t c : contour.component) ++vertices[c];
+  for (const ContourComponent& c : components) {
+    if (largest_side(c) < options.min_component) ++report[Counter::components_skipped];
+  }
+
+  struct BlockSeen {
+    std::uint32_t component;
+    std::array<std::uint32_t, 3> block;
+    VertexId vertex;
+    auto key() const { return std::tie(component, block, vertex); }
+    bool operator<(const BlockSeen& o) const { return key() < o.key(); }
+  };
+  std::vector<BlockSeen> blocks;
+  std::vector<VertexId> seeds;
+  const Vec3 spacing = surface.volume().spacing();
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::uint32_t c = contour.component[v];
+    if (largest_side(components[c]) < options.min_component) continue;
+    const double share = static_cast<double>(kSeedsPerComponent) / static_cast<double>(vertices[c]);
+    if (components[c].crossings <= kSmallComponent || random.uniform() < share) {
+      seeds.push_back(v);
+      continue;
+    }
+    std::array<std::uint32_t, 3> block{};
+    for (int axis = 0; axis < 3; ++axis) {
+      block[static_cast<std::size_t>(axis)] =
+          static_cast<std::uint32_t>(contour.points[v][axis] / (kBlock * spacing[axis]));
+    }
+    blocks.push_back({c, block, v});
+  }
+  // The first vertex of every (component, block).
+  std::sort(blocks.begin(), blocks.end());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (i > 0 && blocks[i].component == blocks[i - 1].component &&
+        blocks[i].block == blocks[i - 1].block) {
+      continue;
+    }
+    seeds.push_back(blocks[i].vertex);
+  }
+  for (const VertexId v : seeds) {
+    // On the box only the chain's own points may lie.
+    if (contour.on_boundary(v) || sample.has_near(contour.points[v])) {
+      ++report[Counter::seeds_skipped];
+    } else {
+      sample.add(contour.points[v]);
+    }
+  }
+}
+
+}  // namespace
+
+InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& contour,
+                                 const BoundaryCurves& curves, const Options& options, double r_min,
+                                 Report& report) {
+  Random random(options.seed);
+  Sample sample(r_min);
+
+  struct Chain {
+    std::vector<std::uint32_t> points;
+    std::vector<CurvePlace> places;
+  };
+  std::vector<Chain> chains;
+  for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
+    const ContourComponent& c = contour.summary.components[contour.boundary.component[loop]];
+    if (largest_side(c) < options.min_component) continue;
+    Chain chain;
+    chain.places = curves.coarse_chain(loop, kChainSagitta);
+    for (const CurvePlace place : chain.places) {
+      chain.points.push_back(sample.add(curves.point(place)));
+    }
+    chains.push_back(std::move(chain));
+  }
+  add_random_points(surface, options, random, sample, report);
+  add_seeds(surface, contour, options, random, sample, report);
+
+  InitialSample out;
+  std::vector<VertexId> ids;
+  if (!out.triangulation.build(sample.points(), ids)) return out;
+  for (const Chain& chain : chains) {
+    std::vector<VertexId> vertices;
+    for (const std::uint32_t p : chain.points) vertices.push_back(ids[p]);
+    out.chain.add_loop(vertices, chain.places);
+  }
+  report.points_initial = out.triangulation.vertex_capacity() - 1;
+  return out;
+}
+
+}  // namespace deliso

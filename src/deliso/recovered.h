@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What Stage 1 hands to Stage 2: a manifold with surface points, and nothing of the triangulation.
+// Whatever produces one of these is a way through Recover.
+#pragma once
+
+#include <vector>
+
+#include "deliso/boundary.h"
+#include "deliso/restricted.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+struct Recovered {
+  TriMesh mesh;                      // linked, oriented, with surface points
+  std::vector<double> pole_heights;  // one per vertex
+  BoundaryChain chain;               // over the mesh's vertices
+};
+
+// BuildTriMesh (paper §3.2): Del S|Sigma as a mesh of its own; `poles` are per vertex of the
+// triangulation. Facets are turned so that normals run against the gradient, component by
+// component. Facets that keep it from being a manifold are left out and counted.
+// The move says what happens to Del S: it is gone when this returns.
+Recovered build_tri_mesh(RestrictedDelaunay&& restricted, const BoundaryChain& chain,
+                         const std::vector<double>& poles);
+
+}  // namespace deliso

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/refine.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "deliso/poles.h"
+#include "deliso/worst_first.h"
+#include "mesh/encroach.h"
+
+namespace deliso {
+namespace {
+
+// A point nearer than this share of r_min to a vertex of its rim would make needles.
+constexpr double kTooClose = 0.25;
+
+// A boundary edge shorter than this share of r_min is not split.
+constexpr double kShortestBoundaryEdge = 0.25;
+
+class Refiner {
+ public:
+  Refiner(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
+          const Criteria& criteria, const Options& options, Report& report)
+      : mesh_(recovered.mesh),
+        poles_(recovered.pole_heights),
+        chain_(recovered.chain),
+        surface_(surface),
+        curves_(curves),
+        criteria_(criteria),
+        options_(options),
+        report_(report) {}
+
+  void run();
+
+ private:
+  struct EdgeRef {
+    FaceId face = kNoId;
+    int index = 0;
+  };
+
+  void judge(FaceId f);
+  void refine(FaceId f);
+  // Inserts p, which lies in the ball of `start`; on the boundary edge `opened` when given.
+  // Returns the reason when it must not be.
+  std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
+  bool split_boundary(EdgeRef edge);
+  // The longest boundary edge of the encroached disk or next to it whose diametral ball holds p.
+  std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
+  std::optional<Counter> find_surface_points(const Vec3& p, std::optional<std::size_t> opened);
+
+  TriMesh& mesh_;
+  std::vector<double>& poles_;
+  BoundaryChain& chain_;
+  const Isosurface& surface_;
+  const BoundaryCurves& curves_;
+  const Criteria criteria_;
+  const Options& options_;
+  Report& report_;
+
+  WorstFirst queue_;
+  std::vector<FaceId> refused_;
+  std::vector<std::uint32_t> marks_;
+  std::uint32_t stamp_ = 0;
+  EncroachedDisk disk_;
+  std::vector<Vec3> surface_points_;
+  std::vector<FaceId> created_;
+};
+
+void Refiner::run() {
+  marks_.assign(mesh_.faces.size(), 0);
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
+  // What was refused is tried again once its surroundings have changed, while that helps.
+  std::size_t points_before;
+  do {
+    points_before = mesh_.points.size();
+    for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
+      refine(f);
+      if (mesh_.points.size() < options_.max_vertices) continue;
+      if (!options_.keep_partial) {
+        throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+                         " vertices needed");
+      }
+      report_.stopped_at_max_vertices = true;
+      return;
+    }
+    for (const FaceId f : std::exchange(refused_, {})) judge(f);
+  } while (mesh_.points.size() != points_before);
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    const Face& face = mesh_.faces[f];
+    const FacetShape shape = measure(mesh_.points[face.v[0]], mesh_.points[face.v[1]],
+                                     mesh_.points[face.v[2]], mesh_.surface_points[f]);
+    if (is_bad(shape, facet_pole(poles_, face.v), criteria_)) {
+      ++report_[Counter::unrefined_facets];
+    }
+  }
+}
+
+void Refiner::judge(FaceId f) {
+  const Face& face = mesh_.faces[f];
+  const FacetShape shape = measure(mesh_.points[face.v[0]], mesh_.points[face.v[1]],
+                                   mesh_.points[face.v[2]], mesh_.surface_points[f]);
+  const bool small = !(shape.r > criteria_.r_min);
+  queue_.set(f, small ? 0 : violation(shape, facet_pole(poles_, face.v), criteria_));
+}
+
+void Refiner::refine(FaceId f) {
+  const auto refusal = insert(f, mesh_.surface_points[f], std::nullopt);
+  if (!refusal) return;
+  // Next to the boundary a shorter boundary edge makes room.
+  for (int i = 0; i < 3; ++i) {
+    if (mesh_.faces[f].n[i] == kNoId && split_boundary({f, i})) return;
+  }
+  ++report_[*refusal];
+  refused_.push_back(f);
+}
+
+std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened) {
+  const bool good = find_encroached_disk(mesh_, start, p, marks_, ++stamp_, disk_);
+  if (!opened) {
+    if (const auto edge = encroached_boundary(p)) {
+      return split_boundary(*edge) ? std::nullopt : std::optional(Counter::refused_boundary);
+    }
+  }
+  if (!good) return Counter::refused_not_a_disk;
+
+  std::optional<std::size_t> opened_rim;
+  if (opened) {
+    const VertexId from = mesh_.faces[opened->face].v[(opened->index + 1) % 3];
+    for (std::size_t k = 0; k < disk_.rim.size(); ++k) {
+      if (disk_.rim[k].inside == opened->face && disk_.rim[k].from == from) opened_rim = k;
+    }
+  }
+  if (const auto refusal = find_surface_points(p, opened_rim)) return refusal;
+
+  PoleMean pole;
+  for (const RimEdge& edge : disk_.rim) pole.add(poles_[edge.from]);
+  poles_.push_back(pole.value());
+  replace_disk(mesh_, disk_, p, surface_points_, opened_rim, created_);
+  marks_.resize(mesh_.faces.size(), 0);
+  for (const FaceId f : created_) {
+    if (f != kNoId) judge(f);
+  }
+  return std::nullopt;
+}
+
+std::optional<Counter> Refiner::find_surface_points(const Vec3& p,
+                                                    std::optional<std::size_t> opened) {
+  const double too_close = kTooClose * criteria_.r_min;
+  for (const RimEdge& edge : disk_.rim) {
+    if (distance2(p, mesh_.points[edge.from]) < too_close * too_close) {
+      return Counter::refused_too_close;
+    }
+  }
+  surface_points_.resize(disk_.rim.size());
+  for (std::size_t k = 0; k < disk_.rim.size(); ++k) {
+    if (k == opened) continue;
+    const Vec3 &a = mesh_.points[disk_.rim[k].from], &b = mesh_.points[disk_.rim[k].to];
+    const Vec3 area = area_normal(a, b, p);
+    const double twice_area = length(area);
+    if (!(twice_area > 0)) return Counter::refused_folded;
+    const Vec3 normal = area / twice_area;
+    const Vec3 center = circumcenter(a, b, p);
+    const auto hit = surface_.nearest(center, normal, distance(center, a), report_.searches_refine);
+    if (!hit) return Counter::refused_no_surface_point;
+    if (dot(surface_.gradient(hit->point), normal) > 0) return Counter::refused_folded;
+    surface_points_[k] = hit->point;
+  }
+  return std::nullopt;
+}
+
+std::optional<Refiner::EdgeRef> Refiner::encroached_boundary(const Vec3& p) const {
+  std::optional<EdgeRef> worst;
+  double worst_length2 = 0;
+  const auto consider = [&](FaceId f) {
+    const Face& face = mesh_.faces[f];
+    for (int i = 0; i < 3; ++i) {
+      if (face.n[i] != kNoId) continue;
+      const Vec3 &a = mesh_.points[face.v[(i + 1) % 3]], &b = mesh_.points[face.v[(i + 2) % 3]];
+      if (distance2(a, b) <= worst_length2 || !in_diametral_ball(a, b, p)) continue;
+      worst = {f, i};
+      worst_length2 = distance2(a, b);
+    }
+  };
+  for (const FaceId f : disk_.faces) consider(f);
+  for (const RimEdge& edge : disk_.rim) {
+    if (edge.outside != kNoId) consider(edge.outside);
+  }
+  return worst;
+}
+
+bool Refiner::split_boundary(EdgeRef edge) {
+  const Face& face = mesh_.faces[edge.face];
+  VertexId a = face.v[(edge.index + 1) % 3], b = face.v[(edge.index + 2) % 3];
+  const double shortest = kShortestBoundaryEdge * criteria_.r_min;
+  if (distance2(mesh_.points[a], mesh_.points[b]) < shortest * shortest) return false;
+  if (chain_.next(a) != b) std::swap(a, b);
+  const auto middle =
+      curves_.split(chain_.place(a), mesh_.points[a], chain_.place(b), mesh_.points[b]);
+  if (!middle) return false;
+  if (insert(edge.face, middle->point, edge)) return false;
+  chain_.insert_after(a, static_cast<VertexId>(mesh_.points.size() - 1), middle->place);
+  ++report_[Counter::boundary_splits_refine];
+  return true;
+}
+
+}  // namespace
+
+void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
+                 const Criteria& criteria, const Options& options, Report& report) {
+  Refiner(recovered, surface, curves, criteria, options, report).run();
+}
+
+}  // namespace deliso

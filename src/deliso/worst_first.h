@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A queue that gives out the worst facets first, by octaves of how badly they violate a criterion:
+// within an octave the one added last comes first, which keeps the work in one place of the mesh
+// and of memory. Exact order would cost a heap operation per facet and buys no smaller meshes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.h"
+
+namespace deliso {
+
+class WorstFirst {
+ public:
+  // Replaces what is queued for f. violation > 1: queue it; else: take it out.
+  void set(FaceId f, double violation) {
+    if (f >= bucket_of_.size()) bucket_of_.resize(f + 1, kNone);
+    bucket_of_[f] = kNone;
+    if (!(violation > 1)) return;
+    const int bucket = std::min(kBuckets - 1, static_cast<int>(std::ilogb(violation)));
+    bucket_of_[f] = static_cast<std::uint8_t>(bucket);
+    buckets_[static_cast<std::size_t>(bucket)].push_back(f);
+    top_ = std::max(top_, bucket);
+  }
+
+  // The next facet, taken out; kNoId when none is left.
+  FaceId pop() {
+    for (; top_ >= 0; --top_) {
+      std::vector<FaceId>& bucket = buckets_[static_cast<std::size_t>(top_)];
+      while (!bucket.empty()) {
+        const FaceId f = bucket.back();
+        bucket.pop_back();
+        if (bucket_of_[f] != top_) continue;  // replaced since
+        bucket_of_[f] = kNone;
+        return f;
+      }
+    }
+    return kNoId;
+  }
+
+ private:
+  static constexpr int kBuckets = 32;
+  static constexpr std::uint8_t kNone = 255;
+  std::array<std::vector<FaceId>, kBuckets> buckets_;
+  std::vector<std::uint8_t> bucket_of_;
+  int top_ = -1;
+};
+
+}  // namespace deliso
