@@ -1,35 +1,52 @@
 // SPDX-License-Identifier: MIT
-// The stages of Shewchuk (1997), §4.3 and §4.4, behind the filters of predicates.h. Bounds carry
-// his names A, B, C; each is (his figure) times the permanent, as derived there.
+// Beyond the filters of predicates.h: double-doubles, then expansions.
 #include "delaunay/predicates.h"
 
+#include <initializer_list>
+
+#include "delaunay/double_double.h"
 #include "delaunay/expansion.h"
 
 namespace deliso {
 namespace {
 
-// A sum of a few rounded terms, see §4.2 of the paper: how far stage B's estimate is off.
-constexpr double kResultBound = (3 + 8 * kEpsilon) * kEpsilon;
+using predicates::largest;
 
-constexpr double kOrient3dA = (7 + 56 * kEpsilon) * kEpsilon;
-constexpr double kOrient3dB = (3 + 28 * kEpsilon) * kEpsilon;
-constexpr double kOrient3dC = (26 + 288 * kEpsilon) * kEpsilon * kEpsilon;
+// Rounding error of the determinants below, in double-doubles. Differences of coordinates are
+// exact. A term of orient3d passes through at most 5 rounded operations and there are 6 terms,
+// each within the bound of predicates.h; for insphere at most 11, and 4 * 6 terms. One more
+// operation than that covers products of errors and the rounding of the bound.
+constexpr double kOrient3dBound = 6 * 6 * kDoubleDoubleEpsilon;
+constexpr double kInsphereBound = 12 * 24 * kDoubleDoubleEpsilon;
 
-constexpr double kInsphereA = (16 + 224 * kEpsilon) * kEpsilon;
-constexpr double kInsphereB = (5 + 72 * kEpsilon) * kEpsilon;
-constexpr double kInsphereC = (71 + 1408 * kEpsilon) * kEpsilon * kEpsilon;
+// With all differences integers below 2^k in one unit, orient3d is below 6 * 2^3k and the partial
+// sums of insphere are below 24 * 3 * 2^5k units: exact in 53 bits for these k.
+constexpr int kOrient3dShort = 16;
+constexpr int kInsphereShort = 9;
+static_assert(6 * std::pow(2.0, 3 * kOrient3dShort) < 0x1p53);
+static_assert(72 * std::pow(2.0, 5 * kInsphereShort) < 0x1p53);
+
+// Whether all coordinates are such integers, in whatever unit. Adding a large number and taking it
+// away rounds to a multiple of the unit in its last place, at least 2^-k of the largest coordinate;
+// or of half of that where the sum falls below a power of two, and the largest coordinate may be
+// almost twice that power: hence two bits to spare.
+bool are_short(std::initializer_list<Vec3> vectors, int k) {
+  double size = 0;
+  for (const Vec3& v : vectors) size = std::max(size, largest(v.x, v.y, v.z));
+  constexpr int kDigits = std::numeric_limits<double>::digits;
+  const double large = size * static_cast<double>(1LL << (kDigits - 1 - (k - 2)));
+  const auto is_short = [large](double x) { return (x + large) - large == x; };
+  return std::all_of(vectors.begin(), vectors.end(), [&](const Vec3& v) {
+    return is_short(v.x) && is_short(v.y) && is_short(v.z);
+  });
+}
 
 int sign_of(double x) {
   return (x > 0) - (x < 0);
 }
 
-Vec3 rounding_of_difference(const Vec3& a, const Vec3& b, const Vec3& difference) {
-  return {difference_error(a.x, b.x, difference.x), difference_error(a.y, b.y, difference.y),
-          difference_error(a.z, b.z, difference.z)};
-}
-
-bool is_zero(const Vec3& v) {
-  return v.x == 0 && v.y == 0 && v.z == 0;
+int sign_beyond(double bound, const DoubleDouble& x) {
+  return (x.high > bound) - (x.high < -bound);
 }
 
 // The x, y rows of two vectors.
@@ -81,102 +98,52 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
   return (((lifted_b - lifted_a) + (lifted_d - lifted_c)) - lifted_e).sign();
 }
 
+// The same with e at the origin.
+int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Expansion<4> ab = minor2(a, b), bc = minor2(b, c), cd = minor2(c, d);
+  const Expansion<4> da = minor2(d, a), ac = minor2(a, c), bd = minor2(b, d);
+  return ((times_length2(minor3(b, c, d, cd, -bd, bc), a) -
+           times_length2(minor3(c, d, a, da, ac, cd), b)) +
+          (times_length2(minor3(d, a, b, ab, bd, da), c) -
+           times_length2(minor3(a, b, c, bc, -ac, ab), d)))
+      .sign();
+}
+
 }  // namespace
 
 namespace predicates {
 
-int orient3d_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  // Stage A: all in doubles.
-  const Vec3 u = b - a, v = c - a, w = d - a;
-  const double vxwy = v.x * w.y, wxvy = w.x * v.y, wxuy = w.x * u.y;
-  const double uxwy = u.x * w.y, uxvy = u.x * v.y, vxuy = v.x * u.y;
-  double det = u.z * (vxwy - wxvy) + v.z * (wxuy - uxwy) + w.z * (uxvy - vxuy);
-  const double permanent = (std::fabs(vxwy) + std::fabs(wxvy)) * std::fabs(u.z) +
-                           (std::fabs(wxuy) + std::fabs(uxwy)) * std::fabs(v.z) +
-                           (std::fabs(uxvy) + std::fabs(vxuy)) * std::fabs(w.z);
-  if (std::fabs(det) > kOrient3dA * permanent) return sign_of(det);
+int orient3d_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& pd) {
+  const auto fine_u = DoubleDouble3::difference(pb, pa), fine_v = DoubleDouble3::difference(pc, pa),
+             fine_w = DoubleDouble3::difference(pd, pa);
+  const Vec3 u = fine_u.rounded(), v = fine_v.rounded(), w = fine_w.rounded();
+  const bool are_doubles = fine_u.is_double() && fine_v.is_double() && fine_w.is_double();
+  if (are_doubles && are_short({u, v, w}, kOrient3dShort))
+    return sign_of(orient3d_determinant(u, v, w));
 
-  // Stage B: the determinant of the rounded differences, exactly.
-  const Expansion<24> rounded = minor3(u, v, w);
-  det = rounded.estimate();
-  if (std::fabs(det) >= kOrient3dB * permanent && det != 0) return sign_of(det);
-  const Vec3 du = rounding_of_difference(b, a, u), dv = rounding_of_difference(c, a, v),
-             dw = rounding_of_difference(d, a, w);
-  if (is_zero(du) && is_zero(dv) && is_zero(dw)) return rounded.sign();
+  const DoubleDouble det = orient3d_determinant(fine_u, fine_v, fine_w);
+  const double bound = kOrient3dBound * orient3d_term_bound(u, v, w);
+  if (const int sign = sign_beyond(bound, det)) return sign;
 
-  // Stage C: what the rounding of the differences changes, to first order.
-  const double bound = kOrient3dC * permanent + kResultBound * std::fabs(det);
-  det += (u.z * ((v.x * dw.y + w.y * dv.x) - (v.y * dw.x + w.x * dv.y)) +
-          du.z * (v.x * w.y - v.y * w.x)) +
-         (v.z * ((w.x * du.y + u.y * dw.x) - (w.y * du.x + u.x * dw.y)) +
-          dv.z * (w.x * u.y - w.y * u.x)) +
-         (w.z * ((u.x * dv.y + v.y * du.x) - (u.y * dv.x + v.x * du.y)) +
-          dw.z * (u.x * v.y - u.y * v.x));
-  if (std::fabs(det) > bound) return sign_of(det);
-
-  return orient3d_exact(a, b, c, d).sign();
+  // Expansions are much shorter on differences, when these are doubles.
+  return are_doubles ? minor3(u, v, w).sign() : orient3d_exact(pa, pb, pc, pd).sign();
 }
 
 int insphere_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& pd,
                       const Vec3& pe) {
-  // Stage A: all in doubles.
-  const Vec3 a = pa - pe, b = pb - pe, c = pc - pe, d = pd - pe;
-  struct Minor {
-    double value, permanent;
-  };
-  const auto rough_minor = [](const Vec3& p, const Vec3& q) {
-    const double pxqy = p.x * q.y, qxpy = q.x * p.y;
-    return Minor{pxqy - qxpy, std::fabs(pxqy) + std::fabs(qxpy)};
-  };
-  const Minor ab = rough_minor(a, b), bc = rough_minor(b, c), cd = rough_minor(c, d);
-  const Minor da = rough_minor(d, a), ac = rough_minor(a, c), bd = rough_minor(b, d);
-  const double abc = a.z * bc.value - b.z * ac.value + c.z * ab.value;
-  const double bcd = b.z * cd.value - c.z * bd.value + d.z * bc.value;
-  const double cda = c.z * da.value + d.z * ac.value + a.z * cd.value;
-  const double dab = d.z * ab.value + a.z * bd.value + b.z * da.value;
-  const double a2 = length2(a), b2 = length2(b), c2 = length2(c), d2 = length2(d);
-  double det = (a2 * bcd - b2 * cda) + (c2 * dab - d2 * abc);
-  const double az = std::fabs(a.z), bz = std::fabs(b.z), cz = std::fabs(c.z), dz = std::fabs(d.z);
-  const double permanent = (cd.permanent * bz + bd.permanent * cz + bc.permanent * dz) * a2 +
-                           (da.permanent * cz + ac.permanent * dz + cd.permanent * az) * b2 +
-                           (ab.permanent * dz + bd.permanent * az + da.permanent * bz) * c2 +
-                           (bc.permanent * az + ac.permanent * bz + ab.permanent * cz) * d2;
-  if (std::fabs(det) > kInsphereA * permanent) return sign_of(det);
+  const auto fine_a = DoubleDouble3::difference(pa, pe), fine_b = DoubleDouble3::difference(pb, pe),
+             fine_c = DoubleDouble3::difference(pc, pe), fine_d = DoubleDouble3::difference(pd, pe);
+  const Vec3 a = fine_a.rounded(), b = fine_b.rounded(), c = fine_c.rounded(), d = fine_d.rounded();
+  const bool are_doubles =
+      fine_a.is_double() && fine_b.is_double() && fine_c.is_double() && fine_d.is_double();
+  if (are_doubles && are_short({a, b, c, d}, kInsphereShort))
+    return sign_of(insphere_determinant(a, b, c, d));
 
-  // Stage B: the determinant of the rounded differences, exactly.
-  const Expansion<4> xab = minor2(a, b), xbc = minor2(b, c), xcd = minor2(c, d);
-  const Expansion<4> xda = minor2(d, a), xac = minor2(a, c), xbd = minor2(b, d);
-  const auto rounded = (times_length2(minor3(b, c, d, xcd, -xbd, xbc), a) -
-                        times_length2(minor3(c, d, a, xda, xac, xcd), b)) +
-                       (times_length2(minor3(d, a, b, xab, xbd, xda), c) -
-                        times_length2(minor3(a, b, c, xbc, -xac, xab), d));
-  det = rounded.estimate();
-  if (std::fabs(det) >= kInsphereB * permanent && det != 0) return sign_of(det);
-  const Vec3 ra = rounding_of_difference(pa, pe, a), rb = rounding_of_difference(pb, pe, b),
-             rc = rounding_of_difference(pc, pe, c), rd = rounding_of_difference(pd, pe, d);
-  if (is_zero(ra) && is_zero(rb) && is_zero(rc) && is_zero(rd)) return rounded.sign();
+  const DoubleDouble det = insphere_determinant(fine_a, fine_b, fine_c, fine_d);
+  const double bound = kInsphereBound * insphere_term_bound(a, b, c, d);
+  if (const int sign = sign_beyond(bound, det)) return sign;
 
-  // Stage C: what the rounding of the differences changes, to first order.
-  const double bound = kInsphereC * permanent + kResultBound * std::fabs(det);
-  const auto minor_change = [](const Vec3& p, const Vec3& dp, const Vec3& q, const Vec3& dq) {
-    return (p.x * dq.y + q.y * dp.x) - (p.y * dq.x + q.x * dp.y);
-  };
-  const double rab = minor_change(a, ra, b, rb), rbc = minor_change(b, rb, c, rc);
-  const double rcd = minor_change(c, rc, d, rd), rda = minor_change(d, rd, a, ra);
-  const double rac = minor_change(a, ra, c, rc), rbd = minor_change(b, rb, d, rd);
-  const double change_bcd =
-      (b.z * rcd - c.z * rbd + d.z * rbc) + (rb.z * cd.value - rc.z * bd.value + rd.z * bc.value);
-  const double change_cda =
-      (c.z * rda + d.z * rac + a.z * rcd) + (rc.z * da.value + rd.z * ac.value + ra.z * cd.value);
-  const double change_dab =
-      (d.z * rab + a.z * rbd + b.z * rda) + (rd.z * ab.value + ra.z * bd.value + rb.z * da.value);
-  const double change_abc =
-      (a.z * rbc - b.z * rac + c.z * rab) + (ra.z * bc.value - rb.z * ac.value + rc.z * ab.value);
-  det += ((a2 * change_bcd + c2 * change_dab) - (b2 * change_cda + d2 * change_abc)) +
-         2 * ((dot(a, ra) * bcd + dot(c, rc) * dab) - (dot(b, rb) * cda + dot(d, rd) * abc));
-  if (std::fabs(det) > bound) return sign_of(det);
-
-  return insphere_exact(pa, pb, pc, pd, pe);
+  return are_doubles ? insphere_exact(a, b, c, d) : insphere_exact(pa, pb, pc, pd, pe);
 }
 
 }  // namespace predicates

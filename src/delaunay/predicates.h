@@ -7,10 +7,10 @@
 //        a --- b           insphere(a, b, c, d, e) > 0  iff  e lies strictly inside the sphere
 //                          through a, b, c, d, where orient3d(a, b, c, d) > 0.
 //
-// Evaluation in layers, each entered only when the one before cannot tell (Shewchuk 1997): a
-// filter with an error bound from the largest coordinate differences (inline, below), the same
-// with Shewchuk's tighter "permanent", exact arithmetic on rounded differences, first-order
-// corrections for that rounding, exact arithmetic on the coordinates.
+// Evaluation in layers, each entered only when the one before cannot tell: doubles with an error
+// bound from the largest coordinate differences (inline, below); doubles again, when differences
+// have so few bits that nothing is rounded (points of grids); double-doubles with such a bound;
+// exact expansions.
 //
 // Guaranteed: the sign is right when every coordinate is 0 or has magnitude in
 // [kSmallestCoordinate, kLargestCoordinate]. Then every coordinate is a multiple of 2^-192, every
@@ -36,29 +36,55 @@ inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
 
 namespace predicates {
 
+// The determinants, for vectors of doubles or of more precise numbers.
+template <class Vector>
+auto orient3d_determinant(const Vector& u, const Vector& v, const Vector& w) {
+  return u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y) +
+         w.z * (u.x * v.y - v.x * u.y);
+}
+
+template <class Vector>
+auto insphere_determinant(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
+  const auto ab = a.x * b.y - b.x * a.y, bc = b.x * c.y - c.x * b.y;
+  const auto cd = c.x * d.y - d.x * c.y, da = d.x * a.y - a.x * d.y;
+  const auto ac = a.x * c.y - c.x * a.y, bd = b.x * d.y - d.x * b.y;
+  const auto abc = a.z * bc - b.z * ac + c.z * ab, bcd = b.z * cd - c.z * bd + d.z * bc;
+  const auto cda = c.z * da + d.z * ac + a.z * cd, dab = d.z * ab + a.z * bd + b.z * da;
+  return (dot(a, a) * bcd - dot(b, b) * cda) + (dot(c, c) * dab - dot(d, d) * abc);
+}
+
+// What a term of the determinant can amount to: the products of the largest differences.
+inline double largest(double p, double q, double r) {
+  return std::max(std::max(std::fabs(p), std::fabs(q)), std::fabs(r));
+}
+inline double orient3d_term_bound(const Vec3& u, const Vec3& v, const Vec3& w) {
+  return largest(u.x, v.x, w.x) * largest(u.y, v.y, w.y) * largest(u.z, v.z, w.z);
+}
+inline double insphere_term_bound(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double mx = std::max(largest(a.x, b.x, c.x), std::fabs(d.x));
+  const double my = std::max(largest(a.y, b.y, c.y), std::fabs(d.y));
+  const double mz = std::max(largest(a.z, b.z, c.z), std::fabs(d.z));
+  return mx * my * mz * (mx * mx + my * my + mz * mz);
+}
+
+// Shewchuk's bounds for these determinants of rounded differences are (7 + 56 eps) eps and
+// (16 + 224 eps) eps times the permanent (the determinant with every sign made plus). The permanent
+// of orient3d is at most 6 times the bound on terms, that of insphere 4 * 6 times; adding 1 to 7 *
+// 6 and 16 * 24 covers the eps^2 and the rounding of the bound itself.
+inline constexpr double kOrient3dFilter = 43 * kEpsilon;
+inline constexpr double kInsphereFilter = 385 * kEpsilon;
+
 // Beyond the filter: never wrong, slower. Same arguments and signs as the functions below.
 int orient3d_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int insphere_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
-
-// Shewchuk's stage A bounds are (7 + 56 eps) eps and (16 + 224 eps) eps times the permanent (the
-// determinant with every sign made plus). With mx, my, mz the largest differences per axis, the
-// permanent of orient3d is at most 6 mx my mz, that of insphere 4 * 6 mx my mz (mx^2 + my^2 +
-// mz^2); adding 1 to 7 * 6 and 16 * 24 covers the eps^2 and the rounding of the bound itself.
-inline constexpr double kOrient3dFilter = 43 * kEpsilon;
-inline constexpr double kInsphereFilter = 385 * kEpsilon;
 
 }  // namespace predicates
 
 // 1, 0 or -1: the sign of det[b-a, c-a, d-a].
 inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
-  const double det =
-      u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y) + w.z * (u.x * v.y - v.x * u.y);
-  const auto largest = [](double p, double q, double r) {
-    return std::max(std::max(std::fabs(p), std::fabs(q)), std::fabs(r));
-  };
-  const double bound = predicates::kOrient3dFilter * largest(u.x, v.x, w.x) *
-                       largest(u.y, v.y, w.y) * largest(u.z, v.z, w.z);
+  const double det = predicates::orient3d_determinant(u, v, w);
+  const double bound = predicates::kOrient3dFilter * predicates::orient3d_term_bound(u, v, w);
   if (det > bound) return 1;
   if (det < -bound) return -1;
   return predicates::orient3d_adaptive(a, b, c, d);
@@ -69,18 +95,8 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
 inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& pd,
                     const Vec3& pe) {
   const Vec3 a = pa - pe, b = pb - pe, c = pc - pe, d = pd - pe;
-  const double ab = a.x * b.y - b.x * a.y, bc = b.x * c.y - c.x * b.y;
-  const double cd = c.x * d.y - d.x * c.y, da = d.x * a.y - a.x * d.y;
-  const double ac = a.x * c.y - c.x * a.y, bd = b.x * d.y - d.x * b.y;
-  const double abc = a.z * bc - b.z * ac + c.z * ab, bcd = b.z * cd - c.z * bd + d.z * bc;
-  const double cda = c.z * da + d.z * ac + a.z * cd, dab = d.z * ab + a.z * bd + b.z * da;
-  const double det = (length2(a) * bcd - length2(b) * cda) + (length2(c) * dab - length2(d) * abc);
-  const auto largest = [](double p, double q, double r, double s) {
-    return std::max(std::max(std::fabs(p), std::fabs(q)), std::max(std::fabs(r), std::fabs(s)));
-  };
-  const double mx = largest(a.x, b.x, c.x, d.x), my = largest(a.y, b.y, c.y, d.y),
-               mz = largest(a.z, b.z, c.z, d.z);
-  const double bound = predicates::kInsphereFilter * mx * my * mz * (mx * mx + my * my + mz * mz);
+  const double det = predicates::insphere_determinant(a, b, c, d);
+  const double bound = predicates::kInsphereFilter * predicates::insphere_term_bound(a, b, c, d);
   if (det > bound) return 1;
   if (det < -bound) return -1;
   return predicates::insphere_adaptive(pa, pb, pc, pd, pe);

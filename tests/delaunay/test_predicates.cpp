@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// orient3d and insphere against integers of any width.
+#include "delaunay/predicates.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <functional>
+
+#include "base/random.h"
+#include "delaunay/big_int.h"
+
+using namespace deliso;
+
+namespace {
+
+constexpr int kCases = 1'000'000;
+
+// x moved by k steps to the next double.
+double step(double x, int k) {
+  for (; k > 0; --k) x = std::nextafter(x, 1e300);
+  for (; k < 0; ++k) x = std::nextafter(x, -1e300);
+  return std::fabs(x) < kSmallestCoordinate ? 0 : x;
+}
+
+int within(Random& random, int k) {
+  return static_cast<int>(random.below(2 * k + 1)) - k;
+}
+
+Vec3 jitter(Random& random, Vec3 p, int k) {
+  return {step(p.x, within(random, k)), step(p.y, within(random, k)), step(p.z, within(random, k))};
+}
+
+Vec3 in_cube(Random& random) {
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+Vec3 integers(Random& random, int k) {
+  return {double(within(random, k)), double(within(random, k)), double(within(random, k))};
+}
+
+// Magnitudes from 10^-30 to 10^30, each coordinate its own.
+Vec3 any_magnitude(Random& random) {
+  const auto coordinate = [&] { return random.uniform(-1, 1) * std::ldexp(1, within(random, 99)); };
+  return {coordinate(), coordinate(), coordinate()};
+}
+
+Vec3 scaled(const Vec3& p, int exponent) {
+  return std::ldexp(1.0, exponent) * p;
+}
+
+using Points = std::array<Vec3, 5>;
+
+// Families of inputs: random ones, and ones where the determinant is zero or all but zero.
+Points random_points(Random& random, int trial) {
+  Points p;
+  const int kind = trial % 3, exponent = within(random, 99);
+  for (Vec3& q : p) {
+    q = kind == 0   ? in_cube(random)
+        : kind == 1 ? scaled(in_cube(random), exponent)
+                    : any_magnitude(random);
+  }
+  return p;
+}
+
+Points near_coplanar_points(Random& random, int trial) {
+  Points p;
+  const int exponent = within(random, 90);
+  const Vec3 o = in_cube(random), u = in_cube(random), v = in_cube(random);
+  const Vec3 io = integers(random, 1000), iu = integers(random, 20), iv = integers(random, 20);
+  const int axis = static_cast<int>(random.below(3));
+  const double level = random.uniform(-1, 1);
+  for (Vec3& q : p) {
+    switch (trial % 6) {
+      case 0:  // a nextafter grid round points of one plane
+        q = jitter(random, o + random.uniform(-2, 2) * u + random.uniform(-2, 2) * v, 2);
+        break;
+      case 1:  // exactly coplanar integers
+        q = scaled(io + double(within(random, 20)) * iu + double(within(random, 20)) * iv,
+                   exponent);
+        break;
+      case 2:  // the same, moved by an ulp here and there
+        q = io + double(within(random, 20)) * iu + double(within(random, 20)) * iv;
+        if (random.below(5) == 0) q = jitter(random, q, 1);
+        break;
+      case 3:  // one coordinate in common
+        q = any_magnitude(random);
+        q[axis] = random.below(8) == 0 ? step(level, 1) : level;
+        break;
+      case 4:  // a tiny set far from the origin
+        q = jitter(random, Vec3{o.x + 100, o.y + 200, o.z - 300}, 4);
+        break;
+      default:  // on a line, or all but on it
+        q = jitter(random, o + random.uniform(-2, 2) * u, 1);
+    }
+  }
+  return p;
+}
+
+Points near_cospherical_points(Random& random, int trial) {
+  if (trial % 4 == 3) return near_coplanar_points(random, trial / 4);
+  Points p;
+  const int exponent = within(random, 40);
+  const Vec3 center = in_cube(random), icenter = integers(random, 100);
+  const Vec3 seed = integers(random, 30);
+  for (Vec3& q : p) {
+    switch (trial % 4) {
+      case 0: {  // rounded points of a sphere, moved by an ulp or two
+        Vec3 n = in_cube(random);
+        while (length2(n) < 0.01) n = in_cube(random);
+        q = jitter(random, center + n / length(n), 2);
+        break;
+      }
+      default: {  // integers with one squared length: a point's permutations and reflections
+        q = seed;
+        for (int k = 0; k < 3; ++k) {
+          std::swap(q[k], q[static_cast<int>(random.below(3))]);
+          if (random.below(2)) q[k] = -q[k];
+        }
+        q = scaled(q + icenter, exponent);
+        if (trial % 4 == 2 && random.below(5) == 0) q = jitter(random, q, 1);
+      }
+    }
+  }
+  return p;
+}
+
+using Family = Points (*)(Random&, int);
+
+// How often each sign came up, so that no family can be degenerate in the wrong way.
+using SignCounts = std::array<int, 3>;
+
+SignCounts orient3d_signs(Family family) {
+  SignCounts counts{};
+  for (int trial = 0; trial < kCases; ++trial) {
+    Random random(trial);
+    const Points p = family(random, trial);
+    const int expected = oracle::orient3d(p[0], p[1], p[2], p[3]);
+    if (orient3d(p[0], p[1], p[2], p[3]) != expected ||
+        predicates::orient3d_adaptive(p[0], p[1], p[2], p[3]) != expected)
+      FAIL("orient3d: wrong sign for seed " << trial);
+    ++counts[expected + 1];
+  }
+  return counts;
+}
+
+SignCounts insphere_signs(Family family) {
+  SignCounts counts{};
+  for (int trial = 0; trial < kCases; ++trial) {
+    Random random(trial);
+    const Points p = family(random, trial);
+    const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
+    if (insphere(p[0], p[1], p[2], p[3], p[4]) != expected ||
+        predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) != expected)
+      FAIL("insphere: wrong sign for seed " << trial);
+    ++counts[expected + 1];
+  }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("the sign convention") {
+  const Vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  CHECK(orient3d(o, x, y, z) == 1);
+  CHECK(orient3d(x, o, y, z) == -1);
+  CHECK(orient3d(o, x, y, Vec3{5, 7, 0}) == 0);
+  CHECK(orient3d_value(o, x, y, z) == 1.0);
+  CHECK(insphere(o, x, y, z, Vec3{0.5, 0.5, 0.5}) == 1);
+  CHECK(insphere(o, x, y, z, Vec3{2, 2, 2}) == -1);
+  CHECK(insphere(o, x, y, z, Vec3{1, 1, 1}) == 0);
+  CHECK(insphere(x, o, y, z, Vec3{0.5, 0.5, 0.5}) == -1);
+}
+
+TEST_CASE("orient3d on random points") {
+  const SignCounts counts = orient3d_signs(random_points);
+  CHECK(counts[0] > kCases / 3);
+  CHECK(counts[2] > kCases / 3);
+}
+
+TEST_CASE("orient3d on points all but coplanar") {
+  const SignCounts counts = orient3d_signs(near_coplanar_points);
+  for (int n : counts) CHECK(n > kCases / 8);
+}
+
+TEST_CASE("insphere on random points") {
+  const SignCounts counts = insphere_signs(random_points);
+  CHECK(counts[0] > kCases / 5);
+  CHECK(counts[2] > kCases / 5);
+}
+
+TEST_CASE("insphere on points all but cospherical") {
+  const SignCounts counts = insphere_signs(near_cospherical_points);
+  for (int n : counts) CHECK(n > kCases / 8);
+}
+
+TEST_CASE("the ends of the guaranteed range") {
+  for (int trial = 0; trial < 20'000; ++trial) {
+    CAPTURE(trial);
+    Random random(trial);
+    Points p = near_cospherical_points(random, trial);
+    double largest = 0;
+    for (const Vec3& q : p)
+      for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::fabs(q[axis]));
+    const int smallest_end = trial % 3 ? -130 : -139, end = trial % 2 ? 199 : smallest_end;
+    for (Vec3& q : p) {
+      q = scaled(q, end - std::ilogb(largest));
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::fabs(q[axis]) < kSmallestCoordinate) q[axis] = 0;
+        REQUIRE(std::fabs(q[axis]) <= kLargestCoordinate);
+      }
+    }
+    REQUIRE(orient3d(p[0], p[1], p[2], p[3]) == oracle::orient3d(p[0], p[1], p[2], p[3]));
+    REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) ==
+            oracle::insphere(p[0], p[1], p[2], p[3], p[4]));
+  }
+}
+
+TEST_CASE("orient3d: a walk over the nextafter grid round a coplanar point, all even orders") {
+  // After the best test of Shewchuk's ports: 64 x 64 neighbouring doubles, every order of points.
+  const Vec3 a{12, 12, 12}, b{24, 24, 24.5}, c{0.5, 0.5, 1}, base{0.5, 0.5, 0.75};
+  int zeros = 0;
+  double x = base.x;
+  for (int i = 0; i < 64; ++i, x = std::nextafter(x, 1)) {
+    double y = base.y;
+    for (int j = 0; j < 64; ++j, y = std::nextafter(y, 1)) {
+      const Vec3 d{x, y, base.z};
+      const int expected = oracle::orient3d(a, b, c, d);
+      zeros += expected == 0;
+      REQUIRE(orient3d(a, b, c, d) == expected);
+      REQUIRE(orient3d(b, a, d, c) == expected);
+      REQUIRE(orient3d(c, d, a, b) == expected);
+      REQUIRE(orient3d(d, b, a, c) == expected);
+      REQUIRE(orient3d(b, a, c, d) == -expected);
+    }
+  }
+  CHECK(zeros == 64);
+}
+
+TEST_CASE("collinear and orient3d_value") {
+  for (int trial = 0; trial < 100'000; ++trial) {
+    CAPTURE(trial);
+    Random random(trial);
+    Points p = near_coplanar_points(random, trial);
+    if (trial % 2) {
+      const Vec3 o = integers(random, 1000), u = integers(random, 20);
+      for (Vec3& q : p) q = o + double(within(random, 20)) * u;
+      if (random.below(2)) p[2] = jitter(random, p[2], 1);
+    }
+    const int unit = oracle::common_unit({p[0], p[1], p[2], p[3]});
+    const auto o = oracle::to_integers(p[0], unit);
+    const auto n = cross(oracle::to_integers(p[1], unit) - o, oracle::to_integers(p[2], unit) - o);
+    REQUIRE(collinear(p[0], p[1], p[2]) == (dot(n, n).sign() == 0));
+
+    const auto exact = oracle::orient3d(p[0], p[1], p[2], p[3], unit).divided_by_power(-3 * unit);
+    REQUIRE(std::fabs(orient3d_value(p[0], p[1], p[2], p[3]) - exact) <=
+            2 * kEpsilon * std::fabs(exact));
+  }
+}
