@@ -74,9 +74,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
   std::vector<VertexId> corners;
   std::string joined;
   std::string_view statement;
-  bool any = false;
   while (next_statement(lines, joined, statement)) {
-    any = true;
     const std::string_view keyword = take_word(statement);
     if (keyword == "v") {
       Vec3 p;
@@ -103,7 +101,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
       lines.fail(text("unknown statement ", quoted(keyword)));
     }
   }
-  if (!any) lines.fail("the file holds no statement");
+  if (take_word(bytes).empty()) lines.fail("the file is empty");
   if (forward.line != 0 && forward.index >= mesh.points.size()) {
     lines.fail_at(forward.line,
                   text("a facet names vertex ", forward.index + 1, " of ", mesh.points.size()));

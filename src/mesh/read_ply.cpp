@@ -132,7 +132,9 @@ class WordSource {
       if (!lines_.next()) fail("the file ends too early");
       word = take_word(lines_.line());
     }
-    const auto value = number_in<double>(word);
+    // The digits of a float are those of the float itself, as it stands in binary.
+    const std::optional<double> value =
+        type == Type::f32 ? std::optional<double>(number_in<float>(word)) : number_in<double>(word);
     if (!value || (is_integer(type) && *value != std::trunc(*value))) {
       fail(text("there is ", quoted(word), " in place of a number"));
     }

@@ -42,11 +42,11 @@ struct WorldFrame {
 };
 
 struct MeshWriteOptions {
-  std::optional<MeshFormat> format;  // absent: by the path's ending, PLY on standard output
-  bool single_precision = false;     // coordinates as float instead of double (STL always is)
-  bool ascii = false;                // PLY only
-  bool sync = false;                 // wait until the bytes are on the medium
-  WorldFrame frame;
+  std::optional<MeshFormat> format{};  // absent: by the path's ending, PLY on standard output
+  bool single_precision = false;       // coordinates as float instead of double (STL always is)
+  bool ascii = false;                  // PLY only
+  bool sync = false;                   // wait until the bytes are on the medium
+  WorldFrame frame{};
 };
 
 // Throws InputError on an unknown ending and on every fault of the file system.
