@@ -23,4 +23,28 @@ constexpr double shortest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
+// Squared distance from p to the nearest point of the triangle: a corner, a point of an edge or of
+// the inside, whichever of the triangle's seven Voronoi regions p lies in (Ericson 2005, §5.1.5).
+inline double distance2_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return length2(ap);
+  const Vec3 bp = p - b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return length2(bp);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return length2(ap - d1 / (d1 - d3) * ab);
+  const Vec3 cp = p - c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return length2(cp);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return length2(ap - d2 / (d2 - d6) * ac);
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    return length2(bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b));
+  }
+  const double denominator = va + vb + vc;
+  return length2(ap - vb / denominator * ab - vc / denominator * ac);
+}
+
 }  // namespace deliso

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/deliso.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
+#include <optional>
 
 #include "contour/contour.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/poles.h"
 #include "deliso/recover.h"
+#include "deliso/recover_certified.h"
 #include "deliso/recovered.h"
 #include "deliso/refine.h"
 #include "kdtree/voxel_tree.h"
@@ -44,6 +48,53 @@ Criteria refine_criteria(const Options& o, double r_min) {
   return {o.epsilon1, o.epsilon2, o.lambda, r_min, o.max_distance, o.max_radius};
 }
 
+// Stage 1 by the certificate.
+Recovered certified_way(const Isosurface& surface, const ContourMesh& contour,
+                        const BoundaryCurves& curves, const Options& options, Report& report) {
+  const StepTimer timer(report.seconds_recover);
+  Recovered recovered = recover_certified(surface, contour, curves, options, report);
+  report.points_recovered = recovered.mesh.points.size();
+  return recovered;
+}
+
+// Stage 1 as Figure 5 has it; with --single-stage, everything else on the triangulation too.
+Recovered paper_way(const Isosurface& surface, const ContourMesh& contour,
+                    const BoundaryCurves& curves, const Options& options, Report& report) {
+  InitialSample initial;
+  {
+    const StepTimer timer(report.seconds_init);
+    initial = init_triangulation(surface, contour, curves, options, report.r_min, report);
+  }
+  std::optional<RestrictedDelaunay> restricted;
+  {
+    const StepTimer timer(report.seconds_recover);
+    restricted.emplace(surface, std::move(initial.triangulation), report.r_min, report);
+    Recovery recovery(*restricted, curves, initial.chain, options, report.r_min);
+    recovery.protect_boundary();
+    recovery.multi_intersect();
+    recovery.extract_manifold();
+    std::vector<double> no_poles;
+    recovery.approximate_geom(recover_criteria(options, report.r_min), no_poles);
+    recovery.extract_manifold();
+    report.points_recovered =
+        restricted->triangulation().vertex_capacity() - 1 - kAuxiliaryVertices;
+  }
+  std::vector<double> poles;
+  {
+    const StepTimer timer(report.seconds_poles);
+    poles = compute_poles(restricted->triangulation(), surface);
+  }
+  const StepTimer timer(report.seconds_refine);
+  if (options.single_stage) {
+    Recovery refinement(*restricted, curves, initial.chain, options, report.r_min);
+    refinement.approximate_geom(refine_criteria(options, report.r_min), poles);
+    refinement.extract_manifold();
+    poles.resize(restricted->triangulation().vertex_capacity(), 0);
+  }
+  Recovery(*restricted, curves, initial.chain, options, report.r_min).count_unresolved();
+  return build_tri_mesh(std::move(*restricted), initial.chain, poles);
+}
+
 }  // namespace
 
 // Figure 4, its lines in order, with Figure 5 and Figure 9 unrolled into it.
@@ -70,45 +121,9 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (contour.points.empty()) return {};
   const BoundaryCurves curves(surface, contour);
 
-  InitialSample initial;
-  {
-    const StepTimer timer(report.seconds_init);
-    progress("sample", 0);
-    initial = init_triangulation(surface, contour, curves, options, report.r_min, report);
-  }
-  Recovered recovered;
-  {
-    std::optional<RestrictedDelaunay> restricted;
-    {
-      const StepTimer timer(report.seconds_recover);
-      progress("recover", 0);
-      restricted.emplace(surface, std::move(initial.triangulation), report.r_min, report);
-      Recovery recovery(*restricted, curves, initial.chain, options, report.r_min);
-      recovery.protect_boundary();
-      recovery.multi_intersect();
-      recovery.extract_manifold();
-      std::vector<double> no_poles;
-      recovery.approximate_geom(recover_criteria(options, report.r_min), no_poles);
-      recovery.extract_manifold();
-      report.points_recovered = restricted->triangulation().vertex_capacity() - 1;
-    }
-    std::vector<double> poles;
-    {
-      const StepTimer timer(report.seconds_poles);
-      poles = compute_poles(restricted->triangulation(), surface);
-    }
-    if (options.single_stage) {
-      const StepTimer timer(report.seconds_refine);
-      Recovery refinement(*restricted, curves, initial.chain, options, report.r_min);
-      refinement.approximate_geom(refine_criteria(options, report.r_min), poles);
-      refinement.extract_manifold();
-      poles.resize(restricted->triangulation().vertex_capacity(),
-                   std::numeric_limits<double>::infinity());
-    }
-    const StepTimer timer(report.seconds_refine);
-    Recovery(*restricted, curves, initial.chain, options, report.r_min).count_unresolved();
-    recovered = build_tri_mesh(std::move(*restricted), initial.chain, poles);
-  }
+  Recovered recovered = options.recover == RecoverWay::certified
+                            ? certified_way(surface, contour, curves, options, report)
+                            : paper_way(surface, contour, curves, options, report);
   if (!options.stop_after_recover && !options.single_stage) {
     const StepTimer timer(report.seconds_refine);
     progress("refine", 0);

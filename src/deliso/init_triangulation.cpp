@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/check.h"
 #include "base/random.h"
 
 namespace deliso {
@@ -99,15 +100,11 @@ double largest_side(const ContourComponent& c) {
   return 1 + std::max({c.hi.i - c.lo.i, c.hi.j - c.lo.j, c.hi.k - c.lo.k});
 }
 
-void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Options& options,
-               Random& random, Sample& sample, Report& report) {
-  const std::vector<ContourComponent>& components = contour.summary.components;
-  std::vector<std::uint64_t> vertices(components.size(), 0);
-  for (const std::uint32_t c : contour.component) ++vertices[c];
-  for (const ContourComponent& c : components) {
-    if (largest_side(c) < options.min_component) ++report[Counter::components_skipped];
-  }
-
+// The first vertex of T of every (component, block of kBlock^3 voxels), of those that `wanted` asks
+// for.
+template <class Wanted>
+void choose_block_seeds(const ContourMesh& contour, const Volume& volume, const Wanted& wanted,
+                        std::vector<VertexId>& seeds) {
   struct BlockSeen {
     std::uint32_t component;
     std::array<std::uint32_t, 3> block;
@@ -116,24 +113,20 @@ void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Opti
     bool operator<(const BlockSeen& o) const { return key() < o.key(); }
   };
   std::vector<BlockSeen> blocks;
-  std::vector<VertexId> seeds;
-  const Vec3 spacing = surface.volume().spacing();
   for (VertexId v = 0; v < contour.points.size(); ++v) {
-    const std::uint32_t c = contour.component[v];
-    if (largest_side(components[c]) < options.min_component) continue;
-    const double share = static_cast<double>(kSeedsPerComponent) / static_cast<double>(vertices[c]);
-    if (components[c].crossings <= kSmallComponent || random.uniform() < share) {
-      seeds.push_back(v);
-      continue;
-    }
+    if (!wanted(v)) continue;
     std::array<std::uint32_t, 3> block{};
     for (int axis = 0; axis < 3; ++axis) {
       block[static_cast<std::size_t>(axis)] =
-          static_cast<std::uint32_t>(contour.points[v][axis] / (kBlock * spacing[axis]));
+          static_cast<std::uint32_t>(contour.points[v][axis] / (kBlock * volume.spacing()[axis]));
     }
-    blocks.push_back({c, block, v});
+    // Neighbours in T mostly share a block: what the last vertex saw need not be sorted again.
+    if (!blocks.empty() && blocks.back().component == contour.component[v] &&
+        blocks.back().block == block) {
+      continue;
+    }
+    blocks.push_back({contour.component[v], block, v});
   }
-  // The first vertex of every (component, block).
   std::sort(blocks.begin(), blocks.end());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (i > 0 && blocks[i].component == blocks[i - 1].component &&
@@ -142,6 +135,27 @@ void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Opti
     }
     seeds.push_back(blocks[i].vertex);
   }
+}
+
+void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Options& options,
+               Random& random, Sample& sample, Report& report) {
+  const std::vector<ContourComponent>& components = contour.summary.components;
+  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+  std::vector<std::uint64_t> vertices(components.size(), 0);
+  for (const std::uint32_t c : contour.component) ++vertices[c];
+
+  std::vector<VertexId> seeds;
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::uint32_t c = contour.component[v];
+    if (!kept[c]) continue;
+    const double share = static_cast<double>(kSeedsPerComponent) / static_cast<double>(vertices[c]);
+    if (components[c].crossings <= kSmallComponent || random.uniform() < share) seeds.push_back(v);
+  }
+  const auto in_large_component = [&](VertexId v) {
+    const std::uint32_t c = contour.component[v];
+    return kept[c] && components[c].crossings > kSmallComponent;
+  };
+  choose_block_seeds(contour, surface.volume(), in_large_component, seeds);
   for (const VertexId v : seeds) {
     // On the box only the chain's own points may lie.
     if (contour.on_boundary(v) || sample.has_near(contour.points[v])) {
@@ -152,22 +166,55 @@ void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Opti
   }
 }
 
+// How far the auxiliary vertices are from the box's center, in diagonals of the box.
+constexpr double kAuxiliaryDistance = 16;
+
+// The triangulation of the points, which come first in `ids`, and the auxiliary vertices.
+Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<VertexId>& ids) {
+  const Vec3 center = 0.5 * (box.lo + box.hi);
+  const double d = kAuxiliaryDistance * length(box.size());
+  for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+    points.push_back(center + d * corner);
+  }
+  Triangulation triangulation;
+  const bool built = triangulation.build(points, ids);
+  DELISO_CHECK(built);
+  return triangulation;
+}
+
+struct Chain {
+  std::vector<std::uint32_t> points;  // numbers in the sample
+  std::vector<CurvePlace> places;
+};
+
+void link_chains(const std::vector<Chain>& chains, std::span<const VertexId> ids,
+                 BoundaryChain& out) {
+  for (const Chain& chain : chains) {
+    std::vector<VertexId> vertices;
+    for (const std::uint32_t p : chain.points) vertices.push_back(ids[p]);
+    out.add_loop(vertices, chain.places);
+  }
+}
+
 }  // namespace
+
+bool is_auxiliary(const Vec3& p, const Box3& box) {
+  const Vec3 center = 0.5 * (box.lo + box.hi);
+  return distance2(p, center) > length2(box.size());
+}
 
 InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& contour,
                                  const BoundaryCurves& curves, const Options& options, double r_min,
                                  Report& report) {
   Random random(options.seed);
   Sample sample(r_min);
+  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+  report[Counter::components_skipped] =
+      static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
 
-  struct Chain {
-    std::vector<std::uint32_t> points;
-    std::vector<CurvePlace> places;
-  };
   std::vector<Chain> chains;
   for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
-    const ContourComponent& c = contour.summary.components[contour.boundary.component[loop]];
-    if (largest_side(c) < options.min_component) continue;
+    if (!kept[contour.boundary.component[loop]]) continue;
     Chain chain;
     chain.places = curves.coarse_chain(loop, kChainSagitta);
     for (const CurvePlace place : chain.places) {
@@ -180,14 +227,61 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
 
   InitialSample out;
   std::vector<VertexId> ids;
-  if (!out.triangulation.build(sample.points(), ids)) return out;
-  for (const Chain& chain : chains) {
-    std::vector<VertexId> vertices;
-    for (const std::uint32_t p : chain.points) vertices.push_back(ids[p]);
-    out.chain.add_loop(vertices, chain.places);
-  }
-  report.points_initial = out.triangulation.vertex_capacity() - 1;
+  out.triangulation = triangulate(sample.points(), surface.volume().box(), ids);
+  link_chains(chains, ids, out.chain);
+  report.points_initial = out.triangulation.vertex_capacity() - 1 - kAuxiliaryVertices;
   return out;
+}
+
+InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves,
+                        const Volume& volume, const Options& options, Report& report) {
+  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+  report[Counter::components_skipped] =
+      static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
+
+  std::vector<VertexId> seeds;
+  std::vector<Chain> chains;
+  for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
+    if (!kept[contour.boundary.component[loop]]) continue;
+    Chain chain;
+    chain.places = curves.coarse_chain(loop, kChainSagitta);
+    for (const CurvePlace place : chain.places) {
+      chain.points.push_back(static_cast<std::uint32_t>(seeds.size()));
+      seeds.push_back(contour.boundary.chain(loop)[static_cast<std::size_t>(place.s)]);
+    }
+    chains.push_back(std::move(chain));
+  }
+  // Inner vertices only: what lies on the box is the chain's business.
+  const auto wanted = [&](VertexId v) {
+    return kept[contour.component[v]] && !contour.on_boundary(v);
+  };
+  choose_block_seeds(contour, volume, wanted, seeds);
+  Random random(options.seed);
+  for (std::size_t i = 0; i < options.samples; ++i) {
+    const VertexId v = random.below(static_cast<std::uint32_t>(contour.points.size()));
+    if (wanted(v)) seeds.push_back(v);
+  }
+
+  std::vector<Vec3> points;
+  for (const VertexId v : seeds) points.push_back(contour.points[v]);
+  InitialSites out;
+  std::vector<VertexId> ids;
+  out.triangulation = triangulate(std::move(points), volume.box(), ids);
+  out.contour_vertex.assign(out.triangulation.vertex_capacity(), kNoId);
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    if (out.contour_vertex[ids[i]] == kNoId) out.contour_vertex[ids[i]] = seeds[i];
+  }
+  link_chains(chains, ids, out.chain);
+  report.points_initial = out.triangulation.vertex_capacity() - 1 - kAuxiliaryVertices;
+  return out;
+}
+
+std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Options& options) {
+  std::vector<std::uint8_t> kept;
+  for (const ContourComponent& c : contour.summary.components) {
+    kept.push_back(!(largest_side(c) < options.min_component));
+  }
+  return kept;
 }
 
 }  // namespace deliso

@@ -18,7 +18,13 @@ struct RelativeLength {
   bool in_voxels = false;
 };
 
+// How Stage 1 knows that it is done: by the closed-ball conditions on the exact contour, or by the
+// paper's tests on Voronoi edges.
+enum class RecoverWay : std::uint8_t { certified, paper };
+
 struct Options {
+  RecoverWay recover = RecoverWay::certified;
+  double fingers = 1;     // certified: no vertex of the contour further from the mesh, in voxels
   double epsilon = 0.2;   // Stage 1: h/r
   double epsilon1 = 0.1;  // Stage 2: h/r
   double epsilon2 = 0.2;  // Stage 2: r/h_sigma

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,32 +12,13 @@
 
 namespace deliso {
 
-// One height per vertex id. A side is told by the gradient at q; where V_q is unbounded on a side
-// that side's pole is infinitely far, and h_q is the other's; infinite when both are.
+// One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
+// their own; the auxiliary vertices (init_triangulation.h) keep those of the surface off it.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface);
 
-// The mean over those heights that are finite; infinite when none is. h_sigma of a facet is that of
-// its vertices; a new vertex takes that of its neighbours.
-class PoleMean {
- public:
-  void add(double height) {
-    if (height == std::numeric_limits<double>::infinity()) return;
-    sum_ += height;
-    ++count_;
-  }
-  double value() const {
-    return count_ > 0 ? sum_ / count_ : std::numeric_limits<double>::infinity();
-  }
-
- private:
-  double sum_ = 0;
-  int count_ = 0;
-};
-
+// h_sigma: the mean over the facet's vertices.
 inline double facet_pole(std::span<const double> poles, const std::array<VertexId, 3>& v) {
-  PoleMean mean;
-  for (const VertexId q : v) mean.add(poles[q]);
-  return mean.value();
+  return (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
 }
 
 }  // namespace deliso

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "deliso/poles.h"
 
 namespace deliso {
 namespace {
@@ -28,7 +29,9 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
       report_(restricted.report()),
       r_min_(r_min),
       floor_(kFloor * r_min) {
-  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) queue_vertex(v);
+  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
+    if (!restricted_.is_auxiliary(v)) queue_vertex(v);
+  }
 }
 
 void Recovery::queue_vertex(VertexId v) {
@@ -306,7 +309,7 @@ void Recovery::count_unresolved() {
     }
   }
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
-    if (!is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
+    if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
   }
 }
 

@@ -19,7 +19,7 @@ struct Recovered {
 
 // BuildTriMesh (paper §3.2): Del S|Sigma as a mesh of its own; `poles` are per vertex of the
 // triangulation. Facets are turned so that normals run against the gradient, component by
-// component. Facets that keep it from being a manifold are left out and counted.
+// component.
 // The move says what happens to Del S: it is gone when this returns.
 Recovered build_tri_mesh(RestrictedDelaunay&& restricted, const BoundaryChain& chain,
                          const std::vector<double>& poles);

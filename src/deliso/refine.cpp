@@ -135,9 +135,9 @@ std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optiona
   }
   if (const auto refusal = find_surface_points(p, opened_rim)) return refusal;
 
-  PoleMean pole;
-  for (const RimEdge& edge : disk_.rim) pole.add(poles_[edge.from]);
-  poles_.push_back(pole.value());
+  double pole_sum = 0;
+  for (const RimEdge& edge : disk_.rim) pole_sum += poles_[edge.from];
+  poles_.push_back(pole_sum / static_cast<double>(disk_.rim.size()));
   replace_disk(mesh_, disk_, p, surface_points_, opened_rim, created_);
   marks_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : created_) {

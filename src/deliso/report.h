@@ -22,7 +22,8 @@ enum class Counter : std::uint8_t {
   capped_insertions,        // insertions refused by the hard cap
   unresolved_facets,        // facets that still meet Sigma more than once
   unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
-  dropped_facets,           // restricted facets left out to hand over a manifold
+  uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
+  unready_facets,           // facets handed over whose dual line misses Sigma within r
   // Stage 2, refused insertions by reason
   refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
   refused_no_surface_point,  // a new facet's dual line misses Sigma

@@ -20,6 +20,7 @@
 
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
+#include "deliso/init_triangulation.h"
 #include "deliso/report.h"
 #include "isosurface/isosurface.h"
 #include "mesh/star.h"
@@ -37,6 +38,10 @@ class RestrictedDelaunay {
   const Triangulation& triangulation() const { return triangulation_; }
   const Isosurface& surface() const { return surface_; }
   Report& report() const { return report_; }
+
+  bool is_auxiliary(VertexId v) const {
+    return deliso::is_auxiliary(triangulation_.point(v), box_);
+  }
 
   std::size_t record_capacity() const { return records_.size(); }
   bool is_live(RecordId r) const { return !records_[r].hits.empty(); }

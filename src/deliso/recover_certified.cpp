@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/recover_certified.h"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "base/check.h"
+#include "base/triangle.h"
+#include "deliso/certificate.h"
+#include "deliso/poles.h"
+
+namespace deliso {
+namespace {
+
+class CertifiedRecovery {
+ public:
+  CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, InitialSites initial,
+                    const Options& options, Report& report)
+      : surface_(surface),
+        contour_(contour),
+        options_(options),
+        report_(report),
+        triangulation_(std::move(initial.triangulation)),
+        chain_(std::move(initial.chain)),
+        contour_vertex_(std::move(initial.contour_vertex)),
+        site_(contour.points.size(), kNoId),
+        graph_(contour),
+        labels_(contour, graph_, triangulation_, kept_components(contour, options)),
+        certificate_(contour, graph_, labels_) {
+    for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
+      if (contour_vertex_[s] == kNoId) continue;
+      site_[contour_vertex_[s]] = s;
+      queue_site(s);
+    }
+  }
+
+  Recovered run();
+
+ private:
+  void queue_site(VertexId s);
+  // Makes the vertex v of T a site; false when it coincides with one.
+  bool add_site(VertexId v);
+  void satisfy_certificate();
+  std::size_t cut_fingers();
+  std::size_t make_ready();
+  std::optional<Vec3> find_surface_point(const DualFacet& facet);
+  // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
+  // that is `enough` or less.
+  double distance2_to_dual(VertexId v, double enough) const;
+
+  const Isosurface& surface_;
+  const ContourMesh& contour_;
+  const Options& options_;
+  Report& report_;
+  Triangulation triangulation_;
+  BoundaryChain chain_;
+  std::vector<VertexId> contour_vertex_;  // of every site
+  std::vector<VertexId> site_;            // of every vertex of T; kNoId: it is none
+  ContourGraph graph_;
+  Labels labels_;
+  Certificate certificate_;
+
+  std::deque<VertexId> queue_;
+  std::vector<std::uint8_t> queued_;
+  // Per site, which of the two practical tests its facets have not passed since they changed.
+  static constexpr std::uint8_t kFingers = 1, kReadiness = 2;
+  std::vector<std::uint8_t> unready_;
+  // K's facets at every site, begun there.
+  std::vector<std::vector<DualFacet>> facets_;
+
+  ConflictZone zone_;
+  std::vector<CellId> created_;
+  std::vector<VertexId> neighbors_, changed_;
+};
+
+Recovered CertifiedRecovery::run() {
+  do {
+    satisfy_certificate();
+  } while (cut_fingers() > 0 || make_ready() > 0);
+
+  const std::vector<double> poles = compute_poles(triangulation_, surface_);
+  Recovered out;
+  std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> surface_points;
+  for (VertexId s = 1; s < facets_.size(); ++s) {
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
+      Triangle v = facet.sites;
+      for (VertexId& q : v) {
+        if (new_id[q] == kNoId) {
+          new_id[q] = static_cast<VertexId>(out.mesh.points.size());
+          out.mesh.points.push_back(triangulation_.point(q));
+          out.pole_heights.push_back(poles[q]);
+        }
+        q = new_id[q];
+      }
+      triangles.push_back(v);
+      const auto x = find_surface_point(facet);
+      if (!x) ++report_[Counter::unready_facets];
+      // Where the dual line misses, a point of the surface near by keeps the ball a ball.
+      surface_points.push_back(x ? *x : contour_.points[facet.witness[0]]);
+    }
+  }
+  out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
+  out.mesh.surface_points = std::move(surface_points);
+  out.chain = chain_.renumbered(new_id);
+  return out;
+}
+
+void CertifiedRecovery::queue_site(VertexId s) {
+  if (s >= queued_.size()) {
+    queued_.resize(s + 1, 0);
+    unready_.resize(s + 1, 0);
+    facets_.resize(s + 1);
+  }
+  if (queued_[s] || contour_vertex_[s] == kNoId) return;
+  queued_[s] = 1;
+  queue_.push_back(s);
+}
+
+bool CertifiedRecovery::add_site(VertexId v) {
+  const Vec3& p = contour_.points[v];
+  triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
+  if (zone_.duplicate != kNoId) return false;
+  const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
+  if (triangulation_.vertex_capacity() > options_.max_vertices) {
+    throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+                     " vertices needed before the surface is recovered");
+  }
+  site_[v] = s;
+  contour_vertex_.push_back(v);
+  DELISO_ASSERT(contour_vertex_.size() == s + 1);
+  neighbors_.clear();
+  for (const CellId c : created_) {
+    for (const VertexId n : triangulation_.vertices(c)) {
+      if (n != s && n != Triangulation::kInfinite) neighbors_.push_back(n);
+    }
+  }
+  std::sort(neighbors_.begin(), neighbors_.end());
+  neighbors_.erase(std::unique(neighbors_.begin(), neighbors_.end()), neighbors_.end());
+  changed_.clear();
+  labels_.add_site(s, p, neighbors_, changed_);
+  queue_site(s);
+  for (const VertexId n : changed_) queue_site(n);
+  // Whoever borders on what changed hands sees another neighbour there now.
+  for (const VertexId u : labels_.region(s)) {
+    for (const ContourGraph::Wedge& w : graph_.wedges(u)) {
+      queue_site(labels_.label(w.next));
+      queue_site(labels_.label(w.previous));
+    }
+  }
+  if (contour_.on_boundary(v)) {
+    VertexId before = graph_.chain_previous(v);
+    while (site_[before] == kNoId) before = graph_.chain_previous(before);
+    chain_.insert_after(site_[before], s, graph_.chain_place(v));
+    ++report_[Counter::boundary_splits_recover];
+  }
+  return true;
+}
+
+void CertifiedRecovery::satisfy_certificate() {
+  while (!queue_.empty()) {
+    const VertexId s = queue_.front();
+    queue_.pop_front();
+    queued_[s] = 0;
+    const Verdict verdict = certificate_.check(s, contour_vertex_[s]);
+    facets_[s].assign(certificate_.facets().begin(), certificate_.facets().end());
+    unready_[s] = kFingers | kReadiness;
+    if (verdict.violation == Violation::none) continue;
+    if (verdict.insert != kNoId && add_site(verdict.insert)) {
+      queue_site(s);
+    } else {
+      ++report_[Counter::uncertified_sites];
+    }
+  }
+}
+
+std::size_t CertifiedRecovery::cut_fingers() {
+  const Vec3 spacing = surface_.volume().spacing();
+  const double limit = options_.fingers * std::min({spacing.x, spacing.y, spacing.z});
+  std::size_t added = 0;
+  for (VertexId s = 1; s < unready_.size(); ++s) {
+    if (!(unready_[s] & kFingers)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~kFingers);
+    VertexId worst = kNoId;
+    double worst2 = limit * limit;
+    for (const VertexId v : labels_.region(s)) {
+      if (labels_.distance2_to_site(v) <= worst2) continue;
+      const double d2 = distance2_to_dual(v, worst2);
+      if (d2 <= worst2) continue;
+      worst = v;
+      worst2 = d2;
+    }
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+double CertifiedRecovery::distance2_to_dual(VertexId v, double enough) const {
+  double nearest2 = labels_.distance2_to_site(v);
+  for (const DualFacet& f : facets_[labels_.label(v)]) {
+    if (nearest2 <= enough) break;
+    const double d2 =
+        distance2_to_triangle(contour_.points[v], triangulation_.point(f.sites[0]),
+                              triangulation_.point(f.sites[1]), triangulation_.point(f.sites[2]));
+    nearest2 = std::min(nearest2, d2);
+  }
+  return nearest2;
+}
+
+std::size_t CertifiedRecovery::make_ready() {
+  std::size_t added = 0;
+  for (VertexId s = 1; s < unready_.size(); ++s) {
+    if (!(unready_[s] & kReadiness)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
+    VertexId worst = kNoId;
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s || find_surface_point(facet)) continue;
+      for (const VertexId v : facet.witness) {
+        const double d2 = labels_.distance2_to_site(v);
+        if (d2 > 0 && (worst == kNoId || d2 > labels_.distance2_to_site(worst))) worst = v;
+      }
+    }
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
+  const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
+             &c = triangulation_.point(facet.sites[2]);
+  const Vec3 area = area_normal(a, b, c);
+  const double twice_area = length(area);
+  if (!(twice_area > 0)) return std::nullopt;
+  const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
+  const auto hit = surface_.nearest(center, normal, distance(center, a), report_.searches_recover);
+  if (!hit || dot(surface_.gradient(hit->point), normal) > 0) return std::nullopt;
+  return hit->point;
+}
+
+}  // namespace
+
+Recovered recover_certified(const Isosurface& surface, const ContourMesh& contour,
+                            const BoundaryCurves& curves, const Options& options, Report& report) {
+  InitialSites sites = init_sites(contour, curves, surface.volume(), options, report);
+  CertifiedRecovery recovery(surface, contour, std::move(sites), options, report);
+  return recovery.run();
+}
+
+}  // namespace deliso

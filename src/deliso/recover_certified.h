@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Stage 1, certified: sites are vertices of the exact contour T, added until the labels of T
+// satisfy the closed-ball conditions (certificate.h); then the dual K of the labels is homeomorphic
+// to T, and so to Sigma, component by component. No Voronoi edge is searched for that.
+//
+// Two practical tests follow, each with the same remedy: no vertex of T may be further than
+// `fingers` from the facets at its site (a thin branch inside one Voronoi cell is a disk too), and
+// every facet of K must find the surface point that Stage 2 starts from.
+#pragma once
+
+#include "deliso/init_triangulation.h"
+#include "deliso/options.h"
+#include "deliso/recovered.h"
+
+namespace deliso {
+
+// Sites: some vertices of T at random, one per (component, block of 8^3 voxels), and the coarse
+// boundary chain. Then grows them as said above and hands over K.
+// options.fingers in voxels. The surface is asked for the facets' surface points only.
+Recovered recover_certified(const Isosurface& surface, const ContourMesh& contour,
+                            const BoundaryCurves& curves, const Options& options, Report& report);
+
+}  // namespace deliso
