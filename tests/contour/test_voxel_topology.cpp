@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+// Topology against an oracle that knows none of the rules: random voxels, each of the known cases
+// of trilinear voxels (Chernyaev 1995, Lewiner et al. 2003), and small random volumes.
+#include "contour/voxel_topology.h"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <map>
+#include <set>
+#include <string>
+
+#include "base/random.h"
+#include "contour/contour.h"
+#include "mesh_checks.h"
+#include "voxel_oracle.h"
+
+using namespace deliso;
+
+namespace {
+
+// Random voxels of many kinds: even values, values over magnitudes, small integers, near-tunnels.
+Corners random_corners(Random& random) {
+  Corners c;
+  const std::uint32_t kind = random.below(4);
+  for (double& v : c) {
+    const double sign = random.below(2) != 0 ? 1 : -1;
+    if (kind == 0) v = random.uniform(-1, 1);
+    if (kind == 1) v = sign * std::exp2(random.uniform(-5, 0));
+    if (kind == 2) v = static_cast<double>(random.below(16)) - 7.5;
+    if (kind == 3) v = random.below(4) == 0 ? sign : sign * random.uniform(0.02, 0.2);
+  }
+  return c;
+}
+
+// Random values of given signs, over magnitudes: the wider these, the more tunnels.
+Corners random_corners(Random& random, int mask) {
+  Corners c;
+  const double low = random.uniform(-10, -2);
+  for (int m = 0; m < 8; ++m) {
+    c[m] = ((mask >> m & 1) != 0 ? 1 : -1) * std::exp2(random.uniform(low, 0));
+  }
+  return c;
+}
+
+Volume volume_of(const Corners& c) {
+  return Volume::from_samples<double>({2, 2, 2}, {1, 1, 1}, {c.begin(), c.end()});
+}
+
+// The edge of a single voxel on which a vertex of T lies, -1 for inner points: on an edge, two
+// faces of the box meet.
+int edge_of(std::uint8_t box_faces) {
+  for (int e = 0; e < 12; ++e) {
+    const auto [low, high] = corners_of_edge(e);
+    int faces = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis != e / 4) faces |= 1 << (2 * axis + (low >> axis & 1));
+    }
+    if (faces == box_faces) return e;
+  }
+  return -1;
+}
+
+std::vector<VoxelPiece> pieces_of(const ContourMesh& mesh) {
+  std::vector<VoxelPiece> pieces(mesh.summary.components.size());
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    pieces[n].euler = static_cast<int>(mesh.summary.components[n].euler);
+    pieces[n].loops = static_cast<int>(mesh.summary.components[n].boundary_loops);
+  }
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    const int e = edge_of(mesh.box_faces[v]);
+    if (e >= 0) pieces[mesh.component[v]].edges |= 1 << e;
+  }
+  std::sort(pieces.begin(), pieces.end());
+  return pieces;
+}
+
+// T of the voxel is valid and has the oracle's pieces. Returns whether the oracle could tell.
+bool agrees_with_oracle(const Corners& c, const VoxelTruth& truth) {
+  const Volume volume = volume_of(c);
+  const ContourMesh mesh = build_contour(volume, 0);
+  CHECK(check_contour(mesh, volume, 0) == "");
+  if (!truth.resolved) return false;
+  CHECK((pieces_of(mesh) == truth.pieces));
+  return true;
+}
+
+// Whether the oracle joins the inside corners of an ambiguous face: then an edge is joined to the
+// one with which it shares an outside corner.
+bool joined_inside(const VoxelTruth& truth, int mask, int face) {
+  for (int e = 0; e < 12; ++e) {
+    const int mate = truth.mate[face][e];
+    if (mate < 0) continue;
+    for (const int corner : corners_of_edge(e)) {
+      const auto other = corners_of_edge(mate);
+      if (corner == other[0] || corner == other[1]) return (mask >> corner & 1) == 0;
+    }
+  }
+  return false;
+}
+
+struct KnownCase {
+  std::string name;
+  int mask;
+  int joined_faces;
+  int loops;
+  bool tube;
+};
+
+constexpr int corners(std::initializer_list<int> inside) {
+  int mask = 0;
+  for (const int m : inside) mask |= 1 << m;
+  return mask;
+}
+
+// Names as in Lewiner et al.; 12.3 is 12.2 with the other of the two faces joined.
+const std::vector<KnownCase>& known_cases() {
+  static const std::vector<KnownCase> cases{
+      {"1", corners({0}), 0, 1, false},
+      {"2", corners({0, 1}), 0, 1, false},
+      {"3.1", corners({0, 3}), 0, 2, false},
+      {"3.2", corners({0, 3}), 1, 1, false},
+      {"4.1.1", corners({0, 7}), 0, 2, false},
+      {"4.1.2", corners({0, 7}), 0, 2, true},
+      {"5", corners({0, 1, 2}), 0, 1, false},
+      {"6.1.1", corners({0, 1, 7}), 0, 2, false},
+      {"6.1.2", corners({0, 1, 7}), 0, 2, true},
+      {"6.2", corners({0, 1, 7}), 1, 1, false},
+      {"7.1", corners({1, 2, 4}), 0, 3, false},
+      {"7.2", corners({1, 2, 4}), 1, 2, false},
+      {"7.3", corners({1, 2, 4}), 2, 1, false},
+      {"7.4.1", corners({1, 2, 4}), 3, 2, false},
+      {"7.4.2", corners({1, 2, 4}), 3, 2, true},
+      {"8", corners({0, 1, 2, 3}), 0, 1, false},
+      {"9", corners({0, 1, 2, 4}), 0, 1, false},
+      {"10.1.1", corners({0, 4, 3, 7}), 0, 2, false},
+      {"10.1.2", corners({0, 4, 3, 7}), 0, 2, true},
+      {"10.2", corners({0, 4, 3, 7}), 1, 1, false},
+      {"11", corners({0, 1, 3, 7}), 0, 1, false},
+      {"12.1.1", corners({0, 1, 2, 7}), 0, 2, false},
+      {"12.1.2", corners({0, 1, 2, 7}), 0, 2, true},
+      {"12.2 and 12.3", corners({0, 1, 2, 7}), 1, 1, false},
+      {"13.1", corners({0, 3, 5, 6}), 0, 4, false},
+      {"13.2", corners({0, 3, 5, 6}), 1, 3, false},
+      {"13.3", corners({0, 3, 5, 6}), 2, 2, false},
+      {"13.4", corners({0, 3, 5, 6}), 3, 1, false},
+      {"13.5.1", corners({0, 3, 5, 6}), 3, 3, false},
+      {"13.5.2", corners({0, 3, 5, 6}), 3, 3, true},
+      {"14", corners({0, 2, 3, 7}), 0, 1, false},
+  };
+  return cases;
+}
+
+}  // namespace
+
+TEST_CASE("loops of all masks and face decisions use each crossed edge once") {
+  for (int mask = 0; mask < 256; ++mask) {
+    const int ambiguous = ambiguous_faces(mask);
+    for (int joined = 0; joined < 64; ++joined) {
+      if ((joined & ~ambiguous) != 0) continue;
+      const VoxelLoops loops = trace_loops(mask, static_cast<std::uint8_t>(joined));
+      int crossed = 0, used = 0, triangles = 0;
+      for (int e = 0; e < 12; ++e) {
+        const auto [low, high] = corners_of_edge(e);
+        crossed |= ((mask >> low & 1) != (mask >> high & 1)) << e;
+      }
+      for (int l = 0; l < loops.count; ++l) {
+        CHECK(loops.edges(l).size() >= 3);
+        triangles += loops.edges(l).size() == 3;
+        for (const int e : loops.edges(l)) {
+          CHECK((used >> e & 1) == 0);
+          used |= 1 << e;
+        }
+      }
+      CHECK(used == crossed);
+      // The lemma by which no piece has more than two loops (voxel_topology.h).
+      if (loops.count >= 3) CHECK(triangles >= 2);
+    }
+  }
+}
+
+TEST_CASE("random voxels have the oracle's pieces") {
+  Random random(11);
+  int skipped = 0, tubes = 0;
+  constexpr int kTrials = 50000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    CAPTURE(trial);
+    const Corners c = random_corners(random);
+    const VoxelTruth truth = VoxelOracle::solve(c);
+    skipped += !agrees_with_oracle(c, truth);
+    for (const auto& piece : truth.pieces) tubes += piece.loops == 2;
+  }
+  MESSAGE("voxels " << kTrials << ", too close to a saddle for the oracle " << skipped << ", tubes "
+                    << tubes);
+  CHECK(skipped < kTrials / 100);
+  CHECK(tubes > 200);
+}
+
+TEST_CASE("every known case of a trilinear voxel, tunnels included, is met and right") {
+  Random random(12);
+  std::map<std::string, int> met;
+  int skipped = 0, trials = 0;
+  for (const KnownCase& known : known_cases()) {
+    for (int trial = 0; trial < 20000 && met[known.name] < 30; ++trial) {
+      CAPTURE(known.name);
+      CAPTURE(trial);
+      const Corners c = random_corners(random, known.mask);
+      ++trials;
+      const VoxelTruth truth = VoxelOracle::solve(c);
+      if (!agrees_with_oracle(c, truth)) {
+        ++skipped;
+        continue;
+      }
+      int joined = 0, loops = 0;
+      bool tube = false;
+      for (int f = 0; f < 6; ++f) {
+        const bool ambiguous = (ambiguous_faces(known.mask) >> f & 1) != 0;
+        joined += ambiguous && joined_inside(truth, known.mask, f);
+      }
+      for (const auto& piece : truth.pieces) {
+        loops += piece.loops;
+        tube = tube || piece.loops == 2;
+        CHECK(piece.loops <= 2);
+        CHECK(piece.euler == 2 - piece.loops);
+      }
+      if (joined == known.joined_faces && loops == known.loops && tube == known.tube) {
+        ++met[known.name];
+      }
+    }
+    CHECK_MESSAGE(met[known.name] >= 30, "case " << known.name << " met " << met[known.name]);
+  }
+  MESSAGE("voxels " << trials << ", too close to a saddle for the oracle " << skipped);
+}
+
+TEST_CASE("small random volumes have the topology glued from the oracle's voxels") {
+  Random random(13);
+  int skipped = 0, compared = 0, components = 0;
+  constexpr int kTrials = 2000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    CAPTURE(trial);
+    const Index3 dims{2 + static_cast<int>(random.below(4)), 2 + static_cast<int>(random.below(4)),
+                      2 + static_cast<int>(random.below(4))};
+    std::vector<std::int32_t> samples;
+    const std::uint32_t levels = trial % 3 == 0 ? 8 : 1000;
+    for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+      samples.push_back(static_cast<std::int32_t>(random.below(levels)));
+    }
+    const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
+    const double kappa =
+        effective_isovalue(volume, random.below(levels) + (trial % 3 == 1 ? 0.5 : 0));
+    // Elements: grid edges, 3 * sample + axis. Pieces and arcs of the voxels join them.
+    UnionFind surface(3 * samples.size()), curves(3 * samples.size());
+    std::map<int, int> euler;  // V - E + F without the faces' arcs, by element
+    std::map<std::pair<int, int>, int> arcs;
+    bool resolved = true;
+    const auto element = [&](Index3 voxel, int e) {
+      const auto [low, high] = corners_of_edge(e);
+      return static_cast<int>(3 * volume.index(voxel.i + (low & 1), voxel.j + (low >> 1 & 1),
+                                               voxel.k + (low >> 2))) +
+             e / 4;
+    };
+    const Index3 voxels = volume.voxels();
+    std::vector<std::pair<int, int>> on_box, pieces;
+    std::set<int> crossings;
+    for (int k = 0; k < voxels.k && resolved; ++k) {
+      for (int j = 0; j < voxels.j && resolved; ++j) {
+        for (int i = 0; i < voxels.i && resolved; ++i) {
+          const Index3 voxel{i, j, k};
+          Corners c = volume.corners(voxel);
+          for (double& v : c) v -= kappa;
+          if (mask_of(c) == 0 || mask_of(c) == 255) continue;
+          const VoxelTruth truth = VoxelOracle::solve(c);
+          resolved = resolved && truth.resolved;
+          if (!resolved) break;
+          for (const VoxelPiece& piece : truth.pieces) {
+            const int first = element(voxel, std::countr_zero(static_cast<unsigned>(piece.edges)));
+            for (int e = 0; e < 12; ++e) {
+              if ((piece.edges >> e & 1) == 0) continue;
+              surface.unite(first, element(voxel, e));
+              crossings.insert(element(voxel, e));
+            }
+            pieces.push_back({first, piece.euler});
+          }
+          for (int f = 0; f < 6; ++f) {
+            const int axis = f / 2;
+            const bool box = voxel[axis] == ((f & 1) != 0 ? voxels[axis] - 1 : 0);
+            for (int e = 0; e < 12; ++e) {
+              const int mate = truth.mate[f][e];
+              if (mate < 0) continue;
+              const int a = element(voxel, e), b = element(voxel, mate);
+              if (a > b) continue;
+              arcs[{a, b}] += box ? 2 : 1;
+              if (box) on_box.push_back({a, b});
+            }
+          }
+        }
+      }
+    }
+    const ContourMesh mesh = build_contour(volume, kappa);
+    CHECK(check_contour(mesh, volume, kappa) == "");
+    if (!resolved) {
+      ++skipped;
+      continue;
+    }
+    for (const int e : crossings) ++euler[surface.root(e)];
+    for (const auto& [arc, sides] : arcs) {
+      CHECK(sides == 2);  // both voxels at a face see the same arcs
+      --euler[surface.root(arc.first)];
+    }
+    for (const auto& [first, piece_euler] : pieces) euler[surface.root(first)] += piece_euler;
+    std::map<int, std::set<int>> loops;
+    for (const auto& [a, b] : on_box) curves.unite(a, b);
+    for (const auto& [a, b] : on_box) loops[surface.root(a)].insert(curves.root(a));
+    std::multiset<std::pair<std::int64_t, std::uint64_t>> expected, found;
+    for (const auto& [root, e] : euler) expected.insert({e, loops[root].size()});
+    for (const auto& component : mesh.summary.components) {
+      found.insert({component.euler, component.boundary_loops});
+    }
+    CHECK((expected == found));
+    ++compared;
+    components += static_cast<int>(expected.size());
+  }
+  MESSAGE("volumes compared " << compared << " with " << components
+                              << " components, too close to a saddle for the oracle " << skipped);
+  CHECK(compared > kTrials * 95 / 100);
+}
