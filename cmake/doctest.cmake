@@ -4,9 +4,11 @@ add_library(doctest_header INTERFACE)
 if(DOCTEST_INCLUDE_DIR)
   target_include_directories(doctest_header SYSTEM INTERFACE ${DOCTEST_INCLUDE_DIR})
 else()
+  message(STATUS "doctest/doctest.h not found: fetching the upstream release")
   include(FetchContent)
   FetchContent_Declare(doctest_upstream
-    URL https://github.com/doctest/doctest/archive/refs/tags/v2.4.9.tar.gz)
+    URL https://github.com/doctest/doctest/archive/refs/tags/v2.4.11.tar.gz
+    URL_HASH SHA256=632ed2c05a7f53fa961381497bf8069093f0d6628c5f26286161fbd32a560186)
   FetchContent_Populate(doctest_upstream)
   target_include_directories(doctest_header SYSTEM INTERFACE ${doctest_upstream_SOURCE_DIR})
 endif()

@@ -1,0 +1,69 @@
+# The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX;
+# for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to).
+BUILD ?= build
+JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
+PREFIX ?= /usr/local
+OUT   ?= .
+ISO   ?=
+
+# GNU Make's own default (g++) counts as unset: CMake then looks for a compiler itself.
+CXX_FLAG := $(if $(filter default undefined,$(origin CXX)),,-DCMAKE_CXX_COMPILER=$(CXX))
+CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
+SANITIZE_BUILD = $(BUILD)-sanitize
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench -name '*.h' -o -name '*.cpp')
+
+.PHONY: all demo test bench sanitize tidy format format-check install doctest clean
+
+all:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS)
+
+# Meshes a built-in field, and VOLUME at ISO when given.
+demo: all
+	$(BUILD)/deliso builtin:fuel --iso 70.1 -o $(OUT)/demo.ply
+ifneq ($(VOLUME),)
+	$(BUILD)/deliso '$(VOLUME)' --iso $(ISO) -o $(OUT)/demo-volume.ply
+endif
+
+test: doctest
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
+	@cmake --build $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+bench:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS)
+	@for b in $(BUILD)/bench/*; do if [ -f $$b ] && [ -x $$b ]; then echo "== $$b"; $$b; fi; done
+
+# The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer.
+sanitize: doctest
+	@$(CONFIGURE) -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF
+	@cmake --build $(SANITIZE_BUILD) -j $(JOBS)
+	@ctest --test-dir $(SANITIZE_BUILD) --output-on-failure -j $(JOBS)
+
+tidy:
+	@$(CONFIGURE) -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=clang++ -DDELISO_BUILD_TESTS=OFF \
+	  -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@find src -name '*.cpp' | sort | xargs -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
+
+format:
+	clang-format -i $(OURS)
+format-check:
+	clang-format --dry-run --Werror $(OURS)
+
+install: all
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# The tests' one dependency. CMake fetches the upstream release where this finds no way.
+doctest:
+	@if ! echo '#include <doctest/doctest.h>' | $(CXX) -E -x c++ - >/dev/null 2>&1 \
+	    && [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	  echo 'installing doctest-dev'; \
+	  apt-get install -y -qq --no-install-recommends doctest-dev >/dev/null 2>&1 || \
+	    { apt-get update -qq && \
+	      apt-get install -y -qq --no-install-recommends doctest-dev >/dev/null; } || \
+	    echo 'doctest-dev could not be installed'; \
+	fi
+
+clean:
+	rm -rf $(BUILD) $(SANITIZE_BUILD) $(BUILD)-tidy

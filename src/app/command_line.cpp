@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "app/parse_value.h"
+#include "base/check.h"
+#include "volume/builtin_fields.h"
+
+namespace deliso {
+namespace {
+
+enum Commands : std::uint8_t { kMeshOnly = 1, kInfoOnly = 2, kBoth = 3 };
+
+struct OptionSpec {
+  std::string_view name;
+  char letter;                // of its short form; 0: none
+  std::string_view argument;  // what stands after it; empty for a switch
+  Commands commands;
+  std::string_view help;
+  void (*apply)(CommandLine& line, std::string_view name, std::string_view value);
+};
+
+// One of the names in a list of (name, value) pairs.
+template <class T, std::size_t N>
+T choose(std::string_view option, std::string_view text,
+         const std::array<std::pair<std::string_view, T>, N>& choices) {
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    names.append(names.empty() ? "" : ", ").append(name);
+  }
+  throw InputError(std::string(option) + " wants one of " + names + ", not '" + std::string(text) +
+                   "'");
+}
+
+// The volume layer's parsers name what is wrong, but no option.
+template <class Parse>
+auto in_option(std::string_view option, std::string_view text, Parse parse) {
+  try {
+    return parse(text);
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.what());
+  }
+}
+
+RawLayout& raw_layout(CommandLine& line) {
+  if (!line.read.raw) line.read.raw.emplace();
+  return *line.read.raw;
+}
+
+MeshFormat parse_format(std::string_view option, std::string_view text) {
+  using enum MeshFormat;
+  return choose(option, text,
+                std::to_array<std::pair<std::string_view, MeshFormat>>(
+                    {{"ply", ply}, {"off", off}, {"obj", obj}, {"stl", stl}, {"vtp", vtp}}));
+}
+
+double parse_lambda(std::string_view option, std::string_view text) {
+  const double lambda = parse_positive(option, text);
+  if (lambda < 1) {
+    throw InputError(std::string(option) + " must be at least 1, or refinement would not end");
+  }
+  return lambda;
+}
+
+void require(std::string_view option, std::string_view text, std::string_view only) {
+  if (text == only) return;
+  throw InputError(std::string(option) + " " + std::string(text) + " is not in this version: use " +
+                   std::string(only));
+}
+
+using Line = CommandLine;
+using Text = std::string_view;
+
+constexpr OptionSpec kOptions[] = {
+    {"--iso", 'k', "K", kBoth, "isovalue: the surface is where the volume's interpolant is K",
+     [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
+    {"--output", 'o', "FILE", kMeshOnly, "mesh to write: .ply .off .obj .stl .vtp, or -",
+     [](Line& l, Text, Text v) { l.output = v; }},
+    {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
+     [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
+    {"--ply-ascii", 0, "", kMeshOnly, "PLY as text instead of binary",
+     [](Line& l, Text, Text) { l.write.ascii = true; }},
+    {"--float", 0, "", kMeshOnly, "coordinates in single precision",
+     [](Line& l, Text, Text) { l.write.single_precision = true; }},
+    {"--double", 0, "", kMeshOnly, "coordinates in double precision (default)",
+     [](Line& l, Text, Text) { l.write.single_precision = false; }},
+    {"--json", 0, "FILE", kBoth, "all statistics as JSON, or - for standard output",
+     [](Line& l, Text, Text v) { l.json = v; }},
+    {"--quiet", 'q', "", kBoth, "no report and no progress bar",
+     [](Line& l, Text, Text) { l.quiet = true; }},
+    {"--check", 0, "", kMeshOnly, "exit 1 when the mesh breaks a rule or misses the topology",
+     [](Line& l, Text, Text) { l.check = true; }},
+    {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
+     [](Line& l, Text, Text) { l.allow_empty = true; }},
+    {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kBoth,
+     "only these samples; the ones at X1, Y1, Z1 are left out",
+     [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
+
+    {"--eps", 0, "X", kMeshOnly, "stage 1: largest h/r (default 0.2)",
+     [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
+    {"--eps1", 0, "X", kMeshOnly, "stage 2: largest h/r (default 0.1)",
+     [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); }},
+    {"--eps2", 0, "X", kMeshOnly, "stage 2: largest r over pole height (default 0.2)",
+     [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
+    {"--lambda", 0, "X", kMeshOnly, "largest r over shortest edge (default 2)",
+     [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
+    {"--rmin", 0, "X|Xvox", kMeshOnly,
+     "triangles of smaller r are left as they are: a share of the\n"
+     "box's smallest side (default 0.001), or voxels as in 0.5vox",
+     [](Line& l, Text o, Text v) { l.options.r_min = parse_relative_length(o, v); }},
+    {"--max-distance", 0, "D", kMeshOnly, "largest h, in world units (default: none)",
+     [](Line& l, Text o, Text v) { l.options.max_distance = parse_positive(o, v); }},
+    {"--max-radius", 0, "R", kMeshOnly, "largest r, in world units (default: none)",
+     [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
+    {"--min-component", 0, "N", kMeshOnly, "leave out components smaller than N voxels (default 0)",
+     [](Line& l, Text o, Text v) {
+       l.options.min_component = v == "0" ? 0 : parse_positive(o, v);
+     }},
+    {"--samples", 0, "N", kMeshOnly, "random points to begin with (default 50)",
+     [](Line& l, Text o, Text v) { l.options.samples = parse_count(o, v); }},
+    {"--seed", 0, "N", kMeshOnly, "of all random numbers (default 1)",
+     [](Line& l, Text o, Text v) { l.options.seed = parse_count(o, v); }},
+    {"--max-vertices", 0, "N", kMeshOnly, "stop with an error beyond N vertices",
+     [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
+    {"--keep-partial", 0, "", kMeshOnly, "with --max-vertices: write the valid mesh so far",
+     [](Line& l, Text, Text) { l.options.keep_partial = true; }},
+    {"--threads", 0, "N", kMeshOnly, "threads to use; the mesh does not depend on it (default 1)",
+     [](Line& l, Text o, Text v) {
+       l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
+     }},
+    {"--recover", 0, "paper", kMeshOnly, "how stage 1 decides that the topology is right",
+     [](Line&, Text o, Text v) { require(o, v, "paper"); }},
+    {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
+     [](Line& l, Text o, Text v) {
+       require(o, v, "recover");
+       l.options.stop_after_recover = true;
+     }},
+    {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
+     [](Line& l, Text, Text) { l.options.single_stage = true; }},
+    {"--solver", 0, "NAME", kMeshOnly, "roots of cubics: isolation (default) or schwarze",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, CubicMethod>;
+       l.options.cubic = choose(o, v,
+                                std::to_array<Choice>({{"isolation", CubicMethod::isolation},
+                                                       {"schwarze", CubicMethod::schwarze}}));
+     }},
+
+    {"--dims", 0, "NXxNYxNZ", kBoth, "size of a raw file, in samples",
+     [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
+    {"--type", 0, "TYPE", kBoth,
+     "its sample type: uint8 int8 uint16 int16 uint32 int32\nfloat32 float64",
+     [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
+    {"--spacing", 0, "SX,SY,SZ", kBoth, "its distance between samples (default 1,1,1)",
+     [](Line& l, Text o, Text v) { raw_layout(l).spacing = parse_spacing(o, v); }},
+    {"--endian", 0, "ORDER", kBoth, "its byte order: little (default) or big",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, std::endian>;
+       raw_layout(l).byte_order = choose(
+           o, v,
+           std::to_array<Choice>({{"little", std::endian::little}, {"big", std::endian::big}}));
+     }},
+    {"--skip", 0, "BYTES", kBoth, "its bytes before the first sample",
+     [](Line& l, Text o, Text v) { raw_layout(l).skip = parse_count(o, v); }},
+
+    {"--help", 'h', "", kBoth, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
+    {"--version", 0, "", kBoth, "the version",
+     [](Line& l, Text, Text) { l.command = Command::version; }},
+};
+constexpr std::size_t kOptionCount = std::size(kOptions);
+
+struct Group {
+  std::string_view title;
+  std::string_view first;  // name of its first option
+};
+constexpr Group kGroups[] = {{"Input and output", "--iso"},
+                             {"Meshing", "--eps"},
+                             {"Raw files", "--dims"},
+                             {"Help", "--help"}};
+
+constexpr std::array<std::pair<std::string_view, Command>, 2> kCommands{
+    {{"mesh", Command::mesh}, {"info", Command::info}}};
+
+// Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+const OptionSpec& find_option(std::string_view name) {
+  const OptionSpec* nearest = nullptr;
+  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const OptionSpec& spec : kOptions) {
+    if (spec.name == name) return spec;
+    if (name.size() == 2 && spec.letter == name[1]) return spec;
+    const std::size_t distance = edit_distance(name, spec.name);
+    if (name.size() > 2 && distance < least) {
+      least = distance;
+      nearest = &spec;
+    }
+  }
+  throw InputError(
+      "unknown option '" + std::string(name) + "'" +
+      (nearest ? "; did you mean " + std::string(nearest->name) + "?" : "; --help lists them"));
+}
+
+// The command that the first argument names; the default when it names none. check and render
+// belong to later versions: refused by name, lest they be taken for an input file.
+std::optional<Command> command_named(std::string_view word) {
+  for (const auto& [name, command] : kCommands) {
+    if (name == word) return command;
+  }
+  if (word == "check" || word == "render") {
+    throw InputError("unknown command '" + std::string(word) + "': this version has mesh and info");
+  }
+  return std::nullopt;
+}
+
+// What must hold between options, once all are read.
+void check_combination(CommandLine& line) {
+  if (line.input.empty()) throw InputError("no input given; --help shows how");
+  const BuiltinField* field = find_builtin_field(line.input);
+  if (field && !line.isovalue) line.isovalue = field->isovalue;
+  if (line.command == Command::mesh && !line.isovalue) {
+    throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
+  }
+  if (line.output == "-" && line.json == "-") {
+    throw InputError("the mesh and the JSON cannot both go to standard output");
+  }
+  if (line.options.keep_partial &&
+      line.options.max_vertices == std::numeric_limits<std::size_t>::max()) {
+    throw InputError("--keep-partial needs --max-vertices N");
+  }
+  if (!line.output.empty() && !line.write.format) {
+    line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
+  }
+  if (line.write.ascii && line.write.format != MeshFormat::ply) {
+    throw InputError("--ply-ascii needs PLY output");
+  }
+}
+
+}  // namespace
+
+CommandLine parse_command_line(std::span<const std::string_view> arguments) {
+  CommandLine line;
+  std::array<bool, kOptionCount> seen{};
+  Command command = Command::mesh;
+  std::size_t at = 0;
+  if (!arguments.empty()) {
+    if (const auto named = command_named(arguments[0])) {
+      command = *named;
+      at = 1;
+    }
+  }
+  const auto given = [&](std::string_view name) {
+    return seen[static_cast<std::size_t>(&find_option(name) - kOptions)];
+  };
+  bool options_end = false;
+  for (; at < arguments.size(); ++at) {
+    const std::string_view argument = arguments[at];
+    if (options_end || argument == "-" || !argument.starts_with('-')) {
+      if (!line.input.empty()) {
+        throw InputError("more than one input: '" + line.input + "' and '" + std::string(argument) +
+                         "'");
+      }
+      if (argument.empty()) throw InputError("the input's name is empty");
+      line.input = argument;
+      continue;
+    }
+    if (argument == "--") {
+      options_end = true;
+      continue;
+    }
+
+    // --name value, --name=value, or -letter value
+    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : argument.npos;
+    const OptionSpec& spec = find_option(argument.substr(0, equals));
+    if (std::exchange(seen[static_cast<std::size_t>(&spec - kOptions)], true)) {
+      throw InputError(std::string(spec.name) + " is given twice");
+    }
+    if ((spec.commands & (command == Command::info ? kInfoOnly : kMeshOnly)) == 0) {
+      throw InputError(std::string(spec.name) + " has no meaning for this command");
+    }
+    std::string_view value;
+    if (spec.argument.empty()) {
+      if (equals != argument.npos) throw InputError(std::string(spec.name) + " takes no value");
+    } else if (equals != argument.npos) {
+      value = argument.substr(equals + 1);
+    } else if (++at < arguments.size()) {
+      value = arguments[at];
+    } else {
+      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
+    }
+    if (!spec.argument.empty() && value.empty()) {
+      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
+    }
+    spec.apply(line, spec.name, value);
+    if (line.command == Command::help || line.command == Command::version) return line;
+  }
+  line.command = command;
+  if (given("--float") && given("--double")) {
+    throw InputError("--float and --double exclude each other");
+  }
+  if (line.read.raw && !(given("--dims") && given("--type"))) {
+    throw InputError("a raw file needs both --dims and --type");
+  }
+  check_combination(line);
+  return line;
+}
+
+std::string help_text() {
+  constexpr std::size_t kColumn = 30;
+  std::string text =
+      "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
+      "       deliso info INPUT [--iso K]\n"
+      "\n"
+      "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n"
+      "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .vtk .vti .raw, builtin:NAME[:SIZE], or - for\n"
+      "standard input. The report goes to standard output, or to standard error when the mesh or\n"
+      "the JSON goes there. Exit status: 0 fine, 1 --check found a fault, 2 bad usage or input.\n";
+  const Group* group = kGroups;
+  for (const OptionSpec& spec : kOptions) {
+    if (group != std::end(kGroups) && spec.name == group->first) {
+      text.append("\n").append(group->title).append(":\n");
+      ++group;
+    }
+    std::string left = "  ";
+    if (spec.letter != 0) left.append({'-', spec.letter, ',', ' '});
+    left += spec.name;
+    if (!spec.argument.empty()) left.append(" ").append(spec.argument);
+    text += left;
+    if (left.size() + 2 > kColumn) {
+      text.append("\n").append(kColumn, ' ');
+    } else {
+      text.append(kColumn - left.size(), ' ');
+    }
+    for (const char c : spec.help) {
+      text += c;
+      if (c == '\n') text.append(kColumn, ' ');
+    }
+    text += '\n';
+  }
+  text += "\nBuilt-in fields, each with an isovalue of its own as default:\n";
+  for (const BuiltinField& field : builtin_fields()) {
+    std::string left = "  builtin:" + std::string(field.name);
+    left.append(kColumn - std::min(left.size(), kColumn), ' ');
+    text.append(left).append(field.description).append("\n");
+  }
+  return text;
+}
+
+}  // namespace deliso

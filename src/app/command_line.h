@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What the program is asked to do, from its arguments. One table of options drives the parsing, the
+// suggestions for misspelt names and the help text.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "deliso/options.h"
+#include "mesh/write_mesh.h"
+#include "volume/read_volume.h"
+
+namespace deliso {
+
+enum class Command { mesh, info, help, version };
+
+struct CommandLine {
+  Command command = Command::mesh;
+  std::string input;   // a path, builtin:NAME[:SIZE], or - for standard input
+  std::string output;  // a path, - for standard output, or empty: no mesh is written
+  std::string json;    // a path, - or empty
+  std::optional<double> isovalue;
+  ReadOptions read;
+  MeshWriteOptions write;  // its format is set wherever there is an output
+  Options options;
+  bool allow_empty = false;
+  bool check = false;
+  bool quiet = false;
+};
+
+// `arguments` without the program's name. Throws InputError with one line on the first fault:
+// unknown option or command (with the nearest known one), missing or bad value, option given twice,
+// option of another command, missing input or isovalue, format that cannot be told.
+CommandLine parse_command_line(std::span<const std::string_view> arguments);
+
+// The whole text of --help, made from the table.
+std::string help_text();
+
+}  // namespace deliso

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "app/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <type_traits>
+
+namespace deliso {
+namespace {
+
+bool is_integer(SampleType type) {
+  return type != SampleType::f32 && type != SampleType::f64;
+}
+
+}  // namespace
+
+Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins) {
+  const double span = range.max - range.min;
+  if (is_integer(volume.type()) && span < bins) bins = static_cast<int>(span) + 1;
+  Histogram histogram;
+  histogram.range = range;
+  histogram.width = is_integer(volume.type()) ? (span + 1) / bins : span / bins;
+  histogram.counts.assign(static_cast<std::size_t>(bins), 0);
+
+  const double per_value = histogram.width > 0 ? 1 / histogram.width : 0;
+  const double last = bins - 1;
+  const std::size_t count = volume.sample_count();
+  volume.visit([&](const auto* samples) {
+    for (std::size_t n = 0; n < count; ++n) {
+      const double bin = (static_cast<double>(samples[n]) - range.min) * per_value;
+      // Neither a range too wide for a double nor a single value may lead out of the bins.
+      ++histogram.counts[bin > 0 ? static_cast<std::size_t>(std::min(bin, last)) : 0];
+    }
+  });
+  return histogram;
+}
+
+double otsu_threshold(const Histogram& histogram) {
+  const std::size_t bins = histogram.counts.size();
+  double total = 0, total_sum = 0;
+  for (std::size_t b = 0; b < bins; ++b) {
+    total += static_cast<double>(histogram.counts[b]);
+    total_sum += static_cast<double>(histogram.counts[b]) * static_cast<double>(b);
+  }
+  double best_variance = -1;
+  double below = 0, below_sum = 0;
+  // Equally good thresholds form a gap in the histogram: take its middle.
+  std::size_t first_best = bins / 2, last_best = bins / 2;
+  for (std::size_t b = 0; b + 1 < bins; ++b) {
+    below += static_cast<double>(histogram.counts[b]);
+    below_sum += static_cast<double>(histogram.counts[b]) * static_cast<double>(b);
+    const double above = total - below;
+    if (below == 0 || above == 0) continue;
+    const double gap = below_sum / below - (total_sum - below_sum) / above;
+    const double variance = below * above * gap * gap;
+    if (variance > best_variance) {
+      best_variance = variance;
+      first_best = b + 1;
+    }
+    if (variance >= best_variance) last_best = b + 1;
+  }
+  return histogram.range.min + histogram.width * static_cast<double>(first_best + last_best) / 2;
+}
+
+double suggested_isovalue(SampleType type, double threshold) {
+  return is_integer(type) ? std::ceil(threshold) - 0.4 : threshold;
+}
+
+std::string histogram_text(const Histogram& histogram, int rows) {
+  constexpr int kWidth = 40;
+  const std::size_t bins = histogram.counts.size();
+  const std::size_t per_row =
+      (bins + static_cast<std::size_t>(rows) - 1) / static_cast<std::size_t>(rows);
+  std::vector<std::uint64_t> sums;
+  for (std::size_t b = 0; b < bins; b += per_row) {
+    const auto first = histogram.counts.begin() + static_cast<std::ptrdiff_t>(b);
+    const auto last =
+        histogram.counts.begin() + static_cast<std::ptrdiff_t>(std::min(b + per_row, bins));
+    sums.push_back(std::accumulate(first, last, std::uint64_t{0}));
+  }
+  const auto total = static_cast<double>(std::accumulate(sums.begin(), sums.end(), 0.0));
+  const auto largest = static_cast<double>(*std::max_element(sums.begin(), sums.end()));
+
+  std::string text;
+  for (std::size_t row = 0; row < sums.size(); ++row) {
+    const auto count = static_cast<double>(sums[row]);
+    const double height = kWidth * std::log1p(count) / std::log1p(largest);
+    const std::string bar(static_cast<std::size_t>(std::ceil(height)), '#');
+    char line[128];
+    std::snprintf(line, sizeof line, "%12.6g |%-*s %8.4f %%\n",
+                  histogram.range.min + histogram.width * static_cast<double>(row * per_row),
+                  kWidth, bar.c_str(), 100 * count / total);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace deliso

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "app/input.h"
+
+#include <utility>
+
+#include "app/stopwatch.h"
+#include "app/text.h"
+#include "base/check.h"
+#include "volume/read_volume.h"
+
+namespace deliso {
+namespace {
+
+std::string_view name_of(AnatomicalSpace space) {
+  switch (space) {
+    case AnatomicalSpace::ras:
+      return "right-anterior-superior";
+    case AnatomicalSpace::lps:
+      return "left-posterior-superior";
+    case AnatomicalSpace::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string text_of(const Vec3& v) {
+  return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
+}
+
+void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
+  json.add(key, {v.x, v.y, v.z});
+}
+
+}  // namespace
+
+Input read_input(const CommandLine& line) {
+  const Stopwatch watch;
+  std::vector<std::string> notes;
+  Volume volume = read_volume(line.input, line.read, &notes);
+  ValueRange range;
+  try {
+    range = value_range(volume);
+  } catch (const InputError& error) {
+    throw InputError("'" + line.input + "': " + error.what());
+  }
+  return {line.input, std::move(volume), range, std::move(notes), watch.seconds()};
+}
+
+std::string input_text(const Input& input) {
+  const Volume& volume = input.volume;
+  const Index3 dims = volume.dims();
+  std::string text = "volume    " + input.name + "\n          " + std::to_string(dims.i) + " x " +
+                     std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
+                     std::string(name_of(volume.type())) + ", spacing " +
+                     text_of(volume.spacing()) + ", samples " + number_text(input.range.min) +
+                     " to " + number_text(input.range.max) + "\n";
+
+  const Orientation& at = volume.orientation();
+  const Orientation plain;
+  if (at.origin != plain.origin || at.axes != plain.axes || at.space != plain.space) {
+    text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
+            text_of(at.axes[1]) + " / " + text_of(at.axes[2]) +
+            (at.left_handed() ? ", left-handed" : "") + ", space " +
+            std::string(name_of(at.space)) + "\n";
+  }
+  for (const std::string& note : input.notes) text += "          " + note + "\n";
+  return text;
+}
+
+void add_input(JsonWriter& json, const Input& input) {
+  const Volume& volume = input.volume;
+  const Orientation& at = volume.orientation();
+  const Index3 dims = volume.dims();
+  json.open("volume");
+  json.add("input", input.name);
+  json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
+  json.add("type", name_of(volume.type()));
+  add_vector(json, "spacing", volume.spacing());
+  add_vector(json, "origin", at.origin);
+  add_vector(json, "axis_x", at.axes[0]);
+  add_vector(json, "axis_y", at.axes[1]);
+  add_vector(json, "axis_z", at.axes[2]);
+  json.add("space", name_of(at.space));
+  json.add("range", {input.range.min, input.range.max});
+  json.close();
+}
+
+}  // namespace deliso

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The volume a command works on, with what both commands report about it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/json.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct Input {
+  std::string name;  // as the user gave it
+  Volume volume;
+  ValueRange range;
+  std::vector<std::string> notes;  // of the reader, for people
+  double seconds = 0;              // reading, and looking at every sample once
+};
+
+// Reads the command's input. Throws InputError, also for the first NaN or infinite sample.
+Input read_input(const CommandLine& line);
+
+// Aligned lines for people, and an object "volume".
+std::string input_text(const Input& input);
+void add_input(JsonWriter& json, const Input& input);
+
+}  // namespace deliso

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "app/json.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/text.h"
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// Length of the UTF-8 sequence that s begins with; 0 where it is not one. (Overlong forms and
+// surrogates pass: a path that holds them still reads back as the bytes it was.)
+std::size_t utf8_length(std::string_view s) {
+  const auto lead = static_cast<unsigned char>(s[0]);
+  const std::size_t length = lead < 0x80              ? 1
+                             : (lead & 0xe0u) == 0xc0 ? 2
+                             : (lead & 0xf0u) == 0xe0 ? 3
+                             : (lead & 0xf8u) == 0xf0 ? 4
+                                                      : 0;
+  if (length > s.size()) return 0;
+  for (std::size_t n = 1; n < length; ++n) {
+    if ((static_cast<unsigned char>(s[n]) & 0xc0u) != 0x80) return 0;
+  }
+  return length;
+}
+
+}  // namespace
+
+JsonWriter::JsonWriter() : text_("{") {}
+
+void JsonWriter::open(std::string_view key) {
+  begin_member(key);
+  text_ += '{';
+  ++depth_;
+  first_ = true;
+}
+
+void JsonWriter::close() {
+  DELISO_CHECK(depth_ > 0);
+  --depth_;
+  if (!first_) {
+    text_ += '\n';
+    text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  }
+  text_ += '}';
+  first_ = false;
+}
+
+void JsonWriter::add(std::string_view key, std::string_view value) {
+  begin_member(key);
+  append_string(value);
+}
+
+void JsonWriter::add(std::string_view key, double value) {
+  begin_member(key);
+  append_number(value);
+}
+
+void JsonWriter::add(std::string_view key, std::initializer_list<double> values) {
+  begin_member(key);
+  text_ += '[';
+  bool first = true;
+  for (const double value : values) {
+    if (!first) text_ += ", ";
+    append_number(value);
+    first = false;
+  }
+  text_ += ']';
+}
+
+void JsonWriter::add(std::string_view key, bool value) {
+  begin_member(key);
+  text_ += value ? "true" : "false";
+}
+
+std::string JsonWriter::finish() {
+  DELISO_CHECK(depth_ == 1);
+  close();
+  return std::move(text_) + '\n';
+}
+
+void JsonWriter::begin_member(std::string_view key) {
+  text_ += first_ ? "\n" : ",\n";
+  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  append_string(key);
+  text_ += ": ";
+  first_ = false;
+}
+
+void JsonWriter::append_number(double value) {
+  text_ += std::isfinite(value) ? number_text(value) : "null";
+}
+
+void JsonWriter::append_string(std::string_view s) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  text_ += '"';
+  while (!s.empty()) {
+    const std::size_t length = utf8_length(s);
+    const auto c = static_cast<unsigned char>(s[0]);
+    if (length == 0) {
+      text_ += "\\ufffd";
+    } else if (c == '"' || c == '\\') {
+      text_ += '\\';
+      text_ += s[0];
+    } else if (c < 0x20) {
+      text_ += "\\u00";
+      text_ += kHex[c >> 4];
+      text_ += kHex[c & 15u];
+    } else {
+      text_ += s.substr(0, length);
+    }
+    s.remove_prefix(length == 0 ? 1 : length);
+  }
+  text_ += '"';
+}
+
+}  // namespace deliso

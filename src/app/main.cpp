@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The program: one line on standard error for every failure, and the exit status.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/output.h"
+#include "app/run.h"
+#include "base/check.h"
+#include "base/version.h"
+
+namespace {
+
+using namespace deliso;
+
+int run(std::span<const std::string_view> arguments) {
+  const CommandLine line = parse_command_line(arguments);
+  switch (line.command) {
+    case Command::help:
+      print(help_text());
+      return kFine;
+    case Command::version:
+      print("deliso " + std::string(kVersion) + "\n");
+      return kFine;
+    case Command::info:
+      return run_info(line);
+    case Command::mesh:
+      break;
+  }
+  return run_mesh(line);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string_view> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  try {
+    return run(arguments);
+  } catch (const std::bad_alloc&) {
+    std::fputs("deliso: out of memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "deliso: %s\n", error.what());
+  }
+  return kBadUsage;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Everything one run of the mesh command found out, and its two forms: text for people, JSON for
+// programs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "app/command_line.h"
+#include "app/input.h"
+#include "app/topology.h"
+#include "deliso/report.h"
+#include "mesh/quality.h"
+
+namespace deliso {
+
+struct MeshRun {
+  MeshRun(const CommandLine& command_line, const Input& volume_input)
+      : line(command_line), input(volume_input) {}
+
+  const CommandLine& line;
+  const Input& input;
+
+  Report report;
+  std::size_t vertices = 0, triangles = 0;
+  Topology mesh, exact;
+  std::string fault;  // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
+  MeshQuality quality;
+
+  double seconds_check = 0, seconds_write = 0, seconds_total = 0;
+  std::uint64_t peak_bytes = 0;  // of the process
+
+  bool sound() const { return fault.empty() && mesh == exact; }
+};
+
+std::string report_text(const MeshRun& run);
+std::string report_json(const MeshRun& run);
+
+}  // namespace deliso

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Option values from their text. All of it must be used: "1e" and "12abc" are no numbers. Each
+// throws InputError with one line that names the option and the text.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "base/vec3.h"
+#include "deliso/options.h"
+
+namespace deliso {
+
+double parse_number(std::string_view option, std::string_view text);  // finite
+double parse_positive(std::string_view option, std::string_view text);
+std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least = 0);
+RelativeLength parse_relative_length(std::string_view option, std::string_view text);  // 0.5vox
+Vec3 parse_spacing(std::string_view option, std::string_view text);                    // 1,1,2.5
+
+}  // namespace deliso

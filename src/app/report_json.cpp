@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "app/json.h"
+#include "app/mesh_run.h"
+#include "app/text.h"
+#include "base/version.h"
+
+namespace deliso {
+namespace {
+
+void add_searches(JsonWriter& json, std::string_view key, const SearchCounters& counters) {
+  json.open(key);
+  json.add("searches", counters.searches);
+  json.add("searches_with_hit", counters.searches_with_hit);
+  json.add("computations", counters.computations);
+  json.add("computations_with_hit", counters.computations_with_hit);
+  json.close();
+}
+
+void add_options(JsonWriter& json, const Options& options) {
+  json.open("options");
+  json.add("eps", options.epsilon);
+  json.add("eps1", options.epsilon1);
+  json.add("eps2", options.epsilon2);
+  json.add("lambda", options.lambda);
+  json.add("rmin", options.r_min.value);
+  json.add("rmin_in_voxels", options.r_min.in_voxels);
+  json.add("max_distance", options.max_distance);
+  json.add("max_radius", options.max_radius);
+  json.add("seed", options.seed);
+  json.add("samples", options.samples);
+  json.add("min_component", options.min_component);
+  json.add("solver", options.cubic == CubicMethod::schwarze ? "schwarze" : "isolation");
+  json.add("threads", options.threads);
+  json.add("single_stage", options.single_stage);
+  json.add("stop_after_recover", options.stop_after_recover);
+  json.close();
+}
+
+void add_quality(JsonWriter& json, const MeshQuality& quality) {
+  json.open("quality");
+  json.add("min_angle_degrees", quality.min_angle);
+  json.add("max_angle_degrees", quality.max_angle);
+  json.open("triangles_by_min_angle_degrees");
+  for (std::size_t bin = 0; bin < MeshQuality::kAngleBins; ++bin) {
+    json.add(std::to_string(5 * bin) + "-" + std::to_string(5 * bin + 5),
+             quality.angle_histogram[bin]);
+  }
+  json.close();
+  json.add("max_r_over_l", quality.max_r_over_l);
+  json.open("r_over_l_quantiles");
+  for (std::size_t n = 0; n < MeshQuality::kQuantiles.size(); ++n) {
+    json.add(number_text(MeshQuality::kQuantiles[n]), quality.r_over_l_quantiles[n]);
+  }
+  json.close();
+  json.add("max_r_over_l_above_r_min", quality.max_r_over_l_above_r_min);
+  json.add("over_lambda", quality.over_lambda);
+  json.add("degenerate_triangles", quality.degenerate_faces);
+  json.add("max_radius", quality.max_radius);
+  json.add("area", quality.area);
+  json.add("min_edge", quality.min_edge);
+  json.add("mean_edge", quality.mean_edge);
+  json.add("max_edge", quality.max_edge);
+  json.close();
+}
+
+}  // namespace
+
+std::string report_json(const MeshRun& run) {
+  const Report& report = run.report;
+  JsonWriter json;
+  json.add("version", kVersion);
+  add_input(json, run.input);
+  json.add("isovalue", *run.line.isovalue);
+  json.add("isovalue_effective", report.kappa_effective);
+  json.add("r_min", report.r_min);
+  add_options(json, run.line.options);
+
+  json.open("seconds");
+  json.add("read", run.input.seconds);
+  json.add("tree", report.seconds_tree);
+  json.add("contour", report.seconds_contour);
+  json.add("init", report.seconds_init);
+  json.add("recover", report.seconds_recover);
+  json.add("poles", report.seconds_poles);
+  json.add("refine", report.seconds_refine);
+  json.add("meshing", report.seconds_total);
+  json.add("check", run.seconds_check);
+  json.add("write", run.seconds_write);
+  json.add("total", run.seconds_total);
+  json.close();
+  json.open("points");
+  json.add("initial", report.points_initial);
+  json.add("recovered", report.points_recovered);
+  json.add("refined", report.points_refined);
+  json.close();
+  add_searches(json, "searches_recover", report.searches_recover);
+  add_searches(json, "searches_refine", report.searches_refine);
+  json.open("counters");
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    json.add(name_of(static_cast<Counter>(n)), report.counters[n]);
+  }
+  json.close();
+
+  json.open("mesh");
+  json.add("output", run.line.output);
+  json.add("vertices", run.vertices);
+  json.add("triangles", run.triangles);
+  json.add("stopped_at_max_vertices", report.stopped_at_max_vertices);
+  json.add("fault", run.fault);
+  add_topology(json, "topology", run.mesh);
+  add_topology(json, "exact_topology", run.exact);
+  json.add("topology_exact", run.mesh == run.exact);
+  add_quality(json, run.quality);
+  json.close();
+  json.add("peak_memory_bytes", run.peak_bytes);
+  return json.finish();
+}
+
+}  // namespace deliso

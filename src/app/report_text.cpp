@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+#include "app/mesh_run.h"
+#include "app/text.h"
+
+namespace deliso {
+namespace {
+
+[[gnu::format(printf, 2, 3)]] void append(std::string& text, const char* format, ...) {
+  char line[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  text += line;
+}
+
+// A share that may have nothing to be shared by.
+std::string ratio(double a, double b, int digits) {
+  if (b == 0) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, a / b);
+  return text;
+}
+
+void append_step(std::string& text, const char* name, double seconds) {
+  if (seconds > 0) append(text, "  %-14s %9.3f\n", name, seconds);
+}
+
+void append_stage(std::string& text, const char* name, double seconds, std::uint64_t points,
+                  const SearchCounters& searches) {
+  const auto inserted = static_cast<double>(points);
+  const auto asked = static_cast<double>(searches.searches);
+  append(text, "  %-14s %9.3f %11s %10s %10s %7s %7s\n", name, seconds, grouped(points).c_str(),
+         ratio(1e6 * seconds, inserted, 2).c_str(), ratio(asked, inserted, 1).c_str(),
+         ratio(static_cast<double>(searches.computations), asked, 2).c_str(),
+         ratio(static_cast<double>(searches.computations_with_hit),
+               static_cast<double>(searches.searches_with_hit), 2)
+             .c_str());
+}
+
+std::uint64_t points_of_recover(const Report& report) {
+  return report.points_recovered - std::min(report.points_recovered, report.points_initial);
+}
+
+void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min) {
+  append(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
+         quality.max_angle);
+  append(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n", quality.max_r_over_l,
+         number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
+  append(text, "          %s above r_min with r/l > %s\n",
+         counted(quality.over_lambda, "triangle", "triangles").c_str(),
+         number_text(lambda).c_str());
+  if (quality.degenerate_faces > 0) {
+    append(text, "          %s without area\n",
+           counted(quality.degenerate_faces, "triangle", "triangles").c_str());
+  }
+}
+
+}  // namespace
+
+std::string report_text(const MeshRun& run) {
+  const Report& report = run.report;
+  std::string text = input_text(run.input);
+  text += "isovalue  " + number_text(*run.line.isovalue);
+  if (report.kappa_effective != *run.line.isovalue) {
+    text += ", lowered to " + number_text(report.kappa_effective) + " as samples equal it";
+  }
+
+  text += "\n\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
+  append_step(text, "read", run.input.seconds);
+  append_step(text, "kd-tree", report.seconds_tree);
+  append_step(text, "exact contour", report.seconds_contour);
+  append(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
+         grouped(report.points_initial).c_str());
+  append_stage(text, "recover", report.seconds_recover, points_of_recover(report),
+               report.searches_recover);
+  append_step(text, "poles", report.seconds_poles);
+  append_stage(text, "refine", report.seconds_refine, report.points_refined,
+               report.searches_refine);
+  append_step(text, "check", run.seconds_check);
+  append_step(text, "write", run.seconds_write);
+  append(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
+
+  text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
+          counted(run.triangles, "triangle", "triangles");
+  if (!run.line.output.empty()) text += " -> " + run.line.output;
+  if (report.stopped_at_max_vertices) text += " (stopped at --max-vertices)";
+  text += "\n          " + topology_text(run.mesh) + "\n";
+  text += "exact     " +
+          (run.mesh == run.exact ? std::string("the same") : topology_text(run.exact)) + "\n";
+  if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
+  if (run.triangles > 0) append_quality(text, run.quality, run.line.options.lambda, report.r_min);
+
+  const std::size_t before = text.size();
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    if (report.counters[n] == 0) continue;
+    append(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
+           std::string(name_of(static_cast<Counter>(n))).c_str(),
+           grouped(report.counters[n]).c_str());
+  }
+  if (text.size() == before) text += "counters  nothing refused or unresolved\n";
+  append(text, "memory    %.1f MiB at most\n", static_cast<double>(run.peak_bytes) / 0x1p20);
+  return text;
+}
+
+}  // namespace deliso

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The commands. Each reads, calls the library, writes, and gives the exit status; faults are
+// thrown.
+#pragma once
+
+#include "app/command_line.h"
+
+namespace deliso {
+
+inline constexpr int kFine = 0;
+inline constexpr int kFaultFound = 1;
+inline constexpr int kBadUsage = 2;
+
+int run_mesh(const CommandLine& line);
+int run_info(const CommandLine& line);
+
+}  // namespace deliso

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The mesh command: volume and isovalue in, mesh and report out.
+#include <sys/resource.h>
+
+#include <cstdio>
+
+#include "app/mesh_run.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/run.h"
+#include "app/stopwatch.h"
+#include "app/text.h"
+#include "base/check.h"
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "mesh/check_mesh.h"
+#include "mesh/quality.h"
+#include "mesh/write_mesh.h"
+
+namespace deliso {
+namespace {
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+// Throws InputError where no sample can be on one of the two sides.
+void require_isovalue_in_range(double isovalue, const ValueRange& range) {
+  if (range.min < isovalue && isovalue <= range.max) return;
+  throw InputError("no surface at isovalue " + number_text(isovalue) + ": the samples are " +
+                   number_text(range.min) + " to " + number_text(range.max) +
+                   " (--allow-empty accepts that)");
+}
+
+// Counts, checks and measures the mesh, and sets the exact contour beside it.
+void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
+  const Stopwatch watch;
+  run.vertices = mesh.points.size();
+  run.triangles = mesh.faces.size();
+  run.fault = check_mesh(mesh);
+  if (run.fault.empty()) run.fault = check_boundary_on_box(mesh, volume.box());
+  run.mesh = topology_of(mesh_topology(mesh));
+  run.exact = topology_of(summarize_contour(volume, run.report.kappa_effective));
+  run.quality = measure_quality(mesh, run.line.options.lambda, run.report.r_min);
+  run.seconds_check = watch.seconds();
+}
+
+void write_results(const TriMesh& mesh, const Orientation& orientation, MeshRun& run) {
+  const CommandLine& line = run.line;
+  const DeferSignals defer;
+  const Stopwatch watch;
+  if (!line.output.empty()) {
+    MeshWriteOptions options = line.write;
+    options.frame = {orientation.origin, orientation.axes};
+    write_mesh(mesh, line.output, options);
+  }
+  run.seconds_write = watch.seconds();
+}
+
+}  // namespace
+
+int run_mesh(const CommandLine& line) {
+  const Stopwatch total;
+  if (!line.output.empty()) require_writable(line.output);
+  if (!line.json.empty()) require_writable(line.json);
+
+  const Input input = read_input(line);
+  const Volume& volume = input.volume;
+  const double isovalue = *line.isovalue;
+  if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
+  MeshRun run(line, input);
+
+  TriMesh mesh;
+  {
+    Progress progress(!line.quiet);
+    Options options = line.options;
+    options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
+    mesh = mesh_isosurface(volume, isovalue, options, run.report);
+  }
+  if (mesh.faces.empty() && !line.allow_empty) {
+    throw InputError("the mesh at isovalue " + number_text(isovalue) +
+                     " is empty (--allow-empty accepts that)");
+  }
+
+  const bool examined = !line.quiet || line.check || !line.json.empty();
+  if (examined) examine(volume, mesh, run);
+  write_results(mesh, volume.orientation(), run);
+  run.peak_bytes = peak_memory_bytes();
+  run.seconds_total = total.seconds();
+
+  if (!line.json.empty()) write_text(line.json, report_json(run));
+  if (!line.quiet) {
+    const bool stdout_taken = line.output == "-" || line.json == "-";
+    const std::string text = report_text(run);
+    if (stdout_taken) {
+      std::fputs(text.c_str(), stderr);
+    } else {
+      print(text);
+    }
+  }
+  return line.check && !run.sound() ? kFaultFound : kFine;
+}
+
+}  // namespace deliso

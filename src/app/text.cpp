@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "app/text.h"
+
+#include <charconv>
+
+namespace deliso {
+
+std::string number_text(double value) {
+  char digits[32];  // the longest double, -2.2250738585072014e-308, takes 24
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  return std::string(digits, end);
+}
+
+std::string grouped(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
+  return digits;
+}
+
+std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {
+  return grouped(n) + " " + std::string(n == 1 ? one : many);
+}
+
+}  // namespace deliso

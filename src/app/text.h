@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Numbers as the program prints them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace deliso {
+
+std::string number_text(double value);  // the shortest digits that read back as the same number
+std::string grouped(std::uint64_t n);   // 1234567 -> "1,234,567"
+std::string counted(std::uint64_t n, std::string_view one, std::string_view many);  // "1 vertex"
+
+}  // namespace deliso

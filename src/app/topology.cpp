@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "app/topology.h"
+
+#include "app/text.h"
+
+namespace deliso {
+
+Topology topology_of(const ContourSummary& summary) {
+  return {summary.components.size(), summary.euler(), summary.boundary_loops()};
+}
+
+Topology topology_of(const MeshTopology& mesh) {
+  return {mesh.components.size(), mesh.euler(), mesh.boundary_loops};
+}
+
+std::string topology_text(const Topology& topology) {
+  return counted(topology.components, "component", "components") + ", Euler number " +
+         std::to_string(topology.euler) + ", " +
+         counted(topology.boundary_loops, "boundary loop", "boundary loops");
+}
+
+void add_topology(JsonWriter& json, std::string_view key, const Topology& topology) {
+  json.open(key);
+  json.add("components", topology.components);
+  json.add("euler", topology.euler);
+  json.add("boundary_loops", topology.boundary_loops);
+  json.close();
+}
+
+}  // namespace deliso

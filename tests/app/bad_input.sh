@@ -1,0 +1,157 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Bad input and failing output: one line on standard error, exit 2, nothing on standard output,
+# nothing half-written. Usage: bad_input.sh PROGRAM
+set -eu
+deliso=$1
+work=$(mktemp -d)
+trap 'umount "$work/disk" 2>/dev/null || :; rm -rf "$work"' EXIT
+cd "$work"
+mkdir out
+
+cases=0
+faults=0
+fault() {
+  echo "FAULT: $*"
+  sed 's/^/  stderr: /' err
+  faults=$((faults + 1))
+}
+
+# refuses PATTERN ARGUMENT...: the program must refuse, with a message that PATTERN matches.
+refuses() {
+  pattern=$1
+  shift
+  : >stdout
+  refuses_to stdout "$pattern" "$@"
+  [ ! -s stdout ] || fault "standard output for: $*"
+}
+
+# The same with standard output going to a file of one's choice.
+refuses_to() {
+  to=$1
+  pattern=$2
+  shift 2
+  cases=$((cases + 1))
+  status=0
+  "$deliso" "$@" >"$to" 2>err </dev/null || status=$?
+  [ "$status" -eq 2 ] || fault "exit $status for: $*"
+  [ "$(wc -l <err)" -eq 1 ] || fault "not one line for: $*"
+  grep -q '^deliso: ' err || fault "no 'deliso: ' for: $*"
+  grep -q -e "$pattern" err || fault "no '$pattern' for: $*"
+  [ -z "$(ls -A out)" ] || fault "left in the output folder: $(ls -A out) for: $*"
+}
+
+# header NAME TYPE DATA: an .nhdr of 4 x 4 x 4 samples.
+header() {
+  printf 'NRRD0004\ntype: %s\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\n' "$2" >"$1"
+  printf 'endian: little\nencoding: raw\ndata file: %s\n' "$3" >>"$1"
+}
+
+o=out/mesh.ply
+
+# Volumes that cannot be read.
+refuses 'nowhere.nhdr' nowhere.nhdr --iso 1 -o $o
+head -c 64 /dev/zero >whole.raw
+head -c 63 /dev/zero >short.raw
+header short.nhdr uint8 short.raw
+refuses 'short' short.nhdr --iso 0.5 -o $o
+header absent.nhdr uint8 absent.raw
+refuses 'absent.raw' absent.nhdr --iso 0.5 -o $o
+header type.nhdr quaternion whole.raw
+refuses 'quaternion' type.nhdr --iso 0.5 -o $o
+refuses 'whole.raw' whole.raw --dims 4x4x5 --type uint8 --iso 0.5 -o $o
+refuses 'whole.raw' whole.raw --dims 4x4x3 --type uint8 --iso 0.5 -o $o
+: >empty.nrrd
+refuses 'empty.nrrd' empty.nrrd --iso 0.5 -o $o
+printf 'NRRD0004\ntype: uint8\nsizes: 4 4' >cut.nrrd
+refuses 'cut.nrrd' cut.nrrd --iso 0.5 -o $o
+refuses 'out' out --iso 0.5 -o $o
+refuses 'standard input' - --iso 0.5 -o $o
+refuses 'nothing' builtin:nothing --iso 0.5 -o $o
+
+# A NaN and an infinite sample, named by their index: sample (1,0,2) is number 33.
+for bits in '\000\000\300\177' '\000\000\200\177'; do
+  head -c 256 /dev/zero >float.raw
+  # shellcheck disable=SC2059
+  printf "$bits" | dd of=float.raw bs=4 seek=33 conv=notrunc 2>/dev/null
+  header float.nhdr float float.raw
+  refuses 'float.nhdr.*sample at (1, 0, 2)' float.nhdr --iso 0.5 -o $o
+  refuses 'float.nhdr.*sample at (1, 0, 2)' info float.nhdr
+done
+
+# Isovalues without a surface.
+refuses '0 to 0' whole.raw --dims 4x4x4 --type uint8 --iso 0.5 -o $o
+refuses 'no surface at isovalue 1000' builtin:sphere --iso 1000 -o $o
+refuses 'no surface at isovalue -1000' builtin:sphere --iso -1000 -o $o
+
+# Command lines.
+refuses 'no input'
+refuses 'no isovalue' whole.raw -o $o
+refuses 'did you mean --iso' builtin:sphere --ios 0.5 -o $o
+refuses 'did you mean --lambda' builtin:sphere --lamda 2 -o $o
+refuses 'unknown option' builtin:sphere --zzzzzzzzzzzz -o $o
+refuses 'unknown option' builtin:sphere -x -o $o
+refuses "unknown command 'render'" render mesh.ply
+refuses 'needs a value' builtin:sphere -o $o --iso
+refuses 'needs a value' builtin:sphere -o $o --iso=
+refuses 'takes no value' builtin:sphere -o $o --quiet=yes
+refuses 'given twice' builtin:sphere --iso 0.5 --iso 0.6 -o $o
+refuses 'more than one input' builtin:sphere builtin:torus -o $o
+for number in 1e 12abc nan inf -inf 1e999 '' ' 1' 0x10 1,5; do
+  refuses 'iso' builtin:sphere --iso "$number" -o $o
+done
+refuses 'lambda' builtin:sphere --lambda 0.9 -o $o
+refuses 'rmin' builtin:sphere --rmin 0vox -o $o
+refuses 'rmin' builtin:sphere --rmin 1voxel -o $o
+refuses 'eps1' builtin:sphere --eps1 -1 -o $o
+refuses 'seed' builtin:sphere --seed -1 -o $o
+refuses 'threads' builtin:sphere --threads 0 -o $o
+refuses 'certified' builtin:sphere --recover certified -o $o
+refuses 'stop-after' builtin:sphere --stop-after refine -o $o
+refuses 'solver' builtin:sphere --solver newton -o $o
+refuses 'roi' builtin:sphere --roi 0:4,0:4 -o $o
+refuses 'sphere' builtin:sphere --roi 0:1000000,0:4,0:4 -o $o
+refuses 'no meaning' info builtin:sphere --eps 1
+refuses 'both --dims and --type' whole.raw --dims 4x4x4 --iso 0.5 -o $o
+refuses 'type' whole.raw --dims 4x4x4 --type word --iso 0.5 -o $o
+refuses 'dims' whole.raw --dims 4x4 --type uint8 --iso 0.5 -o $o
+refuses 'format' builtin:sphere --format gif -o $o
+refuses 'out/mesh.xyz' builtin:sphere -o out/mesh.xyz
+refuses 'standard output' builtin:sphere -o - --json -
+refuses 'max-vertices' builtin:sphere --keep-partial -o $o
+refuses '10' builtin:fuel --max-vertices 10 -o $o
+
+# Output that cannot be written.
+refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply
+refuses 'no/such/a.json' builtin:sphere -o $o --json no/such/a.json
+mkdir folder.ply
+refuses 'folder.ply' builtin:sphere -o folder.ply
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked
+  chmod a-w locked
+  refuses 'locked/mesh.ply' builtin:sphere -o locked/mesh.ply
+fi
+if [ -c /dev/full ]; then
+  refuses '/dev/full' builtin:sphere -o /dev/full --format ply
+  refuses_to /dev/full 'standard output' --help
+  refuses_to /dev/full 'standard output' --version
+  refuses_to /dev/full 'standard output' info builtin:sphere
+  refuses_to /dev/full 'standard output' builtin:sphere
+  refuses_to /dev/full 'standard output' builtin:sphere -q -o -
+fi
+
+# A full disk. The old mesh must survive the attempt to replace it.
+mkdir disk
+if mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
+  refuses 'disk/mesh.ply' builtin:fuel -o disk/mesh.ply
+  [ -z "$(ls -A disk)" ] || fault "left on the full disk: $(ls -A disk)"
+  echo old >disk/mesh.ply
+  refuses 'disk/mesh.ply' builtin:fuel -o disk/mesh.ply
+  [ "$(cat disk/mesh.ply)" = old ] || fault "the old mesh is gone"
+  [ "$(ls -A disk)" = mesh.ply ] || fault "left on the full disk: $(ls -A disk)"
+else
+  echo 'no tmpfs can be mounted here: a full disk was only tried as /dev/full'
+fi
+
+echo "$cases cases, $faults faults"
+[ "$cases" -ge 60 ] && [ "$faults" -eq 0 ]

@@ -1,0 +1,90 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What the program gives when all is well: files, standard output, exit status, the same bytes every
+# time. Usage: results.sh PROGRAM
+set -eu
+deliso=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+checks=0
+faults=0
+# holds MESSAGE COMMAND...: the command must succeed.
+holds() {
+  message=$1
+  shift
+  checks=$((checks + 1))
+  if ! "$@"; then
+    echo "FAULT: $message"
+    faults=$((faults + 1))
+  fi
+}
+empty() {
+  for file in "$@"; do [ ! -s "$file" ] || return 1; done
+}
+# opens FILE TEXT: the file's first bytes.
+opens() {
+  [ "$(head -c "$(printf '%s' "$2" | wc -c)" "$1")" = "$2" ]
+}
+
+# Every format, by ending and on standard output, without a word on either stream when quiet.
+for format in ply off obj stl vtp; do
+  "$deliso" builtin:sphere -q -o mesh.$format >stdout 2>stderr
+  holds "-q is quiet with $format" empty stdout stderr
+  "$deliso" mesh builtin:sphere -o - --format $format >piped 2>stderr
+  holds "standard output gets the bytes of the $format file" cmp -s mesh.$format piped
+  holds "then the report is on standard error" [ -s stderr ]
+done
+holds "PLY" opens mesh.ply ply
+holds "OFF" opens mesh.off OFF
+"$deliso" builtin:sphere -q -o ascii.ply --ply-ascii
+holds "--ply-ascii" grep -q '^format ascii' ascii.ply
+"$deliso" builtin:sphere -q -o float.ply --float
+holds "--float" grep -a -q '^property float x' float.ply
+holds "double by default" grep -a -q '^property double x' mesh.ply
+
+# The same bytes on a second run, whatever the report, the threads or the terminal.
+for field in sphere torus fuel; do
+  "$deliso" builtin:$field -q -o first.ply
+  NO_COLOR=1 "$deliso" builtin:$field -o second.ply --threads 2 --json second.json >stdout
+  holds "two runs on $field give the same bytes" cmp -s first.ply second.ply
+done
+
+# The report is on standard output, with the counts that the file has.
+"$deliso" builtin:fuel -o mesh.ply >report 2>stderr
+holds "nothing on a standard error that is no terminal" empty stderr
+vertices=$(sed -n 's/^element vertex //p;/^end_header/q' mesh.ply)
+tr -d , <report >digits
+holds "the report has the file's vertices" grep -q "^mesh *$vertices vertices " digits
+"$deliso" builtin:fuel -o mesh.ply --json - >json 2>stderr
+holds "the JSON has the file's vertices" grep -q "\"vertices\": $vertices,\$" json
+
+# --check, --allow-empty, --help, --version, info.
+holds "--check finds no fault with the torus" "$deliso" builtin:torus -q --check
+"$deliso" builtin:sphere --iso 1000 --allow-empty -q -o empty.off
+holds "an empty mesh on request" grep -q -x '0 0 0' empty.off
+"$deliso" --help >help
+holds "--help" grep -q -e '--lambda X' help
+"$deliso" --version >version
+holds "--version" grep -q -x 'deliso [0-9.]*' version
+"$deliso" info builtin:torus >facts
+holds "info" grep -q '1 component, Euler number 0, 0 boundary loops' facts
+
+# A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
+# The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.
+head -c 64 /dev/zero >block.raw
+for row in 21 25 37 41; do
+  printf '\377\377' | dd of=block.raw bs=1 seek=$row conv=notrunc 2>/dev/null
+done
+set -- --dims 4x4x4 --type uint8 --iso 100 -q
+"$deliso" block.raw "$@" -o file.ply
+"$deliso" - "$@" -o stdin.ply <block.raw
+"$deliso" block.raw "$@" -o roi.ply --roi 0:4,0:4,0:4
+holds "standard input gives the file's mesh" cmp -s file.ply stdin.ply
+holds "the whole as --roi gives the file's mesh" cmp -s file.ply roi.ply
+
+ls -A >names
+holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
+echo "$checks checks, $faults faults"
+[ "$checks" -ge 30 ] && [ "$faults" -eq 0 ]

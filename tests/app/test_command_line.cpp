@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.h"
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.h"
+#include "base/random.h"
+
+using namespace deliso;
+
+namespace {
+
+CommandLine parse(std::initializer_list<std::string_view> arguments) {
+  return parse_command_line(std::vector<std::string_view>(arguments));
+}
+
+// The message with which these arguments are refused; empty when they are not.
+std::string refusal(std::vector<std::string_view> arguments) {
+  try {
+    parse_command_line(arguments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct HelpEntry {
+  std::string name, argument;
+};
+
+// The options as --help lists them.
+std::vector<HelpEntry> options_in_help() {
+  std::vector<HelpEntry> entries;
+  const std::string help = help_text();
+  for (std::size_t at = 0; (at = help.find("\n  ", at)) != std::string::npos; ++at) {
+    std::string line = help.substr(at + 3, help.find('\n', at + 3) - at - 3);
+    if (line.size() > 4 && line[0] == '-' && line[2] == ',') line.erase(0, 4);
+    if (!line.starts_with("--")) continue;
+    const std::size_t name_end = line.find(' ');
+    const bool has_argument = name_end != std::string::npos && line.at(name_end + 1) != ' ';
+    const std::string rest = has_argument ? line.substr(name_end + 1) : "";
+    entries.push_back({line.substr(0, name_end), rest.substr(0, rest.find(' '))});
+  }
+  return entries;
+}
+
+}  // namespace
+
+TEST_CASE("the defaults are the paper's") {
+  const CommandLine line = parse({"engine.nhdr", "--iso", "40.1"});
+  CHECK(line.command == Command::mesh);
+  CHECK(line.input == "engine.nhdr");
+  CHECK(line.isovalue == 40.1);
+  CHECK(line.output.empty());
+  CHECK(line.options.epsilon == 0.2);
+  CHECK(line.options.epsilon1 == 0.1);
+  CHECK(line.options.epsilon2 == 0.2);
+  CHECK(line.options.lambda == 2.0);
+  CHECK(line.options.r_min.value == 0.001);
+  CHECK_FALSE(line.options.r_min.in_voxels);
+  CHECK(line.options.seed == 1);
+  CHECK_FALSE(line.read.raw.has_value());
+}
+
+TEST_CASE("every option reaches its field") {
+  const CommandLine line = parse({"mesh",
+                                  "--iso=-1.5e2",
+                                  "--eps",
+                                  "0.3",
+                                  "--eps1",
+                                  "0.4",
+                                  "--eps2",
+                                  "0.5",
+                                  "--lambda",
+                                  "1.5",
+                                  "--rmin",
+                                  "0.5vox",
+                                  "--max-distance",
+                                  "7",
+                                  "--max-radius",
+                                  "8",
+                                  "--seed",
+                                  "18446744073709551615",
+                                  "--samples",
+                                  "9",
+                                  "--min-component",
+                                  "2.5",
+                                  "--threads",
+                                  "3",
+                                  "--recover",
+                                  "paper",
+                                  "--stop-after",
+                                  "recover",
+                                  "--max-vertices",
+                                  "1000",
+                                  "--keep-partial",
+                                  "--roi",
+                                  "0:4,1:5,2:6",
+                                  "--single-stage",
+                                  "--solver",
+                                  "schwarze",
+                                  "--json",
+                                  "-",
+                                  "--quiet",
+                                  "--allow-empty",
+                                  "--check",
+                                  "--ply-ascii",
+                                  "--float",
+                                  "--dims",
+                                  "4x5x6",
+                                  "--type",
+                                  "uint16",
+                                  "--spacing",
+                                  "1,2,2.5",
+                                  "--endian",
+                                  "big",
+                                  "--skip",
+                                  "12",
+                                  "-o",
+                                  "a.ply",
+                                  "in.raw"});
+  CHECK(line.isovalue == -150);
+  const Options& options = line.options;
+  CHECK(options.epsilon == 0.3);
+  CHECK(options.epsilon1 == 0.4);
+  CHECK(options.epsilon2 == 0.5);
+  CHECK(options.lambda == 1.5);
+  CHECK(options.r_min.value == 0.5);
+  CHECK(options.r_min.in_voxels);
+  CHECK(options.max_distance == 7);
+  CHECK(options.max_radius == 8);
+  CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
+  CHECK(options.samples == 9);
+  CHECK(options.min_component == 2.5);
+  CHECK(options.threads == 3);
+  CHECK(options.stop_after_recover);
+  CHECK(options.max_vertices == 1000);
+  CHECK(options.keep_partial);
+  CHECK(options.single_stage);
+  CHECK(options.cubic == CubicMethod::schwarze);
+  CHECK(line.json == "-");
+  CHECK(line.quiet);
+  CHECK(line.allow_empty);
+  CHECK(line.check);
+  CHECK(line.write.ascii);
+  CHECK(line.write.single_precision);
+  CHECK(line.write.format == MeshFormat::ply);
+  REQUIRE(line.read.raw.has_value());
+  CHECK(line.read.raw->dims == Index3{4, 5, 6});
+  CHECK(line.read.raw->type == SampleType::u16);
+  CHECK(line.read.raw->spacing == Vec3{1, 2, 2.5});
+  CHECK(line.read.raw->byte_order == std::endian::big);
+  CHECK(line.read.raw->skip == 12);
+  REQUIRE(line.read.roi.has_value());
+  CHECK(line.read.roi->begin == Index3{0, 1, 2});
+  CHECK(line.read.roi->end == Index3{4, 5, 6});
+  CHECK(line.output == "a.ply");
+  CHECK(line.input == "in.raw");
+}
+
+TEST_CASE("every format by its name and by its ending") {
+  const std::pair<std::string, MeshFormat> formats[] = {{"ply", MeshFormat::ply},
+                                                        {"off", MeshFormat::off},
+                                                        {"obj", MeshFormat::obj},
+                                                        {"stl", MeshFormat::stl},
+                                                        {"vtp", MeshFormat::vtp}};
+  for (const auto& [name, format] : formats) {
+    CHECK(parse({"a", "--iso", "1", "-o", "m." + name}).write.format == format);
+    CHECK(parse({"a", "--iso", "1", "-o", "-", "--format", name}).write.format == format);
+    CHECK(parse({"a", "--iso", "1", "-o", "m.ply", "--format", name}).write.format == format);
+  }
+  CHECK(parse({"a", "--iso", "1", "-o", "-"}).write.format == MeshFormat::ply);
+}
+
+TEST_CASE("help and version win over everything after them, and need no input") {
+  CHECK(parse({"--help"}).command == Command::help);
+  CHECK(parse({"-h", "--nonsense"}).command == Command::help);
+  CHECK(parse({"info", "--help"}).command == Command::help);
+  CHECK(parse({"--version"}).command == Command::version);
+}
+
+TEST_CASE("info needs no isovalue; a built-in field brings its own") {
+  CHECK(parse({"info", "a.nrrd"}).command == Command::info);
+  CHECK_FALSE(parse({"info", "a.nrrd"}).isovalue.has_value());
+  CHECK(parse({"builtin:torus"}).isovalue.has_value());
+  CHECK(parse({"builtin:torus", "--iso", "0.125"}).isovalue == 0.125);
+}
+
+TEST_CASE("a name that begins with a dash can be given after --") {
+  CHECK(parse({"--iso", "1", "--", "-odd.nrrd"}).input == "-odd.nrrd");
+  CHECK(parse({"--iso", "1", "-"}).input == "-");
+}
+
+TEST_CASE("the table, the parser and the help text agree on every option") {
+  const std::vector<HelpEntry> entries = options_in_help();
+  REQUIRE(entries.size() >= 30);
+  for (const HelpEntry& entry : entries) {
+    CAPTURE(entry.name);
+    if (entry.name == "--help" || entry.name == "--version") continue;
+    if (entry.argument.empty()) {
+      const std::string with_value = entry.name + "=1";
+      CHECK(refusal({"x", with_value}).find("takes no value") != std::string::npos);
+      CHECK(refusal({"x", entry.name, entry.name}).find("given twice") != std::string::npos);
+    } else {
+      CHECK(refusal({"x", entry.name}).find("needs a value") != std::string::npos);
+      const std::string empty = entry.name + "=";
+      CHECK(refusal({"x", empty}).find("needs a value") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("every misspelling by one letter is refused and led back to the option") {
+  const std::vector<HelpEntry> entries = options_in_help();
+  for (const HelpEntry& entry : entries) {
+    for (std::size_t at = 2; at < entry.name.size(); ++at) {
+      std::string typed = entry.name;
+      typed[at] = '_';
+      CAPTURE(typed);
+      const std::string message = refusal({"x", typed});
+      CHECK(message.find("unknown option '" + typed + "'; did you mean --") == 0);
+    }
+  }
+  CHECK(refusal({"x", "--lamda"}).find("--lambda?") != std::string::npos);
+  CHECK(refusal({"x", "--thread"}).find("--threads?") != std::string::npos);
+  CHECK(refusal({"x", "-z"}).find("unknown option '-z'") == 0);
+}
+
+TEST_CASE("text that is no number of the right kind is refused, in one line that quotes it") {
+  const std::string_view never[] = {"",      "e",  "1e", "12abc", "nan", "inf", "-inf",
+                                    "1e999", " 1", "1 ", "0x10",  "1,5", "--",  "+-1"};
+  const std::string_view numbers[] = {"--iso",    "--eps",     "--eps1",          "--eps2",
+                                      "--lambda", "--rmin",    "--max-distance",  "--max-radius",
+                                      "--seed",   "--samples", "--min-component", "--max-vertices",
+                                      "--threads"};
+  for (const std::string_view option : numbers) {
+    for (const std::string_view text : never) {
+      const std::string message = refusal({"x", option, text});
+      CAPTURE(option);
+      CAPTURE(text);
+      CHECK(message.starts_with(option));
+      CHECK(message.find('\n') == std::string::npos);
+    }
+    if (option == "--iso") continue;
+    CHECK(refusal({"x", option, "-1"}).starts_with(option));
+  }
+  for (const std::string_view text : {"1.5", "1e3", "18446744073709551616"}) {
+    CHECK(refusal({"x", "--seed", text}).starts_with("--seed"));
+  }
+}
+
+TEST_CASE("options that do not go together") {
+  CHECK(refusal({}) != "");
+  CHECK(refusal({"--iso", "1"}) != "");
+  CHECK(refusal({"a.nrrd"}) != "");
+  CHECK(refusal({"a", "b", "--iso", "1"}) != "");
+  CHECK(refusal({"", "--iso", "1"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "-o", "-", "--json", "-"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "-o", "mesh.gif"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "-o", "mesh.off", "--ply-ascii"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "--keep-partial"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "--float", "--double"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "--dims", "2x2x2"}) != "");
+  CHECK(refusal({"a", "--iso", "1", "--type", "uint8"}) != "");
+  CHECK(refusal({"info", "a", "--lambda", "2"}) != "");
+  CHECK(refusal({"check", "a"}).find("unknown command 'check'") == 0);
+  CHECK(refusal({"render", "a"}).find("unknown command 'render'") == 0);
+  CHECK(refusal({"a", "--iso", "1", "--recover", "certified"}).find("use paper") !=
+        std::string::npos);
+}
+
+TEST_CASE("whatever the arguments, a command line or an InputError of one line") {
+  std::vector<std::string> words = {"mesh", "info", "a.nrrd", "builtin:torus", "-",     "--", "-o",
+                                    "-k",   "1",    "0.5vox", "2x2x2",         "m.ply", "",   "=",
+                                    "--=",  "-=",   "paper"};
+  for (const HelpEntry& entry : options_in_help()) {
+    words.push_back(entry.name);
+    words.push_back(entry.name + "=1");
+  }
+  int refused = 0, accepted = 0;
+  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    Random random(seed);
+    std::vector<std::string_view> arguments;
+    for (std::uint32_t n = random.below(6); n > 0; --n) {
+      arguments.push_back(words[random.below(static_cast<std::uint32_t>(words.size()))]);
+    }
+    CAPTURE(seed);
+    const std::string message = refusal(arguments);
+    CHECK(message.find('\n') == std::string::npos);
+    ++(message.empty() ? accepted : refused);
+  }
+  CHECK(refused > 1000);
+  CHECK(accepted > 100);
+}

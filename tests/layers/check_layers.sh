@@ -1,0 +1,42 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# A folder of src/ includes only itself and the folders named here for it. Usage: check_layers.sh SRC
+set -eu
+src=$1
+
+allowed() {
+  case $1 in
+    base) echo base ;;
+    roots | delaunay | mesh | volume) echo "base $1" ;;
+    kdtree | contour) echo "base volume $1" ;;
+    isosurface) echo "base roots volume kdtree isosurface" ;;
+    deliso) echo "base roots delaunay mesh volume kdtree contour isosurface deliso" ;;
+    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso app" ;;
+    *) return 1 ;;
+  esac
+}
+
+files=0
+faults=0
+for file in "$src"/*/*.h "$src"/*/*.cpp; do
+  [ -f "$file" ] || continue
+  files=$((files + 1))
+  folder=$(basename "$(dirname "$file")")
+  if ! may_use=$(allowed "$folder"); then
+    echo "$file: folder '$folder' has no place in the layers"
+    faults=$((faults + 1))
+    continue
+  fi
+  for included in $(sed -n 's|^ *# *include *"\([^"]*\)".*|\1|p' "$file"); do
+    case " $may_use " in
+      *" ${included%%/*} "*) ;;
+      *)
+        echo "$file: '$folder' may not include \"$included\""
+        faults=$((faults + 1))
+        ;;
+    esac
+  done
+done
+
+echo "$files files, $faults faults"
+[ "$files" -ge 20 ] && [ "$faults" -eq 0 ]
