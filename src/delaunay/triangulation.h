@@ -96,6 +96,8 @@ class Triangulation {
   VertexId insert(const Vec3& p, CellId hint = kNoId);
 
  private:
+  friend class TriangulationVandal;  // breaks invariants, to test the checkers
+
   // A link names a facet in one word: 4 * cell + index. links[i] is the facet opposite to vertex i
   // as the neighbour sees it, so that walking needs no search. One cell is half a cache line.
   using Link = std::uint32_t;

@@ -39,24 +39,24 @@ FacetLine facet_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double u2 = length2(u), v2 = length2(v), n2 = length2(n);
   if (n2 >= kThin * u2 * v2) {
     const Vec3 offset = (u2 * cross(v, n) + v2 * cross(n, u)) / (2 * n2);
-    return {a + offset, n / std::sqrt(n2), length(offset)};
+    return {a + offset, n / std::sqrt(n2), offset, length(offset)};
   }
   const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a);
   const auto dn = cross(du, dv);
   const Vec3 normal = dn.rounded();
   const Vec3 offset =
       (dot(du, du) * cross(dv, dn) + dot(dv, dv) * cross(dn, du)).rounded() / (2 * length2(normal));
-  return {a + offset, normal / length(normal), length(offset)};
+  return {a + offset, normal / length(normal), offset, length(offset)};
 }
 
 double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                              const FacetLine& line) {
-  // With w = d - a: |d-center|^2 - r^2 = w.(w - 2 (center - a)), and n.(d-center) = n.w.
+  // With w = d - a: |d-center|^2 - r^2 = w.(w - 2 offset), and n.(d-center) = n.w.
   const Vec3 w = d - a;
   const double height = dot(line.normal, w);
   const double w1 = length(w);
   if (std::fabs(height) * line.radius >= kFlat * w1 * (w1 + 2 * line.radius))
-    return dot(w, w - 2 * (line.center - a)) / (2 * height);
+    return dot(w, w - 2 * line.offset) / (2 * height);
 
   const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a),
              dw = DoubleDouble3::difference(d, a);

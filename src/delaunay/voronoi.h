@@ -6,11 +6,12 @@
 // the fourth vertex d of a cell, at t = (|d-c|^2 - r^2) / (2 n.(d-c)). This takes no 3 x 3 solve,
 // and the line does not depend on how flat the cells are.
 //
-// Accuracy: c, t and the Voronoi vertices to about 1e-9 of the circumradius concerned. Doubles
-// serve for facets and cells of decent shape, double-doubles for the others, and where even these
-// cannot tell on which side of the facet d lies, the exact determinant does. Hence an end may be
-// huge, even infinite, but has the right sign and is never NaN, short of cells whose height is
-// below 1e-25 of their size. Coordinates as in predicates.h, up to a magnitude of 1e40.
+// Accuracy: c and the Voronoi vertices to 1e-9 of their distance from the corners, t to 1e-8 of it,
+// plus the rounding of the coordinates themselves (tested against exact solutions). Doubles serve
+// for facets and cells of decent shape, double-doubles for the others, and where even these cannot
+// tell on which side of the facet d lies, the exact determinant does. Hence an end may be huge,
+// even infinite, but has the right sign and is never NaN, short of cells whose height is below
+// 1e-25 of their size. Coordinates as in predicates.h, up to a magnitude of 1e40.
 #pragma once
 
 #include "base/vec3.h"
@@ -22,6 +23,7 @@ namespace deliso {
 struct FacetLine {
   Vec3 center;  // of the circumcircle
   Vec3 normal;  // unit; the corners turn counter-clockwise seen from where it points
+  Vec3 offset;  // center - a, with the digits that center loses far from the origin
   double radius = 0;
 };
 
