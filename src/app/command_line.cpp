@@ -114,7 +114,7 @@ constexpr OptionSpec kOptions[] = {
     {"--lambda", 0, "X", kMeshOnly, "largest r over shortest edge (default 2)",
      [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
     {"--rmin", 0, "X|Xvox", kMeshOnly,
-     "triangles of smaller r are left as they are: a share of the\n"
+     "triangles of smaller r are left as they are: a share of the "
      "box's smallest side (default 0.001), or voxels as in 0.5vox",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_relative_length(o, v); }},
     {"--max-distance", 0, "D", kMeshOnly, "largest h, in world units (default: none)",
@@ -137,8 +137,19 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
-    {"--recover", 0, "paper", kMeshOnly, "how stage 1 decides that the topology is right",
-     [](Line&, Text o, Text v) { require(o, v, "paper"); }},
+    {"--recover", 0, "NAME", kMeshOnly,
+     "how stage 1 knows that it is done: certified (default), on the exact contour, or paper, by "
+     "the paper's tests",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, RecoverWay>;
+       l.options.recover = choose(o, v,
+                                  std::to_array<Choice>({{"certified", RecoverWay::certified},
+                                                         {"paper", RecoverWay::paper}}));
+     }},
+    {"--fingers", 0, "X", kMeshOnly,
+     "certified: no point of the exact contour further than X voxels from the mesh at the end of "
+     "stage 1 (default 1)",
+     [](Line& l, Text o, Text v) { l.options.fingers = parse_positive(o, v); }},
     {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {
        require(o, v, "recover");
@@ -157,7 +168,7 @@ constexpr OptionSpec kOptions[] = {
     {"--dims", 0, "NXxNYxNZ", kBoth, "size of a raw file, in samples",
      [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
     {"--type", 0, "TYPE", kBoth,
-     "its sample type: uint8 int8 uint16 int16 uint32 int32\nfloat32 float64",
+     "its sample type: uint8 int8 uint16 int16 uint32 int32 float32 float64",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
     {"--spacing", 0, "SX,SY,SZ", kBoth, "its distance between samples (default 1,1,1)",
      [](Line& l, Text o, Text v) { raw_layout(l).spacing = parse_spacing(o, v); }},
@@ -257,6 +268,17 @@ void check_combination(CommandLine& line) {
   }
 }
 
+// Appends `words` to a line that has reached `column`, broken into lines that begin there.
+void append_wrapped(std::string& text, std::string_view words, std::size_t column) {
+  constexpr std::size_t kWidth = 92;
+  while (words.size() > kWidth - column) {
+    const std::size_t end = words.rfind(' ', kWidth - column);
+    text.append(words.substr(0, end)).append("\n").append(column, ' ');
+    words.remove_prefix(end + 1);
+  }
+  text += words;
+}
+
 }  // namespace
 
 CommandLine parse_command_line(std::span<const std::string_view> arguments) {
@@ -327,7 +349,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
 }
 
 std::string help_text() {
-  constexpr std::size_t kColumn = 30;
+  constexpr std::size_t kColumn = 30;  // where the explanations begin
   std::string text =
       "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
       "       deliso info INPUT [--iso K]\n"
@@ -352,17 +374,16 @@ std::string help_text() {
     } else {
       text.append(kColumn - left.size(), ' ');
     }
-    for (const char c : spec.help) {
-      text += c;
-      if (c == '\n') text.append(kColumn, ' ');
-    }
+    append_wrapped(text, spec.help, kColumn);
     text += '\n';
   }
   text += "\nBuilt-in fields, each with an isovalue of its own as default:\n";
   for (const BuiltinField& field : builtin_fields()) {
     std::string left = "  builtin:" + std::string(field.name);
     left.append(kColumn - std::min(left.size(), kColumn), ' ');
-    text.append(left).append(field.description).append("\n");
+    text += left;
+    append_wrapped(text, field.description, kColumn);
+    text += '\n';
   }
   return text;
 }

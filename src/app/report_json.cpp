@@ -18,6 +18,8 @@ void add_searches(JsonWriter& json, std::string_view key, const SearchCounters& 
 
 void add_options(JsonWriter& json, const Options& options) {
   json.open("options");
+  json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
+  json.add("fingers", options.fingers);
   json.add("eps", options.epsilon);
   json.add("eps1", options.epsilon1);
   json.add("eps2", options.epsilon2);

@@ -106,7 +106,7 @@ refuses 'rmin' builtin:sphere --rmin 1voxel -o $o
 refuses 'eps1' builtin:sphere --eps1 -1 -o $o
 refuses 'seed' builtin:sphere --seed -1 -o $o
 refuses 'threads' builtin:sphere --threads 0 -o $o
-refuses 'certified' builtin:sphere --recover certified -o $o
+refuses 'recover' builtin:sphere --recover hope -o $o
 refuses 'stop-after' builtin:sphere --stop-after refine -o $o
 refuses 'solver' builtin:sphere --solver newton -o $o
 refuses 'roi' builtin:sphere --roi 0:4,0:4 -o $o
