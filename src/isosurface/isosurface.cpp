@@ -9,8 +9,9 @@
 namespace deliso {
 namespace {
 
-// Voxels that nearest() walks on each side before it turns to the kd-tree, which skips empty space.
-constexpr int kWalkedVoxels = 6;
+// Voxels that a search walks plainly; for more of them it asks the kd-tree, which skips empty space
+// but has to come down from its root first.
+constexpr int kWalkedVoxels = 12;
 
 // The volume as the inner loops see it: in its own sample type.
 template <class T>
@@ -22,12 +23,12 @@ struct Field {
   double kappa;
   CubicMethod method;
 
-  Field(const Volume& v, const T* s, double isovalue, CubicMethod m)
+  Field(const Volume& v, const T* s, double isovalue, double first_inside, CubicMethod m)
       : volume(v),
         samples(s),
         dy(static_cast<std::size_t>(v.dims().i)),
         dz(dy * static_cast<std::size_t>(v.dims().j)),
-        threshold(inside_threshold<T>(isovalue)),
+        threshold(static_cast<T>(first_inside)),
         kappa(isovalue),
         method(m) {}
 
@@ -40,14 +41,14 @@ struct Field {
 
 // The hit nearest to t = 0 so far; at equal distance the one with positive t.
 struct Nearest {
-  VoxelSpan span{};
-  double s = 0, t = 0;
+  Hit hit{};
   double distance = std::numeric_limits<double>::infinity();
 
-  void offer(const VoxelSpan& where, double fraction) {
-    const double at = parameter_at(where, fraction);
-    if (!(std::abs(at) < distance || (std::abs(at) == distance && at > t))) return;
-    *this = {where, fraction, at, std::abs(at)};
+  void offer(const VoxelSpan& span, double s, const Vec3& spacing) {
+    const double t = parameter_at(span, s);
+    if (!(std::abs(t) < distance || (std::abs(t) == distance && t > hit.t))) return;
+    hit = {t, point_at(span, s, spacing)};
+    distance = std::abs(t);
   }
 };
 
@@ -55,12 +56,12 @@ struct Nearest {
 template <class T>
 class Side {
  public:
-  Side(const Field<T>& field, const LatticeLine& line, Range range, const VoxelBox& box,
+  // Starts in the voxel behind the first one, which ends at range.lo of the line given.
+  Side(const Field<T>& field, const LatticeLine& line, const VoxelSpan& first, double end,
        bool backward)
-      : field_(field), line_(line), walk_(line_, range, box), end_(range.hi), backward_(backward) {}
-
-  Side(const Side&) = delete;  // the walk refers to line_
-  Side& operator=(const Side&) = delete;
+      : field_(field), walk_(line, first.voxel, {first.t0, end}), line_(line), backward_(backward) {
+    walk_.step();
+  }
 
   bool done(const Nearest& best) const { return walk_.done() || walk_.t() > best.distance; }
   double t() const { return walk_.t(); }
@@ -72,9 +73,10 @@ class Side {
 
   // All the rest, by the tree. The first voxel with a hit has the nearest.
   void finish(const VoxelTree& tree, Nearest& best, std::uint64_t& computations) const {
-    tree.find_along(line_, {walk_.t(), end_}, field_.threshold, [&](const VoxelSpan& span) {
-      return span.t0 > best.distance || solve(span, best, computations);
-    });
+    tree.find_along(line_, {walk_.t(), walk_.end()}, field_.samples, field_.threshold,
+                    [&](const VoxelSpan& span) {
+                      return span.t0 > best.distance || solve(span, best, computations);
+                    });
   }
 
  private:
@@ -84,44 +86,39 @@ class Side {
     const Roots roots = field_.roots(span);
     ++computations;
     if (roots.count == 0) return false;
-    best.offer(span, backward_ ? roots.back() : roots.front());
+    best.offer(span, backward_ ? roots.back() : roots.front(), field_.volume.spacing());
     return true;
   }
 
   const Field<T>& field_;
-  LatticeLine line_;
   VoxelWalk walk_;
-  double end_;
+  const LatticeLine& line_;
   bool backward_;
 };
 
 template <class T>
 Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const LatticeLine& line,
-                     Range range, std::uint64_t& computations) {
+                     double limit, std::uint64_t& computations) {
   Nearest best;
   // The voxel that holds the center, or the first on the way to it, is solved once for both ways.
-  const double start = std::clamp(0.0, range.lo, range.hi);
-  const VoxelBox box = tree.box();
-  const auto index = [&](std::size_t axis) {
-    return line.index_after(axis, start, 0, box.hi[static_cast<int>(axis)]);
-  };
-  const Index3 voxel{index(0), index(1), index(2)};
-  Range here = range;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int n = voxel[static_cast<int>(axis)];
-    here.lo = std::max(here.lo, line.enter(axis, n, n + 1));
-    here.hi = std::min(here.hi, line.leave(axis, n, n + 1));
-  }
-  if (field.active(voxel) && here.lo < here.hi) {
-    const VoxelSpan span = line.span(voxel, here.lo, here.hi);
+  Range range{-limit, limit};
+  const bool inside = line.starts_inside();
+  if (!inside) range = line.clip(range);
+  if (!(range.lo < range.hi)) return best;
+  const Index3 voxel = inside ? line.voxel_after_origin()
+                              : line.voxel_after(std::clamp(0.0, range.lo, range.hi), tree.box());
+  const VoxelSpan first = line.span(voxel, range);
+  if (field.active(voxel) && !first.empty()) {
     ++computations;
-    for (const double s : field.roots(span)) best.offer(span, s);
+    for (const double s : field.roots(first)) best.offer(first, s, field.volume.spacing());
   }
-  if (best.distance < std::min(std::abs(here.lo), std::abs(here.hi))) return best;
+  if (best.distance < -first.t0 && best.distance < first.t1) return best;
 
-  Side<T> ahead(field, line, {here.hi, range.hi}, box, false);
-  Side<T> behind(field, line.reversed(), {-here.lo, -range.lo}, box, true);
-  for (int n = 0; n < 2 * kWalkedVoxels; ++n) {
+  if (inside) range = line.clip(range);
+  const LatticeLine reverse = line.reversed();
+  Side<T> ahead(field, line, first, range.hi, false);
+  Side<T> behind(field, reverse, reversed(first), -range.lo, true);
+  for (int n = 0; n < kWalkedVoxels; ++n) {
     const bool ahead_done = ahead.done(best), behind_done = behind.done(best);
     if (ahead_done && behind_done) return best;
     const bool forward = behind_done || (!ahead_done && ahead.t() <= behind.t());
@@ -144,23 +141,35 @@ void count_search(SearchCounters& counters, std::uint64_t computations, bool hit
 
 Isosurface::Isosurface(const Volume& volume, const VoxelTree& tree, double kappa,
                        CubicMethod method)
-    : volume_(volume), tree_(tree), kappa_(kappa), method_(method), empty_(!tree.active(kappa)) {}
+    : volume_(volume), tree_(tree), kappa_(kappa), method_(method), empty_(!tree.active(kappa)) {
+  if (empty_) return;
+  threshold_ = volume.visit([&](const auto* samples) {
+    return static_cast<double>(inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa));
+  });
+}
 
 void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
                            SearchCounters& counters) const {
   hits.clear();
   std::uint64_t computations = 0;
   const LatticeLine line = tree_.lattice_line(r.a, r.direction());
-  const Range range = line.clip({0, 1}, tree_.box());
+  const Range range = line.clip({0, 1});
   if (!empty_ && range.lo < range.hi) {
     volume_.visit([&](const auto* samples) {
-      const Field field(volume_, samples, kappa_, method_);
-      tree_.find_along(line, range, field.threshold, [&](const VoxelSpan& span) {
+      const Field field(volume_, samples, kappa_, threshold_, method_);
+      const auto solve = [&](const VoxelSpan& span) {
         ++computations;
         for (const double s : field.roots(span))
           hits.push_back({parameter_at(span, s), point_at(span, s, volume_.spacing())});
         return false;
-      });
+      };
+      if (!line.is_shorter(range, kWalkedVoxels)) {
+        tree_.find_along(line, range, samples, field.threshold, solve);
+        return;
+      }
+      const Index3 first = line.voxel_after(range.lo, tree_.box());
+      for (VoxelWalk walk(line, first, range); !walk.done(); walk.step())
+        if (field.active(walk.voxel())) solve(walk.span());
     });
   }
   count_search(counters, computations, !hits.empty());
@@ -171,17 +180,16 @@ std::optional<Hit> Isosurface::nearest(const Vec3& center, const Vec3& direction
   std::uint64_t computations = 0;
   Nearest best;
   const LatticeLine line = tree_.lattice_line(center, direction);
-  const Range range = line.clip({-limit, limit}, tree_.box());
-  if (!empty_ && range.lo < range.hi) {
+  if (!empty_ && line.valid()) {
     best = volume_.visit([&](const auto* samples) {
-      const Field field(volume_, samples, kappa_, method_);
-      return find_nearest(field, tree_, line, range, computations);
+      const Field field(volume_, samples, kappa_, threshold_, method_);
+      return find_nearest(field, tree_, line, limit, computations);
     });
   }
   const bool hit = best.distance <= limit && std::isfinite(best.distance);
   count_search(counters, computations, hit);
   if (!hit) return std::nullopt;
-  return Hit{best.t, point_at(best.span, best.s, volume_.spacing())};
+  return best.hit;
 }
 
 }  // namespace deliso

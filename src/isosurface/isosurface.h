@@ -64,7 +64,8 @@ class Isosurface {
   const VoxelTree& tree_;
   double kappa_;
   CubicMethod method_;
-  bool empty_;  // no voxel is active
+  bool empty_;            // no voxel is active
+  double threshold_ = 0;  // inside_threshold of the sample type
 };
 
 }  // namespace deliso

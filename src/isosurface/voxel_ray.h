@@ -15,6 +15,8 @@
 // passages on a segment is odd exactly when its ends lie on different sides.
 #pragma once
 
+#include <algorithm>
+
 #include "kdtree/lattice_line.h"
 #include "roots/cubic.h"
 #include "volume/volume.h"
@@ -33,25 +35,26 @@ Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
 // Bernstein coefficients on [0, 1] of the patch along the straight way from p to q (voxel
 // coordinates in [0, 1]).
 inline Cubic patch_along(const Corners& c, const Vec3& p, const Vec3& q) {
+  // Values at x = p.x and x = q.x, side by side (which vectorises).
+  struct Pair {
+    double p, q;
+  };
   // Keeps V1: with 0 <= t <= 1 neither product changes its sign; and V2: exact at t = 0 and 1.
-  const auto mix = [](double a, double b, double t) { return (1 - t) * a + t * b; };
-  std::array<double, 4> px, qx;  // g at p.x, q.x on the edges along x
-  for (std::size_t n = 0; n < 4; ++n) {
-    px[n] = mix(c[2 * n], c[2 * n + 1], p.x);
-    qx[n] = mix(c[2 * n], c[2 * n + 1], q.x);
-  }
-  std::array<double, 2> pp, pq, qp, qq;  // named by the points that gave x and y
-  for (std::size_t n = 0; n < 2; ++n) {
-    pp[n] = mix(px[2 * n], px[2 * n + 1], p.y);
-    pq[n] = mix(px[2 * n], px[2 * n + 1], q.y);
-    qp[n] = mix(qx[2 * n], qx[2 * n + 1], p.y);
-    qq[n] = mix(qx[2 * n], qx[2 * n + 1], q.y);
-  }
+  const auto mix = [](Pair a, Pair b, Pair t) {
+    return Pair{(1 - t.p) * a.p + t.p * b.p, (1 - t.q) * a.q + t.q * b.q};
+  };
+  const auto mix_x = [&](std::size_t n) {
+    return mix({c[n], c[n]}, {c[n + 1], c[n + 1]}, {p.x, q.x});
+  };
+  const Pair x00 = mix_x(0), x10 = mix_x(2), x01 = mix_x(4), x11 = mix_x(6);
+  const Pair py{p.y, p.y}, qy{q.y, q.y}, pz{p.z, p.z}, qz{q.z, q.z};
+  const Pair p0 = mix(x00, x10, py), p1 = mix(x01, x11, py);
+  const Pair q0 = mix(x00, x10, qy), q1 = mix(x01, x11, qy);
+  // Named by the points that gave y and z.
+  const Pair pp = mix(p0, p1, pz), qp = mix(q0, q1, pz);
+  const Pair pq = mix(p0, p1, qz), qq = mix(q0, q1, qz);
   constexpr double third = 1.0 / 3;
-  return {mix(pp[0], pp[1], p.z),
-          third * (mix(qp[0], qp[1], p.z) + mix(pq[0], pq[1], p.z) + mix(pp[0], pp[1], q.z)),
-          third * (mix(pq[0], pq[1], q.z) + mix(qp[0], qp[1], q.z) + mix(qq[0], qq[1], p.z)),
-          mix(qq[0], qq[1], q.z)};
+  return {pp.p, third * (pp.q + qp.p + pq.p), third * (qq.p + pq.q + qp.q), qq.q};
 }
 
 // FindIntersections of Figure 12, for one voxel: where the span passes through Sigma, as fractions
@@ -60,8 +63,20 @@ inline Roots find_intersections(const Corners& corners, const VoxelSpan& span, C
   return crossings(patch_along(corners, span.u0, span.u1), method);
 }
 
-// The line's parameter and the point (scaled frame, within the voxel) at fraction s of the span.
-double parameter_at(const VoxelSpan& span, double s);
-Vec3 point_at(const VoxelSpan& span, double s, const Vec3& spacing);
+// The line's parameter at fraction s of the span.
+inline double parameter_at(const VoxelSpan& span, double s) {
+  return std::max(std::min(span.t0 + s * (span.t1 - span.t0), span.t1), span.t0);
+}
+
+// The point there (scaled frame), in the voxel. It comes from the voxel's own coordinates, not from
+// the parameter: that keeps g at kappa even where t is large.
+inline Vec3 point_at(const VoxelSpan& span, double s, const Vec3& spacing) {
+  const auto along = [s](int n, double u0, double u1, double size) {
+    return (n + std::max(std::min(u0 + s * (u1 - u0), 1.0), 0.0)) * size;
+  };
+  return {along(span.voxel.i, span.u0.x, span.u1.x, spacing.x),
+          along(span.voxel.j, span.u0.y, span.u1.y, spacing.y),
+          along(span.voxel.k, span.u0.z, span.u1.z, spacing.z)};
+}
 
 }  // namespace deliso

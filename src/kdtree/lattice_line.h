@@ -12,11 +12,16 @@
 //   L3  where one piece ends and the next begins, both voxels see the very same point: coordinates
 //       across planes crossed there are exactly 0 or 1, the others are the same doubles.
 // A line that runs in a lattice plane is in the voxel above it, at the box's far side below it.
+//
+// Directions' signs are as good as random to a branch predictor, so they enter as numbers (`ahead`)
+// and selections are made by masks.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/box3.h"
@@ -30,99 +35,7 @@ struct VoxelSpan {
   Index3 voxel;
   double t0, t1;
   Vec3 u0, u1;
-};
-
-// Voxels lo .. hi-1 along each axis.
-struct VoxelBox {
-  Index3 lo, hi;
-};
-
-class LatticeLine {
- public:
-  // origin + t * direction, in voxel units. Directions too small to invert count as zero.
-  LatticeLine(const Vec3& origin, const Vec3& direction)
-      : origin_{origin.x, origin.y, origin.z}, direction_{direction.x, direction.y, direction.z} {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      inverse_[axis] = 1 / direction_[axis];
-      if (std::isfinite(inverse_[axis]) || std::isnan(direction_[axis])) continue;
-      direction_[axis] = 0;
-      inverse_[axis] = 0;
-    }
-  }
-
-  bool is_finite() const {
-    return std::isfinite(origin_[0] + origin_[1] + origin_[2] + direction_[0] + direction_[1] +
-                         direction_[2]);
-  }
-  bool parallel(std::size_t axis) const { return inverse_[axis] == 0; }
-  bool ascending(std::size_t axis) const { return inverse_[axis] > 0; }
-  double origin(std::size_t axis) const { return origin_[axis]; }
-
-  LatticeLine reversed() const {
-    LatticeLine line = *this;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      line.direction_[axis] = -direction_[axis];
-      line.inverse_[axis] = -inverse_[axis];
-    }
-    return line;
-  }
-
-  // Where the line crosses the plane number `plane` across `axis`. pre: !parallel(axis).
-  double at_plane(std::size_t axis, int plane) const {
-    return (plane - origin_[axis]) * inverse_[axis];
-  }
-  // Where it enters and leaves the slab between planes lo and hi.
-  double enter(std::size_t axis, int lo, int hi) const {
-    if (parallel(axis)) return -std::numeric_limits<double>::infinity();
-    return at_plane(axis, ascending(axis) ? lo : hi);
-  }
-  double leave(std::size_t axis, int lo, int hi) const {
-    if (parallel(axis)) return std::numeric_limits<double>::infinity();
-    return at_plane(axis, ascending(axis) ? hi : lo);
-  }
-
-  // The part of `range` within the box; without interior (lo >= hi) when there is none. A line that
-  // is not finite, or no line at all (no direction), has none.
-  Range clip(Range range, const VoxelBox& box) const {
-    if (!is_finite() || (parallel(0) && parallel(1) && parallel(2))) return {1, 0};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int lo = box.lo[static_cast<int>(axis)], hi = box.hi[static_cast<int>(axis)];
-      if (parallel(axis) && !(lo <= origin_[axis] && origin_[axis] <= hi)) return {1, 0};
-      range.lo = std::max(range.lo, enter(axis, lo, hi));
-      range.hi = std::min(range.hi, leave(axis, lo, hi));
-    }
-    return range;
-  }
-
-  // The index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t. The guess
-  // by position is put right by the crossings themselves (L2). pre: t in the box's range.
-  int index_after(std::size_t axis, double t, int lo, int hi) const {
-    const double position = origin_[axis] + t * direction_[axis];
-    int n = position > lo ? position < hi ? static_cast<int>(position) : hi - 1 : lo;
-    if (parallel(axis)) return n;
-    const int step = ascending(axis) ? 1 : -1;
-    const int first = ascending(axis) ? lo : hi - 1, last = ascending(axis) ? hi - 1 : lo;
-    while (n != last && leave(axis, n, n + 1) <= t) n += step;
-    while (n != first && enter(axis, n, n + 1) > t) n -= step;
-    return n;
-  }
-
-  // Local coordinate at t in the voxel with index n along `axis`; exact on its planes (L3).
-  double coordinate(std::size_t axis, int n, double t) const {
-    if (t <= enter(axis, n, n + 1)) return ascending(axis) ? 0 : 1;
-    if (t >= leave(axis, n, n + 1)) return ascending(axis) ? 1 : 0;
-    return std::clamp(origin_[axis] + t * direction_[axis] - n, 0.0, 1.0);
-  }
-
-  VoxelSpan span(Index3 voxel, double t0, double t1) const {
-    const auto at = [&](double t) {
-      return Vec3{coordinate(0, voxel.i, t), coordinate(1, voxel.j, t), coordinate(2, voxel.k, t)};
-    };
-    return {voxel, t0, t1, at(t0), at(t1)};
-  }
-
- private:
-  std::array<double, 3> origin_, direction_, inverse_;
+  bool empty() const { return !(t0 < t1); }
 };
 
 // The piece as the reversed line's: of the same voxel, run through the other way.
@@ -130,43 +43,183 @@ inline VoxelSpan reversed(const VoxelSpan& span) {
   return {span.voxel, -span.t1, -span.t0, span.u1, span.u0};
 }
 
-// Steps through the voxels of a box along a line, in order. Usage:
-//   for (VoxelWalk walk(line, range, box); !walk.done(); walk.step()) ... walk.voxel() ...
+// Voxels lo .. hi-1 along each axis.
+struct VoxelBox {
+  std::array<int, 3> lo, hi;
+};
+
+class LatticeLine {
+ public:
+  // origin + t * direction, in voxel units, among `voxels` voxels. Directions too small to invert
+  // count as zero.
+  LatticeLine(const Vec3& origin, const Vec3& direction, Index3 voxels)
+      : voxels_{voxels.i, voxels.j, voxels.k},
+        origin_{origin.x, origin.y, origin.z},
+        direction_{direction.x, direction.y, direction.z},
+        base_(origin_) {
+    const double sum = origin.x + origin.y + origin.z + direction.x + direction.y + direction.z;
+    valid_ = std::isfinite(sum);
+    if (!valid_) return;
+    bool moves = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inverse_[axis] = 1 / direction_[axis];
+      ahead_[axis] = inverse_[axis] > 0;
+      if (std::isfinite(inverse_[axis])) {
+        moves = true;
+        continue;
+      }
+      // Parallel: as seen from the middle of its layer of voxels, all planes below it are at minus
+      // infinity and all above at plus infinity, by the very formula of at_plane.
+      const double top = voxels_[axis];
+      const double o = std::clamp(origin_[axis], -1.0, top + 1);
+      base_[axis] = (o == top ? top - 1 : std::floor(o)) + 0.5;
+      direction_[axis] = 0;
+      inverse_[axis] = std::numeric_limits<double>::infinity();
+      ahead_[axis] = 1;
+    }
+    valid_ = moves;
+  }
+
+  // Finite, and with a direction. pre of everything below but clip.
+  bool valid() const { return valid_; }
+
+  LatticeLine reversed() const {
+    LatticeLine line = *this;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      line.direction_[axis] = -direction_[axis];
+      line.inverse_[axis] = -inverse_[axis];
+      line.ahead_[axis] = 1 - ahead_[axis];
+    }
+    return line;
+  }
+
+  // Where the line crosses the plane number `plane` across `axis`; infinite when parallel to it.
+  double at_plane(std::size_t axis, int plane) const {
+    return (plane - base_[axis]) * inverse_[axis];
+  }
+  // 1 when indices along `axis` grow with t, else 0.
+  int ahead(std::size_t axis) const { return ahead_[axis]; }
+  // Where it enters and leaves the layer of voxels with index n.
+  double enter(std::size_t axis, int n) const { return at_plane(axis, n + 1 - ahead_[axis]); }
+  double leave(std::size_t axis, int n) const { return at_plane(axis, n + ahead_[axis]); }
+
+  // The part of `range` within the box of all voxels; without interior (lo >= hi) when there is
+  // none. An invalid line has none.
+  Range clip(Range range) const {
+    if (!valid_) return {1, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int far = ahead_[axis] * voxels_[axis], near = voxels_[axis] - far;
+      range.lo = std::max(range.lo, at_plane(axis, near));
+      range.hi = std::min(range.hi, at_plane(axis, far));
+    }
+    return range;
+  }
+  bool starts_inside() const {
+    return valid_ && 0 <= origin_[0] && origin_[0] <= voxels_[0] && 0 <= origin_[1] &&
+           origin_[1] <= voxels_[1] && 0 <= origin_[2] && origin_[2] <= voxels_[2];
+  }
+
+  // Whether it runs through fewer than about `count` voxels in `range`.
+  bool is_shorter(Range range, int count) const {
+    return (range.hi - range.lo) *
+               (std::abs(direction_[0]) + std::abs(direction_[1]) + std::abs(direction_[2])) <
+           count;
+  }
+
+  // The index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t. The guess
+  // by position is put right by the crossings themselves (L2). pre: t in the range of lo .. hi.
+  int index_after(std::size_t axis, double t, int lo, int hi) const {
+    const double position = origin_[axis] + t * direction_[axis];
+    int n = static_cast<int>(std::max(std::min(position, hi - 1.0), static_cast<double>(lo)));
+    const int step = 2 * ahead_[axis] - 1;
+    while (leave(axis, n) <= t && lo <= n + step && n + step < hi) n += step;
+    while (enter(axis, n) > t && lo <= n - step && n - step < hi) n -= step;
+    return n;
+  }
+  // The voxel of all that holds the line just after t = 0. pre: starts_inside().
+  Index3 voxel_after_origin() const {
+    const auto index = [&](std::size_t axis) {
+      // Downwards from a plane begins in the voxel below it.
+      const int n = static_cast<int>(origin_[axis]);
+      const int below = ahead_[axis] == 0 && origin_[axis] == n;
+      return std::max(std::min(n - below, voxels_[axis] - 1), 0);
+    };
+    return {index(0), index(1), index(2)};
+  }
+  Index3 voxel_after(double t, const VoxelBox& box) const {
+    return {index_after(0, t, box.lo[0], box.hi[0]), index_after(1, t, box.lo[1], box.hi[1]),
+            index_after(2, t, box.lo[2], box.hi[2])};
+  }
+
+  // The piece of `range` in the voxel; empty when there is none.
+  VoxelSpan span(Index3 voxel, Range range) const {
+    const std::array<double, 3> in = {enter(0, voxel.i), enter(1, voxel.j), enter(2, voxel.k)};
+    const std::array<double, 3> out = {leave(0, voxel.i), leave(1, voxel.j), leave(2, voxel.k)};
+    const double t0 = std::max(std::max(in[0], in[1]), std::max(in[2], range.lo));
+    const double t1 = std::min(std::min(out[0], out[1]), std::min(out[2], range.hi));
+    // On the planes the coordinates are exact (L3).
+    const auto at = [&](std::size_t axis, int n, double t, double plane_t, int plane) {
+      const double u = origin_[axis] + t * direction_[axis] - n;
+      return select(t == plane_t, plane, std::max(std::min(u, 1.0), 0.0));
+    };
+    return {voxel,
+            t0,
+            t1,
+            {at(0, voxel.i, t0, in[0], 1 - ahead_[0]), at(1, voxel.j, t0, in[1], 1 - ahead_[1]),
+             at(2, voxel.k, t0, in[2], 1 - ahead_[2])},
+            {at(0, voxel.i, t1, out[0], ahead_[0]), at(1, voxel.j, t1, out[1], ahead_[1]),
+             at(2, voxel.k, t1, out[2], ahead_[2])}};
+  }
+
+ private:
+  // yes ? a : b without a branch.
+  static double select(bool yes, double a, double b) {
+    const std::uint64_t mask = -static_cast<std::uint64_t>(yes);
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & mask) |
+                                 (std::bit_cast<std::uint64_t>(b) & ~mask));
+  }
+
+  std::array<int, 3> voxels_, ahead_{};
+  std::array<double, 3> origin_, direction_, inverse_{};
+  std::array<double, 3> base_;  // what plane numbers are measured from: origin_, unless parallel
+  bool valid_ = false;
+};
+
+// Steps through the voxels along a line, in order. Usage:
+//   for (VoxelWalk walk(line, voxel, range); !walk.done(); walk.step()) ... walk.voxel() ...
+// The line must outlive the walk.
 class VoxelWalk {
  public:
-  // pre: `range` came from line.clip, so that it lies in the box.
-  VoxelWalk(const LatticeLine& line, Range range, const VoxelBox& box)
-      : line_(line), t_(range.lo), end_(range.hi) {
-    if (done()) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const int a = static_cast<int>(axis);
-      voxel_[axis] = line.index_after(axis, t_, box.lo[a], box.hi[a]);
-      leave_[axis] = line.leave(axis, voxel_[axis], voxel_[axis] + 1);
-    }
+  // pre: the range lies in the box of all voxels, and `voxel` is the one after range.lo.
+  VoxelWalk(const LatticeLine& line, Index3 voxel, Range range)
+      : line_(line), voxel_{voxel.i, voxel.j, voxel.k}, t_(range.lo), end_(range.hi) {
+    for (std::size_t axis = 0; axis < 3; ++axis) leave_[axis] = line.leave(axis, voxel_[axis]);
   }
 
   bool done() const { return !(t_ < end_); }
   Index3 voxel() const { return {voxel_[0], voxel_[1], voxel_[2]}; }
   double t() const { return t_; }
-  double t_out() const { return std::min({leave_[0], leave_[1], leave_[2], end_}); }
-  VoxelSpan span() const { return line_.span(voxel(), t_, t_out()); }
+  double end() const { return end_; }
+  VoxelSpan span() const { return line_.span(voxel(), {t_, end_}); }
 
   void step() {
-    t_ = t_out();
-    if (done()) return;
-    // A line through an edge or a corner crosses two or three planes at once.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      while (leave_[axis] <= t_) {
-        voxel_[axis] += line_.ascending(axis) ? 1 : -1;
-        leave_[axis] = line_.leave(axis, voxel_[axis], voxel_[axis] + 1);
+    t_ = first_leave();
+    // A line through an edge or a corner crosses two or three planes at once; far from its origin,
+    // several planes may even round to one parameter.
+    while (t_ < end_ && first_leave() <= t_) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        voxel_[axis] += (leave_[axis] <= t_) * (2 * line_.ahead(axis) - 1);
+        leave_[axis] = line_.leave(axis, voxel_[axis]);
       }
     }
   }
 
  private:
+  double first_leave() const { return std::min(std::min(leave_[0], leave_[1]), leave_[2]); }
+
   const LatticeLine& line_;
-  std::array<int, 3> voxel_{};
-  std::array<double, 3> leave_{};
+  std::array<int, 3> voxel_;
+  std::array<double, 3> leave_;
   double t_, end_;
 };
 

@@ -30,8 +30,9 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 
 VoxelTree::VoxelTree(const Volume& volume)
     : volume_(volume),
-      volume_box_(volume.box()),
-      per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z} {
+      per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
+      top_(volume.box().hi) {
+  for (int axis = 0; axis < 3; ++axis) top_in_voxels_[axis] = volume.voxels()[axis];
   choose_axes();
   volume.visit([this](const auto* samples) { build(samples); });
 }
@@ -119,10 +120,10 @@ void VoxelTree::collect_voxels(const Segment& r, double kappa,
   spans.clear();
   if (!active(kappa)) return;
   const LatticeLine line = lattice_line(r.a, r.direction());
-  const Range range = line.clip({0, 1}, box());
+  const Range range = line.clip({0, 1});
   volume_.visit([&](const auto* samples) {
     using T = std::remove_cvref_t<decltype(*samples)>;
-    find_along(line, range, inside_threshold<T>(kappa), [&](const VoxelSpan& span) {
+    find_along(line, range, samples, inside_threshold<T>(kappa), [&](const VoxelSpan& span) {
       spans.push_back(span);
       return false;
     });

@@ -53,7 +53,10 @@ class VoxelTree {
   explicit VoxelTree(const Volume& volume);
 
   const Volume& volume() const { return volume_; }
-  VoxelBox box() const { return {{0, 0, 0}, volume_.voxels()}; }
+  VoxelBox box() const {
+    const Index3 n = volume_.voxels();
+    return {{0, 0, 0}, {n.i, n.j, n.k}};
+  }
   // Whether any voxel is active.
   bool active(double kappa) const;
   std::size_t bytes() const;
@@ -66,18 +69,23 @@ class VoxelTree {
 
   // Calls visit(span) for the active voxels along `range` of the line, in order, until it returns
   // true; whether it did. T: the volume's sample type.
-  // pre: range from line.clip(.., box()); active(kappa); threshold = inside_threshold<T>(kappa).
+  // pre: range from line.clip, or a part of it; the volume's samples; active(kappa); threshold =
+  // inside_threshold<T>(kappa).
   template <class T, class Visit>
-  bool find_along(const LatticeLine& line, Range range, T threshold, Visit&& visit) const;
+  bool find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
+                  Visit&& visit) const;
 
   // origin + t * direction (scaled frame) in voxel units, same t. An origin in the volume's box is
   // in the box of voxels too, however the spacing rounds.
   LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
-    Vec3 start = scaled(origin);
-    for (int axis = 0; axis < 3; ++axis)
-      if (origin[axis] <= volume_box_.hi[axis])
-        start[axis] = std::min(start[axis], static_cast<double>(box().hi[axis]));
-    return {start, scaled(direction)};
+    const auto in_voxels = [&](int axis) {
+      const double u = origin[axis] * per_spacing_[axis];
+      return origin[axis] <= top_[axis] ? std::min(u, top_in_voxels_[axis]) : u;
+    };
+    return {
+        {in_voxels(0), in_voxels(1), in_voxels(2)},
+        {direction.x * per_spacing_.x, direction.y * per_spacing_.y, direction.z * per_spacing_.z},
+        volume_.voxels()};
   }
 
  private:
@@ -95,7 +103,7 @@ class VoxelTree {
     std::size_t node;
     int level;
     VoxelBox box;
-    Range range;
+    double t0, t1;
   };
   static constexpr int kMaxDepth = 3 * 31;
   static_assert(std::numeric_limits<int>::digits <= 31);
@@ -103,13 +111,9 @@ class VoxelTree {
   template <class T>
   void build(const T* samples);
   void choose_axes();
-  Vec3 scaled(const Vec3& p) const {
-    return {p.x * per_spacing_.x, p.y * per_spacing_.y, p.z * per_spacing_.z};
-  }
 
   const Volume& volume_;
-  Box3 volume_box_;
-  Vec3 per_spacing_;
+  Vec3 per_spacing_, top_, top_in_voxels_;
   int depth_ = 0;                               // levels of inner nodes
   std::array<std::uint8_t, kMaxDepth> axis_{};  // across which each level splits
   std::variant<Nodes<std::uint8_t>, Nodes<std::int8_t>, Nodes<std::uint16_t>, Nodes<std::int16_t>,
@@ -127,49 +131,46 @@ bool is_active_voxel(const T* s, std::size_t dy, std::size_t dz, T threshold) {
 }
 
 template <class T, class Visit>
-bool VoxelTree::find_along(const LatticeLine& line, Range range, T threshold, Visit&& visit) const {
+bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
+                           Visit&& visit) const {
   if (!(range.lo < range.hi)) return false;
   const auto& nodes = std::get<Nodes<T>>(nodes_);
-  const T* samples = volume_.visit([](const auto* s) { return reinterpret_cast<const T*>(s); });
   const std::size_t dy = static_cast<std::size_t>(volume_.dims().i);
   const std::size_t dz = dy * static_cast<std::size_t>(volume_.dims().j);
 
   std::array<Pending, kMaxDepth> stack;
   std::size_t waiting = 0;
-  Pending at{1, 0, box(), range};
+  Pending at{1, 0, box(), range.lo, range.hi};
   while (true) {
     const bool active = nodes[at.node].active(threshold);
     if (active && at.level < depth_) {
       // Go to the child that comes first along the line; the other one waits. Crossings of the
       // split plane are compared exactly as a voxel walk compares them.
       const std::size_t axis = axis_[static_cast<std::size_t>(at.level)];
-      const int a = static_cast<int>(axis);
-      const int middle = at.box.lo[a] + (at.box.hi[a] - at.box.lo[a]) / 2;
-      bool upper_first = false, first = true, second = false;
-      double split = 0;
-      if (line.parallel(axis)) {
-        upper_first = line.origin(axis) >= middle;
-      } else {
-        upper_first = !line.ascending(axis);
-        split = line.at_plane(axis, middle);
-        first = split > at.range.lo;
-        second = split < at.range.hi;
-      }
-      const auto child = [&](bool upper, Range part) {
-        Pending node{2 * at.node + upper, at.level + 1, at.box, part};
-        (upper ? node.box.lo : node.box.hi)[a] = middle;
-        return node;
+      const int middle = at.box.lo[axis] + (at.box.hi[axis] - at.box.lo[axis]) / 2;
+      const double split = line.at_plane(axis, middle);
+      const auto descend = [&](Pending& node, int upper) {
+        node.node = 2 * node.node + static_cast<std::size_t>(upper);
+        ++node.level;
+        (upper ? node.box.lo : node.box.hi)[axis] = middle;
       };
-      if (first && second) {
-        stack[waiting++] = child(!upper_first, {split, at.range.hi});
-        at = child(upper_first, {at.range.lo, split});
+      const int second = line.ahead(axis);
+      if (split <= at.t0) {
+        descend(at, second);
+      } else if (split >= at.t1) {
+        descend(at, 1 - second);
       } else {
-        at = child(first ? upper_first : !upper_first, at.range);
+        Pending& later = stack[waiting++];
+        later = at;
+        later.t0 = at.t1 = split;
+        descend(later, second);
+        descend(at, 1 - second);
       }
       continue;
     }
     if (active) {
-      for (VoxelWalk walk(line, at.range, at.box); !walk.done(); walk.step()) {
+      const Index3 first = line.voxel_after(at.t0, at.box);
+      for (VoxelWalk walk(line, first, {at.t0, at.t1}); !walk.done(); walk.step()) {
         const Index3 v = walk.voxel();
         if (is_active_voxel(samples + volume_.index(v.i, v.j, v.k), dy, dz, threshold) &&
             visit(walk.span()))

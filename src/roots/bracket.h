@@ -8,11 +8,12 @@
 
 namespace deliso {
 
-inline double horner(const Cubic& c, double t) {
-  return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+// Value and slope, in Estrin's order: a shorter chain of dependent operations than Horner's.
+inline double value_at(const Cubic& c, double t) {
+  return (c[0] + t * c[1]) + (t * t) * (c[2] + t * c[3]);
 }
-inline double horner_slope(const Cubic& c, double t) {
-  return c[1] + t * (2 * c[2] + t * (3 * c[3]));
+inline double slope_at(const Cubic& c, double t) {
+  return (c[1] + t * (2 * c[2])) + (t * t) * (3 * c[3]);
 }
 
 // The roots of the derivative inside (lo, hi), increasing. The larger root is taken from the sum
@@ -37,23 +38,28 @@ inline Roots critical_points(const Cubic& c, double lo, double hi) {
 // round when !rising. Newton steps from the guess t, kept in a shrinking bracket, with bisection
 // where they leave it or fail to halve. It ends: each round halves the step or the bracket.
 //
-// The interval's width is at most about 1. A Newton step of size h leaves |p| <= |p''| h^2 / 2, so
-// one of 2^-27 is the last; a bisection has to go on to the last bit, unless |p| is within `noise`.
-inline double bracketed_root(const Cubic& c, double lo, double hi, bool rising, double t,
-                             double noise) {
-  double last_step = hi - lo;
+// A Newton step of size h leaves |p| <= |p''| h^2 / 2, so one of at most `last_step` is the last; a
+// bisection has to go on to the last bit (of an interval about 1 wide), unless |p| is within
+// `noise`.
+struct Accuracy {
+  double last_step, noise;
+};
+double bracketed_root(const Cubic& c, double lo, double hi, bool rising, double t,
+                      Accuracy accuracy);
+
+// The same where [lo, hi] holds no other root: as long as plain Newton steps halve and stay inside,
+// no bracket is needed, since there is but one place to end at.
+inline double single_root(const Cubic& c, double lo, double hi, bool rising, double guess,
+                          Accuracy accuracy) {
+  double t = guess, last_step = hi - lo;
   while (true) {
-    const double f = horner(c, t);
-    if (std::abs(f) <= noise) return t;
-    ((f >= 0) == rising ? hi : lo) = t;
-    double next = t - f / horner_slope(c, t);
-    const bool newton = lo < next && next < hi && std::abs(next - t) <= 0.5 * last_step;
-    if (!newton) next = lo + 0.5 * (hi - lo);
-    const double step = std::abs(next - t);
+    const double next = t - value_at(c, t) / slope_at(c, t), step = std::abs(next - t);
+    if (!(lo <= next && next <= hi && step <= 0.5 * last_step)) break;
+    if (step <= accuracy.last_step) return next;
     t = next;
-    if (step <= (newton ? 0x1p-27 : 0x1p-53)) return t;
-    last_step = newton ? step : hi - lo;
+    last_step = step;
   }
+  return bracketed_root(c, lo, hi, rising, guess, accuracy);
 }
 
 // Where the chord between the values at the ends crosses zero.

@@ -4,6 +4,7 @@
 // monotone piece the signs at its ends tell whether it holds a root; find it by safeguarded steps.
 #pragma once
 
+#include "roots/bracket.h"
 #include "roots/cubic.h"
 
 namespace deliso {
@@ -12,7 +13,8 @@ namespace deliso {
 // `closed_form` is given, the steps start at the root found there, else on the chord.
 Roots isolated_roots(const Cubic& c, double lo, double hi, const Roots* closed_form);
 
-// crossings() of roots/cubic.h for b with at least one sign change among its coefficients.
-Roots isolated_crossings(const Cubic& b, const Cubic& power, const Roots* closed_form);
+// crossings() of roots/cubic.h; `power` is b in the power basis.
+Roots isolated_crossings(const Cubic& b, const Cubic& power, const Roots* closed_form,
+                         Accuracy accuracy);
 
 }  // namespace deliso

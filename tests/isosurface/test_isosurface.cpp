@@ -15,11 +15,6 @@ using namespace deliso;
 
 namespace {
 
-// Whether the voxel is the one that a line in a lattice plane counts for.
-bool owns(const LatticeLine& line, std::size_t axis, int n, int count) {
-  return !line.parallel(axis) || line.origin(axis) < n + 1 || n == count - 1;
-}
-
 // Every voxel of the volume is clipped against the line by itself and solved if that leaves a
 // piece.
 std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Range range,
@@ -27,15 +22,14 @@ std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Ra
   std::vector<Hit> hits;
   const Volume& volume = field.volume;
   const Index3 n = volume.voxels();
+  if (!line.valid()) return hits;
   for (int k = 0; k < n.k; ++k) {
     for (int j = 0; j < n.j; ++j) {
       for (int i = 0; i < n.i; ++i) {
-        if (!owns(line, 0, i, n.i) || !owns(line, 1, j, n.j) || !owns(line, 2, k, n.k)) continue;
-        const Range piece = line.clip(range, {{i, j, k}, {i + 1, j + 1, k + 1}});
-        if (!(piece.lo < piece.hi)) continue;
+        const VoxelSpan span = line.span({i, j, k}, range);
+        if (span.empty()) continue;
         Corners corners = volume.corners({i, j, k});
         for (double& c : corners) c -= field.kappa;
-        const VoxelSpan span = line.span({i, j, k}, piece.lo, piece.hi);
         for (const double s : find_intersections(corners, span, method))
           hits.push_back({parameter_at(span, s), point_at(span, s, volume.spacing())});
       }

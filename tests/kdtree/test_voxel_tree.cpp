@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "../isosurface/fields.h"
 
@@ -19,26 +18,15 @@ bool same(const VoxelSpan& a, const VoxelSpan& b) {
   return a.voxel == b.voxel && a.t0 == b.t0 && a.t1 == b.t1 && a.u0 == b.u0 && a.u1 == b.u1;
 }
 
-// The voxel's piece of the line, by clipping it alone.
-std::optional<VoxelSpan> piece_of(const LatticeLine& line, Index3 voxel, Index3 count) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int n = voxel[static_cast<int>(axis)];
-    const bool last = n == count[static_cast<int>(axis)] - 1;
-    if (line.parallel(axis) && !(line.origin(axis) < n + 1) && !last) return std::nullopt;
-  }
-  const Range piece = line.clip({0, 1}, {voxel, {voxel.i + 1, voxel.j + 1, voxel.k + 1}});
-  if (!(piece.lo < piece.hi)) return std::nullopt;
-  return line.span(voxel, piece.lo, piece.hi);
-}
-
 // Pieces of all voxels, in order along the line.
 std::vector<VoxelSpan> all_pieces(const LatticeLine& line, const Volume& volume) {
   std::vector<VoxelSpan> spans;
   const Index3 n = volume.voxels();
+  if (!line.valid()) return spans;
   for (int k = 0; k < n.k; ++k)
     for (int j = 0; j < n.j; ++j)
       for (int i = 0; i < n.i; ++i)
-        if (const auto span = piece_of(line, {i, j, k}, n)) spans.push_back(*span);
+        if (const auto span = line.span({i, j, k}, {0, 1}); !span.empty()) spans.push_back(span);
   std::sort(spans.begin(), spans.end(),
             [](const VoxelSpan& a, const VoxelSpan& b) { return a.t0 < b.t0; });
   return spans;

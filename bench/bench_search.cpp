@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// The kd-tree and the oracle on a volume: time and memory of the tree, time and voxel-ray
+// computations per search (CPI of Table 4), and on request a check against plain walks.
+//
+// Usage: bench_search --raw FILE NX NY NZ [SX SY SZ] --iso K [--count N] [--check N]
+//   FILE holds NX*NY*NZ uint8 samples. --check N: N random segments and N nearest-point queries,
+//   against clipping every voxel in the box of the segment by itself.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "isosurface/isosurface.h"
+#include "isosurface/voxel_ray.h"
+
+using namespace deliso;
+
+namespace {
+
+// CPU seconds, so that other work on the machine does not count.
+double seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+struct Input {
+  std::string file;
+  Index3 dims;
+  Vec3 spacing{1, 1, 1};
+  double kappa = 0;
+  int count = 200'000, check = 0;
+};
+
+Input parse(int argc, char** argv) {
+  Input input;
+  for (int n = 1; n < argc; ++n) {
+    const auto number = [&] { return std::atof(argv[++n]); };
+    if (!std::strcmp(argv[n], "--raw") && n + 4 < argc) {
+      input.file = argv[++n];
+      for (int axis = 0; axis < 3; ++axis) input.dims[axis] = static_cast<int>(number());
+      for (int axis = 0; axis < 3 && n + 1 < argc && argv[n + 1][0] != '-'; ++axis)
+        input.spacing[axis] = number();
+    } else if (!std::strcmp(argv[n], "--iso") && n + 1 < argc) {
+      input.kappa = number();
+    } else if (!std::strcmp(argv[n], "--count") && n + 1 < argc) {
+      input.count = static_cast<int>(number());
+    } else if (!std::strcmp(argv[n], "--check") && n + 1 < argc) {
+      input.check = static_cast<int>(number());
+    }
+  }
+  return input;
+}
+
+Vec3 random_point(Random& random, const Box3& box) {
+  return {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y),
+          random.uniform(box.lo.z, box.hi.z)};
+}
+
+Vec3 random_direction(Random& random) {
+  while (true) {
+    const Vec3 d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    if (length2(d) > 1e-4 && length2(d) < 1) return d / length(d);
+  }
+}
+
+struct Query {
+  Vec3 center, direction;
+};
+
+// Lines as Stage 2 asks for them: from points within about a voxel of Sigma, along its normal give
+// or take.
+std::vector<Query> stage2_queries(const Isosurface& surface, int count, double offset) {
+  Random random(5);
+  std::vector<Query> queries;
+  std::vector<Hit> hits;
+  SearchCounters counters;
+  for (int tries = 0; static_cast<int>(queries.size()) < count && tries < 100 * count; ++tries) {
+    const Box3 box = surface.volume().box();
+    surface.intersect({random_point(random, box), random_point(random, box)}, hits, counters);
+    for (const Hit& hit : hits) {
+      const Vec3 gradient = surface.gradient(hit.point);
+      const double size = length(gradient);
+      if (!(size > 0)) continue;
+      const Vec3 direction = gradient / size + 0.3 * random_direction(random);
+      const Vec3 n = direction / length(direction);
+      queries.push_back({hit.point + random.uniform(-offset, offset) * n, n});
+    }
+  }
+  return queries;
+}
+
+void report(const char* what, double time, const SearchCounters& c) {
+  const double searches = static_cast<double>(c.searches);
+  std::printf("%-34s %7.1f ns   hits %.3f   CPI %.2f   CPI* %.2f\n", what, 1e9 * time / searches,
+              static_cast<double>(c.searches_with_hit) / searches,
+              static_cast<double>(c.computations) / searches,
+              static_cast<double>(c.computations_with_hit) /
+                  static_cast<double>(std::max<std::uint64_t>(c.searches_with_hit, 1)));
+}
+
+void time_nearest(const char* what, const Isosurface& surface, const std::vector<Query>& queries,
+                  double limit) {
+  SearchCounters counters;
+  double sum = 0;
+  const double start = seconds();
+  for (const Query& q : queries)
+    if (const auto hit = surface.nearest(q.center, q.direction, limit, counters)) sum += hit->t;
+  report(what, seconds() - start, counters);
+  if (std::isnan(sum)) std::printf("NaN\n");
+}
+
+void time_intersect(const char* what, const Isosurface& surface, const std::vector<Segment>& all) {
+  SearchCounters counters;
+  std::vector<Hit> hits;
+  const double start = seconds();
+  for (const Segment& r : all) surface.intersect(r, hits, counters);
+  report(what, seconds() - start, counters);
+}
+
+// All hits of the line, voxel by voxel over the bounding box of the range, without tree or walk.
+std::vector<Hit> plain_hits(const Isosurface& surface, const LatticeLine& line, Range range,
+                            const Vec3& from, const Vec3& to) {
+  const Volume& volume = surface.volume();
+  const Index3 a = volume.voxel_at(from), b = volume.voxel_at(to), n = volume.voxels();
+  std::vector<Hit> hits;
+  Index3 lo, hi;
+  for (int axis = 0; axis < 3; ++axis) {
+    // One more on each side: voxel_at rounds on its own.
+    lo[axis] = std::max(std::min(a[axis], b[axis]) - 1, 0);
+    hi[axis] = std::min(std::max(a[axis], b[axis]) + 2, n[axis]);
+  }
+  for (int k = lo.k; k < hi.k; ++k) {
+    for (int j = lo.j; j < hi.j; ++j) {
+      // Rows the line misses are passed over whole.
+      if (std::max(line.enter(1, j), line.enter(2, k)) >=
+          std::min(line.leave(1, j), line.leave(2, k)))
+        continue;
+      for (int i = lo.i; i < hi.i; ++i) {
+        const VoxelSpan span = line.span({i, j, k}, range);
+        if (span.empty()) continue;
+        Corners corners = volume.corners({i, j, k});
+        for (double& c : corners) c -= surface.kappa();
+        for (const double s : find_intersections(corners, span, CubicMethod::isolation))
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume.spacing())});
+      }
+    }
+  }
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& p, const Hit& q) { return p.t < q.t; });
+  return hits;
+}
+
+bool check(const Isosurface& surface, const VoxelTree& tree, int count) {
+  SearchCounters counters;
+  std::vector<Hit> hits;
+  std::uint64_t found = 0, near = 0, wrong = 0;
+  double worst = 0;
+  for (int n = 0; n < count; ++n) {
+    Random random(static_cast<std::uint64_t>(n));
+    const Box3 box = surface.volume().box();
+    const Segment r{random_point(random, box), random_point(random, box)};
+    surface.intersect(r, hits, counters);
+    std::vector<Hit> expected =
+        plain_hits(surface, tree.lattice_line(r.a, r.direction()), {0, 1}, r.a, r.b);
+    bool same = hits.size() == expected.size();
+    for (std::size_t m = 0; same && m < hits.size(); ++m)
+      same = hits[m].t == expected[m].t && hits[m].point == expected[m].point;
+    found += hits.size();
+    for (const Hit& hit : hits)
+      worst = std::max(worst, std::abs(surface.volume().value(hit.point) - surface.kappa()));
+
+    const double size = length(r.direction()), limit = random.uniform(0, 40);
+    const Vec3 direction = r.direction() / size;
+    const auto hit = surface.nearest(r.a, direction, limit, counters);
+    expected = plain_hits(surface, tree.lattice_line(r.a, direction), {-limit, limit},
+                          r.a - limit * direction, r.a + limit * direction);
+    const auto best =
+        std::min_element(expected.begin(), expected.end(), [](const Hit& p, const Hit& q) {
+          return std::abs(p.t) < std::abs(q.t) || (std::abs(p.t) == std::abs(q.t) && p.t > q.t);
+        });
+    same = same && hit.has_value() == (best != expected.end()) &&
+           (!hit || (hit->t == best->t && hit->point == best->point));
+    near += hit.has_value();
+    if (same) continue;
+    if (wrong++ < 5) std::printf("differs: seed %d\n", n);
+  }
+  std::printf(
+      "check: %d segments with %llu hits, %d nearest-point queries with %llu hits, "
+      "%llu differ; largest |g - kappa| %.2g\n",
+      count, static_cast<unsigned long long>(found), count, static_cast<unsigned long long>(near),
+      static_cast<unsigned long long>(wrong), worst);
+  return wrong == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Input input = parse(argc, argv);
+  std::ifstream file(input.file, std::ios::binary);
+  const std::vector<std::uint8_t> samples{std::istreambuf_iterator<char>(file), {}};
+  if (samples.empty() || samples.size() != static_cast<std::size_t>(input.dims.i) *
+                                               static_cast<std::size_t>(input.dims.j) *
+                                               static_cast<std::size_t>(input.dims.k)) {
+    std::fprintf(stderr,
+                 "usage: bench_search --raw FILE NX NY NZ [SX SY SZ] --iso K [--count N] "
+                 "[--check N]\n");
+    return 2;
+  }
+  const Volume volume = Volume::from_samples(input.dims, input.spacing, samples);
+
+  double start = seconds();
+  const VoxelTree tree(volume);
+  std::printf("kd-tree: %.1f ms, %zu bytes = %.2f %% of the samples, depth %d\n",
+              1e3 * (seconds() - start), tree.bytes(),
+              100.0 * static_cast<double>(tree.bytes()) / static_cast<double>(samples.size()),
+              tree.depth());
+
+  const double kappa = effective_isovalue(volume, input.kappa);
+  const Isosurface surface(volume, tree, kappa);
+  if (input.check > 0) return check(surface, tree, input.check) ? 0 : 1;
+
+  for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
+    const Isosurface by(volume, tree, kappa, method);
+    std::printf("%s\n", method == CubicMethod::isolation ? "isolation" : "schwarze");
+    std::vector<Query> queries = stage2_queries(surface, input.count, 1);
+    time_nearest("  nearest, +-1 voxel, random order", by, queries, 10);
+    std::sort(queries.begin(), queries.end(), [&](const Query& a, const Query& b) {
+      const Index3 p = volume.voxel_at(a.center), q = volume.voxel_at(b.center);
+      return volume.index(p.i, p.j, p.k) < volume.index(q.i, q.j, q.k);
+    });
+    time_nearest("  nearest, +-1 voxel, in order", by, queries, 10);
+    queries = stage2_queries(surface, input.count, 0.1);
+    time_nearest("  nearest, +-0.1 voxel, random order", by, queries, 10);
+    for (Query& q : queries)
+      q.direction =
+          random_direction(*std::make_unique<Random>(static_cast<std::uint64_t>(q.center.x * 1e6)));
+    time_nearest("  nearest, any direction, no limit", by, queries, 1e9);
+
+    Random random(9);
+    std::vector<Segment> across, around;
+    for (int n = 0; n < input.count; ++n) {
+      const Box3 box = volume.box();
+      across.push_back({random_point(random, box), random_point(random, box)});
+      const Vec3 p = queries[static_cast<std::size_t>(n) % queries.size()].center;
+      around.push_back({p + 2 * random_direction(random), p + 2 * random_direction(random)});
+    }
+    time_intersect("  intersect, across the box", by, across);
+    time_intersect("  intersect, 2 voxels round Sigma", by, around);
+  }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "roots/bracket.h"
+
+namespace deliso {
+
+double bracketed_root(const Cubic& c, double lo, double hi, bool rising, double t,
+                      Accuracy accuracy) {
+  double last_step = hi - lo;
+  while (true) {
+    const double f = value_at(c, t);
+    if (std::abs(f) <= accuracy.noise) return t;
+    ((f >= 0) == rising ? hi : lo) = t;
+    double next = t - f / slope_at(c, t);
+    const bool newton = lo < next && next < hi && std::abs(next - t) <= 0.5 * last_step;
+    if (!newton) next = lo + 0.5 * (hi - lo);
+    const double step = std::abs(next - t);
+    t = next;
+    if (step <= (newton ? accuracy.last_step : 0x1p-53)) return t;
+    last_step = newton ? step : hi - lo;
+  }
+}
+
+}  // namespace deliso
