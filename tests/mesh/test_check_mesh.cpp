@@ -4,10 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 
 #include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
+#include "mesh/star.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -175,6 +178,128 @@ TEST_CASE("one fault put into random sound meshes") {
     CHECK(after.boundary_loops == 1);
     CHECK(after.closed_components == 0);
     CHECK(after.isolated_vertices == 0);
+  }
+}
+
+TEST_CASE("arbitrary soups: sound exactly when edges and stars say so") {
+  std::size_t sound = 0, faulty = 0;
+  for (std::uint64_t seed = 1; seed <= 40000; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const std::uint32_t vertices = 4 + random.below(4);
+    Triangles triangles(1 + random.below(seed % 2 ? 4 : 9));
+    for (Triangle& t : triangles) {
+      for (VertexId& v : t) v = random.below(vertices);
+    }
+    // Half of the soups are parts of a sound mesh, else hardly one would be sound.
+    if (seed % 2 == 0) {
+      triangles = seed % 4 ? octahedron() : torus_grid(3, 3);
+      for (std::uint32_t out = random.below(10); out > 0 && triangles.size() > 1; --out) {
+        triangles.erase(triangles.begin() +
+                        random.below(static_cast<std::uint32_t>(triangles.size())));
+      }
+      if (random.below(3) == 0) {
+        std::swap(triangles[0][0], triangles[0][1]);
+      }
+    }
+    bool fine = true;
+    std::map<std::pair<VertexId, VertexId>, int> directed;
+    std::map<VertexId, Triangles> around;
+    for (const Triangle& t : triangles) {
+      for (int i = 0; i < 3; ++i) {
+        fine &= t[i] != t[(i + 1) % 3];
+        fine &= ++directed[{t[i], t[(i + 1) % 3]}] == 1;
+        around[t[i]].push_back(t);
+      }
+    }
+    for (const auto& [q, star] : around) {
+      fine = fine && is_disk_or_allowed_half_disk(classify_star(q, star), true);
+    }
+    const std::string fault = check_mesh(mesh_of(triangles));
+    REQUIRE_MESSAGE(fault.empty() == fine, fault);
+    ++(fine ? sound : faulty);
+  }
+  CHECK(sound > 5000);
+  CHECK(faulty > 5000);
+}
+
+TEST_CASE("arbitrary soups: the topology against sets and flood fills") {
+  for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const std::uint32_t vertices = 5 + random.below(15);
+    Triangles triangles(1 + random.below(12));
+    for (Triangle& t : triangles) {
+      const VertexId a = random.below(vertices);
+      const VertexId b = (a + 1 + random.below(vertices - 1)) % vertices;
+      VertexId c = a;
+      while (c == a || c == b) c = random.below(vertices);
+      t = {a, b, c};
+    }
+    const TriMesh mesh = make_tri_mesh(some_points(vertices), triangles);
+    const MeshTopology topology = mesh_topology(mesh);
+
+    std::map<std::set<VertexId>, int> edges;
+    std::set<std::set<VertexId>> different;
+    std::map<VertexId, std::set<VertexId>> surface, rim;
+    for (const Triangle& t : triangles) {
+      different.insert({t[0], t[1], t[2]});
+      for (int i = 0; i < 3; ++i) {
+        ++edges[{t[i], t[(i + 1) % 3]}];
+        surface[t[i]].insert({t[(i + 1) % 3], t[(i + 2) % 3]});
+      }
+    }
+    std::size_t boundary = 0;
+    for (const auto& [edge, count] : edges) {
+      if (count > 1) continue;
+      ++boundary;
+      rim[*edge.begin()].insert(*edge.rbegin());
+      rim[*edge.rbegin()].insert(*edge.begin());
+    }
+    // The connected parts of a graph, each as its set of vertices.
+    const auto parts = [](const std::map<VertexId, std::set<VertexId>>& graph) {
+      std::set<std::set<VertexId>> all;
+      for (const auto& [start, unused] : graph) {
+        std::set<VertexId> part{start};
+        std::vector<VertexId> open{start};
+        while (!open.empty()) {
+          const VertexId v = open.back();
+          open.pop_back();
+          for (const VertexId w : graph.at(v)) {
+            if (part.insert(w).second) open.push_back(w);
+          }
+        }
+        all.insert(part);
+      }
+      return all;
+    };
+    const auto components = parts(surface);
+    REQUIRE(topology.vertices_used == surface.size());
+    REQUIRE(topology.isolated_vertices == vertices - surface.size());
+    REQUIRE(topology.edges == edges.size());
+    REQUIRE(topology.faces == triangles.size());
+    REQUIRE(topology.duplicate_faces == triangles.size() - different.size());
+    REQUIRE(topology.boundary_edges == boundary);
+    REQUIRE(topology.boundary_loops == parts(rim).size());
+    REQUIRE(topology.components.size() == components.size());
+    std::size_t at = 0, closed = 0;
+    for (const std::set<VertexId>& component : components) {  // in the order of the smallest vertex
+      const ComponentTopology& c = topology.components[at++];
+      const auto inside = [&](const auto& entry) {
+        return component.count(*entry.first.begin()) == 1;
+      };
+      REQUIRE(c.vertices == component.size());
+      REQUIRE(c.edges ==
+              static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), inside)));
+      const auto own = [&](const Triangle& t) { return component.count(t[0]) == 1; };
+      REQUIRE(c.faces ==
+              static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), own)));
+      // some_points() rise with their id in every coordinate.
+      REQUIRE(c.box.lo == mesh.points[*component.begin()]);
+      REQUIRE(c.box.hi == mesh.points[*component.rbegin()]);
+      closed += c.closed();
+    }
+    REQUIRE(topology.closed_components == closed);
   }
 }
 
