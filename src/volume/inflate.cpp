@@ -5,156 +5,11 @@
 #include <array>
 #include <cstring>
 
+#include "volume/checksum.h"
+#include "volume/prefix_code.h"
+
 namespace deliso {
 namespace {
-
-// Bits of a deflate stream, least significant first. Behind the end it yields zeros and counts
-// them, so that decoding may look ahead freely and check once per symbol.
-class BitReader {
- public:
-  explicit BitReader(std::span<const std::byte> in) : in_(in) {}
-
-  // Makes at least 56 bits available.
-  void refill() {
-    if (in_.size() - next_ >= 8) {
-      std::uint64_t word = 0;
-      for (int n = 0; n < 8; ++n)
-        word |= std::to_integer<std::uint64_t>(in_[next_ + static_cast<std::size_t>(n)]) << (8 * n);
-      bits_ |= word << count_;
-      const unsigned bytes = (63 - count_) >> 3;
-      next_ += bytes;
-      count_ += 8 * bytes;
-      return;
-    }
-    while (count_ <= 56) {
-      if (next_ < in_.size()) {
-        bits_ |= std::to_integer<std::uint64_t>(in_[next_++]) << count_;
-      } else {
-        ++missing_;
-      }
-      count_ += 8;
-    }
-  }
-  std::uint32_t peek(unsigned n) const {
-    return static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << n) - 1));
-  }
-  void skip(unsigned n) {
-    bits_ >>= n;
-    count_ -= n;
-  }
-  // pre: n bits of the last refill are left.
-  std::uint32_t take(unsigned n) {
-    const std::uint32_t value = peek(n);
-    skip(n);
-    return value;
-  }
-  // Bits were used that the input does not have.
-  bool overrun() const { return 8 * missing_ > count_; }
-
-  // Drops the bits up to the next byte boundary; returns the offset of the first unused byte.
-  std::size_t align() {
-    skip(count_ & 7);
-    const std::size_t unread = count_ / 8;
-    const std::size_t offset = unread > missing_ ? next_ - (unread - missing_) : next_;
-    return offset;
-  }
-  void move_to(std::size_t offset) {
-    next_ = offset;
-    bits_ = 0;
-    count_ = 0;
-    missing_ = 0;
-  }
-
- private:
-  std::span<const std::byte> in_;
-  std::size_t next_ = 0;  // first byte not yet in bits_
-  std::uint64_t bits_ = 0;
-  unsigned count_ = 0;       // valid bits in bits_
-  std::size_t missing_ = 0;  // bytes behind the end counted as zeros
-};
-
-// A prefix code as look-up tables: the next kRootBits bits select an entry; codes longer than that
-// continue in a second table. Symbols of the codes become entries through `entry_of`.
-struct Entry {
-  std::uint16_t base = 0;  // literal, or first value of a length or distance, or second table
-  std::uint8_t extra = 0;  // number of extra bits, or one of the kinds below
-  std::uint8_t bits = 0;   // length of the code (within its table); 0: no such code
-};
-constexpr std::uint8_t kLiteral = 32, kEndOfBlock = 33, kInvalid = 34, kSecondTable = 64;
-
-constexpr unsigned kRootBits = 10;
-constexpr unsigned kLongestCode = 15;
-
-class PrefixCode {
- public:
-  // Builds the canonical code with these code lengths (0: symbol unused). False if the lengths are
-  // no prefix code. An incomplete code is accepted only if it has at most one symbol, as RFC 1951
-  // needs for distances.
-  template <class EntryOf>
-  bool build(std::span<const std::uint8_t> lengths, EntryOf entry_of) {
-    std::array<std::uint16_t, kLongestCode + 1> count{};
-    for (std::uint8_t length : lengths) ++count[length];
-    count[0] = 0;
-    int left = 1;
-    unsigned used = 0;
-    std::array<std::uint16_t, kLongestCode + 2> next_code{};
-    for (unsigned length = 1; length <= kLongestCode; ++length) {
-      left = 2 * left - count[length];
-      if (left < 0) return false;
-      used += count[length];
-      next_code[length + 1] = static_cast<std::uint16_t>((next_code[length] + count[length]) << 1);
-    }
-    if (left > 0 && used > 1) return false;
-
-    entries_.fill({});
-    std::size_t end = std::size_t{1} << kRootBits;
-    for (std::size_t symbol = 0; symbol < lengths.size(); ++symbol) {
-      const unsigned length = lengths[symbol];
-      if (length == 0) continue;
-      const std::uint32_t code = reversed(next_code[length]++, length);
-      Entry entry = entry_of(symbol);
-      if (length <= kRootBits) {
-        entry.bits = static_cast<std::uint8_t>(length);
-        for (std::size_t n = code; n < (std::size_t{1} << kRootBits); n += std::size_t{1} << length)
-          entries_[n] = entry;
-        continue;
-      }
-      Entry& root = entries_[code & ((1u << kRootBits) - 1)];
-      if (root.bits == 0) {  // every second table has the size for the longest codes
-        root = {static_cast<std::uint16_t>(end), kSecondTable, kRootBits};
-        end += std::size_t{1} << kSecondBits;
-      }
-      entry.bits = static_cast<std::uint8_t>(length - kRootBits);
-      for (std::size_t n = code >> kRootBits; n < (std::size_t{1} << kSecondBits);
-           n += std::size_t{1} << entry.bits)
-        entries_[root.base + n] = entry;
-    }
-    return true;
-  }
-
-  // pre: the reader holds kLongestCode bits. An entry with bits == 0 means: no such code.
-  Entry decode(BitReader& in) const {
-    Entry entry = entries_[in.peek(kRootBits)];
-    if (entry.extra == kSecondTable) {
-      in.skip(kRootBits);
-      entry = entries_[entry.base + in.peek(kSecondBits)];
-    }
-    in.skip(entry.bits);
-    return entry;
-  }
-
- private:
-  static constexpr unsigned kSecondBits = kLongestCode - kRootBits;
-
-  static std::uint32_t reversed(std::uint32_t code, unsigned length) {
-    std::uint32_t result = 0;
-    for (unsigned n = 0; n < length; ++n) result |= (code >> n & 1u) << (length - 1 - n);
-    return result;
-  }
-
-  // A second table needs at least two codes longer than kRootBits, so 288 symbols make at most 144.
-  std::array<Entry, (1u << kRootBits) + 144 * (1u << kSecondBits)> entries_;
-};
 
 // RFC 1951, 3.2.5: lengths 3..258 (symbols 257..285) and distances 1..32768.
 constexpr std::uint16_t kLengthBase[] = {3,  4,  5,  6,   7,   8,   9,   10,  11, 13,
@@ -217,7 +72,7 @@ class Decoder {
 
  private:
   bool fail(const char* fault) {
-    fault_ = fault;
+    fault_ = bits_.overrun() ? "an early end" : fault;
     return false;
   }
 
@@ -431,56 +286,10 @@ Inflated inflate_zlib(std::span<const std::byte> in, std::span<std::byte> out) {
   return result;
 }
 
-// Eight tables let the CRC advance eight bytes at a time ("slicing by 8", Kounavis and Berry 2005).
-using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
-constexpr CrcTables make_crc_tables() {
-  CrcTables tables{};
-  for (std::uint32_t n = 0; n < 256; ++n) {
-    std::uint32_t c = n;
-    for (int bit = 0; bit < 8; ++bit) c = (c >> 1) ^ (c & 1 ? 0xedb88320u : 0u);
-    tables[0][n] = c;
-  }
-  for (std::size_t t = 1; t < 8; ++t)
-    for (std::size_t n = 0; n < 256; ++n)
-      tables[t][n] = (tables[t - 1][n] >> 8) ^ tables[0][tables[t - 1][n] & 0xff];
-  return tables;
-}
-constexpr CrcTables kCrc = make_crc_tables();
-
 }  // namespace
 
 Inflated inflate(std::span<const std::byte> in, Wrapping wrapping, std::span<std::byte> out) {
   return wrapping == Wrapping::gzip ? inflate_gzip(in, out) : inflate_zlib(in, out);
-}
-
-std::uint32_t crc32(std::span<const std::byte> bytes) {
-  std::uint32_t c = 0xffffffffu;
-  while (bytes.size() >= 8) {
-    const std::uint32_t lo = c ^ little32(bytes, 0), hi = little32(bytes, 4);
-    c = kCrc[7][lo & 0xff] ^ kCrc[6][lo >> 8 & 0xff] ^ kCrc[5][lo >> 16 & 0xff] ^
-        kCrc[4][lo >> 24] ^ kCrc[3][hi & 0xff] ^ kCrc[2][hi >> 8 & 0xff] ^
-        kCrc[1][hi >> 16 & 0xff] ^ kCrc[0][hi >> 24];
-    bytes = bytes.subspan(8);
-  }
-  for (std::byte b : bytes) c = (c >> 8) ^ kCrc[0][(c ^ std::to_integer<std::uint32_t>(b)) & 0xff];
-  return ~c;
-}
-
-std::uint32_t adler32(std::span<const std::byte> bytes) {
-  constexpr std::uint32_t modulus = 65521;
-  constexpr std::size_t safe = 5552;  // so many bytes cannot overflow the sums
-  std::uint32_t a = 1, b = 0;
-  while (!bytes.empty()) {
-    const std::size_t n = std::min(safe, bytes.size());
-    for (std::byte byte : bytes.first(n)) {
-      a += std::to_integer<std::uint32_t>(byte);
-      b += a;
-    }
-    a %= modulus;
-    b %= modulus;
-    bytes = bytes.subspan(n);
-  }
-  return b << 16 | a;
 }
 
 }  // namespace deliso

@@ -32,7 +32,4 @@ constexpr std::uint64_t largest_inflated(std::uint64_t compressed) {
   return compressed > UINT64_MAX / 1032 ? UINT64_MAX : 1032 * compressed;
 }
 
-std::uint32_t crc32(std::span<const std::byte> bytes);
-std::uint32_t adler32(std::span<const std::byte> bytes);
-
 }  // namespace deliso

@@ -22,7 +22,7 @@ class MetaHeader {
       const std::size_t equals = line.find('=');
       if (equals == std::string_view::npos) {
         if (trimmed(line).empty()) continue;
-        fail(input.name(), "header line " + quoted(line) + " is no 'Key = Value'");
+        fail(input.name(), "header line " + quote(line) + " is no 'Key = Value'");
       }
       const std::string key = lower(trimmed(line.substr(0, equals)));
       keys_[key] = trimmed(line.substr(equals + 1));
@@ -65,7 +65,7 @@ class MetaHeader {
   }
   [[noreturn]] void fail_key(const char* key, std::string_view value,
                              const std::string& fault) const {
-    fail(input_.name(), std::string("key '") + key + "' is " + quoted(value) + ": " + fault);
+    fail(input_.name(), std::string("key '") + key + "' is " + quote(value) + ": " + fault);
   }
   std::size_t data_offset() const { return data_offset_; }
 

@@ -213,7 +213,7 @@ Bytes open_image_file(const VolumeInput& input) {
     try {
       return open_file(stem + ".img.gz");
     } catch (const InputError&) {
-      fail(input.name(), "cannot open its data file " + quoted(stem + ".img"));
+      fail(input.name(), "cannot open its data file " + quote(stem + ".img"));
     }
   }
 }

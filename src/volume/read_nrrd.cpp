@@ -25,7 +25,7 @@ class NrrdHeader {
       if (line[0] == '#') continue;
       const std::size_t colon = line.find(':');
       if (colon == std::string_view::npos)
-        fail(input.name(), "header line " + quoted(line) + " is no 'field: value'");
+        fail(input.name(), "header line " + quote(line) + " is no 'field: value'");
       if (line.substr(colon).starts_with(":=")) continue;  // a key of the user's
       std::string field = lower(trimmed(line.substr(0, colon)));
       std::erase(field, ' ');
@@ -44,7 +44,7 @@ class NrrdHeader {
     return fallback;
   }
   [[noreturn]] void fail_field(const std::string& field, const std::string& fault) const {
-    fail(input_.name(), "field '" + field + "' is " + quoted(get(field, "")) + ": " + fault);
+    fail(input_.name(), "field '" + field + "' is " + quote(get(field, "")) + ": " + fault);
   }
   std::int64_t integer(const std::string& field, const char* fallback = nullptr) const {
     const std::optional<std::int64_t> value = to_int(get(field, fallback));
@@ -96,7 +96,7 @@ std::vector<std::size_t> spatial_axes(const VolumeInput& input, const NrrdHeader
   for (std::size_t n = axes.size(); n-- > 0 && axes.size() > 3;)
     if (sizes[axes[n]] == 1) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(n));
   if (axes.size() != 3) {
-    fail(input.name(), "sizes " + quoted(header.get("sizes")) + " are " +
+    fail(input.name(), "sizes " + quote(header.get("sizes")) + " are " +
                            std::to_string(sizes.size()) +
                            "-dimensional: only three-dimensional scalar volumes can be meshed");
   }

@@ -40,7 +40,7 @@ Volume read_recognised(const VolumeInput& input) {
 }
 
 [[noreturn]] void fail_option(std::string_view text, const char* wanted) {
-  throw InputError(quoted(text) + " is not " + wanted);
+  throw InputError(quote(text) + " is not " + wanted);
 }
 
 // "a<separator>b<separator>c" split; nothing if it has not `count` parts.
@@ -94,7 +94,7 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
 
 SampleType supported_type(const VolumeInput& input, std::string_view name) {
   if (const std::optional<SampleType> type = sample_type_named(name)) return *type;
-  fail(input.name(), "sample type " + quoted(name) +
+  fail(input.name(), "sample type " + quote(name) +
                          " is not supported (integers of up to 32 bits, float32, float64 are)");
 }
 

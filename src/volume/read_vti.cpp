@@ -74,7 +74,7 @@ class VtiParser {
     }
     if (format == "binary") return from_base64(inside);
     if (format == "appended") return from_appended();
-    fail(input_.name(), "a DataArray has format " + quoted(format) +
+    fail(input_.name(), "a DataArray has format " + quote(format) +
                             ": only ascii, binary and appended are supported");
   }
 
@@ -83,7 +83,7 @@ class VtiParser {
     const std::string_view text = tag.attribute(name).value_or("");
     const std::optional<std::vector<double>> values = to_doubles(text);
     if (!values || values->size() != count)
-      fail(input_.name(), std::string("attribute ") + name + " is " + quoted(text) + ", not " +
+      fail(input_.name(), std::string("attribute ") + name + " is " + quote(text) + ", not " +
                               std::to_string(count) + " numbers");
     return *values;
   }
@@ -92,18 +92,18 @@ class VtiParser {
     const std::string_view type = tag.attribute("type").value_or("");
     if (type != "ImageData")
       fail(input_.name(),
-           "is a VTK file of type " + quoted(type) + ": only ImageData can be meshed");
+           "is a VTK file of type " + quote(type) + ": only ImageData can be meshed");
     grid_.byte_order = tag.attribute("byte_order").value_or("LittleEndian") == "BigEndian"
                            ? std::endian::big
                            : std::endian::little;
     const std::string_view header = tag.attribute("header_type").value_or("UInt32");
     if (header != "UInt32" && header != "UInt64")
-      fail(input_.name(), "header_type " + quoted(header) + " is not supported");
+      fail(input_.name(), "header_type " + quote(header) + " is not supported");
     header_size_ = header == "UInt64" ? 8 : 4;
     const std::string_view compressor = tag.attribute("compressor").value_or("");
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
       fail(input_.name(),
-           "compressor " + quoted(compressor) + " is not supported (vtkZLibDataCompressor is)");
+           "compressor " + quote(compressor) + " is not supported (vtkZLibDataCompressor is)");
     compressed_ = !compressor.empty();
   }
 
@@ -131,7 +131,7 @@ class VtiParser {
     bool valid = e && e->size() == 6;
     for (std::size_t n = 0; valid && n < 6; ++n) valid = (*e)[n] > -limit && (*e)[n] < limit;
     if (!valid)
-      fail(input_.name(), std::string(name) + " is " + quoted(text) + ", not six integers");
+      fail(input_.name(), std::string(name) + " is " + quote(text) + ", not six integers");
     for (std::size_t a = 0; a < 3; ++a) {
       grid_.dims[a] = (*e)[2 * a + 1] - (*e)[2 * a] + 1;
       start_[a] = static_cast<double>((*e)[2 * a]);
@@ -168,8 +168,8 @@ class VtiParser {
     grid_.type = supported_type(input_, array_.attribute("type").value_or(""));
     const std::string_view components = array_.attribute("NumberOfComponents").value_or("1");
     if (components != "1")
-      fail(input_.name(), "has " + quoted(components) +
-                              " components per point: only scalar volumes can be meshed");
+      fail(input_.name(),
+           "has " + quote(components) + " components per point: only scalar volumes can be meshed");
   }
 
   std::uint64_t header_word(std::span<const std::byte> bytes, std::size_t n) const {
@@ -191,13 +191,13 @@ class VtiParser {
     ++start;
     const std::string_view text = array_.attribute("offset").value_or("");
     const std::optional<std::int64_t> offset = to_int(text);
-    if (!offset || *offset < 0) fail(input_.name(), "attribute offset is " + quoted(text));
+    if (!offset || *offset < 0) fail(input_.name(), "attribute offset is " + quote(text));
     if (static_cast<std::uint64_t>(*offset) > text_.size() - start)
       fail(input_.name(), "ends before its array at offset " + std::to_string(*offset));
     const Bytes data = input_.bytes.from(start + static_cast<std::size_t>(*offset));
     if (encoding == "raw") return compressed_ ? from_blocks(data) : from_block(data);
     if (encoding == "base64") return from_base64(data.text());
-    fail(input_.name(), "encoding " + quoted(encoding) + " is not supported");
+    fail(input_.name(), "encoding " + quote(encoding) + " is not supported");
   }
 
   // Only as much is decoded as the array's own header asks for.

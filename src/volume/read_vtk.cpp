@@ -20,7 +20,7 @@ class VtkParser {
     text_.line();  // a title
     const std::string storage = lower(text_.word());
     if (storage != "ascii" && storage != "binary")
-      fail(input_.name(), "is neither ASCII nor BINARY but " + quoted(storage));
+      fail(input_.name(), "is neither ASCII nor BINARY but " + quote(storage));
     grid_.roi = input_.options.roi;
     grid_.byte_order = std::endian::big;
     read_structure();
@@ -43,18 +43,18 @@ class VtkParser {
   void expect(const char* wanted) {
     const std::string word = keyword();
     if (word != wanted)
-      fail(input_.name(), "has " + quoted(word) + " where " + quoted(wanted) + " is expected");
+      fail(input_.name(), "has " + quote(word) + " where " + quote(wanted) + " is expected");
   }
   std::int64_t integer(const char* what) {
     const std::string_view word = text_.word();
     const std::optional<std::int64_t> value = to_int(word);
-    if (!value) fail(input_.name(), std::string(what) + " is " + quoted(word) + ", not an integer");
+    if (!value) fail(input_.name(), std::string(what) + " is " + quote(word) + ", not an integer");
     return *value;
   }
   double real(const char* what) {
     const std::string_view word = text_.word();
     const std::optional<double> value = to_double(word);
-    if (!value) fail(input_.name(), std::string(what) + " is " + quoted(word) + ", not a number");
+    if (!value) fail(input_.name(), std::string(what) + " is " + quote(word) + ", not a number");
     return *value;
   }
   Vec3 vector(const char* what) {
@@ -68,7 +68,7 @@ class VtkParser {
     const std::string kind = keyword();
     if (kind != "structured_points")
       fail(input_.name(),
-           "holds a data set of kind " + quoted(kind) + ": only STRUCTURED_POINTS can be meshed");
+           "holds a data set of kind " + quote(kind) + ": only STRUCTURED_POINTS can be meshed");
     Vec3 spacing{1, 1, 1};
     for (std::string word = keyword(); word != "point_data"; word = keyword()) {
       if (word == "dimensions") {
@@ -78,7 +78,7 @@ class VtkParser {
       } else if (word == "origin") {
         grid_.origin = vector("ORIGIN");
       } else {
-        fail(input_.name(), "keyword " + quoted(word) + " before POINT_DATA is not supported");
+        fail(input_.name(), "keyword " + quote(word) + " before POINT_DATA is not supported");
       }
     }
     grid_.set_spacing(spacing);
@@ -108,7 +108,7 @@ class VtkParser {
       integer("the number of tuples");
       grid_.type = supported_type(input_, text_.word());
     } else {
-      fail(input_.name(), "has " + quoted(word) + " where SCALARS or FIELD is expected");
+      fail(input_.name(), "has " + quote(word) + " where SCALARS or FIELD is expected");
     }
     if (components != 1)
       fail(input_.name(), "has " + std::to_string(components) +

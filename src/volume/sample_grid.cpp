@@ -123,7 +123,7 @@ void parse_samples(const SampleGrid& grid, const Bytes& data, bool more_may_foll
     const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-      fail(data.name, "sample " + std::to_string(n) + " is " + quoted(word) +
+      fail(data.name, "sample " + std::to_string(n) + " is " + quote(word) +
                           ", not a number of type " + std::string(name_of(grid.type)));
     std::memcpy(&out[n * sizeof(T)], &value, sizeof value);
   }

@@ -94,7 +94,7 @@ std::optional<std::vector<double>> to_doubles(std::string_view text) {
   return to_numbers<double>(text);
 }
 
-std::string quoted(std::string_view text) {
+std::string quote(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string result = "'";
   for (char c : text.substr(0, longest)) {

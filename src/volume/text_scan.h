@@ -45,6 +45,6 @@ std::optional<std::vector<std::int64_t>> to_ints(std::string_view text);
 std::optional<std::vector<double>> to_doubles(std::string_view text);
 
 // 'text' as it may stand in a one-line message: shortened, control characters replaced.
-std::string quoted(std::string_view text);
+std::string quote(std::string_view text);
 
 }  // namespace deliso

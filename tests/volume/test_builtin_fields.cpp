@@ -6,7 +6,7 @@
 #include <string>
 
 #include "topology_oracle.h"
-#include "volume/inflate.h"
+#include "volume/checksum.h"
 
 using namespace deliso;
 using test::CountedTopology;
@@ -24,7 +24,7 @@ std::uint32_t checksum(const Volume& volume) {
 
 TEST_CASE("built-in fields have the topology they state, at several sizes") {
   for (const BuiltinField& field : builtin_fields()) {
-    for (int size : {field.default_size, field.default_size + 13, field.default_size + 38}) {
+    for (int size : {field.default_size, field.default_size + 13}) {
       const std::string input = "builtin:" + std::string(field.name) + ":" + std::to_string(size);
       CAPTURE(input);
       const Volume volume = make_builtin_volume(input);

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "volume/read_volume.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "volume_files.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+std::string write_all(const TemporaryFolder& folder, const StoredVolume& stored) {
+  for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
+  for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
+  return folder.path(stored.files.front().name);
+}
+
+std::string samples_of(const Volume& volume) {
+  return volume.visit([&](const auto* samples) {
+    return std::string(reinterpret_cast<const char*>(samples),
+                       volume.sample_count() * sizeof *samples);
+  });
+}
+
+double difference(const Vec3& a, const Vec3& b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+// NIfTI-1 holds float32, so its geometry is good to 1e-6 of a coordinate.
+void check_same(const Volume& volume, const Truth& truth, bool has_axes, double tolerance) {
+  REQUIRE(volume.dims() == truth.dims);
+  REQUIRE(volume.type() == truth.type);
+  CHECK(samples_of(volume) == truth.bytes);
+  CHECK(difference(volume.spacing(), truth.spacing) <= tolerance);
+  if (!has_axes) return;
+  CHECK(difference(volume.orientation().origin, truth.origin) <= 30 * tolerance);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(difference(volume.orientation().axes[axis], truth.axes[axis]) <= tolerance);
+}
+
+// Axes of many kinds: along the world's, permuted, mirrored, turned any way.
+std::array<Vec3, 3> axes_of_kind(int kind, Random& random) {
+  if (kind == 0) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  if (kind == 1) return {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
+  if (kind == 2) return {Vec3{-1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}};  // a half turn
+  if (kind == 3) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}};   // left-handed
+  const auto direction = [&] {
+    return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  };
+  std::array<Vec3, 3> axes;
+  do {  // near a half turn NIfTI's quaternion of three float32 is imprecise by its nature
+    const Vec3 a = direction(), b = cross(a, direction());
+    axes[0] = a / length(a);
+    axes[1] = b / length(b);
+    axes[2] = cross(axes[0], axes[1]);
+  } while (1 + axes[0].x + axes[1].y + axes[2].z < 0.4);
+  if (kind % 2 == 0) axes[2] = -axes[2];
+  return axes;
+}
+
+}  // namespace
+
+TEST_CASE("every format, encoding, type and byte order reads back what was written") {
+  const TemporaryFolder folder;
+  int volumes = 0;
+  for (SampleType type : kAllTypes) {
+    for (int kind = 0; kind < 6; ++kind) {
+      const std::uint64_t seed =
+          100 * static_cast<std::uint64_t>(type) + static_cast<unsigned>(kind);
+      Random random(seed);
+      Truth truth = random_truth(type, {2 + kind, 7, 5}, seed);
+      truth.spacing = {0.5, 1.25, 3};
+      truth.origin = {10, -20.25, 30.5};
+      truth.axes = axes_of_kind(kind, random);
+      for (const StoredVolume& stored : all_forms(truth)) {
+        CAPTURE(stored.label);
+        CAPTURE(stored.files.front().name);
+        CAPTURE(seed);
+        std::vector<std::string> notes;
+        const Volume volume = read_volume(write_all(folder, stored), stored.options, &notes);
+        const double tolerance = stored.label.starts_with("nifti") ? 1e-6 : 1e-12;
+        check_same(volume, truth, stored.has_axes, tolerance);
+        CHECK(volume.orientation().left_handed() == (stored.has_axes && (kind == 3 || kind == 4)));
+        CHECK(notes.empty());
+        ++volumes;
+      }
+    }
+  }
+  CHECK(volumes > 3000);
+}
+
+TEST_CASE("where a file sits in the body is kept") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
+  const auto space = [&](const std::vector<NamedFile>& files) {
+    return read_volume(folder.write(files.front().name, files.front().content)).orientation().space;
+  };
+  CHECK(space(nrrd(truth, std::endian::little, "raw", NrrdForm::attached)) == AnatomicalSpace::lps);
+  CHECK(space(metaimage(truth, std::endian::little, "raw", MetaForm::local)) ==
+        AnatomicalSpace::lps);
+  CHECK(space(nifti(truth, {})) == AnatomicalSpace::ras);
+  CHECK(space(vtk(truth, true, false)) == AnatomicalSpace::unknown);
+  std::vector<NamedFile> ras = nrrd(truth, std::endian::little, "raw", NrrdForm::attached);
+  std::string& text = ras.front().content;
+  text.replace(text.find("left-posterior-superior"), 23, "right-anterior-superior");
+  CHECK(space(ras) == AnatomicalSpace::ras);
+}
+
+TEST_CASE("a region is the same part of every format") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
+  truth.spacing = {0.5, 1.25, 3};
+  truth.origin = {10, -20, 30};
+  truth.axes = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}};
+  const Roi regions[] = {{{0, 0, 0}, {6, 7, 8}},
+                         {{0, 0, 3}, {6, 7, 5}},
+                         {{1, 2, 3}, {4, 7, 8}},
+                         {{4, 0, 6}, {6, 2, 8}}};
+  for (const StoredVolume& stored : all_forms(truth)) {
+    const std::string path = write_all(folder, stored);
+    const Volume whole = read_volume(path, stored.options);
+    for (const Roi& roi : regions) {
+      CAPTURE(stored.label);
+      ReadOptions options = stored.options;
+      options.roi = roi;
+      const Volume part = read_volume(path, options);
+      REQUIRE(part.dims() ==
+              Index3{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k});
+      int different = 0;
+      for (int k = 0; k < part.dims().k; ++k)
+        for (int j = 0; j < part.dims().j; ++j)
+          for (int i = 0; i < part.dims().i; ++i)
+            different += part.sample(i, j, k) !=
+                         whole.sample(i + roi.begin.i, j + roi.begin.j, k + roi.begin.k);
+      CHECK(different == 0);
+      // The same sample is at the same place in the world.
+      const Vec3 there = whole.orientation().to_world(whole.position(roi.begin));
+      CHECK(difference(part.orientation().to_world({0, 0, 0}), there) <= 1e-9);
+    }
+  }
+}
+
+TEST_CASE("raw data in native order is mapped, not copied") {
+  // A volume that refers to its file sees what is written into the file; a copy would not.
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {8, 8, 8}, 5);
+  const auto files = nrrd(truth, std::endian::native, "raw", NrrdForm::detached);
+  folder.write(files[1].name, files[1].content);
+  const Volume volume = read_volume(folder.write(files[0].name, files[0].content));
+  const double before = volume.sample(7, 7, 7);
+  {
+    std::fstream file(folder.path(files[1].name), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(511);
+    file.put(static_cast<char>(static_cast<int>(before) ^ 1));
+  }
+  CHECK(volume.sample(7, 7, 7) == static_cast<double>(static_cast<int>(before) ^ 1));
+}
+
+TEST_CASE("NIfTI scaling is applied and said") {
+  const TemporaryFolder folder;
+  for (SampleType type : kAllTypes) {
+    const Truth truth = random_truth(type, {3, 4, 5}, 11);
+    NiftiForm form;
+    const auto read = [&](double slope, double intercept, std::vector<std::string>& notes) {
+      form.slope = slope;
+      form.intercept = intercept;
+      const auto files = nifti(truth, form);
+      return read_volume(folder.write(files[0].name, files[0].content), {}, &notes);
+    };
+    std::vector<std::string> notes;
+    for (const auto& [slope, intercept] : {std::pair{0.0, 5.0}, {1.0, 0.0}}) {
+      CHECK(samples_of(read(slope, intercept, notes)) == truth.bytes);
+      CHECK(notes.empty());
+    }
+    CHECK(samples_of(read(NAN, 0, notes)) == truth.bytes);
+    CHECK(notes.size() == 1);
+    notes.clear();
+
+    const Volume plain = read(0, 0, notes), scaled = read(0.5, -3, notes);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].find("samples are scaled") != std::string::npos);
+    const bool wide = type == SampleType::u32 || type == SampleType::i32 || type == SampleType::f64;
+    REQUIRE(scaled.type() == (wide ? SampleType::f64 : SampleType::f32));
+    for (int k = 0; k < 5; ++k) {
+      const double expected = 0.5 * plain.sample(2, 3, k) - 3;
+      CHECK(scaled.sample(2, 3, k) ==
+            (wide ? expected : static_cast<double>(static_cast<float>(expected))));
+    }
+    CHECK_THROWS_AS(read(2, INFINITY, notes), InputError);
+  }
+}
+
+TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes of size 1") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& fields) {
+    return read_volume(folder.write("v.nrrd", "NRRD0001\r\ntype: uchar\r\nencoding: raw\r\n" +
+                                                  fields + "\r\n\r\n" + std::string(24, 'x')));
+  };
+  const std::string three = "dimension: 3\r\nsizes: 2 3 4\r\n";
+  CHECK(read(three + "spacings: 0.5 2 3").spacing() == Vec3{0.5, 2, 3});
+  Volume volume = read(three + "axis mins: 0 10 20\r\naxis maxs: 1 14 32");
+  CHECK(volume.spacing() == Vec3{1, 2, 4});
+  CHECK(volume.orientation().origin == Vec3{0, 10, 20});
+  volume = read(three + "axis mins: 0 10 20\r\naxismaxs: 1 16 28\r\ncenters: cell cell cell");
+  CHECK(volume.spacing() == Vec3{0.5, 2, 2});
+  CHECK(volume.orientation().origin == Vec3{0.25, 11, 21});
+  volume = read("dimension: 4\r\nsizes: 2 1 3 4\r\nspacings: 5 nan 6 7");
+  CHECK(volume.dims() == Index3{2, 3, 4});
+  CHECK(volume.spacing() == Vec3{5, 6, 7});
+  volume = read(
+      "dimension: 4\r\nsizes: 1 2 3 4\r\nspace: LAS\r\nspace directions: none (0,2,0) (1,0,0) "
+      "(0,0,3)");
+  CHECK(volume.spacing() == Vec3{2, 1, 3});
+  CHECK(volume.orientation().axes[0] == Vec3{0, 1, 0});
+  CHECK(volume.orientation().left_handed());
+  CHECK(read(three + "spacings: 1 1 1\r\nbyte skip: 0").sample(1, 2, 3) == 'x');
+}
+
+TEST_CASE("data files are found beside their header, wherever that is") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("deep/er"));
+  const Truth truth = random_truth(SampleType::u16, {4, 5, 6}, 9);
+  folder.write("deep/er/v.data", truth.in_order(std::endian::little));
+  const auto files = nrrd(truth, std::endian::little, "raw", NrrdForm::detached);
+  CHECK(samples_of(read_volume(folder.write("deep/er/v.nhdr", files[0].content))) == truth.bytes);
+  std::string text = files[0].content;
+  text.replace(text.rfind("v.data"), 6, "deep/er/v.data");
+  CHECK(samples_of(read_volume(folder.write("v.nhdr", text))) == truth.bytes);
+  text.replace(text.rfind("deep/er/v.data"), 14, folder.path("deep/er/v.data"));
+  CHECK(samples_of(read_volume(folder.write("absolute.nhdr", text))) == truth.bytes);
+}
+
+TEST_CASE("command-line spellings") {
+  const Roi roi = parse_roi("0:64,3:10,5:7");
+  CHECK(roi.begin == Index3{0, 3, 5});
+  CHECK(roi.end == Index3{64, 10, 7});
+  CHECK(parse_dims("256x256x128") == Index3{256, 256, 128});
+  for (SampleType type : kAllTypes) CHECK(parse_sample_type(name_of(type)) == type);
+  CHECK(parse_sample_type("unsigned short") == SampleType::u16);
+  CHECK(parse_sample_type("unsigned_char") == SampleType::u8);
+  for (const char* text : {"", "0:64", "0:64,0:64", "0:64,0:64,0:64,0:64", "5:5,0:2,0:2",
+                           "a:b,0:2,0:2", "-1:5,0:2,0:2", "0:99999999999,0:2,0:2", "0:2:3,0:2,0:2"})
+    CHECK_THROWS_AS(parse_roi(text), InputError);
+  for (const char* text : {"", "256", "256x256", "1x2x3x4", "ax2x3", "-1x2x3", "1x2x99999999999"})
+    CHECK_THROWS_AS(parse_dims(text), InputError);
+  for (const char* text : {"", "int64", "uint128", "complex", "uint8 x"})
+    CHECK_THROWS_AS(parse_sample_type(text), InputError);
+}
