@@ -39,6 +39,10 @@ BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
 
 namespace {
 
+// Roots this far outside their pixel, as a share of the chord, count: rounding must not lose one
+// that lies between two pixels.
+constexpr double kSlack = 1e-12;
+
 // Sigma along a line in a box face, pixel by pixel: in each the value is a quadratic.
 class FaceLine {
  public:
@@ -119,7 +123,7 @@ class FaceLine {
     if (discriminant < 0) return std::nullopt;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
     for (const double s : {q / a, c / q}) {
-      if (s >= 0 && s <= length) best = std::min(best, s);
+      if (s >= -kSlack && s <= length + kSlack) best = std::min(best, std::clamp(s, 0.0, length));
     }
     if (best > length) return std::nullopt;
     return low + best;

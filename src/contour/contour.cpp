@@ -15,6 +15,16 @@ class MeshSink {
  public:
   MeshSink(ContourMesh& mesh, Vec3 spacing) : mesh_(mesh), spacing_(spacing) {}
 
+  // Room for T, so that it need not move while it grows: 1.9 vertices per crossing, two triangles
+  // per vertex.
+  void expect(std::size_t crossings) {
+    const std::size_t vertices = 2 * crossings;
+    mesh_.points.reserve(vertices);
+    mesh_.component.reserve(vertices);
+    mesh_.box_faces.reserve(vertices);
+    mesh_.triangles.reserve(2 * vertices);
+  }
+
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
     Vec3 p{static_cast<double>(sample.i), static_cast<double>(sample.j),
            static_cast<double>(sample.k)};
@@ -27,13 +37,13 @@ class MeshSink {
     Vec3 sum;
     for (const VertexId v : loop) {
       mesh_.component[v] = label;
-      sum = sum + local(voxel, v);
+      sum = sum + mesh_.points[v];
     }
     if (loop.size() == 3) {
       mesh_.triangles.push_back({loop[0], loop[1], loop[2]});
       return;
     }
-    const Vec3 center = sum / static_cast<double>(loop.size());
+    const Vec3 center = local(voxel, sum / static_cast<double>(loop.size()));
     const VertexId apex = add_inner(voxel, TrilinearPatch(c).surface_point_near(center), label);
     VertexId previous = loop.back();
     for (const VertexId v : loop) {
@@ -101,8 +111,8 @@ class MeshSink {
   }
 
   // Coordinates in the voxel.
-  Vec3 local(Index3 voxel, VertexId v) const {
-    const Vec3& p = mesh_.points[v];
+  Vec3 local(Index3 voxel, VertexId v) const { return local(voxel, mesh_.points[v]); }
+  Vec3 local(Index3 voxel, const Vec3& p) const {
     return {p.x / spacing_.x - voxel.i, p.y / spacing_.y - voxel.j, p.z / spacing_.z - voxel.k};
   }
 
@@ -113,6 +123,7 @@ class MeshSink {
 // Keeps nothing; crossings on the box are numbered so that their segments can be chained.
 class CountingSink {
  public:
+  void expect(std::size_t) {}
   VertexId crossing(int, Index3, double, double, std::uint8_t box_faces) {
     return box_faces != 0 ? next_++ : kNoId;
   }
@@ -134,6 +145,7 @@ template <class Sink>
 StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
   return volume.visit([&](const auto* samples) {
     ContourStream walk(volume, samples, kappa, sink);
+    sink.expect(walk.estimate_crossings());
     walk.run();
     StreamResult result;
     result.summary.active_voxels = walk.active_voxels;

@@ -12,7 +12,8 @@
 //   I3  triangles are counter-clockwise seen from g < kappa;
 //   I4  a vertex lies on a face of the box exactly when its bit in `box_faces` is set, and then
 //   that
-//       coordinate is the box's to the last bit; inner points of voxels never lie on the box;
+//       coordinate is the box's to the last bit; all others lie strictly inside the box (unless
+//       they lie at a sample equal to kappa);
 //   I5  within its voxel each piece of T is what the piece of Sigma is (disk or tube), so T and
 //       Sigma are homeomorphic, component by component, and so are their boundaries;
 //   I6  everything is in scan order (x fastest, then y, z): vertices of a slab of voxels before

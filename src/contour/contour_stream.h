@@ -54,13 +54,16 @@ class LayerBits {
 
   template <class T>
   void load_row(int j, const T* samples, T threshold) {
-    for (int i = 0; i < nx_; ++i) buffer_[i] = samples[i] >= threshold;
+    // Bytes first, in a loop that vectorizes, then eight of them at a time into bits.
+    std::uint8_t* inside = buffer_.data();
+    const int n = nx_;
+    for (int i = 0; i < n; ++i) inside[i] = samples[i] >= threshold;
     std::uint64_t* out = bits_.data() + std::size_t(stride_) * size_t(j);
     for (int w = 0; w < words_; ++w) {
       std::uint64_t word = 0;
       for (int byte = 0; byte < 8; ++byte) {
         std::uint64_t eight;
-        std::memcpy(&eight, buffer_.data() + 64 * w + 8 * byte, 8);
+        std::memcpy(&eight, inside + 64 * w + 8 * byte, 8);
         word |= (eight * kGather >> 56) << (8 * byte);
       }
       out[w] = word;
@@ -102,11 +105,33 @@ class ContourStream {
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     for (auto& slots : slots_) slots.resize(layer_size_);
     for (int k = 0; k < dims_.k; ++k) {
-      load_layer(k, *threshold);
-      if (k > 0) cross_between_layers(k - 1);
-      cross_within_layer(k);
-      if (k > 0) walk_voxels(k - 1);
+      aim_slots(k - 1);
+      for (int j = 0; j < dims_.j; ++j) {
+        load_row(j, k, *threshold);
+        cross_row(j, k);
+        if (j > 0 && k > 0) walk_row(j - 1, k - 1);
+      }
     }
+  }
+
+  // About how many grid edges are crossed, from a few of the layers.
+  std::size_t estimate_crossings() {
+    constexpr int kEvery = 16;
+    const std::optional<T> threshold = inside_threshold<T>(kappa_);
+    if (!threshold) return 0;
+    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
+    std::size_t crossings = 0;
+    const auto count = [&](int) { ++crossings; };
+    for (int k = kEvery / 2; k + 1 < dims_.k; k += kEvery) {
+      for (int j = 0; j < dims_.j; ++j) {
+        load_row(j, k, *threshold);
+        load_row(j, k + 1, *threshold);
+        for_each_edge_along_x(j, k, count);
+        if (j > 0) for_each_edge_along_y(j - 1, k, count);
+        for_each_edge_along_z(j, k, count);
+      }
+    }
+    return kEvery * crossings;
   }
 
   GrowingComponents components;
@@ -127,11 +152,8 @@ class ContourStream {
     return static_cast<double>(samples_[layer_size_ * size_t(k) + in_layer(i, j)]) - kappa_;
   }
 
-  void load_layer(int k, T threshold) {
-    const T* row = samples_ + layer_size_ * size_t(k);
-    for (int j = 0; j < dims_.j; ++j, row += row_stride_) {
-      layers_[k & 1]->load_row(j, row, threshold);
-    }
+  void load_row(int j, int k, T threshold) {
+    layers_[k & 1]->load_row(j, samples_ + layer_size_ * size_t(k) + in_layer(0, j), threshold);
   }
 
   // Calls visit(i) for every bit set in bits(w), below `limit`.
@@ -164,70 +186,77 @@ class ContourStream {
     slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
   }
 
-  void cross_within_layer(int k) {
-    const LayerBits& bits = layer(k);
-    const SlotArray along_x = (k & 1) != 0 ? kX1 : kX0, along_y = (k & 1) != 0 ? kY1 : kY0;
-    for (int j = 0; j < dims_.j; ++j) {
-      const std::uint64_t* row = bits.row(j);
-      for_each_bit(
-          bits.words(), dims_.i - 1, [&](int w) { return row[w] ^ shifted(row, w); },
-          [&](int i) {
-            add_crossing(along_x, 0, {i, j, k});
-          });
-      if (j + 1 == dims_.j) break;
-      const std::uint64_t* next = bits.row(j + 1);
-      for_each_bit(
-          bits.words(), dims_.i, [&](int w) { return row[w] ^ next[w]; },
-          [&](int i) {
-            add_crossing(along_y, 1, {i, j, k});
-          });
-    }
+  // The crossed edges from the samples of row (j, k), or (j, k) and the next one.
+  template <class Visit>
+  void for_each_edge_along_x(int j, int k, Visit visit) const {
+    const std::uint64_t* row = layer(k).row(j);
+    for_each_bit(
+        layer(k).words(), dims_.i - 1, [&](int w) { return row[w] ^ shifted(row, w); }, visit);
+  }
+  template <class Visit>
+  void for_each_edge_along_y(int j, int k, Visit visit) const {
+    const std::uint64_t *row = layer(k).row(j), *next = layer(k).row(j + 1);
+    for_each_bit(
+        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ next[w]; }, visit);
+  }
+  template <class Visit>
+  void for_each_edge_along_z(int j, int k, Visit visit) const {
+    const std::uint64_t *row = layer(k).row(j), *above = layer(k + 1).row(j);
+    for_each_bit(
+        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; }, visit);
   }
 
-  void cross_between_layers(int k) {
-    for (int j = 0; j < dims_.j; ++j) {
-      const std::uint64_t *row = layer(k).row(j), *above = layer(k + 1).row(j);
-      for_each_bit(
-          layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; },
-          [&](int i) {
-            add_crossing(kZ, 2, {i, j, k});
-          });
+  // Vertices on the edges that row (j, k) completes.
+  void cross_row(int j, int k) {
+    const bool odd = (k & 1) != 0;
+    if (k > 0) for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
+    if (j > 0) {
+      for_each_edge_along_y(j - 1, k, [&](int i) {
+        add_crossing(odd ? kY1 : kY0, 1, {i, j - 1, k});
+      });
     }
+    for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
   }
 
-  void walk_voxels(int k) {
-    for (int j = 0; j + 1 < dims_.j; ++j) {
-      const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
-                                      layer(k + 1).row(j + 1)};
-      for (int w = 0; w < layer(k).words(); ++w) {
-        std::uint64_t near[4], far[4], any = 0, all = ~std::uint64_t{0};
+  // The active voxels of row (j, k).
+  void walk_row(int j, int k) {
+    const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
+                                    layer(k + 1).row(j + 1)};
+    for (int w = 0; w < layer(k).words(); ++w) {
+      std::uint64_t near[4], far[4], any = 0, all = ~std::uint64_t{0};
+      for (int r = 0; r < 4; ++r) {
+        near[r] = rows[r][w];
+        far[r] = shifted(rows[r], w);
+        any |= near[r] | far[r];
+        all &= near[r] & far[r];
+      }
+      std::uint64_t active = any & ~all;
+      const int valid = dims_.i - 1 - 64 * w;
+      if (valid < 64) active &= (std::uint64_t{1} << valid) - 1;
+      for (; active != 0; active &= active - 1) {
+        const int b = std::countr_zero(active);
+        int mask = 0;
         for (int r = 0; r < 4; ++r) {
-          near[r] = rows[r][w];
-          far[r] = shifted(rows[r], w);
-          any |= near[r] | far[r];
-          all &= near[r] & far[r];
+          mask |= static_cast<int>((near[r] >> b & 1) | (far[r] >> b & 1) << 1) << (2 * r);
         }
-        std::uint64_t active = any & ~all;
-        const int valid = dims_.i - 1 - 64 * w;
-        if (valid < 64) active &= (std::uint64_t{1} << valid) - 1;
-        for (; active != 0; active &= active - 1) {
-          const int b = std::countr_zero(active);
-          int mask = 0;
-          for (int r = 0; r < 4; ++r) {
-            mask |= static_cast<int>((near[r] >> b & 1) | (far[r] >> b & 1) << 1) << (2 * r);
-          }
-          walk_voxel({64 * w + b, j, k}, mask);
-        }
+        walk_voxel({64 * w + b, j, k}, mask);
       }
     }
   }
 
-  Slot& slot(Index3 voxel, int edge) {
-    const int u = edge & 1, v = edge >> 1 & 1;
-    if (edge >= 8) return slots_[kZ][in_layer(voxel.i + u, voxel.j + v)];
-    const bool odd_layer = ((voxel.k + v) & 1) != 0;
-    if (edge < 4) return slots_[odd_layer ? kX1 : kX0][in_layer(voxel.i, voxel.j + u)];
-    return slots_[odd_layer ? kY1 : kY0][in_layer(voxel.i + u, voxel.j)];
+  // For each edge of a voxel the array of its slot, begun so that the voxel's own place finds it.
+  void aim_slots(int k) {
+    for (int e = 0; e < 12; ++e) {
+      const int u = e & 1, v = e >> 1 & 1;
+      const bool odd_layer = ((k + v) & 1) != 0;
+      if (e < 4) {
+        edge_slots_[e] = slots_[odd_layer ? kX1 : kX0].data() + in_layer(0, u);
+      } else if (e < 8) {
+        edge_slots_[e] = slots_[odd_layer ? kY1 : kY0].data() + in_layer(u, 0);
+      } else {
+        edge_slots_[e] = slots_[kZ].data() + in_layer(u, v);
+      }
+    }
   }
 
   // Bit f: face f of the voxel lies on the box.
@@ -251,7 +280,7 @@ class ContourStream {
     ++active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, c, scratch);
-    const Tube tube = find_tube(mask, c, loops);
+    const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
     std::array<VertexId, 12> vertex;
     for (int l = 0; l < loops.count; ++l) {
       if (tube && l == tube.b) continue;
@@ -286,10 +315,11 @@ class ContourStream {
   // there is one; returns its root.
   std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, VertexId* out,
                      std::uint32_t label) {
+    const std::size_t place = in_layer(voxel.i, voxel.j);
     std::array<Slot*, 12> slots;
     std::size_t fresh = 0;
     for (std::size_t n = 0; n < edges.size(); ++n) {
-      slots[n] = &slot(voxel, edges[n]);
+      slots[n] = edge_slots_[edges[n]] + place;
       out[n] = slots[n]->vertex;
       if (slots[n]->label == kNoId) {
         ++fresh;
@@ -329,6 +359,7 @@ class ContourStream {
   std::size_t row_stride_, layer_size_;
   std::array<std::optional<LayerBits>, 2> layers_;
   std::array<std::vector<Slot>, 5> slots_;
+  std::array<Slot*, 12> edge_slots_{};
 };
 
 }  // namespace deliso

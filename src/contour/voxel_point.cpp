@@ -7,7 +7,13 @@
 namespace deliso {
 namespace {
 
-constexpr double kFar = 0.5;  // a hit further away, in voxels, is worth a look for a nearer one
+// A Newton step this small leaves an error of its square: nothing.
+constexpr double kSettled = 1e-8;
+constexpr double kFar = 0.5;  // a hit further away, in voxels, is worth looking for a nearer one
+
+// Found points keep this distance, in voxels, from the voxel's faces, so that none can round onto
+// the volume's box. It moves them off Sigma by less than this share of the corners' range.
+constexpr double kMargin = 1e-11;
 
 // Largest t for which from + t * direction stays in the unit cube.
 double exit_parameter(const Vec3& from, const Vec3& direction) {
@@ -20,8 +26,9 @@ double exit_parameter(const Vec3& from, const Vec3& direction) {
   return limit;
 }
 
-Vec3 clamp_to_cube(const Vec3& u) {
-  return {std::clamp(u.x, 0.0, 1.0), std::clamp(u.y, 0.0, 1.0), std::clamp(u.z, 0.0, 1.0)};
+Vec3 clamp_to_inside(const Vec3& u) {
+  constexpr double low = kMargin, high = 1 - kMargin;
+  return {std::clamp(u.x, low, high), std::clamp(u.y, low, high), std::clamp(u.z, low, high)};
 }
 
 }  // namespace
@@ -48,25 +55,38 @@ Vec3 TrilinearPatch::gradient(const Vec3& u) const {
           k_[4] + k_[5] * u.x + u.y * (k_[6] + k_[7] * u.x)};
 }
 
-double TrilinearPatch::hit(const Vec3& from, double value, const Vec3& d, double limit) const {
-  const Vec3 g = gradient(from);
-  const double c1 = dot(g, d);
-  const double c2 = (k_[3] + k_[7] * from.z) * d.x * d.y + (k_[5] + k_[7] * from.y) * d.x * d.z +
-                    (k_[6] + k_[7] * from.x) * d.y * d.z;
-  const double c3 = k_[7] * d.x * d.y * d.z;
-  const auto at = [&](double t) { return value + t * (c1 + t * (c2 + t * c3)); };
-  const bool positive = value >= 0;
-  if ((at(limit) >= 0) == positive) return -1;
+TrilinearPatch::Cubic TrilinearPatch::along(const Vec3& from, double value_there,
+                                            const Vec3& gradient_there, const Vec3& d) const {
+  return {value_there, dot(gradient_there, d),
+          (k_[3] + k_[7] * from.z) * d.x * d.y + (k_[5] + k_[7] * from.y) * d.x * d.z +
+              (k_[6] + k_[7] * from.x) * d.y * d.z,
+          k_[7] * d.x * d.y * d.z};
+}
+
+std::optional<double> TrilinearPatch::newton(const Cubic& f, double limit) {
+  double t = 0;
+  for (int step = 0; step < 6; ++step) {
+    const double next = t - f.at(t) / f.slope(t);
+    if (!(next > 0 && next <= limit)) return std::nullopt;
+    if (std::abs(next - t) <= kSettled * limit) return next;
+    t = next;
+  }
+  return std::nullopt;
+}
+
+double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
+  const bool positive = f.c0 >= 0;
+  if ((f.at(limit) >= 0) == positive) return -1;
   // Newton's method, kept within a bracket whose ends have different signs; bisection where it
   // would leave it or gains too little.
-  double low = 0, high = limit, t = -value / c1;
+  double low = 0, high = limit, t = -f.c0 / f.c1;
   for (int step = 0; step < 100; ++step) {
     if (!(t > low && t < high)) t = low + 0.5 * (high - low);
-    const double v = at(t);
+    const double v = f.at(t);
     if (v == 0 || t <= low || t >= high) break;
     ((v >= 0) == positive ? low : high) = t;
-    const double newton = t - v / (c1 + t * (2 * c2 + t * 3 * c3));
-    const bool settled = std::abs(newton - t) <= 1e-15 * limit;
+    const double newton = t - v / f.slope(t);
+    const bool settled = std::abs(newton - t) <= kSettled * limit;
     t = step % 8 == 7 && !settled ? low + 0.5 * (high - low) : newton;
     if (settled) break;
   }
@@ -75,21 +95,24 @@ double TrilinearPatch::hit(const Vec3& from, double value, const Vec3& d, double
 
 Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
   const double v = value(from);
-  if (v == 0) return from;
+  if (v == 0) return clamp_to_inside(from);
   const Vec3 g = gradient(from);
+  const Vec3 towards = v > 0 ? -g : g;
+  if (const auto t = newton(along(from, v, g, towards), kFar / length(g))) {
+    const Vec3 p = from + *t * towards;
+    if (p == clamp_to_inside(p)) return p;
+  }
   double nearest = std::numeric_limits<double>::infinity();
   Vec3 found = from;
   const auto search = [&](const Vec3& direction, double limit) {
     if (!(limit > 0) || limit == std::numeric_limits<double>::infinity()) return;
-    const double t = hit(from, v, direction, limit);
+    const double t = first_sign_change(along(from, v, g, direction), limit);
     const double d2 = t * t * length2(direction);
     if (t < 0 || !(d2 < nearest)) return;
     nearest = d2;
-    found = clamp_to_cube(from + t * direction);
+    found = clamp_to_inside(from + t * direction);
   };
-  const Vec3 downhill = v > 0 ? -g : g;
-  search(downhill, exit_parameter(from, downhill));
-  if (nearest <= kFar * kFar) return found;
+  search(towards, exit_parameter(from, towards));
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec3 direction;
@@ -110,7 +133,7 @@ Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
     }
   }
   // No line hit: a corner equals kappa, up to rounding, and Sigma only touches the voxel there.
-  if (nearest == std::numeric_limits<double>::infinity()) return touching;
+  if (nearest == std::numeric_limits<double>::infinity()) return clamp_to_inside(touching);
   return found;
 }
 

@@ -100,14 +100,22 @@ inline std::string check_manifold(const ContourMesh& mesh) {
   return "";
 }
 
-// I1 and I4: on Sigma to 1e-11 of the volume's range, on the box exactly where it is said so.
+inline bool at_sample_equal_to(double kappa, const Vec3& p, const Volume& volume) {
+  Index3 s;
+  for (int axis = 0; axis < 3; ++axis) {
+    s[axis] = static_cast<int>(std::lround(p[axis] / volume.spacing()[axis]));
+  }
+  return distance(p, volume.position(s)) < 1e-9 && volume.sample(s.i, s.j, s.k) == kappa;
+}
+
+// I1 and I4: on Sigma to 1e-10 of the volume's range, on the box exactly where it is said so.
 inline std::string check_points(const ContourMesh& mesh, const Volume& volume, double kappa) {
   const Box3 box = volume.box();
   const ValueRange range = value_range(volume);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     const Vec3& p = mesh.points[v];
     if (!box.contains(p)) return "outside the box: " + vertex_name(mesh, v);
-    if (!(std::abs(volume.value(p) - kappa) <= 1e-11 * (range.max - range.min))) {
+    if (!(std::abs(volume.value(p) - kappa) <= 1e-10 * (range.max - range.min))) {
       return "off the surface: " + vertex_name(mesh, v);
     }
     for (int axis = 0; axis < 3; ++axis) {
@@ -115,6 +123,10 @@ inline std::string check_points(const ContourMesh& mesh, const Volume& volume, d
       const bool high = (mesh.box_faces[v] >> (2 * axis + 1) & 1) != 0;
       if (low && p[axis] != box.lo[axis]) return "not on the box: " + vertex_name(mesh, v);
       if (high && p[axis] != box.hi[axis]) return "not on the box: " + vertex_name(mesh, v);
+      const bool silent = (!low && p[axis] == box.lo[axis]) || (!high && p[axis] == box.hi[axis]);
+      if (silent && !at_sample_equal_to(kappa, p, volume)) {
+        return "on the box without saying so: " + vertex_name(mesh, v);
+      }
     }
   }
   return "";

@@ -7,10 +7,10 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "base/random.h"
 #include "mesh_checks.h"
+#include "volume/builtin_fields.h"
 
 using namespace deliso;
 
@@ -152,6 +152,80 @@ TEST_CASE("fields of known topology") {
       CHECK(s.components[n].lo.k <= centers[n].z);
       CHECK(s.components[n].hi.k >= centers[n].z);
     }
+  }
+}
+
+TEST_CASE("built-in fields have the topology they state") {
+  int known = 0;
+  for (const BuiltinField& field : builtin_fields()) {
+    CAPTURE(field.name);
+    const Volume volume = make_builtin_volume("builtin:" + std::string(field.name));
+    const ContourSummary s = summarize_contour(volume, field.isovalue);
+    if (!field.topology) continue;
+    ++known;
+    CHECK(static_cast<int>(s.components.size()) == field.topology->components);
+    CHECK(s.euler() == field.topology->euler);
+    CHECK(static_cast<int>(s.boundary_loops()) == field.topology->boundary_loops);
+  }
+  CHECK(known >= 8);
+}
+
+TEST_CASE("rows of all lengths round a machine word") {
+  Random random(9);
+  for (const int nx : {2, 62, 63, 64, 65, 66, 127, 128, 129, 200}) {
+    CAPTURE(nx);
+    std::vector<std::uint16_t> samples;
+    for (int n = 0; n < nx * 4 * 3; ++n) {
+      samples.push_back(static_cast<std::uint16_t>(random.below(60000)));
+    }
+    const Volume volume = Volume::from_samples({nx, 4, 3}, {1, 1, 1}, samples);
+    std::size_t crossings = 0;
+    for (int k = 0; k < 3; ++k) {
+      for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < nx; ++i) {
+          const bool inside = volume.sample(i, j, k) >= 30000.5;
+          if (i + 1 < nx) crossings += inside != (volume.sample(i + 1, j, k) >= 30000.5);
+          if (j + 1 < 4) crossings += inside != (volume.sample(i, j + 1, k) >= 30000.5);
+          if (k + 1 < 3) crossings += inside != (volume.sample(i, j, k + 1) >= 30000.5);
+        }
+      }
+    }
+    const ContourSummary s = checked_summary(volume, 30000.5);
+    std::size_t found = 0;
+    for (const auto& component : s.components) found += component.crossings;
+    CHECK(found == crossings);
+  }
+}
+
+TEST_CASE("the same input gives the same mesh") {
+  const Volume volume = make_builtin_volume("builtin:noise:32");
+  const ContourMesh a = build_contour(volume, 127.5), b = build_contour(volume, 127.5);
+  CHECK(a.points.size() > 1000);
+  CHECK(a.points == b.points);
+  CHECK(a.triangles == b.triangles);
+  CHECK(a.component == b.component);
+  CHECK(a.boundary.vertices == b.boundary.vertices);
+}
+
+TEST_CASE("inside is decided in the samples' own type as it is in double") {
+  Random random(10);
+  const auto check = []<class T>(T low, T high, double kappa) {
+    const bool differ = (static_cast<double>(low) >= kappa) != (static_cast<double>(high) >= kappa);
+    const Volume volume = Volume::from_samples<T>({2, 2, 2}, {1, 1, 1},
+                                                  {low, high, high, high, high, high, high, high});
+    CHECK(summarize_contour(volume, kappa).components.size() == (differ ? 1 : 0));
+  };
+  for (int trial = 0; trial < 2000; ++trial) {
+    CAPTURE(trial);
+    const double kappa = std::floor(random.uniform(-140, 140)) + 0.25 * random.below(4);
+    const auto low = static_cast<std::int8_t>(random.below(256) - 128);
+    check(low, static_cast<std::int8_t>(low < 127 ? low + 1 : low), kappa);
+    const float f = static_cast<float>(random.uniform(-1, 1));
+    check(f, std::nextafter(f, 2.0f), f + 0.3 * random.below(5) * (std::nextafter(f, 2.0f) - f));
+    const auto u = static_cast<std::uint32_t>(random.next() >> 32);
+    check(u, u + 1, u + 0.5 * random.below(4));
+    const double d = random.uniform(-1, 1);
+    check(d, std::nextafter(d, 2.0), random.below(2) != 0 ? d : std::nextafter(d, 2.0));
   }
 }
 

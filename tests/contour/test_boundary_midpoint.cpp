@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Points halfway along boundary curves: within a pixel, again and again down to far below voxel
+// size, and between chain points several pixels apart, against a dense scan of the same line.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "contour/contour.h"
+
+using namespace deliso;
+
+namespace {
+
+Volume random_volume(Random& random, std::uint32_t levels) {
+  const Index3 dims{2 + static_cast<int>(random.below(5)), 2 + static_cast<int>(random.below(5)),
+                    2 + static_cast<int>(random.below(5))};
+  const Vec3 spacing{random.uniform(0.3, 3), random.uniform(0.3, 3), random.uniform(0.3, 3)};
+  std::vector<std::int32_t> samples;
+  for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+    samples.push_back(static_cast<std::int32_t>(random.below(levels)));
+  }
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+double face_coordinate(const Volume& volume, BoxFace face) {
+  const Box3 box = volume.box();
+  return (face & 1) != 0 ? box.hi[axis_of(face)] : box.lo[axis_of(face)];
+}
+
+// The in-face normal of the chord, as long as the chord.
+Vec3 face_normal_of(BoxFace face, const Vec3& a, const Vec3& b) {
+  Vec3 across;
+  across[axis_of(face)] = 1;
+  return cross(across, b - a);
+}
+
+}  // namespace
+
+TEST_CASE("arcs within a pixel split down to a thousandth of a voxel") {
+  Random random(21);
+  std::size_t splits = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    CAPTURE(trial);
+    const std::uint32_t levels = trial % 2 == 0 ? 1000 : 6;
+    const Volume volume = random_volume(random, levels);
+    const double kappa = effective_isovalue(volume, random.below(levels));
+    const ContourMesh mesh = build_contour(volume, kappa);
+    for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
+      const auto chain = mesh.boundary.chain(c);
+      for (std::size_t n = 0; n < chain.size(); ++n) {
+        const BoxFace face = mesh.boundary.face[mesh.boundary.first[c] + n];
+        Vec3 a = mesh.points[chain[n]], b = mesh.points[chain[(n + 1) % chain.size()]];
+        for (int level = 0; level < 10 && distance(a, b) > 1e-6; ++level) {
+          const auto p = boundary_midpoint(volume, kappa, face, a, b);
+          REQUIRE(p);
+          ++splits;
+          CHECK((*p)[axis_of(face)] == face_coordinate(volume, face));
+          CHECK(std::abs(volume.value(*p) - kappa) <= 1e-10 * levels);
+          CHECK(std::abs(distance(*p, a) - distance(*p, b)) <= 1e-9);
+          CHECK(distance(*p, a) <= distance(a, b));
+          (random.below(2) != 0 ? a : b) = *p;
+        }
+      }
+    }
+  }
+  CHECK(splits > 10000);
+}
+
+TEST_CASE("between points several pixels apart it is the nearest hit of the chord's normal") {
+  Random random(22);
+  int hits = 0, misses = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    CAPTURE(trial);
+    const Volume volume = random_volume(random, 1000);
+    const double kappa = random.uniform(200, 800);
+    const ContourMesh mesh = build_contour(volume, kappa);
+    for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
+      const auto chain = mesh.boundary.chain(c);
+      const std::size_t first = mesh.boundary.first[c];
+      const BoxFace face = mesh.boundary.face[first];
+      std::size_t n = 1;
+      while (n + 1 < chain.size() && n < 6 && mesh.boundary.face[first + n] == face) ++n;
+      const Vec3 a = mesh.points[chain[0]], b = mesh.points[chain[n]];
+      if (distance(a, b) < 1e-3) continue;
+      const auto p = boundary_midpoint(volume, kappa, face, a, b);
+      const Vec3 normal = face_normal_of(face, a, b), middle = 0.5 * (a + b);
+      // The first sign change from the middle outwards, both ways at once, on a fine scan.
+      constexpr int kSteps = 2000;
+      double found = 1;
+      for (const double side : {-1.0, 1.0}) {
+        bool inside = volume.value(middle) >= kappa;
+        for (int s = 1; s <= kSteps; ++s) {
+          const double t = 0.5 * s / kSteps;
+          const Vec3 at = middle + side * t * normal;
+          if (!volume.box().contains(at)) break;
+          const bool now = volume.value(at) >= kappa;
+          if (now != inside) {
+            found = std::min(found, t);
+            break;
+          }
+          inside = now;
+        }
+      }
+      if (!p) {
+        ++misses;
+        CHECK(found == 1);
+        continue;
+      }
+      ++hits;
+      CHECK((*p)[axis_of(face)] == face_coordinate(volume, face));
+      CHECK(std::abs(volume.value(*p) - kappa) <= 1e-7);
+      const double t = distance(*p, middle) / length(normal);
+      CHECK(t <= 0.5 + 1e-12);
+      CHECK(t <= found + 1e-9);  // the scan may step over a pair of roots, never the other way
+      CHECK(std::abs(dot(*p - middle, b - a)) <= 1e-9 * length2(b - a));
+    }
+  }
+  CHECK(hits > 500);
+  CHECK(misses > 20);
+}
