@@ -12,19 +12,17 @@ namespace deliso {
 // Skilling 2004, "Programming the Hilbert curve".
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
   std::uint32_t axis[3] = {x, y, z};
-  const std::uint32_t top = 1u << (bits - 1);
 
-  // Undo the rotations and reflections of each level.
-  for (std::uint32_t q = top; q > 1; q >>= 1) {
-    const std::uint32_t below = q - 1;
+  // Undo the rotations and reflections of each level. Where an axis has the level's bit, the first
+  // axis is inverted below it, else the two are swapped there; masks, since no processor can
+  // predict random bits.
+  for (int bit = bits - 1; bit > 0; --bit) {
+    const std::uint32_t below = (1u << bit) - 1;
     for (std::uint32_t& a : axis) {
-      if (a & q) {
-        axis[0] ^= below;
-      } else {
-        const std::uint32_t t = (axis[0] ^ a) & below;
-        axis[0] ^= t;
-        a ^= t;
-      }
+      const std::uint32_t invert = below & (0 - (a >> bit & 1));
+      const std::uint32_t swap = (axis[0] ^ a) & (below ^ invert);
+      axis[0] ^= invert | swap;
+      a ^= swap;
     }
   }
 
@@ -32,8 +30,7 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, i
   axis[1] ^= axis[0];
   axis[2] ^= axis[1];
   std::uint32_t t = 0;
-  for (std::uint32_t q = top; q > 1; q >>= 1)
-    if (axis[2] & q) t ^= q - 1;
+  for (int bit = bits - 1; bit > 0; --bit) t ^= ((1u << bit) - 1) & (0 - (axis[2] >> bit & 1));
   for (std::uint32_t& a : axis) a ^= t;
 
   // Interleave, highest bits first.

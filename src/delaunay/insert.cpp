@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One point: where it is, what it destroys, what takes the place (Bowyer 1981, Watson 1981).
-#include "delaunay/predicates.h"
 #include "delaunay/triangulation.h"
+
+#include <bit>
+
+#include "delaunay/predicates.h"
+#include "delaunay/tet_tables.h"
 
 namespace deliso {
 
@@ -58,25 +62,30 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
     }
   }
 
-  // Flood fill from the cell that holds p; the list of cells found is also the queue.
+  // Flood fill from the cell that holds p; the list of cells found is also the queue. Whether a
+  // cell is in conflict is as good as random, so no branch depends on it: both lists are written
+  // in any case, and grow or do not.
   in_conflict_ += 2;
-  const std::uint32_t not_in_conflict = in_conflict_ + 1;
   marks_[start] = in_conflict_;
-  zone.cells.push_back(start);
-  for (std::size_t k = 0; k < zone.cells.size(); ++k) {
+  zone.cells.assign(1, start);
+  std::size_t cell_count = 1, facet_count = 0;
+  for (std::size_t k = 0; k < cell_count; ++k) {
     const CellId c = zone.cells[k];
+    if (zone.cells.size() < cell_count + 4) zone.cells.resize(2 * cell_count + 64);
+    if (zone.boundary.size() < facet_count + 4) zone.boundary.resize(2 * facet_count + 64);
     for (int i = 0; i < 4; ++i) {
       const CellId n = neighbor(c, i);
-      if (marks_[n] == in_conflict_) continue;
-      if (marks_[n] != not_in_conflict && is_in_conflict(n, p)) {
-        marks_[n] = in_conflict_;
-        zone.cells.push_back(n);
-      } else {
-        marks_[n] = not_in_conflict;
-        zone.boundary.push_back({c, i});
-      }
+      const bool untested = marks_[n] < in_conflict_;
+      if (untested) marks_[n] = in_conflict_ + !is_in_conflict(n, p);
+      const bool in_conflict = marks_[n] == in_conflict_;
+      zone.cells[cell_count] = n;
+      cell_count += untested & in_conflict;
+      zone.boundary[facet_count] = {c, i};
+      facet_count += !in_conflict;
     }
   }
+  zone.cells.resize(cell_count);
+  zone.boundary.resize(facet_count);
 }
 
 CellId Triangulation::new_cell() {
@@ -89,6 +98,52 @@ CellId Triangulation::new_cell() {
   const CellId c = free_.back();
   free_.pop_back();
   return c;
+}
+
+// Two new cells meet behind each edge of the zone's boundary. One boundary facet turns around it
+// from its first vertex to the second, the other back. So a table of vertex pairs joins them: no
+// entry is read before it is written, and no branch depends on the data.
+void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
+  // The boundary is a triangulated sphere: Euler's relation gives its number of vertices.
+  const std::uint32_t vertex_count = static_cast<std::uint32_t>(created.size() / 2 + 2);
+  std::uint32_t next_rank = first_rank_;
+  const auto rank = [&](VertexId v) {
+    const std::uint32_t known = ranks_[v];
+    const bool is_new = known < first_rank_;
+    const std::uint32_t r = is_new ? next_rank : known;
+    next_rank += is_new;
+    ranks_[v] = r;
+    return r - first_rank_;
+  };
+  edge_table_.resize(kTableVertices * kTableVertices);
+  std::array<std::array<std::uint32_t, 3>, 2 * kTableVertices> ranks;
+  for (std::size_t k = 0; k < created.size(); ++k) {
+    const auto& corner = kFacetVertices[zone.boundary[k].index];
+    const auto& v = cells_[created[k]].vertices;
+    auto& r = ranks[k];
+    for (int e = 0; e < 3; ++e) r[e] = rank(v[corner[e]]);
+    for (int e = 0; e < 3; ++e)
+      edge_table_[r[e] * vertex_count + r[(e + 1) % 3]] = link({created[k], corner[(e + 2) % 3]});
+  }
+  for (std::size_t k = 0; k < created.size(); ++k) {
+    const auto& corner = kFacetVertices[zone.boundary[k].index];
+    auto& links = cells_[created[k]].links;
+    const auto& r = ranks[k];
+    for (int e = 0; e < 3; ++e)
+      links[corner[(e + 2) % 3]] = edge_table_[r[(e + 1) % 3] * vertex_count + r[e]];
+  }
+  first_rank_ = next_rank;
+}
+
+// The same for zones of any size, where such a table would be too large.
+void Triangulation::link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created) {
+  in_conflict_ += 2;
+  for (CellId c : zone.cells) marks_[c] = in_conflict_;
+  for (std::size_t k = 0; k < created.size(); ++k) {
+    const Facet& f = zone.boundary[k];
+    for (int i = 0; i < 4; ++i)
+      if (i != f.index) cells_[created[k]].links[i] = turn_through_zone(f, i);
+  }
 }
 
 Triangulation::Link Triangulation::turn_through_zone(Facet f, int over) const {
@@ -113,8 +168,7 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   const VertexId v = static_cast<VertexId>(points_.size());
   points_.push_back(p);
   incident_.push_back(kNoId);
-  in_conflict_ += 2;
-  for (CellId c : zone.cells) marks_[c] = in_conflict_;
+  ranks_.push_back(0);
 
   // The new cells and their links to the cells outside. Links between zone cells stay as they are.
   created.clear();
@@ -124,19 +178,15 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
     Cell& cell = cells_[c];
     cell.vertices = cells_[f.cell].vertices;
     cell.vertices[f.index] = v;
-    cell.links.fill(kNoId);
     connect(link({c, f.index}), cells_[f.cell].links[f.index]);
     for (VertexId w : cell.vertices) incident_[w] = c;
   }
 
-  // The links among new cells: two of them meet behind each edge of the zone's boundary.
-  for (std::size_t k = 0; k < created.size(); ++k) {
-    const Facet& f = zone.boundary[k];
-    for (int i = 0; i < 4; ++i)
-      if (cells_[created[k]].links[i] == kNoId)
-        connect(link({created[k], i}), turn_through_zone(f, i));
+  if (created.size() <= 2 * (kTableVertices - 2)) {
+    link_by_table(zone, created);
+  } else {
+    link_by_turning(zone, created);
   }
-
   for (CellId c : zone.cells) {
     cells_[c].vertices[0] = kNoId;
     free_.push_back(c);

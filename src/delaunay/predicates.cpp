@@ -23,8 +23,8 @@ constexpr double kInsphereBound = 12 * 24 * kDoubleDoubleEpsilon;
 // sums of insphere are below 24 * 3 * 2^5k units: exact in 53 bits for these k.
 constexpr int kOrient3dShort = 16;
 constexpr int kInsphereShort = 9;
-static_assert(6 * std::pow(2.0, 3 * kOrient3dShort) < 0x1p53);
-static_assert(72 * std::pow(2.0, 5 * kInsphereShort) < 0x1p53);
+static_assert(6.0 * (1LL << 3 * kOrient3dShort) < 0x1p53);
+static_assert(72.0 * (1LL << 5 * kInsphereShort) < 0x1p53);
 
 // Whether all coordinates are such integers, in whatever unit. Adding a large number and taking it
 // away rounds to a multiple of the unit in its last place, at least 2^-k of the largest coordinate;

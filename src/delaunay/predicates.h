@@ -38,13 +38,14 @@ namespace predicates {
 
 // The determinants, for vectors of doubles or of more precise numbers.
 template <class Vector>
-auto orient3d_determinant(const Vector& u, const Vector& v, const Vector& w) {
+inline auto orient3d_determinant(const Vector& u, const Vector& v, const Vector& w) {
   return u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y) +
          w.z * (u.x * v.y - v.x * u.y);
 }
 
 template <class Vector>
-auto insphere_determinant(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
+inline auto insphere_determinant(const Vector& a, const Vector& b, const Vector& c,
+                                 const Vector& d) {
   const auto ab = a.x * b.y - b.x * a.y, bc = b.x * c.y - c.x * b.y;
   const auto cd = c.x * d.y - d.x * c.y, da = d.x * a.y - a.x * d.y;
   const auto ac = a.x * c.y - c.x * a.y, bd = b.x * d.y - d.x * b.y;
@@ -85,8 +86,7 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double det = predicates::orient3d_determinant(u, v, w);
   const double bound = predicates::kOrient3dFilter * predicates::orient3d_term_bound(u, v, w);
-  if (det > bound) return 1;
-  if (det < -bound) return -1;
+  if (std::fabs(det) > bound) return (det > 0) - (det < 0);
   return predicates::orient3d_adaptive(a, b, c, d);
 }
 
@@ -97,8 +97,7 @@ inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& 
   const Vec3 a = pa - pe, b = pb - pe, c = pc - pe, d = pd - pe;
   const double det = predicates::insphere_determinant(a, b, c, d);
   const double bound = predicates::kInsphereFilter * predicates::insphere_term_bound(a, b, c, d);
-  if (det > bound) return 1;
-  if (det < -bound) return -1;
+  if (std::fabs(det) > bound) return (det > 0) - (det < 0);
   return predicates::insphere_adaptive(pa, pb, pc, pd, pe);
 }
 

@@ -50,6 +50,7 @@ void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
     cells_.push_back({{kInfinite, id(f[0]), id(f[2]), id(f[1])}, {}});
   }
   marks_.assign(5, 0);
+  ranks_.assign(5, 0);
   last_created_ = 0;
 
   // Any two of these five cells share the one facet that leaves out a vertex of each.

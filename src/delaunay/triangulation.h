@@ -120,6 +120,8 @@ class Triangulation {
   // through the zone, around the edge f shares with (f.cell, over), to the boundary facet on the
   // other side, and returns the facet of the new cell there.
   Link turn_through_zone(Facet f, int over) const;
+  void link_by_table(const ConflictZone& zone, const std::vector<CellId>& created);
+  void link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created);
 
   std::vector<Vec3> points_;
   std::vector<CellId> incident_;
@@ -130,6 +132,13 @@ class Triangulation {
   // Marks of the last search: in_conflict_ or in_conflict_ + 1 (tested, not in conflict).
   mutable std::vector<std::uint32_t> marks_;
   mutable std::uint32_t in_conflict_ = 0;
+  // Numbers the vertices of a zone's boundary from 0: ranks_[v] - first_rank_. Smaller ranks are of
+  // earlier insertions.
+  static constexpr std::size_t kTableVertices = 64;
+  std::vector<std::uint32_t> ranks_;
+  std::uint32_t first_rank_ = 1;
+  std::vector<Link> edge_table_;
+
   ConflictZone scratch_zone_;
   std::vector<CellId> scratch_created_;
 };
