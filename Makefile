@@ -33,7 +33,7 @@ test: doctest
 bench:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
-	@for b in $(BUILD)/bench/*; do if [ -f $$b ] && [ -x $$b ]; then echo "== $$b"; $$b; fi; done
+	@for b in $(BUILD)/bench/bench_*; do echo "== $$b"; $$b || echo "(see the head of bench/$${b##*/}.cpp for its arguments)"; done
 
 # The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer.
 sanitize: doctest
