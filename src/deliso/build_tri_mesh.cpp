@@ -108,6 +108,7 @@ Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& 
         new_id[q] = static_cast<VertexId>(out.mesh.points.size());
         out.mesh.points.push_back(t.point(q));
         out.pole_heights.push_back(poles[q]);
+        out.source.push_back(q);
       }
       q = new_id[q];
     }

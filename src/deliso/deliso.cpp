@@ -8,6 +8,7 @@
 
 #include "contour/contour.h"
 #include "deliso/init_triangulation.h"
+#include "deliso/lost_components.h"
 #include "deliso/poles.h"
 #include "deliso/recover.h"
 #include "deliso/recover_certified.h"
@@ -92,7 +93,10 @@ Recovered paper_way(const Isosurface& surface, const ContourMesh& contour,
     poles.resize(restricted->triangulation().vertex_capacity(), 0);
   }
   Recovery(*restricted, curves, initial.chain, options, report.r_min).count_unresolved();
-  return build_tri_mesh(std::move(*restricted), initial.chain, poles);
+  Recovered recovered = build_tri_mesh(std::move(*restricted), initial.chain, poles);
+  put_back_lost_components(recovered, contour, initial.contour_component,
+                           kept_components(contour, options), surface, report);
+  return recovered;
 }
 
 }  // namespace

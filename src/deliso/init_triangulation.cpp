@@ -29,9 +29,11 @@ class Sample {
  public:
   explicit Sample(double spacing) : spacing_(spacing) {}
 
-  std::uint32_t add(const Vec3& p) {
+  // component: that of the contour p is taken from, if it is.
+  std::uint32_t add(const Vec3& p, std::uint32_t component = kNoId) {
     const auto id = static_cast<std::uint32_t>(points_.size());
     points_.push_back(p);
+    component_.push_back(component);
     next_.push_back(kNoId);
     auto [head, fresh] = head_.try_emplace(key(cell(p)), id);
     if (!fresh) next_[id] = std::exchange(head->second, id);
@@ -53,6 +55,7 @@ class Sample {
     return false;
   }
   const std::vector<Vec3>& points() const { return points_; }
+  std::uint32_t component(std::size_t id) const { return component_[id]; }
 
  private:
   using Cell = std::array<std::int64_t, 3>;
@@ -69,6 +72,7 @@ class Sample {
 
   double spacing_;
   std::vector<Vec3> points_;
+  std::vector<std::uint32_t> component_;
   std::vector<std::uint32_t> next_;
   std::unordered_map<std::uint64_t, std::uint32_t> head_;
 };
@@ -161,7 +165,7 @@ void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Opti
     if (contour.on_boundary(v) || sample.has_near(contour.points[v])) {
       ++report[Counter::seeds_skipped];
     } else {
-      sample.add(contour.points[v]);
+      sample.add(contour.points[v], contour.component[v]);
     }
   }
 }
@@ -218,7 +222,7 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
     Chain chain;
     chain.places = curves.coarse_chain(loop, kChainSagitta);
     for (const CurvePlace place : chain.places) {
-      chain.points.push_back(sample.add(curves.point(place)));
+      chain.points.push_back(sample.add(curves.point(place), contour.boundary.component[loop]));
     }
     chains.push_back(std::move(chain));
   }
@@ -228,6 +232,10 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
   InitialSample out;
   std::vector<VertexId> ids;
   out.triangulation = triangulate(sample.points(), surface.volume().box(), ids);
+  out.contour_component.assign(out.triangulation.vertex_capacity(), kNoId);
+  for (std::size_t i = 0; i < sample.points().size(); ++i) {
+    out.contour_component[ids[i]] = sample.component(i);
+  }
   link_chains(chains, ids, out.chain);
   report.points_initial = out.triangulation.vertex_capacity() - 1 - kAuxiliaryVertices;
   return out;

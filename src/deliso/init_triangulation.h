@@ -27,6 +27,8 @@ bool is_auxiliary(const Vec3& p, const Box3& box);
 struct InitialSample {
   Triangulation triangulation;
   BoundaryChain chain;
+  // Per vertex, the component of the contour it was seeded from; kNoId for random points.
+  std::vector<std::uint32_t> contour_component;
 };
 
 // A first sample of vertices of T for the certified way: the coarse boundary chain, a few at

@@ -10,6 +10,7 @@
 #include "base/triangle.h"
 #include "deliso/certificate.h"
 #include "deliso/poles.h"
+#include "deliso/surface_point.h"
 
 namespace deliso {
 namespace {
@@ -19,6 +20,7 @@ class CertifiedRecovery {
   CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, InitialSites initial,
                     const Options& options, Report& report)
       : surface_(surface),
+        finder_(surface),
         contour_(contour),
         options_(options),
         report_(report),
@@ -51,6 +53,7 @@ class CertifiedRecovery {
   double distance2_to_dual(VertexId v, double enough) const;
 
   const Isosurface& surface_;
+  SurfacePointFinder finder_;
   const ContourMesh& contour_;
   const Options& options_;
   Report& report_;
@@ -94,6 +97,7 @@ Recovered CertifiedRecovery::run() {
           new_id[q] = static_cast<VertexId>(out.mesh.points.size());
           out.mesh.points.push_back(triangulation_.point(q));
           out.pole_heights.push_back(poles[q]);
+          out.source.push_back(q);
         }
         q = new_id[q];
       }
@@ -230,15 +234,8 @@ std::size_t CertifiedRecovery::make_ready() {
 }
 
 std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
-  const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
-             &c = triangulation_.point(facet.sites[2]);
-  const Vec3 area = area_normal(a, b, c);
-  const double twice_area = length(area);
-  if (!(twice_area > 0)) return std::nullopt;
-  const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
-  const auto hit = surface_.nearest(center, normal, distance(center, a), report_.searches_recover);
-  if (!hit || dot(surface_.gradient(hit->point), normal) > 0) return std::nullopt;
-  return hit->point;
+  return finder_.find(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
+                      triangulation_.point(facet.sites[2]), report_.searches_recover);
 }
 
 }  // namespace

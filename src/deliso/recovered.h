@@ -15,6 +15,7 @@ struct Recovered {
   TriMesh mesh;                      // linked, oriented, with surface points
   std::vector<double> pole_heights;  // one per vertex
   BoundaryChain chain;               // over the mesh's vertices
+  std::vector<VertexId> source;      // the vertex of Stage 1 each one was; kNoId: of another origin
 };
 
 // BuildTriMesh (paper §3.2): Del S|Sigma as a mesh of its own; `poles` are per vertex of the

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "deliso/poles.h"
+#include "deliso/surface_point.h"
 #include "deliso/worst_first.h"
 #include "mesh/encroach.h"
 
@@ -27,7 +28,7 @@ class Refiner {
       : mesh_(recovered.mesh),
         poles_(recovered.pole_heights),
         chain_(recovered.chain),
-        surface_(surface),
+        finder_(surface),
         curves_(curves),
         criteria_(criteria),
         options_(options),
@@ -54,7 +55,7 @@ class Refiner {
   TriMesh& mesh_;
   std::vector<double>& poles_;
   BoundaryChain& chain_;
-  const Isosurface& surface_;
+  SurfacePointFinder finder_;
   const BoundaryCurves& curves_;
   const Criteria criteria_;
   const Options& options_;
@@ -157,16 +158,11 @@ std::optional<Counter> Refiner::find_surface_points(const Vec3& p,
   surface_points_.resize(disk_.rim.size());
   for (std::size_t k = 0; k < disk_.rim.size(); ++k) {
     if (k == opened) continue;
-    const Vec3 &a = mesh_.points[disk_.rim[k].from], &b = mesh_.points[disk_.rim[k].to];
-    const Vec3 area = area_normal(a, b, p);
-    const double twice_area = length(area);
-    if (!(twice_area > 0)) return Counter::refused_folded;
-    const Vec3 normal = area / twice_area;
-    const Vec3 center = circumcenter(a, b, p);
-    const auto hit = surface_.nearest(center, normal, distance(center, a), report_.searches_refine);
-    if (!hit) return Counter::refused_no_surface_point;
-    if (dot(surface_.gradient(hit->point), normal) > 0) return Counter::refused_folded;
-    surface_points_[k] = hit->point;
+    const RimEdge& edge = disk_.rim[k];
+    const auto x =
+        finder_.find(mesh_.points[edge.from], mesh_.points[edge.to], p, report_.searches_refine);
+    if (!x) return Counter::refused_no_surface_point;
+    surface_points_[k] = *x;
   }
   return std::nullopt;
 }
@@ -196,6 +192,7 @@ bool Refiner::split_boundary(EdgeRef edge) {
   VertexId a = face.v[(edge.index + 1) % 3], b = face.v[(edge.index + 2) % 3];
   const double shortest = kShortestBoundaryEdge * criteria_.r_min;
   if (distance2(mesh_.points[a], mesh_.points[b]) < shortest * shortest) return false;
+  if (!chain_.is_edge(a, b)) return false;
   if (chain_.next(a) != b) std::swap(a, b);
   const auto middle =
       curves_.split(chain_.place(a), mesh_.points[a], chain_.place(b), mesh_.points[b]);
