@@ -2,23 +2,23 @@
 // The kd-tree and the oracle on a volume: time and memory of the tree, time and voxel-ray
 // computations per search (CPI of Table 4), and on request a check against plain walks.
 //
-// Usage: bench_search --raw FILE NX NY NZ [SX SY SZ] --iso K [--count N] [--check N]
-//   FILE holds NX*NY*NZ uint8 samples. --check N: N random segments and N nearest-point queries,
-//   against clipping every voxel in the box of the segment by itself.
+// Usage: bench_search [--volume INPUT] [--iso K] [--count N] [--check N]
+//   INPUT: a file, or builtin:NAME[:SIZE]. --check N: N random segments and N nearest-point
+//   queries, against clipping every voxel in the box of the segment by itself.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/random.h"
 #include "isosurface/isosurface.h"
 #include "isosurface/voxel_ray.h"
+#include "volume/read_volume.h"
 
 using namespace deliso;
 
@@ -29,32 +29,31 @@ double seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-struct Input {
-  std::string file;
-  Index3 dims;
-  Vec3 spacing{1, 1, 1};
-  double kappa = 0;
+struct Arguments {
+  std::string input = "builtin:fuel:128";
+  std::optional<double> kappa;  // else the middle of the samples' range
   int count = 200'000, check = 0;
 };
 
-Input parse(int argc, char** argv) {
-  Input input;
-  for (int n = 1; n < argc; ++n) {
-    const auto number = [&] { return std::atof(argv[++n]); };
-    if (!std::strcmp(argv[n], "--raw") && n + 4 < argc) {
-      input.file = argv[++n];
-      for (int axis = 0; axis < 3; ++axis) input.dims[axis] = static_cast<int>(number());
-      for (int axis = 0; axis < 3 && n + 1 < argc && argv[n + 1][0] != '-'; ++axis)
-        input.spacing[axis] = number();
-    } else if (!std::strcmp(argv[n], "--iso") && n + 1 < argc) {
-      input.kappa = number();
-    } else if (!std::strcmp(argv[n], "--count") && n + 1 < argc) {
-      input.count = static_cast<int>(number());
-    } else if (!std::strcmp(argv[n], "--check") && n + 1 < argc) {
-      input.check = static_cast<int>(number());
+Arguments parse(int argc, char** argv) {
+  Arguments arguments;
+  for (int n = 1; n < argc; n += 2) {
+    const std::string_view name = argv[n];
+    if (n + 1 == argc) throw InputError(std::string(name) + ": needs a value");
+    const char* value = argv[n + 1];
+    if (name == "--volume") {
+      arguments.input = value;
+    } else if (name == "--iso") {
+      arguments.kappa = std::atof(value);
+    } else if (name == "--count") {
+      arguments.count = std::atoi(value);
+    } else if (name == "--check") {
+      arguments.check = std::atoi(value);
+    } else {
+      throw InputError(std::string(name) + ": unknown option");
     }
   }
-  return input;
+  return arguments;
 }
 
 Vec3 random_point(Random& random, const Box3& box) {
@@ -197,59 +196,62 @@ bool check(const Isosurface& surface, const VoxelTree& tree, int count) {
   return wrong == 0;
 }
 
-}  // namespace
+int run(const Arguments& arguments) {
+  const Volume volume = read_volume(arguments.input);
+  const ValueRange range = value_range(volume);
 
-int main(int argc, char** argv) {
-  const Input input = parse(argc, argv);
-  std::ifstream file(input.file, std::ios::binary);
-  const std::vector<std::uint8_t> samples{std::istreambuf_iterator<char>(file), {}};
-  if (samples.empty() || samples.size() != static_cast<std::size_t>(input.dims.i) *
-                                               static_cast<std::size_t>(input.dims.j) *
-                                               static_cast<std::size_t>(input.dims.k)) {
-    std::fprintf(stderr,
-                 "usage: bench_search --raw FILE NX NY NZ [SX SY SZ] --iso K [--count N] "
-                 "[--check N]\n");
-    return 2;
-  }
-  const Volume volume = Volume::from_samples(input.dims, input.spacing, samples);
-
-  double start = seconds();
+  const double start = seconds();
   const VoxelTree tree(volume);
   std::printf("kd-tree: %.1f ms, %zu bytes = %.2f %% of the samples, depth %d\n",
               1e3 * (seconds() - start), tree.bytes(),
-              100.0 * static_cast<double>(tree.bytes()) / static_cast<double>(samples.size()),
+              100.0 * static_cast<double>(tree.bytes()) /
+                  static_cast<double>(volume.sample_count() * size_of(volume.type())),
               tree.depth());
 
-  const double kappa = effective_isovalue(volume, input.kappa);
+  const double kappa =
+      effective_isovalue(volume, arguments.kappa.value_or(0.5 * (range.min + range.max)));
   const Isosurface surface(volume, tree, kappa);
-  if (input.check > 0) return check(surface, tree, input.check) ? 0 : 1;
+  if (arguments.check > 0) return check(surface, tree, arguments.check) ? 0 : 1;
+
+  // One and the same queries for both solvers.
+  std::vector<Query> near = stage2_queries(surface, arguments.count, 0.1);
+  std::vector<Query> far = stage2_queries(surface, arguments.count, 1), sorted = near, any = near;
+  std::sort(sorted.begin(), sorted.end(), [&](const Query& a, const Query& b) {
+    const Index3 p = volume.voxel_at(a.center), q = volume.voxel_at(b.center);
+    return volume.index(p.i, p.j, p.k) < volume.index(q.i, q.j, q.k);
+  });
+  Random random(9);
+  std::vector<Segment> across, around;
+  for (Query& q : any) {
+    q.direction = random_direction(random);
+    across.push_back({random_point(random, volume.box()), random_point(random, volume.box())});
+    around.push_back({q.center + 2 * random_direction(random), q.center + 2 * q.direction});
+  }
+  // So few that their voxels stay in the cache, over and over.
+  std::vector<Query> few;
+  for (std::size_t n = 0; n < near.size(); ++n) few.push_back(near[n % 2000]);
 
   for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
     const Isosurface by(volume, tree, kappa, method);
     std::printf("%s\n", method == CubicMethod::isolation ? "isolation" : "schwarze");
-    std::vector<Query> queries = stage2_queries(surface, input.count, 1);
-    time_nearest("  nearest, +-1 voxel, random order", by, queries, 10);
-    std::sort(queries.begin(), queries.end(), [&](const Query& a, const Query& b) {
-      const Index3 p = volume.voxel_at(a.center), q = volume.voxel_at(b.center);
-      return volume.index(p.i, p.j, p.k) < volume.index(q.i, q.j, q.k);
-    });
-    time_nearest("  nearest, +-1 voxel, in order", by, queries, 10);
-    queries = stage2_queries(surface, input.count, 0.1);
-    time_nearest("  nearest, +-0.1 voxel, random order", by, queries, 10);
-    for (Query& q : queries)
-      q.direction =
-          random_direction(*std::make_unique<Random>(static_cast<std::uint64_t>(q.center.x * 1e6)));
-    time_nearest("  nearest, any direction, no limit", by, queries, 1e9);
-
-    Random random(9);
-    std::vector<Segment> across, around;
-    for (int n = 0; n < input.count; ++n) {
-      const Box3 box = volume.box();
-      across.push_back({random_point(random, box), random_point(random, box)});
-      const Vec3 p = queries[static_cast<std::size_t>(n) % queries.size()].center;
-      around.push_back({p + 2 * random_direction(random), p + 2 * random_direction(random)});
-    }
+    time_nearest("  nearest, +-0.1 voxel, in cache", by, few, 10);
+    time_nearest("  nearest, +-0.1 voxel, in order", by, sorted, 10);
+    time_nearest("  nearest, +-0.1 voxel, random order", by, near, 10);
+    time_nearest("  nearest, +-1 voxel, random order", by, far, 10);
+    time_nearest("  nearest, any direction, no limit", by, any, 1e9);
     time_intersect("  intersect, across the box", by, across);
     time_intersect("  intersect, 2 voxels round Sigma", by, around);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse(argc, argv));
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "bench_search: %s\n", error.what());
+    return 2;
   }
 }

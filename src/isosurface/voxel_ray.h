@@ -15,8 +15,6 @@
 // passages on a segment is odd exactly when its ends lie on different sides.
 #pragma once
 
-#include <algorithm>
-
 #include "kdtree/lattice_line.h"
 #include "roots/cubic.h"
 #include "volume/volume.h"
@@ -65,14 +63,14 @@ inline Roots find_intersections(const Corners& corners, const VoxelSpan& span, C
 
 // The line's parameter at fraction s of the span.
 inline double parameter_at(const VoxelSpan& span, double s) {
-  return std::max(std::min(span.t0 + s * (span.t1 - span.t0), span.t1), span.t0);
+  return greater(smaller(span.t0 + s * (span.t1 - span.t0), span.t1), span.t0);
 }
 
 // The point there (scaled frame), in the voxel. It comes from the voxel's own coordinates, not from
 // the parameter: that keeps g at kappa even where t is large.
 inline Vec3 point_at(const VoxelSpan& span, double s, const Vec3& spacing) {
   const auto along = [s](int n, double u0, double u1, double size) {
-    return (n + std::max(std::min(u0 + s * (u1 - u0), 1.0), 0.0)) * size;
+    return (n + greater(smaller(u0 + s * (u1 - u0), 1.0), 0.0)) * size;
   };
   return {along(span.voxel.i, span.u0.x, span.u1.x, spacing.x),
           along(span.voxel.j, span.u0.y, span.u1.y, spacing.y),

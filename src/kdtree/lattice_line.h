@@ -14,14 +14,12 @@
 // A line that runs in a lattice plane is in the voxel above it, at the box's far side below it.
 //
 // Directions' signs are as good as random to a branch predictor, so they enter as numbers (`ahead`)
-// and selections are made by masks.
+// and selections are made by index.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "base/box3.h"
@@ -29,6 +27,14 @@
 #include "volume/volume.h"
 
 namespace deliso {
+
+// std::min and std::max take references, and compile to branches; these do not.
+constexpr double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+constexpr double greater(double a, double b) {
+  return a > b ? a : b;
+}
 
 // The piece of a line in one voxel: parameters t0 < t1, and the local coordinates there, in [0, 1].
 struct VoxelSpan {
@@ -77,6 +83,7 @@ class LatticeLine {
       inverse_[axis] = std::numeric_limits<double>::infinity();
       ahead_[axis] = 1;
     }
+    set_sides();
     valid_ = moves;
   }
 
@@ -90,6 +97,7 @@ class LatticeLine {
       line.inverse_[axis] = -inverse_[axis];
       line.ahead_[axis] = 1 - ahead_[axis];
     }
+    line.set_sides();
     return line;
   }
 
@@ -109,8 +117,8 @@ class LatticeLine {
     if (!valid_) return {1, 0};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int far = ahead_[axis] * voxels_[axis], near = voxels_[axis] - far;
-      range.lo = std::max(range.lo, at_plane(axis, near));
-      range.hi = std::min(range.hi, at_plane(axis, far));
+      range.lo = greater(range.lo, at_plane(axis, near));
+      range.hi = smaller(range.hi, at_plane(axis, far));
     }
     return range;
   }
@@ -130,7 +138,7 @@ class LatticeLine {
   // by position is put right by the crossings themselves (L2). pre: t in the range of lo .. hi.
   int index_after(std::size_t axis, double t, int lo, int hi) const {
     const double position = origin_[axis] + t * direction_[axis];
-    int n = static_cast<int>(std::max(std::min(position, hi - 1.0), static_cast<double>(lo)));
+    int n = static_cast<int>(greater(smaller(position, hi - 1.0), lo));
     const int step = 2 * ahead_[axis] - 1;
     while (leave(axis, n) <= t && lo <= n + step && n + step < hi) n += step;
     while (enter(axis, n) > t && lo <= n - step && n - step < hi) n -= step;
@@ -153,34 +161,43 @@ class LatticeLine {
 
   // The piece of `range` in the voxel; empty when there is none.
   VoxelSpan span(Index3 voxel, Range range) const {
-    const std::array<double, 3> in = {enter(0, voxel.i), enter(1, voxel.j), enter(2, voxel.k)};
-    const std::array<double, 3> out = {leave(0, voxel.i), leave(1, voxel.j), leave(2, voxel.k)};
-    const double t0 = std::max(std::max(in[0], in[1]), std::max(in[2], range.lo));
-    const double t1 = std::min(std::min(out[0], out[1]), std::min(out[2], range.hi));
+    const std::array<double, 3> n = {static_cast<double>(voxel.i), static_cast<double>(voxel.j),
+                                     static_cast<double>(voxel.k)};
+    std::array<double, 3> in, out;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      in[axis] = ((n[axis] + entry_side_[axis]) - base_[axis]) * inverse_[axis];
+      out[axis] = ((n[axis] + exit_side_[axis]) - base_[axis]) * inverse_[axis];
+    }
+    const double t0 = greater(greater(in[0], in[1]), greater(in[2], range.lo));
+    const double t1 = smaller(smaller(out[0], out[1]), smaller(out[2], range.hi));
     // On the planes the coordinates are exact (L3).
-    const auto at = [&](std::size_t axis, int n, double t, double plane_t, int plane) {
-      const double u = origin_[axis] + t * direction_[axis] - n;
-      return select(t == plane_t, plane, std::max(std::min(u, 1.0), 0.0));
+    const auto at = [&](std::size_t axis, double t, bool on_plane, double side) {
+      const double along = origin_[axis] + t * direction_[axis];
+      const double within = greater(smaller(along, n[axis] + 1), n[axis]);
+      const std::array<double, 2> either = {within - n[axis], side};
+      return either[on_plane];
     };
-    return {voxel,
-            t0,
-            t1,
-            {at(0, voxel.i, t0, in[0], 1 - ahead_[0]), at(1, voxel.j, t0, in[1], 1 - ahead_[1]),
-             at(2, voxel.k, t0, in[2], 1 - ahead_[2])},
-            {at(0, voxel.i, t1, out[0], ahead_[0]), at(1, voxel.j, t1, out[1], ahead_[1]),
-             at(2, voxel.k, t1, out[2], ahead_[2])}};
+    const auto entry = [&](std::size_t axis) {
+      return at(axis, t0, in[axis] >= t0, entry_side_[axis]);
+    };
+    const auto exit = [&](std::size_t axis) {
+      return at(axis, t1, t1 >= out[axis], exit_side_[axis]);
+    };
+    return {voxel, t0, t1, {entry(0), entry(1), entry(2)}, {exit(0), exit(1), exit(2)}};
   }
 
  private:
-  // yes ? a : b without a branch.
-  static double select(bool yes, double a, double b) {
-    const std::uint64_t mask = -static_cast<std::uint64_t>(yes);
-    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & mask) |
-                                 (std::bit_cast<std::uint64_t>(b) & ~mask));
+  void set_sides() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      entry_side_[axis] = 1 - ahead_[axis];
+      exit_side_[axis] = ahead_[axis];
+    }
   }
 
   std::array<int, 3> voxels_, ahead_{};
   std::array<double, 3> origin_, direction_, inverse_{};
+  // Local coordinates of a voxel's planes where the line enters and leaves: 0 or 1.
+  std::array<double, 3> entry_side_{}, exit_side_{};
   std::array<double, 3> base_;  // what plane numbers are measured from: origin_, unless parallel
   bool valid_ = false;
 };
@@ -194,6 +211,7 @@ class VoxelWalk {
   VoxelWalk(const LatticeLine& line, Index3 voxel, Range range)
       : line_(line), voxel_{voxel.i, voxel.j, voxel.k}, t_(range.lo), end_(range.hi) {
     for (std::size_t axis = 0; axis < 3; ++axis) leave_[axis] = line.leave(axis, voxel_[axis]);
+    find_next();
   }
 
   bool done() const { return !(t_ < end_); }
@@ -203,23 +221,26 @@ class VoxelWalk {
   VoxelSpan span() const { return line_.span(voxel(), {t_, end_}); }
 
   void step() {
-    t_ = first_leave();
+    t_ = leave_[next_];
     // A line through an edge or a corner crosses two or three planes at once; far from its origin,
     // several planes may even round to one parameter.
-    while (t_ < end_ && first_leave() <= t_) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        voxel_[axis] += (leave_[axis] <= t_) * (2 * line_.ahead(axis) - 1);
-        leave_[axis] = line_.leave(axis, voxel_[axis]);
-      }
+    while (t_ < end_ && leave_[next_] <= t_) {
+      voxel_[next_] += 2 * line_.ahead(next_) - 1;
+      leave_[next_] = line_.leave(next_, voxel_[next_]);
+      find_next();
     }
   }
 
  private:
-  double first_leave() const { return std::min(std::min(leave_[0], leave_[1]), leave_[2]); }
+  void find_next() {
+    const std::size_t first = leave_[1] < leave_[0];
+    next_ = leave_[2] < leave_[first] ? 2 : first;
+  }
 
   const LatticeLine& line_;
   std::array<int, 3> voxel_;
   std::array<double, 3> leave_;
+  std::size_t next_ = 0;  // the axis whose plane comes next
   double t_, end_;
 };
 

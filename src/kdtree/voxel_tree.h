@@ -80,7 +80,7 @@ class VoxelTree {
   LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
     const auto in_voxels = [&](int axis) {
       const double u = origin[axis] * per_spacing_[axis];
-      return origin[axis] <= top_[axis] ? std::min(u, top_in_voxels_[axis]) : u;
+      return origin[axis] <= top_[axis] ? smaller(u, top_in_voxels_[axis]) : u;
     };
     return {
         {in_voxels(0), in_voxels(1), in_voxels(2)},

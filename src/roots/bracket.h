@@ -34,32 +34,37 @@ inline Roots critical_points(const Cubic& c, double lo, double hi) {
   return points;
 }
 
-// The root in [lo, hi], where the cubic goes from outside (< 0) to inside (>= 0), or the other way
-// round when !rising. Newton steps from the guess t, kept in a shrinking bracket, with bisection
-// where they leave it or fail to halve. It ends: each round halves the step or the bracket.
-//
-// A Newton step of size h leaves |p| <= |p''| h^2 / 2, so one of at most `last_step` is the last; a
-// bisection has to go on to the last bit (of an interval about 1 wide), unless |p| is within
-// `noise`.
+// When to stop. A Newton step of size h leaves |p| <= |p''| h^2 / 2, so one of at most `last_step`
+// is the last; a bisection has to go on to the last bit (of an interval about 1 wide), unless |p|
+// is within `noise`.
 struct Accuracy {
   double last_step, noise;
 };
-double bracketed_root(const Cubic& c, double lo, double hi, bool rising, double t,
-                      Accuracy accuracy);
 
-// The same where [lo, hi] holds no other root: as long as plain Newton steps halve and stay inside,
-// no bracket is needed, since there is but one place to end at.
+// The root in [lo, hi], where the cubic goes from outside (< 0) to inside (>= 0), or the other way
+// round when !rising: the signs at lo and hi are the caller's word, and nothing is computed there.
+// Newton steps from the middle, kept in a shrinking bracket, with bisection where they leave it or
+// fail to halve. It ends: each round halves the step or the bracket.
+double bracketed_root(const Cubic& c, double lo, double hi, bool rising, Accuracy accuracy);
+
+// The same where [lo, hi] holds no other root that rises (falls): as long as plain Newton steps
+// halve and stay inside, no bracket is needed. Where they end at a root of the other kind, one at
+// lo or hi or within rounding of them, the bracket tells the two apart.
 inline double single_root(const Cubic& c, double lo, double hi, bool rising, double guess,
                           Accuracy accuracy) {
   double t = guess, last_step = hi - lo;
   while (true) {
-    const double next = t - value_at(c, t) / slope_at(c, t), step = std::abs(next - t);
+    const double slope = slope_at(c, t);
+    const double next = t - value_at(c, t) / slope, step = std::abs(next - t);
     if (!(lo <= next && next <= hi && step <= 0.5 * last_step)) break;
-    if (step <= accuracy.last_step) return next;
+    if (step <= accuracy.last_step) {
+      if ((slope > 0) == rising) return next;
+      break;
+    }
     t = next;
     last_step = step;
   }
-  return bracketed_root(c, lo, hi, rising, guess, accuracy);
+  return bracketed_root(c, lo, hi, rising, accuracy);
 }
 
 // Where the chord between the values at the ends crosses zero.
