@@ -5,6 +5,7 @@
 // --xyz reads raw native doubles x y z, to compare with another program on the same points.
 // Prints the best of R runs of build(), in points per second of processor time.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fstream>

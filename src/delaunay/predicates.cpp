@@ -12,12 +12,11 @@ namespace {
 
 using predicates::largest;
 
-// Rounding error of the determinants below, in double-doubles. Differences of coordinates are
-// exact. A term of orient3d passes through at most 5 rounded operations and there are 6 terms,
-// each within the bound of predicates.h; for insphere at most 11, and 4 * 6 terms. One more
-// operation than that covers products of errors and the rounding of the bound.
+// Rounding error of the determinants in double-doubles, relative to a sixth of the permanent.
+// Differences of coordinates are exact; a term of orient3d passes through at most 5 rounded
+// operations, of insphere 11. One more covers products of errors and the rounding of the bound.
 constexpr double kOrient3dBound = 6 * 6 * kDoubleDoubleEpsilon;
-constexpr double kInsphereBound = 12 * 24 * kDoubleDoubleEpsilon;
+constexpr double kInsphereBound = 12 * 6 * kDoubleDoubleEpsilon;
 
 // With all differences integers below 2^k in one unit, orient3d is below 6 * 2^3k and the partial
 // sums of insphere are below 24 * 3 * 2^5k units: exact in 53 bits for these k.
@@ -122,7 +121,7 @@ int orient3d_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
     return sign_of(orient3d_determinant(u, v, w));
 
   const DoubleDouble det = orient3d_determinant(fine_u, fine_v, fine_w);
-  const double bound = kOrient3dBound * orient3d_term_bound(u, v, w);
+  const double bound = kOrient3dBound * orient3d_scale(u, v, w);
   if (const int sign = sign_beyond(bound, det)) return sign;
 
   // Expansions are much shorter on differences, when these are doubles.
@@ -140,7 +139,7 @@ int insphere_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
     return sign_of(insphere_determinant(a, b, c, d));
 
   const DoubleDouble det = insphere_determinant(fine_a, fine_b, fine_c, fine_d);
-  const double bound = kInsphereBound * insphere_term_bound(a, b, c, d);
+  const double bound = kInsphereBound * insphere_scale(a, b, c, d);
   if (const int sign = sign_beyond(bound, det)) return sign;
 
   return are_doubles ? insphere_exact(a, b, c, d) : insphere_exact(pa, pb, pc, pd, pe);

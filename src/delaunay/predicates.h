@@ -54,26 +54,25 @@ inline auto insphere_determinant(const Vector& a, const Vector& b, const Vector&
   return (dot(a, a) * bcd - dot(b, b) * cda) + (dot(c, c) * dab - dot(d, d) * abc);
 }
 
-// What a term of the determinant can amount to: the products of the largest differences.
+// Bounds on a sixth of the permanent, that is, of the determinant with every sign made plus: a
+// 3 x 3 determinant has six terms, each at most the product of the largest differences per axis.
 inline double largest(double p, double q, double r) {
   return std::max(std::max(std::fabs(p), std::fabs(q)), std::fabs(r));
 }
-inline double orient3d_term_bound(const Vec3& u, const Vec3& v, const Vec3& w) {
+inline double orient3d_scale(const Vec3& u, const Vec3& v, const Vec3& w) {
   return largest(u.x, v.x, w.x) * largest(u.y, v.y, w.y) * largest(u.z, v.z, w.z);
 }
-inline double insphere_term_bound(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+inline double insphere_scale(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double mx = std::max(largest(a.x, b.x, c.x), std::fabs(d.x));
   const double my = std::max(largest(a.y, b.y, c.y), std::fabs(d.y));
   const double mz = std::max(largest(a.z, b.z, c.z), std::fabs(d.z));
-  return mx * my * mz * (mx * mx + my * my + mz * mz);
+  return mx * my * mz * ((dot(a, a) + dot(b, b)) + (dot(c, c) + dot(d, d)));
 }
 
-// Shewchuk's bounds for these determinants of rounded differences are (7 + 56 eps) eps and
-// (16 + 224 eps) eps times the permanent (the determinant with every sign made plus). The permanent
-// of orient3d is at most 6 times the bound on terms, that of insphere 4 * 6 times; adding 1 to 7 *
-// 6 and 16 * 24 covers the eps^2 and the rounding of the bound itself.
-inline constexpr double kOrient3dFilter = 43 * kEpsilon;
-inline constexpr double kInsphereFilter = 385 * kEpsilon;
+// Shewchuk's error bounds for these determinants of rounded differences are (7 + 56 eps) eps and
+// (16 + 224 eps) eps times the permanent; one more eps covers the eps^2 and the rounding here.
+inline constexpr double kOrient3dFilter = (7 * 6 + 1) * kEpsilon;
+inline constexpr double kInsphereFilter = (16 * 6 + 1) * kEpsilon;
 
 // Beyond the filter: never wrong, slower. Same arguments and signs as the functions below.
 int orient3d_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
@@ -85,7 +84,7 @@ int insphere_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double det = predicates::orient3d_determinant(u, v, w);
-  const double bound = predicates::kOrient3dFilter * predicates::orient3d_term_bound(u, v, w);
+  const double bound = predicates::kOrient3dFilter * predicates::orient3d_scale(u, v, w);
   if (std::fabs(det) > bound) return (det > 0) - (det < 0);
   return predicates::orient3d_adaptive(a, b, c, d);
 }
@@ -96,7 +95,7 @@ inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& 
                     const Vec3& pe) {
   const Vec3 a = pa - pe, b = pb - pe, c = pc - pe, d = pd - pe;
   const double det = predicates::insphere_determinant(a, b, c, d);
-  const double bound = predicates::kInsphereFilter * predicates::insphere_term_bound(a, b, c, d);
+  const double bound = predicates::kInsphereFilter * predicates::insphere_scale(a, b, c, d);
   if (std::fabs(det) > bound) return (det > 0) - (det < 0);
   return predicates::insphere_adaptive(pa, pb, pc, pd, pe);
 }

@@ -41,8 +41,8 @@ void Triangulation::clear() {
 
 void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
   // Vertex ids: corner k is 1 + k. Cell ids: the finite one is 0, behind its facet i lies 1 + i.
-  points_ = {Vec3{}, corners[0], corners[1], corners[2], corners[3]};
-  incident_ = {1, 0, 0, 0, 0};
+  points_.assign({Vec3{}, corners[0], corners[1], corners[2], corners[3]});
+  incident_.assign({1, 0, 0, 0, 0});
   cells_.push_back({{1, 2, 3, 4}, {}});
   for (int i = 0; i < 4; ++i) {
     const auto& f = kFacetVertices[i];
@@ -74,6 +74,14 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
   const std::vector<std::uint32_t> order = biased_hilbert_order(points);
   const auto first = first_tetrahedron(points, order);
   if (!first) return false;
+
+  // Random points have 6.8 cells each; what is not used is never touched.
+  const std::size_t expected_cells = 7 * points.size() + 100;
+  points_.reserve(points.size() + 1);
+  incident_.reserve(points.size() + 1);
+  ranks_.reserve(points.size() + 1);
+  cells_.reserve(expected_cells);
+  marks_.reserve(expected_cells);
 
   const auto& f = *first;
   create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
