@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "mesh/mesh_parsers.h"
 
@@ -124,7 +125,7 @@ Header parse_header(Lines& lines) {
 class WordSource {
  public:
   // `lines` stands on end_header.
-  explicit WordSource(const Lines& lines) : lines_(lines) { lines_.line() = {}; }
+  explicit WordSource(Lines lines) : lines_(std::move(lines)) { lines_.line() = {}; }
 
   double next(Type type) {
     std::string_view word = take_word(lines_.line());
@@ -152,11 +153,11 @@ class WordSource {
 };
 
 // The data as binary, in the byte order that is the machine's or its opposite.
-template <std::endian order>
+template <std::endian Order>
 class BinarySource {
  public:
-  BinarySource(const Lines& lines, std::string_view bytes, const std::string& name)
-      : bytes_(bytes), at_(bytes.size() - lines.rest().size()), name_(name) {}
+  BinarySource(const Lines& lines, std::string_view bytes, std::string name)
+      : bytes_(bytes), at_(bytes.size() - lines.rest().size()), name_(std::move(name)) {}
 
   double next(Type type) {
     switch (type) {
@@ -194,7 +195,7 @@ class BinarySource {
     if (bytes_.size() - at_ < sizeof(T)) fail("the file ends too early");
     char raw[sizeof(T)];
     std::memcpy(raw, bytes_.data() + at_, sizeof(T));
-    if constexpr (order != std::endian::native) std::reverse(raw, raw + sizeof(T));
+    if constexpr (Order != std::endian::native) std::reverse(raw, raw + sizeof(T));
     at_ += sizeof(T);
     T value;
     std::memcpy(&value, raw, sizeof(T));
