@@ -21,13 +21,14 @@ class VtkParser {
     const std::string storage = lower(text_.word());
     if (storage != "ascii" && storage != "binary")
       fail(input_.name(), "is neither ASCII nor BINARY but " + quote(storage));
+    binary_ = storage == "binary";
     grid_.roi = input_.options.roi;
     grid_.byte_order = std::endian::big;
     read_structure();
     read_array_header();
     data_size(grid_, input_.name());
     Bytes data = input_.bytes.from(text_.position());
-    if (storage == "ascii") return volume_from_text(grid_, data, true);
+    if (!binary_) return volume_from_text(grid_, data, true);
     // Other arrays and metadata may follow.
     const std::uint64_t size = data_size(grid_, data.name);
     if (data.size() > size) data = data.first(static_cast<std::size_t>(size));
@@ -90,7 +91,8 @@ class VtkParser {
                               std::to_string(n) + " points");
   }
 
-  // "SCALARS name type [components]" with its look-up table, or the first array of a FIELD.
+  // "SCALARS name type [components]" with its look-up table, "COLOR_SCALARS name components" (what
+  // VTK calls bytes without a name), or the first array of a FIELD.
   void read_array_header() {
     const std::string word = keyword();
     std::int64_t components = 1;
@@ -100,6 +102,11 @@ class VtkParser {
       grid_.type = supported_type(input_, rest.empty() ? "" : rest[0]);
       if (rest.size() > 1) components = to_int(rest[1]).value_or(0);
       expect("lookup_table");
+    } else if (word == "color_scalars") {
+      if (!binary_) fail(input_.name(), "COLOR_SCALARS in ASCII are not supported");
+      text_.word();  // the name
+      components = integer("the number of components");
+      grid_.type = SampleType::u8;
     } else if (word == "field") {
       text_.word();  // the field's name
       text_.word();  // how many arrays
@@ -119,6 +126,7 @@ class VtkParser {
   const VolumeInput& input_;
   TextCursor text_;
   SampleGrid grid_;
+  bool binary_ = false;
 };
 
 }  // namespace

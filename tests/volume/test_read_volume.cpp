@@ -2,6 +2,7 @@
 #include "volume/read_volume.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -233,6 +234,37 @@ TEST_CASE("data files are found beside their header, wherever that is") {
   CHECK(samples_of(read_volume(folder.write("v.nhdr", text))) == truth.bytes);
   text.replace(text.rfind("deep/er/v.data"), 14, folder.path("deep/er/v.data"));
   CHECK(samples_of(read_volume(folder.write("absolute.nhdr", text))) == truth.bytes);
+}
+
+TEST_CASE("VTK's nameless bytes are COLOR_SCALARS") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {4, 5, 6}, 9);
+  std::string file = vtk(truth, true, false).front().content;
+  const std::string usual = "SCALARS values unsigned_char 1\nLOOKUP_TABLE default\n";
+  file.replace(file.find(usual), usual.size(), "COLOR_SCALARS scalars 1\n");
+  CHECK(samples_of(read_volume(folder.write("v.vtk", file))) == truth.bytes);
+  file.replace(file.find("BINARY"), 6, "ASCII");
+  CHECK_THROWS_AS(read_volume(folder.write("v.vtk", file)), InputError);
+}
+
+TEST_CASE("standard input is recognised by its content") {
+  const Truth truth = random_truth(SampleType::i16, {4, 5, 6}, 9);
+  for (const StoredVolume& stored : all_forms(truth)) {
+    if (stored.files.size() > 1) continue;
+    const std::string& content = stored.files.front().content;
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    REQUIRE(::write(ends[1], content.data(), content.size()) ==
+            static_cast<ssize_t>(content.size()));
+    ::close(ends[1]);
+    const int saved = ::dup(STDIN_FILENO);
+    ::dup2(ends[0], STDIN_FILENO);
+    ::close(ends[0]);
+    CAPTURE(stored.label);
+    CHECK(samples_of(read_volume("-", stored.options)) == truth.bytes);
+    ::dup2(saved, STDIN_FILENO);
+    ::close(saved);
+  }
 }
 
 TEST_CASE("command-line spellings") {
