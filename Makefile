@@ -6,6 +6,7 @@ PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
 
+MAKEFLAGS += --no-print-directory
 # GNU Make's own default (g++) counts as unset: CMake then looks for a compiler itself.
 CXX_FLAG := $(if $(filter default undefined,$(origin CXX)),,-DCMAKE_CXX_COMPILER=$(CXX))
 CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
