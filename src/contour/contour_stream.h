@@ -58,12 +58,14 @@ class LayerBits {
     std::uint8_t* inside = buffer_.data();
     const int n = nx_;
     for (int i = 0; i < n; ++i) inside[i] = samples[i] >= threshold;
+    const std::uint8_t* next = inside;
     std::uint64_t* out = bits_.data() + std::size_t(stride_) * size_t(j);
     for (int w = 0; w < words_; ++w) {
       std::uint64_t word = 0;
       for (int byte = 0; byte < 8; ++byte) {
         std::uint64_t eight;
-        std::memcpy(&eight, inside + 64 * w + 8 * byte, 8);
+        std::memcpy(&eight, next, 8);
+        next += 8;
         word |= (eight * kGather >> 56) << (8 * byte);
       }
       out[w] = word;

@@ -36,7 +36,7 @@ struct DualFacet {
 class Certificate {
  public:
   Certificate(const ContourMesh& contour, const ContourGraph& graph, const Labels& labels)
-      : contour_(contour), graph_(graph), labels_(labels), visited_(contour.points.size(), 0) {}
+      : graph_(graph), labels_(labels), visited_(contour.points.size(), 0) {}
 
   // Tests C1-C4 at `site`, whose own vertex of T is `at`. Cost: the triangles at L.
   Verdict check(VertexId site, VertexId at);
@@ -55,7 +55,6 @@ class Certificate {
   // The further of two vertices of T from its site; sites themselves (distance 0) never win.
   VertexId further(VertexId best, VertexId v) const;
 
-  const ContourMesh& contour_;
   const ContourGraph& graph_;
   const Labels& labels_;
   std::vector<std::uint32_t> visited_;

@@ -271,6 +271,7 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
   }
 
   std::vector<Vec3> points;
+  points.reserve(seeds.size());
   for (const VertexId v : seeds) points.push_back(contour.points[v]);
   InitialSites out;
   std::vector<VertexId> ids;
