@@ -81,6 +81,38 @@ void orient(const std::vector<Vec3>& points, const std::vector<Vec3>& surface_po
   }
 }
 
+// Where the surface is cut by an edge of the box at a sharp angle, the tip of the wedge can be too
+// thin for a Voronoi edge to tell its two sides apart: the chain's vertex there has no facet, and
+// the chain's neighbours are joined past it. The tip's triangle is put back.
+void close_tips(const Triangulation& t, const BoundaryChain& chain, std::vector<VertexId>& new_id,
+                std::vector<Triangle>& triangles, Report& report, Recovered& out) {
+  const auto neighbors = undirected_neighbors(triangles);
+  std::vector<std::pair<VertexId, VertexId>> open;  // edges of one facet, smaller vertex first
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (neighbors[f][i] != kNoId) continue;
+      const VertexId a = triangles[f][(i + 1) % 3], b = triangles[f][(i + 2) % 3];
+      open.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(open.begin(), open.end());
+  for (VertexId tip = 1; tip < t.vertex_capacity(); ++tip) {
+    if (!chain.is_boundary(tip) || new_id[tip] != kNoId) continue;
+    const VertexId a = new_id[chain.previous(tip)], b = new_id[chain.next(tip)];
+    if (a == kNoId || b == kNoId) continue;
+    if (!std::binary_search(open.begin(), open.end(), std::pair(std::min(a, b), std::max(a, b)))) {
+      continue;
+    }
+    new_id[tip] = static_cast<VertexId>(out.mesh.points.size());
+    out.mesh.points.push_back(t.point(tip));
+    out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
+    out.source.push_back(tip);
+    triangles.push_back({a, new_id[tip], b});
+    out.mesh.surface_points.push_back(t.point(tip));
+    ++report[Counter::tips_closed];
+  }
+}
+
 }  // namespace
 
 Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
@@ -115,6 +147,7 @@ Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& 
     triangles.push_back(v);
     out.mesh.surface_points.push_back(facet.x);
   }
+  close_tips(t, chain, new_id, triangles, restricted.report(), out);
   orient(out.mesh.points, out.mesh.surface_points, restricted.surface(), triangles);
   std::vector<Vec3> surface_points = std::move(out.mesh.surface_points);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);

@@ -226,7 +226,8 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
     }
     chains.push_back(std::move(chain));
   }
-  add_random_points(surface, options, random, sample, report);
+  // A random point may fall on a component that is to be left out; the seeds do not need them.
+  if (options.min_component == 0) add_random_points(surface, options, random, sample, report);
   add_seeds(surface, contour, options, random, sample, report);
 
   InitialSample out;

@@ -11,9 +11,13 @@
 namespace deliso {
 namespace {
 
-// Balls and boundary edges below this share of r_min are left alone: without a floor, sheets of
-// pure noise that come arbitrarily close would be refined for ever.
+// Balls below this share of r_min are left alone: without a floor, sheets of pure noise that come
+// arbitrarily close would be refined for ever.
 constexpr double kFloor = 0.01;
+
+// Boundary edges are not split below this share of r_min: where the curve turns sharply at an edge
+// of the box, its two sides would encroach upon each other for ever.
+constexpr double kShortestBoundaryEdge = 0.1;
 
 // A hit is real only if no vertex lies deeper in its ball than rounding explains.
 constexpr double kBallTolerance = 0.999;
@@ -107,7 +111,7 @@ bool Recovery::split_edge(VertexId a) {
     pending.pop_back();
     const Vec3 pa = t.point(from), pb = t.point(to);
     if (any && !edge_holds_a_vertex(from)) continue;
-    const auto middle = distance(pa, pb) < 2 * floor_
+    const auto middle = distance(pa, pb) < kShortestBoundaryEdge * r_min_
                             ? std::nullopt
                             : curves_.split(chain_.place(from), pa, chain_.place(to), pb);
     if (!middle) {
@@ -152,8 +156,11 @@ bool Recovery::edge_holds_a_vertex(VertexId a) {
   const Triangulation& t = restricted_.triangulation();
   const VertexId b = chain_.next(a);
   // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end.
+  // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
+  // ball however short the edges are; the edge is Delaunay all the same.
   for (const VertexId v : restricted_.neighbors(a)) {
-    if (v != b && in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
+    if (v == b || v == chain_.next(b) || v == chain_.previous(a)) continue;
+    if (in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
   }
   const auto around = restricted_.neighbors(a);
   return std::find(around.begin(), around.end(), b) == around.end();

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Small volumes for the tests of the stages, each with everything the stages ask of it.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "contour/contour.h"
+#include "deliso/report.h"
+#include "isosurface/isosurface.h"
+#include "kdtree/voxel_tree.h"
+#include "volume/builtin_fields.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct Scene {
+  explicit Scene(Volume v, double isovalue)
+      : volume(std::move(v)),
+        tree(volume),
+        surface(volume, tree, effective_isovalue(volume, isovalue)),
+        contour(build_contour(volume, surface.kappa())) {}
+  Scene(const Scene&) = delete;
+
+  Volume volume;
+  VoxelTree tree;
+  Isosurface surface;
+  ContourMesh contour;
+};
+
+inline Scene builtin_scene(const std::string& name, int size) {
+  const std::string input = "builtin:" + name + ":" + std::to_string(size);
+  return Scene(make_builtin_volume(input), find_builtin_field(input)->isovalue);
+}
+
+// Smooth noise: a few random waves, cut by the box.
+inline Scene wave_scene(std::uint64_t seed, int size, Vec3 spacing = {1, 1, 1}) {
+  Random random(seed);
+  struct Wave {
+    Vec3 k;
+    double phase;
+  };
+  std::vector<Wave> waves;
+  for (int w = 0; w < 6; ++w) {
+    waves.push_back({{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
+                     random.uniform(0, 6)});
+  }
+  std::vector<float> samples;
+  for (int k = 0; k < size; ++k) {
+    for (int j = 0; j < size; ++j) {
+      for (int i = 0; i < size; ++i) {
+        double sum = 0;
+        for (const Wave& w : waves) {
+          sum += std::sin(dot(w.k, Vec3{1.0 * i, 1.0 * j, 1.0 * k}) + w.phase);
+        }
+        samples.push_back(static_cast<float>(sum));
+      }
+    }
+  }
+  return Scene(Volume::from_samples({size, size, size}, spacing, samples), 0.3);
+}
+
+}  // namespace deliso
