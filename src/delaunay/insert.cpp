@@ -2,7 +2,8 @@
 // One point: where it is, what it destroys, what takes the place (Bowyer 1981, Watson 1981).
 #include "delaunay/triangulation.h"
 
-#include <bit>
+#include <algorithm>
+#include <limits>
 
 #include "delaunay/predicates.h"
 #include "delaunay/tet_tables.h"
@@ -50,6 +51,16 @@ bool Triangulation::is_in_conflict(CellId c, const Vec3& p) const {
   return side != 0 ? side > 0 : is_in_conflict(neighbor(c, i), p);
 }
 
+// Makes all marks those of earlier searches.
+void Triangulation::begin_search() const {
+  constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max() - 3;
+  if (in_conflict_ >= kLast) {
+    std::fill(marks_.begin(), marks_.end(), 0);
+    in_conflict_ = 0;
+  }
+  in_conflict_ += 2;
+}
+
 void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zone) const {
   zone.cells.clear();
   zone.boundary.clear();
@@ -65,7 +76,7 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
   // Flood fill from the cell that holds p; the list of cells found is also the queue. Whether a
   // cell is in conflict is as good as random, so no branch depends on it: both lists are written
   // in any case, and grow or do not.
-  in_conflict_ += 2;
+  begin_search();
   marks_[start] = in_conflict_;
   zone.cells.assign(1, start);
   std::size_t cell_count = 1, facet_count = 0;
@@ -106,6 +117,10 @@ CellId Triangulation::new_cell() {
 void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
   // The boundary is a triangulated sphere: Euler's relation gives its number of vertices.
   const std::uint32_t vertex_count = static_cast<std::uint32_t>(created.size() / 2 + 2);
+  if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - vertex_count) {
+    std::fill(ranks_.begin(), ranks_.end(), 0);
+    first_rank_ = 1;
+  }
   std::uint32_t next_rank = first_rank_;
   const auto rank = [&](VertexId v) {
     const std::uint32_t known = ranks_[v];
@@ -137,7 +152,7 @@ void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<Ce
 
 // The same for zones of any size, where such a table would be too large.
 void Triangulation::link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created) {
-  in_conflict_ += 2;
+  begin_search();
   for (CellId c : zone.cells) marks_[c] = in_conflict_;
   for (std::size_t k = 0; k < created.size(); ++k) {
     const Facet& f = zone.boundary[k];

@@ -120,6 +120,7 @@ class Triangulation {
   // through the zone, around the edge f shares with (f.cell, over), to the boundary facet on the
   // other side, and returns the facet of the new cell there.
   Link turn_through_zone(Facet f, int over) const;
+  void begin_search() const;
   void link_by_table(const ConflictZone& zone, const std::vector<CellId>& created);
   void link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created);
 

@@ -139,6 +139,25 @@ TEST_CASE("find_conflicts finds what the definition says; insert_in_zone keeps i
   }
 }
 
+TEST_CASE("zones too large for the table of vertex pairs are linked as well") {
+  // The center of a sphere is in conflict with every cell of the points on it.
+  for (int trial = 0; trial < 20; ++trial) {
+    CAPTURE(trial);
+    auto points = make_point_set(PointSet::kOnSphere, 20 + 10 * trial, 6000 + trial);
+    Triangulation t;
+    std::vector<VertexId> ids;
+    REQUIRE(t.build(points, ids));
+    ConflictZone zone;
+    std::vector<CellId> created;
+    t.find_conflicts({3, 4, 5}, kNoId, zone);
+    CHECK(zone.boundary.size() == 2 * points.size() - 4);
+    t.insert_in_zone({3, 4, 5}, zone, created);
+    check_all(t);
+    t.insert({3.5, 4, 5});
+    check_all(t);
+  }
+}
+
 TEST_CASE("locate finds a cell that holds the point, from any hint") {
   for (int trial = 0; trial < 4 * kKinds; ++trial) {
     CAPTURE(trial);
