@@ -31,6 +31,7 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
       chain_(chain),
       options_(options),
       report_(restricted.report()),
+      r_min_(r_min),
       floor_(kFloor * r_min) {
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v)) queue_vertex(v);

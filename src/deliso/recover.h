@@ -60,6 +60,7 @@ class Recovery {
   BoundaryChain& chain_;
   const Options& options_;
   Report& report_;
+  double r_min_;
   double floor_;  // no ball and no boundary edge smaller than this is worked on
 
   std::deque<VertexId> vertex_queue_;
