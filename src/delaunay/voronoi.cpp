@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "delaunay/double_double.h"
 #include "delaunay/predicates.h"
@@ -38,8 +37,8 @@ FacetLine facet_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   const double u2 = length2(u), v2 = length2(v), n2 = length2(n);
   if (n2 >= kThin * u2 * v2) {
-    const Vec3 offset = (u2 * cross(v, n) + v2 * cross(n, u)) / (2 * n2);
-    return {a + offset, n / std::sqrt(n2), offset, length(offset)};
+    const Vec3 offset = (0.5 / n2) * (u2 * cross(v, n) + v2 * cross(n, u));
+    return {a + offset, (1 / std::sqrt(n2)) * n, offset, length(offset)};
   }
   const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a);
   const auto dn = cross(du, dv);
@@ -52,34 +51,29 @@ FacetLine facet_line(const Vec3& a, const Vec3& b, const Vec3& c) {
 double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                              const FacetLine& line) {
   // With w = d - a: |d-center|^2 - r^2 = w.(w - 2 offset), and n.(d-center) = n.w.
+  // The numerator is rounded by about epsilon w (w + 2 r) <= epsilon (2 w^2 + r^2).
   const Vec3 w = d - a;
-  const double height = dot(line.normal, w);
-  const double w1 = length(w);
-  if (std::fabs(height) * line.radius >= kFlat * w1 * (w1 + 2 * line.radius))
+  const double height = dot(line.normal, w), w2 = length2(w);
+  if (std::fabs(height) * line.radius >= kFlat * (2 * w2 + line.radius * line.radius))
     return dot(w, w - 2 * line.offset) / (2 * height);
 
   const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a),
              dw = DoubleDouble3::difference(d, a);
   const auto dn = cross(du, dv);
   const double area = length(dn.rounded());
-  const double det = resolved_determinant(dot(dn, dw), area * w1, a, b, c, d);
+  const double det = resolved_determinant(dot(dn, dw), area * std::sqrt(w2), a, b, c, d);
   return dot(dn, scaled_circumcenter(du, dv, dw)).rounded() / (2 * area * det);
 }
 
 FacetDual facet_dual(const Triangulation& t, Facet f) {
-  std::array<VertexId, 3> v;
-  for (int k = 0; k < 3; ++k) v[k] = t.vertex(f.cell, kFacetVertices[f.index][k]);
-  // Sorted by id; each swap turns the normal round, which began by pointing out of f.cell.
-  bool outwards = true;
-  const auto order = [&](int i, int j) {
-    if (v[i] <= v[j]) return;
-    std::swap(v[i], v[j]);
-    outwards = !outwards;
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  const Vec3 &a = t.point(v[0]), &b = t.point(v[1]), &c = t.point(v[2]);
+  const auto corner = [&](int k) { return t.vertex(f.cell, kFacetVertices[f.index][k]); };
+  const VertexId x = corner(0), y = corner(1), z = corner(2);
+  // Sorted by id. This turns the normal, which began by pointing out of f.cell, when the number of
+  // inversions is odd. (Ids come in no order: sorting by branches would mispredict half of them.)
+  const VertexId low = std::min(std::min(x, y), z), high = std::max(std::max(x, y), z);
+  const VertexId middle = x ^ y ^ z ^ low ^ high;
+  const bool outwards = !((x > y) ^ (y > z) ^ (x > z));
+  const Vec3 &a = t.point(low), &b = t.point(middle), &c = t.point(high);
   const FacetLine line = facet_line(a, b, c);
 
   const auto end = [&](Facet g, double at_infinity) {
