@@ -93,8 +93,7 @@ template <class T, class Sink>
 class ContourStream {
  public:
   ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink)
-      : volume_(volume),
-        samples_(samples),
+      : samples_(samples),
         kappa_(kappa),
         sink_(sink),
         dims_(volume.dims()),
@@ -353,7 +352,6 @@ class ContourStream {
 
   using size_t = std::size_t;
 
-  const Volume& volume_;
   const T* samples_;
   double kappa_;
   Sink& sink_;

@@ -2,6 +2,7 @@
 #include "contour/voxel_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace deliso {
