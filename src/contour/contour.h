@@ -11,9 +11,8 @@
 //   I2  T is an edge- and vertex-manifold, with boundary on the box of the volume only;
 //   I3  triangles are counter-clockwise seen from g < kappa;
 //   I4  a vertex lies on a face of the box exactly when its bit in `box_faces` is set, and then
-//   that
-//       coordinate is the box's to the last bit; all others lie strictly inside the box (unless
-//       they lie at a sample equal to kappa);
+//       that coordinate is the box's to the last bit; all others lie strictly inside the box
+//       (unless they lie at a sample equal to kappa);
 //   I5  within its voxel each piece of T is what the piece of Sigma is (disk or tube), so T and
 //       Sigma are homeomorphic, component by component, and so are their boundaries;
 //   I6  everything is in scan order (x fastest, then y, z): vertices of a slab of voxels before
@@ -65,9 +64,9 @@ constexpr int axis_of(BoxFace face) {
 }
 
 // The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
-// closed from the last to the first; consecutive vertices are a grid edge's crossings on one pixel
-// of one box face. Chains run as the triangles of T do, so that T lies on the left seen from where
-// g < kappa, and each starts at its smallest vertex.
+// closed from the last to the first; consecutive vertices are crossings of grid edges (or of those
+// of a split voxel's cells) on one pixel of one box face. Chains run as the triangles of T do, so
+// that T lies on the left seen from where g < kappa, and each starts at its smallest vertex.
 struct BoundaryChains {
   std::vector<std::uint32_t> first{0};
   std::vector<VertexId> vertices;
@@ -88,6 +87,7 @@ struct ContourMesh {
   std::vector<std::array<VertexId, 3>> triangles;
   BoundaryChains boundary;
   ContourSummary summary;
+  std::uint64_t split_voxels = 0;  // voxels that were split
 
   bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
 };
@@ -95,6 +95,29 @@ struct ContourMesh {
 // T itself, in one pass over the samples. A volume without voxels (a dimension of 1) has none.
 // Throws InputError when T would have 2^32 - 1 vertices or more.
 ContourMesh build_contour(const Volume& volume, double kappa);
+
+// Where T is to be finer. Each listed voxel that is active is cut into factor.i x factor.j x
+// factor.k cells, whose corners have the interpolant's own values, and becomes what the cells hold.
+struct ContourSplit {
+  std::vector<std::uint64_t> voxels;  // voxel_number()s, ascending; inactive ones are passed over
+  Index3 factor{4, 4, 4};             // each >= 1
+  bool all = false;                   // every active voxel, whatever is listed
+};
+
+constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
+  const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+  return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
+}
+
+// T, finer where `split` says. It keeps I1-I6 and the topology of the plain T, component by
+// component: the two have equal summaries, which count crossings and pieces of the voxels, not of
+// their cells. The plain T's crossings of grid edges are vertices here too, in the same places and
+// in the same order. A voxel beside a split one keeps its own pieces, with loops that have more
+// vertices; boundary chains go from cell to cell. Where rounding would give the cells of a voxel
+// another topology than the voxel (the saddle of a face at kappa, to the last bits), it is left
+// whole. Without split voxels the result is that of build_contour(volume, kappa). Costs a second
+// look at each listed voxel beside the pass itself.
+ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split);
 
 // The summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa);

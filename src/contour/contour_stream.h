@@ -83,12 +83,25 @@ class LayerBits {
   std::vector<std::uint8_t> buffer_;
 };
 
+// What the walk finds in an active voxel.
+struct VoxelPieces {
+  Index3 voxel;
+  const Corners& corners;  // values minus kappa
+  const VoxelLoops& loops;
+  Tube tube;
+  std::array<VertexId, 12> vertex;             // on each of loops.edge
+  std::array<std::uint32_t, kMaxLoops> label;  // of each loop's component
+
+  std::span<const VertexId> vertices(int loop) const {
+    return std::span(vertex).subspan(loops.first[loop], loops.edges(loop).size());
+  }
+};
+
 // Sink:
 //   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces)
 //     a grid edge from `sample` along `axis` is crossed, values minus kappa at its ends; the id
 //     must be unique among crossings on the box;
-//   void disk(Index3 voxel, const Corners& c, std::span<const VertexId> loop, std::uint32_t label)
-//   void tube(Index3 voxel, const Corners& c, std::span<const VertexId> a, b, std::uint32_t label)
+//   void voxel(const VoxelPieces& pieces)
 template <class T, class Sink>
 class ContourStream {
  public:
@@ -282,7 +295,8 @@ class ContourStream {
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, c, scratch);
     const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
-    std::array<VertexId, 12> vertex;
+    VoxelPieces pieces{voxel, c, loops, tube, {}, {}};
+    auto& vertex = pieces.vertex;
     for (int l = 0; l < loops.count; ++l) {
       if (tube && l == tube.b) continue;
       std::uint32_t label = join(voxel, loops.edges(l), vertex.data() + loops.first[l], kNoId);
@@ -296,20 +310,16 @@ class ContourStream {
         counts.hi[axis] = std::max(counts.hi[axis], voxel[axis]);
       }
       count_sides(voxel, loops, l, vertex, label);
+      pieces.label[l] = label;
       if (tube && l == tube.a) {
         ++counts.tubes;
         count_sides(voxel, loops, tube.b, vertex, label);
-        sink_.tube(voxel, c, vertices(loops, l, vertex), vertices(loops, tube.b, vertex), label);
+        pieces.label[tube.b] = label;
       } else {
         ++counts.disks;
-        sink_.disk(voxel, c, vertices(loops, l, vertex), label);
       }
     }
-  }
-
-  static std::span<const VertexId> vertices(const VoxelLoops& loops, int l,
-                                            const std::array<VertexId, 12>& vertex) {
-    return std::span(vertex).subspan(loops.first[l], loops.edges(l).size());
+    sink_.voxel(pieces);
   }
 
   // Writes the loop's vertices to `out` and makes them one component, with that of `label` where

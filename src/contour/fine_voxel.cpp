@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "contour/fine_voxel.h"
+
+#include <algorithm>
+
+namespace deliso {
+namespace {
+
+// Share of a part by which lattice planes stand off the even parts: no simple fraction (F3).
+constexpr double kOffset = 0.0618;
+
+// Crossings keep this distance, in cells, from lattice points, so that none can round onto the
+// volume's box or onto another.
+constexpr double kMargin = 1e-11;
+
+}  // namespace
+
+FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
+  for (int axis = 0; axis < 3; ++axis) {
+    DELISO_CHECK(factor[axis] >= 1);
+    for (int n = 0; n <= factor[axis]; ++n) {
+      const bool end = n == 0 || n == factor[axis];
+      plane_[axis].push_back((n + (end ? 0 : kOffset)) / factor[axis]);
+    }
+  }
+  const auto points = [&](int axis) { return static_cast<std::uint32_t>(factor[axis] + 1); };
+  stride_ = {1, points(0), points(0) * points(1)};
+  values_.resize(stride_[2] * points(2));
+  next_.resize(3 * values_.size());
+  parent_.resize(3 * values_.size());
+  euler_.resize(3 * values_.size());
+  for (int m = 0; m < 8; ++m) corner_offset_[m] = point({m & 1, m >> 1 & 1, m >> 2});
+  for (int e = 0; e < 12; ++e) {
+    edge_offset_[e] = 3 * corner_offset_[corners_of_edge(e)[0]] + static_cast<std::uint32_t>(e / 4);
+  }
+  sort_lattice_edges();
+}
+
+void FineVoxel::sort_lattice_edges() {
+  for (int k = 0; k <= factor_.k; ++k) {
+    for (int j = 0; j <= factor_.j; ++j) {
+      for (int i = 0; i <= factor_.i; ++i) {
+        const Index3 p{i, j, k};
+        for (int axis = 0; axis < 3; ++axis) {
+          if (p[axis] == factor_[axis]) continue;
+          const Slot slot = 3 * point(p) + static_cast<Slot>(axis);
+          int sides = 0, face = 0, edge = 4 * axis, bit = 1;
+          for (int other = 0; other < 3; ++other) {
+            if (other == axis) continue;
+            const bool high = p[other] == factor_[other];
+            if (high) edge += bit;
+            bit *= 2;
+            if (!high && p[other] != 0) continue;
+            ++sides;
+            face = 2 * other + high;
+          }
+          (sides == 2   ? edge_parts_[edge]
+           : sides == 1 ? face_edges_[face]
+                        : inner_edges_)
+              .push_back(slot);
+        }
+      }
+    }
+  }
+}
+
+void FineVoxel::load(const Corners& c) {
+  const auto between = [](double a, double b, double t) { return a * (1 - t) + b * t; };
+  for (int i = 0; i <= factor_.i; ++i) {
+    const double x = plane_[0][i];
+    const double c00 = between(c[0], c[1], x), c10 = between(c[2], c[3], x);
+    const double c01 = between(c[4], c[5], x), c11 = between(c[6], c[7], x);
+    for (int j = 0; j <= factor_.j; ++j) {
+      const double y = plane_[1][j];
+      const double low = between(c00, c10, y), high = between(c01, c11, y);
+      for (int k = 0; k <= factor_.k; ++k) {
+        values_[point({i, j, k})] = between(low, high, plane_[2][k]);
+      }
+    }
+  }
+  std::fill(next_.begin(), next_.end(), kNoId);
+  cells_.clear();
+}
+
+FineVoxel::Slot FineVoxel::crossed_part(int e) const {
+  const auto& parts = edge_parts_[e];
+  const auto found =
+      std::find_if(parts.begin(), parts.end(), [&](Slot s) { return is_crossed(s); });
+  DELISO_CHECK(found != parts.end());
+  return *found;
+}
+
+std::span<const FineVoxel::Slot> FineVoxel::crossed(const std::vector<Slot>& slots) {
+  crossed_.clear();
+  for (const Slot slot : slots) {
+    if (is_crossed(slot)) crossed_.push_back(slot);
+  }
+  return crossed_;
+}
+
+Vec3 FineVoxel::crossing(Slot slot) const {
+  const int axis = static_cast<int>(slot % 3);
+  const std::uint32_t low = slot / 3;
+  const std::uint32_t index[3] = {low % stride_[1], low % stride_[2] / stride_[1],
+                                  low / stride_[2]};
+  Vec3 p{plane_[0][index[0]], plane_[1][index[1]], plane_[2][index[2]]};
+  const double c0 = values_[low], c1 = values_[low + stride_[axis]];
+  const double t = std::clamp(c0 / (c0 - c1), kMargin, 1 - kMargin);
+  p[axis] += t * (plane_[axis][index[axis] + 1] - p[axis]);
+  return p;
+}
+
+CellFrame FineVoxel::frame(const Cell& cell) const {
+  CellFrame f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = cell.at[axis];
+    f.low[axis] = plane_[axis][n];
+    f.size[axis] = plane_[axis][n + 1] - plane_[axis][n];
+  }
+  return f;
+}
+
+int FineVoxel::outer_faces(Index3 cell) const {
+  int faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (cell[axis] == 0) faces |= 1 << (2 * axis);
+    if (cell[axis] == factor_[axis] - 1) faces |= 2 << (2 * axis);
+  }
+  return faces;
+}
+
+int FineVoxel::look_at(Index3 cell, Corners& c) const {
+  const std::uint32_t base = point(cell);
+  for (int m = 0; m < 8; ++m) c[m] = values_[base + corner_offset_[m]];
+  return mask_of(c);
+}
+
+void FineVoxel::link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces) {
+  for (int l = 0; l < loops.count; ++l) {
+    const int first = loops.first[l], end = loops.first[l + 1];
+    for (int n = first; n < end; ++n) {
+      if ((faces >> loops.face[n] & 1) == 0) continue;
+      next_[slot_of_edge(cell_point, loops.edge[n])] =
+          slot_of_edge(cell_point, loops.edge[n + 1 < end ? n + 1 : first]);
+    }
+  }
+}
+
+void FineVoxel::trace_face(int f) {
+  const int axis = f >> 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Index3 cell;
+  cell[axis] = (f & 1) != 0 ? factor_[axis] - 1 : 0;
+  for (cell[v] = 0; cell[v] < factor_[v]; ++cell[v]) {
+    for (cell[u] = 0; cell[u] < factor_[u]; ++cell[u]) {
+      Corners c;
+      const int mask = look_at(cell, c);
+      if (mask == 0 || mask == 255) continue;
+      VoxelLoops scratch;
+      link_segments(voxel_loops(mask, c, scratch), point(cell), 1 << f);
+    }
+  }
+}
+
+void FineVoxel::trace() {
+  for (Slot s = 0; s < parent_.size(); ++s) parent_[s] = s;
+  Cell cell;
+  for (int k = 0; k < factor_.k; ++k) {
+    for (int j = 0; j < factor_.j; ++j) {
+      for (int i = 0; i < factor_.i; ++i) {
+        cell.at = {i, j, k};
+        const int mask = look_at(cell.at, cell.corners);
+        if (mask == 0 || mask == 255) continue;
+        VoxelLoops scratch;
+        cell.loops = voxel_loops(mask, cell.corners, scratch);
+        cell.tube = find_tube(mask, cell.corners, cell.loops);
+        cells_.push_back(cell);
+        link_segments(cell.loops, point(cell.at), outer_faces(cell.at));
+        const auto unite = [&](int e, int f) {
+          const Slot a = piece(slot(cell, e)), b = piece(slot(cell, f));
+          parent_[std::max(a, b)] = std::min(a, b);
+        };
+        for (int l = 0; l < cell.loops.count; ++l) {
+          const auto edges = cell.loops.edges(l);
+          for (const auto e : edges) unite(edges[0], e);
+          if (cell.tube && l == cell.tube.b) unite(cell.loops.edges(cell.tube.a)[0], edges[0]);
+        }
+      }
+    }
+  }
+}
+
+FineVoxel::Slot FineVoxel::piece(Slot s) {
+  while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
+  return s;
+}
+
+// Two edges of a voxel have one face in common at most, so a chain that leads from one crossing of
+// the voxel to the next one on its loop lies on the right face.
+bool FineVoxel::faces_agree(const VoxelLoops& loops) const {
+  std::array<bool, 12> crossed{};
+  for (int l = 0; l < loops.count; ++l) {
+    for (const int e : loops.edges(l)) crossed[e] = true;
+  }
+  std::vector<bool> is_end(next_.size());
+  for (int e = 0; e < 12; ++e) {
+    for (const Slot s : edge_parts_[e]) {
+      if (is_crossed(s) && !crossed[e]) return false;
+      is_end[s] = is_crossed(s);
+    }
+  }
+  std::size_t walked = 0;
+  for (int l = 0; l < loops.count; ++l) {
+    const auto edges = loops.edges(l);
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      Slot s = crossed_part(edges[n]);
+      do {
+        s = next_[s];
+        ++walked;
+      } while (!is_end[s]);
+      if (s != crossed_part(edges[(n + 1) % edges.size()])) return false;
+    }
+  }
+  const auto segments =
+      std::count_if(next_.begin(), next_.end(), [](Slot s) { return s != kNoId; });
+  return walked == static_cast<std::size_t>(segments);
+}
+
+bool FineVoxel::agrees_with(const VoxelLoops& loops, Tube tube) {
+  if (!faces_agree(loops)) return false;
+  std::array<Slot, kMaxLoops> root{};
+  for (int l = 0; l < loops.count; ++l) {
+    root[l] = piece(crossed_part(loops.edges(l)[0]));
+    for (int m = 0; m < l; ++m) {
+      const bool joined = tube && m == tube.a && l == tube.b;
+      if ((root[l] == root[m]) != joined) return false;
+    }
+  }
+  // V - E + F of each piece, with twice the segments counted: two cells see a segment between them,
+  // one sees a segment on the voxel's surface.
+  std::fill(euler_.begin(), euler_.end(), 0);
+  for (Slot s = 0; s < parent_.size(); ++s) {
+    const std::uint32_t low = s / 3;
+    const std::uint32_t index[3] = {low % stride_[1], low % stride_[2] / stride_[1],
+                                    low / stride_[2]};
+    const bool exists = index[s % 3] < static_cast<std::uint32_t>(factor_[static_cast<int>(s % 3)]);
+    if (!exists || !is_crossed(s)) continue;
+    const Slot r = piece(s);
+    if (std::find(root.begin(), root.begin() + loops.count, r) == root.begin() + loops.count) {
+      return false;
+    }
+    euler_[r] += next_[s] != kNoId ? 2 - 1 : 2;
+  }
+  for (const Cell& cell : cells_) {
+    for (int l = 0; l < cell.loops.count; ++l) {
+      const auto edges = cell.loops.edges(l);
+      const bool disk = !cell.tube || (l != cell.tube.a && l != cell.tube.b);
+      euler_[piece(slot(cell, edges[0]))] += (disk ? 2 : 0) - static_cast<int>(edges.size());
+    }
+  }
+  for (int l = 0; l < loops.count; ++l) {
+    const bool in_tube = tube && (l == tube.a || l == tube.b);
+    if (euler_[root[l]] != (in_tube ? 0 : 2)) return false;
+  }
+  return true;
+}
+
+}  // namespace deliso

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A voxel cut into cells: the trilinear interpolant stays what it is, so the cells, each treated
+// like a voxel, hold the same surface in finer pieces.
+//
+//   F1  Lattice values are interpolated along x, then y, then z, with weights 1 and 0 at the
+//       voxel's faces: two voxels get the same doubles on the face they share, so they agree on
+//       every crossing and segment there (contour/voxel_topology.h).
+//   F2  Along an edge the values are monotonic, rounding included, so a crossed edge of the voxel
+//       is crossed once, in one of its parts.
+//   F3  Lattice planes stand a little off the even parts: samples are often integers and isovalues
+//       often halfway between, which would put Sigma through lattice points.
+//
+// A slot is a lattice edge's number: 3 * (its lower point) + axis.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contour/piece_mesher.h"
+#include "contour/voxel_topology.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+class FineVoxel {
+ public:
+  using Slot = std::uint32_t;
+
+  // A cell that Sigma crosses.
+  struct Cell {
+    Index3 at;
+    Corners corners;
+    VoxelLoops loops;
+    Tube tube;
+  };
+
+  explicit FineVoxel(Index3 factor);  // pre: each >= 1
+
+  std::size_t slots() const { return next_.size(); }
+
+  // Takes the voxel with these corners (values minus kappa) and drops all that was traced.
+  void load(const Corners& c);
+
+  // The crossed part of edge e of the voxel. pre: the edge's ends differ.
+  Slot crossed_part(int e) const;
+  // The crossed lattice edges inside face f, in an order that both voxels at the face share.
+  std::span<const Slot> crossed_on_face(int f) { return crossed(face_edges_[f]); }
+  // Those inside the voxel. Valid until the next call of either, as the former.
+  std::span<const Slot> crossed_inside() { return crossed(inner_edges_); }
+
+  // Where Sigma crosses the lattice edge, in the voxel's own coordinates, [0, 1].
+  Vec3 crossing(Slot slot) const;
+
+  // Traces the segments on one face, in the direction of this voxel's loops, or all cells.
+  void trace_face(int f);
+  void trace();
+
+  // After tracing: the next slot along the loop on the voxel's surface.
+  Slot next(Slot slot) const { return next_[slot]; }
+  // After trace().
+  std::span<const Cell> cells() const { return cells_; }
+  CellFrame frame(const Cell& cell) const;  // in the voxel's own coordinates
+  Slot slot(const Cell& cell, int e) const { return slot_of_edge(point(cell.at), e); }
+  // Faces of the voxel that the cell lies on, bit f.
+  int outer_faces(Index3 cell) const;
+  // The piece of the voxel's Sigma that a crossing belongs to: the same slot for all of a piece.
+  Slot piece(Slot slot);
+
+  // After trace(), whether the cells hold what the voxel holds: the same connections on its faces,
+  // no other curves there, and inside them the same pieces, disks and tube.
+  bool agrees_with(const VoxelLoops& loops, Tube tube);
+
+ private:
+  std::uint32_t point(Index3 p) const {
+    return static_cast<std::uint32_t>(p.i) + stride_[1] * static_cast<std::uint32_t>(p.j) +
+           stride_[2] * static_cast<std::uint32_t>(p.k);
+  }
+  Slot slot_of_edge(std::uint32_t cell_point, int e) const {
+    return 3 * cell_point + edge_offset_[e];
+  }
+  bool is_crossed(Slot slot) const {
+    const std::uint32_t low = slot / 3;
+    return (values_[low] >= 0) != (values_[low + stride_[slot % 3]] >= 0);
+  }
+  std::span<const Slot> crossed(const std::vector<Slot>& slots);
+  void sort_lattice_edges();
+  // The mask of the cell, with its corners where Sigma crosses it.
+  int look_at(Index3 cell, Corners& c) const;
+  void link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces);
+  bool faces_agree(const VoxelLoops& loops) const;
+
+  Index3 factor_;
+  std::array<std::uint32_t, 3> stride_;
+  std::array<std::vector<double>, 3> plane_;  // coordinates of lattice planes along each axis
+  std::array<std::uint32_t, 8> corner_offset_;
+  std::array<Slot, 12> edge_offset_;
+  std::array<std::vector<Slot>, 12> edge_parts_;
+  std::array<std::vector<Slot>, 6> face_edges_;
+  std::vector<Slot> inner_edges_;
+
+  std::vector<double> values_;
+  std::vector<Slot> crossed_;
+  std::vector<Slot> next_;
+  std::vector<Slot> parent_;  // union-find of crossings
+  std::vector<Cell> cells_;
+  std::vector<int> euler_;  // by root, scratch of agrees_with
+};
+
+}  // namespace deliso

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Makes T of what is found in voxels: positions of crossings, stars over loops, bands over tubes.
+// The cells are voxels, or parts of voxels with the lattice values at their own corners.
+#pragma once
+
+#include <span>
+
+#include "contour/contour.h"
+#include "contour/contour_stream.h"
+#include "contour/voxel_point.h"
+
+namespace deliso {
+
+// Where a cell lies, in voxels.
+struct CellFrame {
+  Vec3 low, size;
+};
+
+inline Vec3 to_vec3(Index3 n) {
+  return {static_cast<double>(n.i), static_cast<double>(n.j), static_cast<double>(n.k)};
+}
+
+// Makes T: positions of crossings, stars over loops, bands over tubes.
+class PieceMesher {
+ public:
+  PieceMesher(ContourMesh& mesh, Vec3 spacing) : mesh_(mesh), spacing_(spacing) {}
+
+  // Room for T, so that it need not move while it grows: 1.9 vertices per crossing, two triangles
+  // per vertex.
+  void expect(std::size_t crossings) {
+    const std::size_t vertices = 2 * crossings;
+    mesh_.points.reserve(vertices);
+    mesh_.component.reserve(vertices);
+    mesh_.box_faces.reserve(vertices);
+    mesh_.triangles.reserve(2 * vertices);
+  }
+
+  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
+    Vec3 p = to_vec3(sample);
+    p[axis] += c0 / (c0 - c1);
+    return add_at(p, box_faces);
+  }
+
+  void voxel(const VoxelPieces& pieces) { cell({to_vec3(pieces.voxel), {1, 1, 1}}, pieces); }
+
+  // As voxel(), for pieces of a cell. pre: the vertices lie on the cell's surface.
+  void cell(const CellFrame& frame, const VoxelPieces& pieces) {
+    for (int l = 0; l < pieces.loops.count; ++l) {
+      if (pieces.tube && l == pieces.tube.b) continue;
+      if (pieces.tube && l == pieces.tube.a) {
+        tube(frame, pieces.corners, pieces.vertices(l), pieces.vertices(pieces.tube.b),
+             pieces.label[l]);
+      } else {
+        disk(frame, pieces.corners, pieces.vertices(l), pieces.label[l]);
+      }
+    }
+  }
+
+  void replace_boundary(std::vector<BoundarySegment>&) {}
+
+  // A triangle, or a star around one more point of Sigma. `c` are the cell's corners.
+  void disk(const CellFrame& cell, const Corners& c, std::span<const VertexId> loop,
+            std::uint32_t label) {
+    Vec3 sum;
+    for (const VertexId v : loop) {
+      mesh_.component[v] = label;
+      sum = sum + mesh_.points[v];
+    }
+    if (loop.size() == 3) {
+      mesh_.triangles.push_back({loop[0], loop[1], loop[2]});
+      return;
+    }
+    const Vec3 center = local(cell, sum / static_cast<double>(loop.size()));
+    const VertexId apex = add_inner(cell, TrilinearPatch(c).surface_point_near(center), label);
+    VertexId previous = loop.back();
+    for (const VertexId v : loop) {
+      mesh_.triangles.push_back({previous, v, apex});
+      previous = v;
+    }
+  }
+
+  // A band between the loops, one forwards and the other backwards, cut along the shortest chords
+  // between them. Chords get a point of Sigma in the middle: it follows the neck, and no chord is
+  // left that could lie in a face, where the voxel beyond might have the same.
+  void tube(const CellFrame& cell, const Corners& c, std::span<const VertexId> a,
+            std::span<const VertexId> b, std::uint32_t label) {
+    for (const VertexId v : a) mesh_.component[v] = label;
+    for (const VertexId v : b) mesh_.component[v] = label;
+    const TrilinearPatch patch(c);
+    const std::size_t n = a.size(), m = b.size();
+    const auto forwards = [&](std::size_t i) { return a[i % n]; };
+    const auto backwards = [&](std::size_t j) { return b[(2 * m - j) % m]; };
+    const auto chord2 = [&](std::size_t i, std::size_t j) {
+      return distance2(local(cell, forwards(i)), local(cell, backwards(j)));
+    };
+    std::size_t i = 0, j = 0;
+    for (std::size_t at = 0; at < n * m; ++at) {
+      if (chord2(at / m, at % m) < chord2(i, j)) i = at / m, j = at % m;
+    }
+    const auto middle = [&] {
+      const Vec3 p = 0.5 * (local(cell, forwards(i)) + local(cell, backwards(j)));
+      return add_inner(cell, patch.surface_point_near(p), label);
+    };
+    const std::size_t i_end = i + n, j_end = j + m;
+    const VertexId start = middle();
+    VertexId ring = start;
+    while (i < i_end || j < j_end) {
+      const bool along_a = j == j_end || (i < i_end && chord2(i + 1, j) <= chord2(i, j + 1));
+      const VertexId p = forwards(i), q = backwards(j);
+      ++(along_a ? i : j);
+      const VertexId next = i == i_end && j == j_end ? start : middle();
+      if (along_a) {
+        mesh_.triangles.push_back({p, forwards(i), next});
+        mesh_.triangles.push_back({p, next, ring});
+        mesh_.triangles.push_back({ring, next, q});
+      } else {
+        mesh_.triangles.push_back({backwards(j), q, ring});
+        mesh_.triangles.push_back({backwards(j), ring, next});
+        mesh_.triangles.push_back({ring, p, next});
+      }
+      ring = next;
+    }
+  }
+
+  // A vertex at p, in voxels. Its component is that of the first piece given with it.
+  VertexId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
+    return add_vertex({p.x * spacing_.x, p.y * spacing_.y, p.z * spacing_.z}, box_faces, label);
+  }
+
+ private:
+  VertexId add_vertex(const Vec3& p, std::uint8_t box_faces, std::uint32_t label) {
+    if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
+    mesh_.points.push_back(p);
+    mesh_.box_faces.push_back(box_faces);
+    mesh_.component.push_back(label);
+    return static_cast<VertexId>(mesh_.points.size() - 1);
+  }
+
+  VertexId add_inner(const CellFrame& cell, const Vec3& u, std::uint32_t label) {
+    return add_at({cell.low.x + u.x * cell.size.x, cell.low.y + u.y * cell.size.y,
+                   cell.low.z + u.z * cell.size.z},
+                  0, label);
+  }
+
+  // Coordinates in the cell.
+  Vec3 local(const CellFrame& cell, VertexId v) const { return local(cell, mesh_.points[v]); }
+  Vec3 local(const CellFrame& cell, const Vec3& p) const {
+    return {(p.x / spacing_.x - cell.low.x) / cell.size.x,
+            (p.y / spacing_.y - cell.low.y) / cell.size.y,
+            (p.z / spacing_.z - cell.low.z) / cell.size.z};
+  }
+
+  ContourMesh& mesh_;
+  Vec3 spacing_;
+};
+
+}  // namespace deliso

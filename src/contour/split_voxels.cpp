@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "contour/split_voxels.h"
+
+#include <algorithm>
+
+namespace deliso {
+namespace {
+
+// Sees all active voxels, keeps the numbers of those whose cells agree with them.
+class SplitChooser {
+ public:
+  SplitChooser(Index3 dims, Index3 factor) : dims_(dims), fine_(factor) {}
+
+  VertexId crossing(int, Index3, double, double, std::uint8_t) { return kNoId; }
+  void voxel(const VoxelPieces& p) { consider(p.voxel, p.corners, p.loops, p.tube); }
+
+  void consider(Index3 voxel, const Corners& c, const VoxelLoops& loops, Tube tube) {
+    fine_.load(c);
+    fine_.trace();
+    if (fine_.agrees_with(loops, tube)) numbers.push_back(voxel_number(dims_, voxel));
+  }
+
+  std::vector<std::uint64_t> numbers;
+
+ private:
+  Index3 dims_;
+  FineVoxel fine_;
+};
+
+// Faces of the voxel that are crossed by Sigma.
+int crossed_faces(const VoxelLoops& loops) {
+  int faces = 0;
+  for (int n = 0; n < loops.first[loops.count]; ++n) faces |= 1 << loops.face[n];
+  return faces;
+}
+
+}  // namespace
+
+SplitVoxels::SplitVoxels(Index3 dims, const std::vector<std::uint64_t>& numbers)
+    : voxels_{dims.i - 1, dims.j - 1, dims.k - 1} {
+  if (numbers.empty()) return;
+  const auto length = static_cast<std::uint64_t>(voxels_.i);
+  row_.resize(static_cast<std::size_t>(voxels_.j) * static_cast<std::size_t>(voxels_.k) + 1);
+  column_.reserve(numbers.size());
+  for (const std::uint64_t n : numbers) {
+    ++row_[n / length + 1];
+    column_.push_back(static_cast<int>(n % length));
+  }
+  for (std::size_t r = 1; r < row_.size(); ++r) row_[r] += row_[r - 1];
+}
+
+bool SplitVoxels::contains(Index3 voxel) const {
+  if (column_.empty() || voxel.j < 0 || voxel.j >= voxels_.j || voxel.k < 0 ||
+      voxel.k >= voxels_.k) {
+    return false;
+  }
+  const std::size_t r = static_cast<std::size_t>(voxel.j) +
+                        static_cast<std::size_t>(voxels_.j) * static_cast<std::size_t>(voxel.k);
+  const auto begin = column_.begin();
+  return std::binary_search(begin + static_cast<std::ptrdiff_t>(row_[r]),
+                            begin + static_cast<std::ptrdiff_t>(row_[r + 1]), voxel.i);
+}
+
+SplitVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split) {
+  const Index3 dims = volume.dims();
+  SplitChooser chooser(dims, split.factor);
+  if (split.all) {
+    volume.visit(
+        [&](const auto* samples) { ContourStream(volume, samples, kappa, chooser).run(); });
+    return SplitVoxels(dims, chooser.numbers);
+  }
+  if (split.voxels.empty()) return SplitVoxels(dims, {});
+  DELISO_CHECK(std::is_sorted(split.voxels.begin(), split.voxels.end()));
+  DELISO_CHECK(split.voxels.back() <= voxel_number(dims, {dims.i - 2, dims.j - 2, dims.k - 2}));
+  std::uint64_t previous = ~std::uint64_t{0};
+  for (const std::uint64_t number : split.voxels) {
+    if (number == previous) continue;
+    previous = number;
+    const auto nx = static_cast<std::uint64_t>(dims.i - 1),
+               ny = static_cast<std::uint64_t>(dims.j - 1);
+    const Index3 voxel{static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+                       static_cast<int>(number / nx / ny)};
+    Corners c = volume.corners(voxel);
+    for (double& value : c) value -= kappa;
+    const int mask = mask_of(c);
+    if (mask == 0 || mask == 255) continue;
+    VoxelLoops scratch;
+    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
+    chooser.consider(voxel, c, loops, find_tube(mask, c, loops));
+  }
+  return SplitVoxels(dims, chooser.numbers);
+}
+
+SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const SplitVoxels& split,
+                         Index3 factor)
+    : mesher_(mesh, volume.spacing()), split_(split), fine_(factor), voxels_(volume.voxels()) {
+  vertex_.resize(fine_.slots());
+  label_.resize(fine_.slots());
+  first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
+  first_across_z_.resize(first_across_y_.size() * static_cast<std::size_t>(voxels_.j), kNoId);
+}
+
+void SplitMesher::voxel(const VoxelPieces& p) {
+  const bool split = split_.contains(p.voxel);
+  int faces = 0;
+  for (int f = 0; f < 6; ++f) {
+    Index3 neighbour = p.voxel;
+    neighbour[f >> 1] += (f & 1) != 0 ? 1 : -1;
+    if (split || split_.contains(neighbour)) faces |= 1 << f;
+  }
+  faces &= crossed_faces(p.loops);
+  if (faces == 0) {
+    mesher_.voxel(p);
+    return;
+  }
+  fine_.load(p.corners);
+  for (int n = 0; n < p.loops.first[p.loops.count]; ++n) {
+    vertex_[fine_.crossed_part(p.loops.edge[n])] = p.vertex[n];
+  }
+  for (int f = 0; f < 6; ++f) {
+    if ((faces >> f & 1) != 0) name_face(p.voxel, f);
+  }
+  split ? mesh_cells(p) : mesh_beside(p, faces);
+}
+
+// The first id on the face between `low_voxel` and the next one along the axis.
+VertexId& SplitMesher::first_on_face(int axis, Index3 low_voxel) {
+  if (axis == 0) return first_across_x_;
+  const auto i = static_cast<std::size_t>(low_voxel.i), j = static_cast<std::size_t>(low_voxel.j);
+  return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
+}
+
+void SplitMesher::name_face(Index3 voxel, int f) {
+  const int axis = f >> 1;
+  const bool high = (f & 1) != 0, on_box = voxel[axis] == (high ? voxels_[axis] - 1 : 0);
+  const auto slots = fine_.crossed_on_face(f);
+  if (!high && !on_box) {
+    VertexId id = first_on_face(axis, voxel);
+    for (const auto slot : slots) vertex_[slot] = id++;
+    return;
+  }
+  for (const auto slot : slots) vertex_[slot] = add_crossing(voxel, slot, on_box ? 1 << f : 0);
+  if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : vertex_[slots[0]];
+}
+
+VertexId SplitMesher::add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
+  const Vec3 u = fine_.crossing(slot);
+  return mesher_.add_at(to_vec3(voxel) + u, static_cast<std::uint8_t>(box_faces));
+}
+
+void SplitMesher::mesh_cells(const VoxelPieces& p) {
+  for (const auto slot : fine_.crossed_inside()) vertex_[slot] = add_crossing(p.voxel, slot, 0);
+  fine_.trace();
+  for (int l = 0; l < p.loops.count; ++l) {
+    label_[fine_.piece(fine_.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
+  }
+  for (const FineVoxel::Cell& cell : fine_.cells()) {
+    CellFrame frame = fine_.frame(cell);
+    frame.low = frame.low + to_vec3(p.voxel);
+    const VoxelLoops& loops = cell.loops;
+    VoxelPieces pieces{p.voxel, cell.corners, loops, cell.tube, {}, {}};
+    for (int n = 0; n < loops.first[loops.count]; ++n) {
+      pieces.vertex[n] = vertex_[fine_.slot(cell, loops.edge[n])];
+    }
+    for (int l = 0; l < loops.count; ++l) {
+      pieces.label[l] = label_[fine_.piece(fine_.slot(cell, loops.edges(l)[0]))];
+    }
+    mesher_.cell(frame, pieces);
+  }
+  add_boundary(p);
+}
+
+// Only split voxels have cells on the box, so only they call for this.
+void SplitMesher::add_boundary(const VoxelPieces& p) {
+  for (int l = 0; l < p.loops.count; ++l) {
+    for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
+      const std::uint8_t face = p.loops.face[n];
+      const int axis = face >> 1;
+      if (p.voxel[axis] != ((face & 1) != 0 ? voxels_[axis] - 1 : 0)) continue;
+      replaced_.push_back(p.vertex[n]);
+      const int following = n + 1 < p.loops.first[l + 1] ? n + 1 : p.loops.first[l];
+      for (auto slot = fine_.crossed_part(p.loops.edge[n]); vertex_[slot] != p.vertex[following];) {
+        const auto next = fine_.next(slot);
+        boundary_.push_back({vertex_[slot], vertex_[next], p.label[l], face});
+        slot = next;
+      }
+    }
+  }
+}
+
+void SplitMesher::mesh_beside(const VoxelPieces& p, int faces) {
+  for (int f = 0; f < 6; ++f) {
+    if ((faces >> f & 1) != 0) fine_.trace_face(f);
+  }
+  std::array<std::vector<VertexId>, kMaxLoops> loop;
+  for (int l = 0; l < p.loops.count; ++l) {
+    for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
+      loop[l].push_back(p.vertex[n]);
+      if ((faces >> p.loops.face[n] & 1) == 0) continue;
+      const int following = n + 1 < p.loops.first[l + 1] ? n + 1 : p.loops.first[l];
+      auto slot = fine_.next(fine_.crossed_part(p.loops.edge[n]));
+      for (; vertex_[slot] != p.vertex[following]; slot = fine_.next(slot)) {
+        loop[l].push_back(vertex_[slot]);
+      }
+    }
+  }
+  const CellFrame frame{to_vec3(p.voxel), {1, 1, 1}};
+  for (int l = 0; l < p.loops.count; ++l) {
+    if (p.tube && l == p.tube.b) continue;
+    if (p.tube && l == p.tube.a) {
+      mesher_.tube(frame, p.corners, loop[l], loop[p.tube.b], p.label[l]);
+    } else {
+      mesher_.disk(frame, p.corners, loop[l], p.label[l]);
+    }
+  }
+}
+
+void SplitMesher::replace_boundary(std::vector<BoundarySegment>& segments) const {
+  std::vector<VertexId> starts = replaced_;
+  std::sort(starts.begin(), starts.end());
+  std::erase_if(segments, [&](const BoundarySegment& s) {
+    return std::binary_search(starts.begin(), starts.end(), s.from);
+  });
+  segments.insert(segments.end(), boundary_.begin(), boundary_.end());
+}
+
+}  // namespace deliso

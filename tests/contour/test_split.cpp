@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// T made finer in some voxels: still a manifold on Sigma, of the plain T's topology, for random
+// volumes and random sets of voxels.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/random.h"
+#include "contour/contour.h"
+#include "mesh_checks.h"
+
+using namespace deliso;
+
+namespace {
+
+bool same_mesh(const ContourMesh& a, const ContourMesh& b) {
+  return a.points == b.points && a.component == b.component && a.box_faces == b.box_faces &&
+         a.triangles == b.triangles && a.boundary.first == b.boundary.first &&
+         a.boundary.vertices == b.boundary.vertices && a.boundary.face == b.boundary.face &&
+         a.boundary.on_box_edge == b.boundary.on_box_edge &&
+         a.boundary.component == b.boundary.component && a.summary == b.summary;
+}
+
+// The crossings of the plain T's grid edges are vertices of the finer one, in the same order.
+bool keeps_crossings(const ContourMesh& plain, const ContourMesh& finer, const Volume& volume) {
+  std::size_t at = 0;
+  for (const Vec3& p : plain.points) {
+    int on_planes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double s = volume.spacing()[axis];
+      on_planes += p[axis] == std::round(p[axis] / s) * s;
+    }
+    if (on_planes < 2) continue;
+    while (at < finer.points.size() && !(finer.points[at] == p)) ++at;
+    if (at == finer.points.size()) return false;
+    ++at;
+  }
+  return true;
+}
+
+Volume random_volume(Random& random, Index3 dims, const std::function<double()>& value) {
+  const Vec3 spacing{random.uniform(0.2, 3), random.uniform(0.2, 3), random.uniform(0.2, 3)};
+  std::vector<double> samples;
+  for (int n = 0; n < dims.i * dims.j * dims.k; ++n) samples.push_back(value());
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+Index3 random_dims(Random& random, int from, int to) {
+  const auto pick = [&] {
+    return from + static_cast<int>(random.below(static_cast<std::uint32_t>(to - from + 1)));
+  };
+  return {pick(), pick(), pick()};
+}
+
+// Each voxel with the given probability, or all of them.
+ContourSplit random_split(Random& random, const Volume& volume, double share) {
+  ContourSplit split;
+  split.all = share >= 1;
+  split.factor = random_dims(random, 1, 4);
+  const Index3 n = volume.voxels();
+  const auto voxels = static_cast<std::uint64_t>(n.i) * static_cast<std::uint64_t>(n.j) *
+                      static_cast<std::uint64_t>(n.k);
+  for (std::uint64_t v = 0; v < voxels && !split.all; ++v) {
+    if (random.uniform(0, 1) < share) split.voxels.push_back(v);
+  }
+  return split;
+}
+
+struct Tally {
+  std::uint64_t split = 0, listed = 0, tubes = 0, with_boundary = 0;
+};
+
+void check_split(Random& random, const Volume& volume, double kappa, Tally& tally) {
+  const ContourMesh plain = build_contour(volume, kappa);
+  const double shares[] = {0, 0.1, 0.3, 0.6, 1};
+  const ContourSplit split = random_split(random, volume, shares[random.below(5)]);
+  const ContourMesh finer = build_contour(volume, kappa, split);
+  CHECK(check_contour(finer, volume, kappa) == "");
+  CHECK(finer.summary == plain.summary);
+  CHECK(finer.boundary.size() == plain.boundary.size());
+  CHECK(keeps_crossings(plain, finer, volume));
+  if (split.factor == Index3{1, 1, 1} || (split.voxels.empty() && !split.all)) {
+    CHECK(same_mesh(finer, plain));
+  }
+  if (split.all) tally.listed += plain.summary.active_voxels;
+  for (const std::uint64_t number : split.voxels) {
+    const Index3 n = volume.voxels();
+    const auto nx = static_cast<std::uint64_t>(n.i), ny = static_cast<std::uint64_t>(n.j);
+    const Corners c =
+        volume.corners({static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+                        static_cast<int>(number / nx / ny)});
+    const auto inside = std::count_if(c.begin(), c.end(), [&](double v) { return v >= kappa; });
+    tally.listed += inside > 0 && inside < 8;
+  }
+  tally.split += finer.split_voxels;
+  tally.with_boundary += plain.boundary.size() > 0;
+  for (const auto& component : plain.summary.components) tally.tubes += component.tubes;
+}
+
+Volume sampled_field(Index3 dims, const std::function<double(double, double, double)>& field) {
+  std::vector<double> samples;
+  for (int k = 0; k < dims.k; ++k) {
+    for (int j = 0; j < dims.j; ++j) {
+      for (int i = 0; i < dims.i; ++i) samples.push_back(field(i, j, k));
+    }
+  }
+  return Volume::from_samples(dims, {1, 1, 1}, samples);
+}
+
+}  // namespace
+
+TEST_CASE("random volumes, split at random, keep their topology") {
+  Random random(21);
+  Tally tally;
+  for (int trial = 0; trial < 4000; ++trial) {
+    CAPTURE(trial);
+    const Volume volume =
+        random_volume(random, random_dims(random, 3, 6), [&] { return random.uniform(0, 1); });
+    check_split(random, volume, random.uniform(0.2, 0.8), tally);
+  }
+  CHECK(tally.split == tally.listed);  // no random voxel is degenerate
+  CHECK(tally.split > 50000);
+  CHECK(tally.tubes > 200);
+  CHECK(tally.with_boundary > 3000);
+}
+
+TEST_CASE("few integers: exact saddles, halfway isovalues, samples equal to kappa") {
+  Random random(22);
+  Tally tally;
+  for (int trial = 0; trial < 4000; ++trial) {
+    CAPTURE(trial);
+    const std::uint32_t levels = 2 + random.below(6);
+    const Volume volume =
+        random_volume(random, random_dims(random, 3, 5), [&] { return random.below(levels); });
+    const double kappa = 0.5 * random.below(2 * levels);
+    check_split(random, volume, trial % 4 == 0 ? kappa : effective_isovalue(volume, kappa), tally);
+  }
+  CHECK(tally.split > 20000);
+  CHECK(tally.split < tally.listed);  // some saddles lie at kappa to the last bit
+  CHECK(tally.listed - tally.split < tally.listed / 10);
+}
+
+TEST_CASE("single voxels, tubes among them") {
+  Random random(23);
+  Tally tally;
+  for (int trial = 0; trial < 20000; ++trial) {
+    CAPTURE(trial);
+    const double spread = trial % 2 == 0 ? 1 : 0.1;  // near (+1, -1, ...): tubes are frequent
+    int corner = 0;
+    const Volume volume = random_volume(random, {2, 2, 2}, [&] {
+      const int m = corner++;
+      const bool diagonal = m == 0 || m == 7;
+      return random.uniform(-1, 1) * spread + (spread < 1 ? (diagonal ? 1 : -0.2) : 0);
+    });
+    check_split(random, volume, 0, tally);
+  }
+  CHECK(tally.split == tally.listed);
+  CHECK(tally.tubes > 1000);
+}
+
+TEST_CASE("triangles look outwards and come closer to the surface as cells get smaller") {
+  const double radius = 6.3;
+  const Vec3 center{9.1, 8.9, 9.2};
+  const Volume volume = sampled_field({19, 19, 19}, [&](double x, double y, double z) {
+    const Vec3 d = Vec3{x, y, z} - center;
+    return radius - length(d);
+  });
+  const double kappa = 0;
+  Random random(24);
+  double worst_before = 1e9;
+  for (const int factor : {1, 2, 4}) {
+    CAPTURE(factor);
+    ContourSplit split;
+    split.all = true;
+    split.factor = {factor, factor, factor};
+    const ContourMesh mesh = build_contour(volume, kappa, split);
+    CHECK(check_contour(mesh, volume, kappa) == "");
+    double worst = 0;
+    for (const auto& t : mesh.triangles) {
+      const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+      const Vec3 n = cross(b - a, c - a);
+      const Vec3 middle = (a + b + c) / 3;
+      CHECK(dot(n, middle - center) > 0);
+      worst = std::max(worst, std::abs(volume.value(middle) - kappa));
+    }
+    CHECK(worst < 0.4 * worst_before);
+    worst_before = worst;
+    split.all = false;
+    for (std::uint64_t v = 0; v < 18 * 18 * 18; ++v) {
+      if (random.below(3) == 0) split.voxels.push_back(v);
+    }
+    const ContourMesh mixed = build_contour(volume, kappa, split);
+    for (const auto& t : mixed.triangles) {
+      const Vec3 &a = mixed.points[t[0]], &b = mixed.points[t[1]], &c = mixed.points[t[2]];
+      CHECK(dot(cross(b - a, c - a), (a + b + c) / 3 - center) > 0);
+    }
+  }
+}
+
+TEST_CASE("the same input gives the same mesh") {
+  Random random(25);
+  const Volume volume = random_volume(random, {12, 12, 12}, [&] { return random.uniform(0, 1); });
+  const ContourSplit split = random_split(random, volume, 0.3);
+  const ContourMesh a = build_contour(volume, 0.5, split), b = build_contour(volume, 0.5, split);
+  CHECK(a.split_voxels > 100);
+  CHECK(same_mesh(a, b));
+}
+
+TEST_CASE("a volume without voxels has nothing to split") {
+  const Volume flat = Volume::from_samples<std::uint8_t>({3, 2, 1}, {1, 1, 1}, {0, 9, 0, 9, 0, 9});
+  ContourSplit split;
+  CHECK(build_contour(flat, 4.5, split).points.empty());
+  split.all = true;
+  CHECK(build_contour(flat, 4.5, split).points.empty());
+}
