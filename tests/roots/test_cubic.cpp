@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "base/random.h"
 #include "roots/cubic.h"
@@ -37,6 +37,20 @@ long double noise_bound(const Case& k) {
   return static_cast<long double>(kRootNoise) * sum;
 }
 
+// A few numbers, without the heap: there are eleven million oracles.
+struct Few {
+  std::array<long double, 8> at{};
+  std::size_t count = 0;
+
+  void push_back(long double x) { at[count++] = x; }
+  std::size_t size() const { return count; }
+  long double operator[](std::size_t n) const { return at[n]; }
+  long double front() const { return at[0]; }
+  long double back() const { return at[count - 1]; }
+  const long double* begin() const { return at.data(); }
+  const long double* end() const { return at.data() + count; }
+};
+
 // The interval cut at the derivative's roots, and a root by bisection in each piece whose ends have
 // different signs. Works on the polynomial's values only where they decide something.
 class Oracle {
@@ -54,7 +68,7 @@ class Oracle {
       roots_.push_back(ends_.back());
   }
 
-  const std::vector<long double>& roots() const { return roots_; }
+  const Few& roots() const { return roots_; }
 
   // The largest |p| between a and b: at one of them or at an extremum between.
   long double largest_between(long double a, long double b) const {
@@ -87,7 +101,7 @@ class Oracle {
   }
 
   Cubic c_;
-  std::vector<long double> ends_, roots_;
+  Few ends_, roots_;
 };
 
 // The first rule broken, or nullptr. `residual` grows to the largest |p| / E at a reported root.
