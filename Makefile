@@ -23,7 +23,7 @@ all:
 demo: all
 	$(BUILD)/deliso builtin:fuel --iso 70.1 -o $(OUT)/demo.ply
 ifneq ($(VOLUME),)
-	$(BUILD)/deliso '$(VOLUME)' --iso $(ISO) -o $(OUT)/demo-volume.ply
+	$(BUILD)/deliso '$(VOLUME)' $(if $(ISO),--iso $(ISO)) -o $(OUT)/demo-volume.ply
 endif
 
 test: doctest
