@@ -81,35 +81,55 @@ void orient(const std::vector<Vec3>& points, const std::vector<Vec3>& surface_po
   }
 }
 
-// Where the surface is cut by an edge of the box at a sharp angle, the tip of the wedge can be too
-// thin for a Voronoi edge to tell its two sides apart: the chain's vertex there has no facet, and
-// the chain's neighbours are joined past it. The tip's triangle is put back.
-void close_tips(const Triangulation& t, const BoundaryChain& chain, std::vector<VertexId>& new_id,
-                std::vector<Triangle>& triangles, Report& report, Recovered& out) {
+using Edge = std::pair<VertexId, VertexId>;  // smaller vertex first
+
+Edge edge_of(VertexId a, VertexId b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Where the surface is cut sharply by the box, a wedge can be too thin for a Voronoi edge to tell
+// its two sides apart, and the mesh stops one facet short of the chain: either a vertex of the
+// chain has no facet and its neighbours are joined past it, or an edge of the chain is missing and
+// its ends have open edges to one vertex. That facet is put back.
+void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
+                    std::vector<VertexId>& new_id, std::vector<Triangle>& triangles, Report& report,
+                    Recovered& out) {
   const auto neighbors = undirected_neighbors(triangles);
-  std::vector<std::pair<VertexId, VertexId>> open;  // edges of one facet, smaller vertex first
+  std::vector<Edge> open;  // edges of one facet
   for (FaceId f = 0; f < triangles.size(); ++f) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (neighbors[f][i] != kNoId) continue;
-      const VertexId a = triangles[f][(i + 1) % 3], b = triangles[f][(i + 2) % 3];
-      open.emplace_back(std::min(a, b), std::max(a, b));
+      open.push_back(edge_of(triangles[f][(i + 1) % 3], triangles[f][(i + 2) % 3]));
     }
   }
   std::sort(open.begin(), open.end());
-  for (VertexId tip = 1; tip < t.vertex_capacity(); ++tip) {
-    if (!chain.is_boundary(tip) || new_id[tip] != kNoId) continue;
-    const VertexId a = new_id[chain.previous(tip)], b = new_id[chain.next(tip)];
-    if (a == kNoId || b == kNoId) continue;
-    if (!std::binary_search(open.begin(), open.end(), std::pair(std::min(a, b), std::max(a, b)))) {
-      continue;
+  const auto is_open = [&](VertexId a, VertexId b) {
+    return std::binary_search(open.begin(), open.end(), edge_of(a, b));
+  };
+  const auto put_back = [&](VertexId a, VertexId b, VertexId c, const Vec3& x) {
+    triangles.push_back({a, b, c});
+    out.mesh.surface_points.push_back(x);
+    ++report[Counter::facets_closed];
+  };
+  for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
+    if (!chain.is_boundary(v)) continue;
+    const VertexId a = new_id[chain.previous(v)], b = new_id[chain.next(v)];
+    if (new_id[v] == kNoId) {
+      if (a == kNoId || b == kNoId || !is_open(a, b)) continue;
+      new_id[v] = static_cast<VertexId>(out.mesh.points.size());
+      out.mesh.points.push_back(t.point(v));
+      out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
+      out.source.push_back(v);
+      put_back(a, new_id[v], b, t.point(v));
+    } else if (b != kNoId && !is_open(new_id[v], b)) {
+      for (const auto& [low, high] : open) {
+        if (low != b && high != b) continue;
+        const VertexId middle = low == b ? high : low;
+        if (middle == new_id[v] || !is_open(middle, new_id[v])) continue;
+        put_back(new_id[v], b, middle, t.point(v));
+        break;
+      }
     }
-    new_id[tip] = static_cast<VertexId>(out.mesh.points.size());
-    out.mesh.points.push_back(t.point(tip));
-    out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
-    out.source.push_back(tip);
-    triangles.push_back({a, new_id[tip], b});
-    out.mesh.surface_points.push_back(t.point(tip));
-    ++report[Counter::tips_closed];
   }
 }
 
@@ -147,7 +167,7 @@ Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& 
     triangles.push_back(v);
     out.mesh.surface_points.push_back(facet.x);
   }
-  close_tips(t, chain, new_id, triangles, restricted.report(), out);
+  close_at_chain(t, chain, new_id, triangles, restricted.report(), out);
   orient(out.mesh.points, out.mesh.surface_points, restricted.surface(), triangles);
   std::vector<Vec3> surface_points = std::move(out.mesh.surface_points);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);

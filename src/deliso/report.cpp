@@ -12,7 +12,7 @@ std::string_view name_of(Counter counter) {
                                         "capped_insertions",
                                         "unresolved_facets",
                                         "unresolved_vertices",
-                                        "tips_closed",
+                                        "facets_closed",
                                         "components_put_back",
                                         "uncertified_sites",
                                         "unready_facets",

@@ -22,7 +22,7 @@ enum class Counter : std::uint8_t {
   capped_insertions,        // insertions refused by the hard cap
   unresolved_facets,        // facets that still meet Sigma more than once
   unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
-  tips_closed,              // tips of wedges at the box's edges that no Voronoi edge could tell
+  facets_closed,            // facets put back where a thin wedge meets the box
   components_put_back,      // components the tests lost, taken from the exact contour
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
