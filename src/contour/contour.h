@@ -7,7 +7,8 @@
 // truth of components, Euler number and boundary loops, and T seeds and certifies the mesh.
 //
 // Invariants of a ContourMesh:
-//   I1  every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel;
+//   I1  every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel
+//       (in a split voxel also a crossing of an edge of its cells, or a point inside a cell);
 //   I2  T is an edge- and vertex-manifold, with boundary on the box of the volume only;
 //   I3  triangles are counter-clockwise seen from g < kappa;
 //   I4  a vertex lies on a face of the box exactly when its bit in `box_faces` is set, and then

@@ -85,6 +85,10 @@ class LayerBits {
 
 // What the walk finds in an active voxel.
 struct VoxelPieces {
+  // Leaves vertex and label open.
+  VoxelPieces(Index3 at, const Corners& c, const VoxelLoops& l, Tube t)
+      : voxel(at), corners(c), loops(l), tube(t) {}
+
   Index3 voxel;
   const Corners& corners;  // values minus kappa
   const VoxelLoops& loops;
@@ -295,7 +299,7 @@ class ContourStream {
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, c, scratch);
     const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
-    VoxelPieces pieces{voxel, c, loops, tube, {}, {}};
+    VoxelPieces pieces(voxel, c, loops, tube);
     auto& vertex = pieces.vertex;
     for (int l = 0; l < loops.count; ++l) {
       if (tube && l == tube.b) continue;

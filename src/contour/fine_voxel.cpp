@@ -26,6 +26,8 @@ FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
   const auto points = [&](int axis) { return static_cast<std::uint32_t>(factor[axis] + 1); };
   stride_ = {1, points(0), points(0) * points(1)};
   values_.resize(stride_[2] * points(2));
+  inside_.resize(values_.size());
+  on_edge_.resize(3 * values_.size());
   next_.resize(3 * values_.size());
   parent_.resize(3 * values_.size());
   euler_.resize(3 * values_.size());
@@ -58,6 +60,8 @@ void FineVoxel::sort_lattice_edges() {
            : sides == 1 ? face_edges_[face]
                         : inner_edges_)
               .push_back(slot);
+          all_edges_.push_back(slot);
+          on_edge_[slot] = sides == 2;
         }
       }
     }
@@ -74,11 +78,15 @@ void FineVoxel::load(const Corners& c) {
       const double y = plane_[1][j];
       const double low = between(c00, c10, y), high = between(c01, c11, y);
       for (int k = 0; k <= factor_.k; ++k) {
-        values_[point({i, j, k})] = between(low, high, plane_[2][k]);
+        const double value = between(low, high, plane_[2][k]);
+        const std::uint32_t at = point({i, j, k});
+        values_[at] = value;
+        inside_[at] = value >= 0;
       }
     }
   }
   std::fill(next_.begin(), next_.end(), kNoId);
+  segments_ = 0;
   cells_.clear();
 }
 
@@ -129,10 +137,16 @@ int FineVoxel::outer_faces(Index3 cell) const {
   return faces;
 }
 
-int FineVoxel::look_at(Index3 cell, Corners& c) const {
-  const std::uint32_t base = point(cell);
-  for (int m = 0; m < 8; ++m) c[m] = values_[base + corner_offset_[m]];
-  return mask_of(c);
+int FineVoxel::mask_of_cell(std::uint32_t cell_point) const {
+  int mask = 0;
+  for (int m = 0; m < 8; ++m) mask |= inside_[cell_point + corner_offset_[m]] << m;
+  return mask;
+}
+
+Corners FineVoxel::corners_of_cell(std::uint32_t cell_point) const {
+  Corners c;
+  for (int m = 0; m < 8; ++m) c[m] = values_[cell_point + corner_offset_[m]];
+  return c;
 }
 
 void FineVoxel::link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces) {
@@ -142,6 +156,7 @@ void FineVoxel::link_segments(const VoxelLoops& loops, std::uint32_t cell_point,
       if ((faces >> loops.face[n] & 1) == 0) continue;
       next_[slot_of_edge(cell_point, loops.edge[n])] =
           slot_of_edge(cell_point, loops.edge[n + 1 < end ? n + 1 : first]);
+      ++segments_;
     }
   }
 }
@@ -152,11 +167,10 @@ void FineVoxel::trace_face(int f) {
   cell[axis] = (f & 1) != 0 ? factor_[axis] - 1 : 0;
   for (cell[v] = 0; cell[v] < factor_[v]; ++cell[v]) {
     for (cell[u] = 0; cell[u] < factor_[u]; ++cell[u]) {
-      Corners c;
-      const int mask = look_at(cell, c);
+      const int mask = mask_of_cell(point(cell));
       if (mask == 0 || mask == 255) continue;
       VoxelLoops scratch;
-      link_segments(voxel_loops(mask, c, scratch), point(cell), 1 << f);
+      link_segments(voxel_loops(mask, corners_of_cell(point(cell)), scratch), point(cell), 1 << f);
     }
   }
 }
@@ -168,8 +182,9 @@ void FineVoxel::trace() {
     for (int j = 0; j < factor_.j; ++j) {
       for (int i = 0; i < factor_.i; ++i) {
         cell.at = {i, j, k};
-        const int mask = look_at(cell.at, cell.corners);
+        const int mask = mask_of_cell(point(cell.at));
         if (mask == 0 || mask == 255) continue;
+        cell.corners = corners_of_cell(point(cell.at));
         VoxelLoops scratch;
         cell.loops = voxel_loops(mask, cell.corners, scratch);
         cell.tube = find_tube(mask, cell.corners, cell.loops);
@@ -195,34 +210,22 @@ FineVoxel::Slot FineVoxel::piece(Slot s) {
 }
 
 // Two edges of a voxel have one face in common at most, so a chain that leads from one crossing of
-// the voxel to the next one on its loop lies on the right face.
+// the voxel to the next one on its loop lies on the right face. Segments that no such chain uses
+// would be other curves.
 bool FineVoxel::faces_agree(const VoxelLoops& loops) const {
-  std::array<bool, 12> crossed{};
-  for (int l = 0; l < loops.count; ++l) {
-    for (const int e : loops.edges(l)) crossed[e] = true;
-  }
-  std::vector<bool> is_end(next_.size());
-  for (int e = 0; e < 12; ++e) {
-    for (const Slot s : edge_parts_[e]) {
-      if (is_crossed(s) && !crossed[e]) return false;
-      is_end[s] = is_crossed(s);
-    }
-  }
   std::size_t walked = 0;
   for (int l = 0; l < loops.count; ++l) {
     const auto edges = loops.edges(l);
-    for (std::size_t n = 0; n < edges.size(); ++n) {
-      Slot s = crossed_part(edges[n]);
+    Slot s = crossed_part(edges[0]);
+    for (std::size_t n = 1; n <= edges.size(); ++n) {
       do {
         s = next_[s];
         ++walked;
-      } while (!is_end[s]);
-      if (s != crossed_part(edges[(n + 1) % edges.size()])) return false;
+      } while (!on_edge_[s]);
+      if (s != crossed_part(edges[n % edges.size()])) return false;
     }
   }
-  const auto segments =
-      std::count_if(next_.begin(), next_.end(), [](Slot s) { return s != kNoId; });
-  return walked == static_cast<std::size_t>(segments);
+  return walked == segments_;
 }
 
 bool FineVoxel::agrees_with(const VoxelLoops& loops, Tube tube) {
@@ -238,12 +241,8 @@ bool FineVoxel::agrees_with(const VoxelLoops& loops, Tube tube) {
   // V - E + F of each piece, with twice the segments counted: two cells see a segment between them,
   // one sees a segment on the voxel's surface.
   std::fill(euler_.begin(), euler_.end(), 0);
-  for (Slot s = 0; s < parent_.size(); ++s) {
-    const std::uint32_t low = s / 3;
-    const std::uint32_t index[3] = {low % stride_[1], low % stride_[2] / stride_[1],
-                                    low / stride_[2]};
-    const bool exists = index[s % 3] < static_cast<std::uint32_t>(factor_[static_cast<int>(s % 3)]);
-    if (!exists || !is_crossed(s)) continue;
+  for (const Slot s : all_edges_) {
+    if (!is_crossed(s)) continue;
     const Slot r = piece(s);
     if (std::find(root.begin(), root.begin() + loops.count, r) == root.begin() + loops.count) {
       return false;

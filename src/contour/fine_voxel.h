@@ -82,12 +82,12 @@ class FineVoxel {
   }
   bool is_crossed(Slot slot) const {
     const std::uint32_t low = slot / 3;
-    return (values_[low] >= 0) != (values_[low + stride_[slot % 3]] >= 0);
+    return inside_[low] != inside_[low + stride_[slot % 3]];
   }
   std::span<const Slot> crossed(const std::vector<Slot>& slots);
   void sort_lattice_edges();
-  // The mask of the cell, with its corners where Sigma crosses it.
-  int look_at(Index3 cell, Corners& c) const;
+  int mask_of_cell(std::uint32_t cell_point) const;
+  Corners corners_of_cell(std::uint32_t cell_point) const;
   void link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces);
   bool faces_agree(const VoxelLoops& loops) const;
 
@@ -98,11 +98,14 @@ class FineVoxel {
   std::array<Slot, 12> edge_offset_;
   std::array<std::vector<Slot>, 12> edge_parts_;
   std::array<std::vector<Slot>, 6> face_edges_;
-  std::vector<Slot> inner_edges_;
+  std::vector<Slot> inner_edges_, all_edges_;
+  std::vector<std::uint8_t> on_edge_;  // by slot, whether it is part of an edge of the voxel
 
   std::vector<double> values_;
+  std::vector<std::uint8_t> inside_;
   std::vector<Slot> crossed_;
   std::vector<Slot> next_;
+  std::size_t segments_ = 0;  // traced on the voxel's surface
   std::vector<Slot> parent_;  // union-find of crossings
   std::vector<Cell> cells_;
   std::vector<int> euler_;  // by root, scratch of agrees_with

@@ -93,7 +93,11 @@ SplitVoxels choose_split_voxels(const Volume& volume, double kappa, const Contou
 
 SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const SplitVoxels& split,
                          Index3 factor)
-    : mesher_(mesh, volume.spacing()), split_(split), fine_(factor), voxels_(volume.voxels()) {
+    : mesher_(mesh, volume.spacing()),
+      split_(split),
+      fine_(factor),
+      voxels_(volume.voxels()),
+      cells_of_layer_((factor.i * factor.j + factor.j * factor.k + factor.k * factor.i) / 3) {
   vertex_.resize(fine_.slots());
   label_.resize(fine_.slots());
   first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
@@ -158,7 +162,7 @@ void SplitMesher::mesh_cells(const VoxelPieces& p) {
     CellFrame frame = fine_.frame(cell);
     frame.low = frame.low + to_vec3(p.voxel);
     const VoxelLoops& loops = cell.loops;
-    VoxelPieces pieces{p.voxel, cell.corners, loops, cell.tube, {}, {}};
+    VoxelPieces pieces(p.voxel, cell.corners, loops, cell.tube);
     for (int n = 0; n < loops.first[loops.count]; ++n) {
       pieces.vertex[n] = vertex_[fine_.slot(cell, loops.edge[n])];
     }

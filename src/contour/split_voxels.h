@@ -42,7 +42,10 @@ class SplitMesher {
  public:
   SplitMesher(ContourMesh& mesh, const Volume& volume, const SplitVoxels& split, Index3 factor);
 
-  void expect(std::size_t crossings) { mesher_.expect(crossings); }
+  // A split voxel adds about as many crossings as one layer of its cells has cells.
+  void expect(std::size_t crossings) {
+    mesher_.expect(crossings + split_.size() * static_cast<std::size_t>(cells_of_layer_));
+  }
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
     return mesher_.crossing(axis, sample, c0, c1, box_faces);
   }
@@ -63,6 +66,7 @@ class SplitMesher {
   const SplitVoxels& split_;
   FineVoxel fine_;
   Index3 voxels_;
+  int cells_of_layer_;
   std::vector<VertexId> vertex_;                           // by slot, of the voxel at hand
   std::vector<std::uint32_t> label_;                       // by piece, of the voxel at hand
   std::vector<VertexId> first_across_y_, first_across_z_;  // first ids on the faces ahead
