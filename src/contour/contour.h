@@ -105,6 +105,7 @@ struct ContourSplit {
   bool all = false;                   // every active voxel, whatever is listed
 };
 
+// Voxels counted in scan order; `dims` are the volume's, in samples.
 constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
   const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
   return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
