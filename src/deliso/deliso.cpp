@@ -49,11 +49,13 @@ Criteria refine_criteria(const Options& o, double r_min) {
   return {o.epsilon1, o.epsilon2, o.lambda, r_min, o.max_distance, o.max_radius};
 }
 
-// Stage 1 by the certificate.
-Recovered certified_way(const Isosurface& surface, const ContourMesh& contour,
-                        const BoundaryCurves& curves, const Options& options, Report& report) {
+// Stage 1 by the certificate; contour and curves are what it ended with.
+Recovered certified_way(const Isosurface& surface, ContourMesh& contour,
+                        std::optional<BoundaryCurves>& curves, const Options& options,
+                        Report& report) {
   const StepTimer timer(report.seconds_recover);
-  Recovered recovered = recover_certified(surface, contour, curves, options, report);
+  Recovered recovered = recover_certified(surface, contour, options, report);
+  curves.emplace(surface, contour);
   report.points_recovered = recovered.mesh.points.size();
   return recovered;
 }
@@ -123,16 +125,17 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     contour = build_contour(volume, report.kappa_effective);
   }
   if (contour.points.empty()) return {};
-  const BoundaryCurves curves(surface, contour);
+  std::optional<BoundaryCurves> curves;
+  curves.emplace(surface, contour);
 
   Recovered recovered = options.recover == RecoverWay::certified
                             ? certified_way(surface, contour, curves, options, report)
-                            : paper_way(surface, contour, curves, options, report);
+                            : paper_way(surface, contour, *curves, options, report);
   if (!options.stop_after_recover && !options.single_stage) {
     const StepTimer timer(report.seconds_refine);
     progress("refine", 0);
     const std::size_t before = recovered.mesh.points.size();
-    refine_geom(recovered, surface, curves, refine_criteria(options, report.r_min), options,
+    refine_geom(recovered, surface, *curves, refine_criteria(options, report.r_min), options,
                 report);
     report.points_refined = recovered.mesh.points.size() - before;
   }

@@ -243,7 +243,8 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
 }
 
 InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves,
-                        const Volume& volume, const Options& options, Report& report) {
+                        const Volume& volume, const Options& options,
+                        std::vector<Vec3> earlier_sites, Report& report) {
   const std::vector<std::uint8_t> kept = kept_components(contour, options);
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
@@ -260,11 +261,20 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
     }
     chains.push_back(std::move(chain));
   }
+  const auto before = [](const Vec3& p, const Vec3& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::sort(earlier_sites.begin(), earlier_sites.end(), before);
   // Inner vertices only: what lies on the box is the chain's business.
   const auto wanted = [&](VertexId v) {
     return kept[contour.component[v]] && !contour.on_boundary(v);
   };
   choose_block_seeds(contour, volume, wanted, seeds);
+  for (VertexId v = 0; v < contour.points.size() && !earlier_sites.empty(); ++v) {
+    const bool again = wanted(v) && std::binary_search(earlier_sites.begin(), earlier_sites.end(),
+                                                       contour.points[v], before);
+    if (again) seeds.push_back(v);
+  }
   Random random(options.seed);
   for (std::size_t i = 0; i < options.samples; ++i) {
     const VertexId v = random.below(static_cast<std::uint32_t>(contour.points.size()));

@@ -39,7 +39,8 @@ struct InitialSites {
   std::vector<VertexId> contour_vertex;
 };
 InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves,
-                        const Volume& volume, const Options& options, Report& report);
+                        const Volume& volume, const Options& options,
+                        std::vector<Vec3> earlier_sites, Report& report);
 
 // Which components options.min_component leaves in; counts the others.
 std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Options& options);

@@ -23,7 +23,7 @@ struct RelativeLength {
 enum class RecoverWay : std::uint8_t { certified, paper };
 
 struct Options {
-  RecoverWay recover = RecoverWay::paper;
+  RecoverWay recover = RecoverWay::certified;
   double fingers = 1;     // certified: no vertex of the contour further from the mesh, in voxels
   double epsilon = 0.2;   // Stage 1: h/r
   double epsilon1 = 0.1;  // Stage 2: h/r

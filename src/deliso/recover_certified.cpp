@@ -2,6 +2,7 @@
 #include "deliso/recover_certified.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "base/check.h"
 #include "base/triangle.h"
 #include "deliso/certificate.h"
+#include "deliso/init_triangulation.h"
 #include "deliso/poles.h"
 #include "deliso/surface_point.h"
 
@@ -48,6 +50,10 @@ class CertifiedRecovery {
   std::size_t cut_fingers();
   std::size_t make_ready();
   std::optional<Vec3> find_surface_point(const DualFacet& facet);
+  // Finds its surface point, or is too small for Stage 2 to look at.
+  bool is_ready(const DualFacet& facet);
+  // The voxels at a facet's sites and witness, and those next to them.
+  void add_voxels_around(const DualFacet& facet, std::vector<std::uint64_t>& voxels) const;
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
   // that is `enough` or less.
   double distance2_to_dual(VertexId v, double enough) const;
@@ -103,7 +109,10 @@ Recovered CertifiedRecovery::run() {
       }
       triangles.push_back(v);
       const auto x = find_surface_point(facet);
-      if (!x) ++report_[Counter::unready_facets];
+      if (!x && !is_ready(facet)) {
+        ++report_[Counter::unready_facets];
+        add_voxels_around(facet, out.unready_voxels);
+      }
       // Where the dual line misses, a point of the surface near by keeps the ball a ball.
       surface_points.push_back(x ? *x : contour_.points[facet.witness[0]]);
     }
@@ -222,7 +231,7 @@ std::size_t CertifiedRecovery::make_ready() {
     unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
     VertexId worst = kNoId;
     for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s || find_surface_point(facet)) continue;
+      if (facet.sites[1] < s || facet.sites[2] < s || is_ready(facet)) continue;
       for (const VertexId v : facet.witness) {
         const double d2 = labels_.distance2_to_site(v);
         if (d2 > 0 && (worst == kNoId || d2 > labels_.distance2_to_site(worst))) worst = v;
@@ -233,18 +242,85 @@ std::size_t CertifiedRecovery::make_ready() {
   return added;
 }
 
+void CertifiedRecovery::add_voxels_around(const DualFacet& facet,
+                                          std::vector<std::uint64_t>& voxels) const {
+  const Volume& volume = surface_.volume();
+  const Index3 last = volume.voxels();
+  const auto add = [&](const Vec3& p) {
+    const Index3 at = volume.voxel_at(p);
+    for (int k = std::max(0, at.k - 1); k <= std::min(last.k - 1, at.k + 1); ++k) {
+      for (int j = std::max(0, at.j - 1); j <= std::min(last.j - 1, at.j + 1); ++j) {
+        for (int i = std::max(0, at.i - 1); i <= std::min(last.i - 1, at.i + 1); ++i) {
+          voxels.push_back(voxel_number(volume.dims(), {i, j, k}));
+        }
+      }
+    }
+  };
+  for (const VertexId s : facet.sites) add(triangulation_.point(s));
+  for (const VertexId v : facet.witness) add(contour_.points[v]);
+}
+
+bool CertifiedRecovery::is_ready(const DualFacet& facet) {
+  const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
+             &c = triangulation_.point(facet.sites[2]);
+  return distance(circumcenter(a, b, c), a) <= report_.r_min || find_surface_point(facet);
+}
+
 std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
   return finder_.find(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
                       triangulation_.point(facet.sites[2]), report_.searches_recover);
 }
 
+// Cells per voxel, along its shortest side, where T is made finer; and how often it may be.
+constexpr int kSplitFactor = 8;
+constexpr int kRounds = 3;
+
+ContourSplit plain_split(Vec3 spacing) {
+  const double smallest = std::min({spacing.x, spacing.y, spacing.z});
+  ContourSplit split;
+  for (int axis = 0; axis < 3; ++axis) {
+    split.factor[axis] = static_cast<int>(std::lround(kSplitFactor * spacing[axis] / smallest));
+  }
+  return split;
+}
+
+// Takes the voxels into the split; whether any of them is new to it.
+bool add_voxels(ContourSplit& split, const std::vector<std::uint64_t>& voxels) {
+  const std::size_t before = split.voxels.size();
+  split.voxels.insert(split.voxels.end(), voxels.begin(), voxels.end());
+  std::sort(split.voxels.begin(), split.voxels.end());
+  split.voxels.erase(std::unique(split.voxels.begin(), split.voxels.end()), split.voxels.end());
+  return split.voxels.size() > before;
+}
+
 }  // namespace
 
-Recovered recover_certified(const Isosurface& surface, const ContourMesh& contour,
-                            const BoundaryCurves& curves, const Options& options, Report& report) {
-  InitialSites sites = init_sites(contour, curves, surface.volume(), options, report);
-  CertifiedRecovery recovery(surface, contour, std::move(sites), options, report);
-  return recovery.run();
+Recovered recover_certified(const Isosurface& surface, ContourMesh& contour, const Options& options,
+                            Report& report) {
+  const Volume& volume = surface.volume();
+  ContourSplit split = plain_split(volume.spacing());
+  std::vector<Vec3> earlier_sites;
+  for (int round = 1;; ++round) {
+    const BoundaryCurves curves(surface, contour);
+    InitialSites sites = init_sites(contour, curves, volume, options, earlier_sites, report);
+    Recovered recovered =
+        CertifiedRecovery(surface, contour, std::move(sites), options, report).run();
+    if (!add_voxels(split, recovered.unready_voxels) || round == kRounds) return recovered;
+
+    // What was found elsewhere stays found.
+    earlier_sites.clear();
+    for (const Vec3& p : recovered.mesh.points) {
+      const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(p));
+      if (!std::binary_search(split.voxels.begin(), split.voxels.end(), voxel)) {
+        earlier_sites.push_back(p);
+      }
+    }
+    contour = build_contour(volume, surface.kappa(), split);
+    for (const Counter c :
+         {Counter::unready_facets, Counter::uncertified_sites, Counter::boundary_splits_recover}) {
+      report[c] = 0;
+    }
+  }
 }
 
 }  // namespace deliso

@@ -15,7 +15,10 @@ struct Recovered {
   TriMesh mesh;                      // linked, oriented, with surface points
   std::vector<double> pole_heights;  // one per vertex
   BoundaryChain chain;               // over the mesh's vertices
-  std::vector<VertexId> source;      // the vertex of Stage 1 each one was; kNoId: of another origin
+  // Voxels (voxel_number()) at facets whose dual line misses Sigma: the contour is too coarse
+  // there.
+  std::vector<std::uint64_t> unready_voxels;
+  std::vector<VertexId> source;  // the vertex of Stage 1 each one was; kNoId: of another origin
 };
 
 // BuildTriMesh (paper §3.2): Del S|Sigma as a mesh of its own; `poles` are per vertex of the

@@ -2,6 +2,7 @@
 #include "deliso/refine.h"
 
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "deliso/surface_point.h"
 #include "deliso/worst_first.h"
 #include "mesh/encroach.h"
+#include "mesh/flip.h"
 
 namespace deliso {
 namespace {
@@ -20,6 +22,9 @@ constexpr double kTooClose = 0.25;
 
 // A boundary edge shorter than this share of r_min is not split.
 constexpr double kShortestBoundaryEdge = 0.25;
+
+// Flips allowed, per facet handed over. On a surface they need not come to an end by themselves.
+constexpr std::size_t kFlipsPerFacet = 4;
 
 class Refiner {
  public:
@@ -48,6 +53,10 @@ class Refiner {
   // Returns the reason when it must not be.
   std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
   bool split_boundary(EdgeRef edge);
+  // Flips the edge of f opposite its corner i when it is not Delaunay and its flip is.
+  bool flip_if_not_delaunay(FaceId f, int i);
+  // Flips edges of `faces`, and then around what changed, until all are Delaunay or cannot be.
+  void legalize(std::vector<FaceId> faces);
   // The longest boundary edge of the encroached disk or next to it whose diametral ball holds p.
   std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
   std::optional<Counter> find_surface_points(const Vec3& p, std::optional<std::size_t> opened);
@@ -62,6 +71,7 @@ class Refiner {
   Report& report_;
 
   WorstFirst queue_;
+  std::size_t flips_left_ = 0;
   std::vector<FaceId> refused_;
   std::vector<std::uint32_t> marks_;
   std::uint32_t stamp_ = 0;
@@ -72,6 +82,10 @@ class Refiner {
 
 void Refiner::run() {
   marks_.assign(mesh_.faces.size(), 0);
+  flips_left_ = kFlipsPerFacet * mesh_.faces.size();
+  std::vector<FaceId> all(mesh_.faces.size());
+  std::iota(all.begin(), all.end(), 0);
+  legalize(std::move(all));
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
   // What was refused is tried again once its surroundings have changed, while that helps.
   std::size_t points_before;
@@ -114,6 +128,9 @@ void Refiner::refine(FaceId f) {
   for (int i = 0; i < 3; ++i) {
     if (mesh_.faces[f].n[i] == kNoId && split_boundary({f, i})) return;
   }
+  bool flipped = false;
+  for (int i = 0; i < 3; ++i) flipped |= flip_if_not_delaunay(f, i);
+  if (flipped) return;
   ++report_[*refusal];
   refused_.push_back(f);
 }
@@ -165,6 +182,46 @@ std::optional<Counter> Refiner::find_surface_points(const Vec3& p,
     surface_points_[k] = *x;
   }
   return std::nullopt;
+}
+
+bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
+  if (flips_left_ == 0 || mesh_.faces[f].n[i] == kNoId) return false;
+  const Quad q = quad_at(mesh_, f, i);
+  const Vec3 &a = mesh_.points[q.a], &b = mesh_.points[q.b], &c = mesh_.points[q.c],
+             &d = mesh_.points[q.d];
+  if (!is_encroached(mesh_, q.f, d) && !is_encroached(mesh_, q.g, a)) return false;
+  if (has_diagonal(mesh_, q)) return false;
+  const auto x = finder_.find(a, b, d, report_.searches_refine);
+  const auto y = x ? finder_.find(d, c, a, report_.searches_refine) : std::nullopt;
+  if (!y) return false;
+  if (distance2(*x, c) < distance2(*x, a) || distance2(*y, b) < distance2(*y, a)) return false;
+  const Vec3 n1 = area_normal(a, b, c), n2 = area_normal(d, c, b), m1 = area_normal(a, b, d),
+             m2 = area_normal(d, c, a);
+  const auto cosine = [](const Vec3& u, const Vec3& v) {
+    return dot(u, v) / std::sqrt(length2(u) * length2(v));
+  };
+  if (cosine(m1, m2) < std::min(0.5, cosine(n1, n2))) return false;
+  --flips_left_;
+  flip_edge(mesh_, q);
+  mesh_.surface_points[q.f] = *x;
+  mesh_.surface_points[q.g] = *y;
+  judge(q.f);
+  judge(q.g);
+  return true;
+}
+
+void Refiner::legalize(std::vector<FaceId> faces) {
+  while (!faces.empty()) {
+    const FaceId f = faces.back();
+    faces.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const FaceId g = mesh_.faces[f].n[i];
+      if (!flip_if_not_delaunay(f, i)) continue;
+      faces.push_back(g);
+      faces.push_back(f);
+      break;
+    }
+  }
 }
 
 std::optional<Refiner::EdgeRef> Refiner::encroached_boundary(const Vec3& p) const {
