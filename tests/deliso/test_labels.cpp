@@ -55,7 +55,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     Report report;
     Options options;
     options.seed = seed;
-    InitialSites sites = init_sites(scene.contour, curves, scene.volume, options, report);
+    InitialSites sites = init_sites(scene.contour, curves, scene.volume, options, {}, report);
     Triangulation& t = sites.triangulation;
     const ContourGraph graph(scene.contour);
     const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);
