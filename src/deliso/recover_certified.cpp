@@ -17,9 +17,13 @@
 namespace deliso {
 namespace {
 
+// How far coincident vertices of T are moved apart, in voxels: well within what a vertex may be off
+// Sigma.
+constexpr double kHair = 1e-7;
+
 class CertifiedRecovery {
  public:
-  CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, InitialSites initial,
+  CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
                     const Options& options, Report& report)
       : surface_(surface),
         finder_(surface),
@@ -46,6 +50,9 @@ class CertifiedRecovery {
   void queue_site(VertexId s);
   // Makes the vertex v of T a site; false when it coincides with one.
   bool add_site(VertexId v);
+  // Where samples are such that vertices of T coincide, several have one site at distance 0, and
+  // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
+  bool part_coincident(VertexId s);
   void satisfy_certificate();
   std::size_t cut_fingers();
   std::size_t make_ready();
@@ -60,7 +67,7 @@ class CertifiedRecovery {
 
   const Isosurface& surface_;
   SurfacePointFinder finder_;
-  const ContourMesh& contour_;
+  ContourMesh& contour_;
   const Options& options_;
   Report& report_;
   Triangulation triangulation_;
@@ -73,8 +80,9 @@ class CertifiedRecovery {
 
   std::deque<VertexId> queue_;
   std::vector<std::uint8_t> queued_;
-  // Per site, which of the two practical tests its facets have not passed since they changed.
-  static constexpr std::uint8_t kFingers = 1, kReadiness = 2;
+  // Per site, which of the two practical tests its facets have not passed since they changed, and
+  // whether it broke the certificate with nothing left to insert when it was last looked at.
+  static constexpr std::uint8_t kFingers = 1, kReadiness = 2, kUncertified = 4;
   std::vector<std::uint8_t> unready_;
   // K's facets at every site, begun there.
   std::vector<std::vector<DualFacet>> facets_;
@@ -89,6 +97,9 @@ Recovered CertifiedRecovery::run() {
     satisfy_certificate();
   } while (cut_fingers() > 0 || make_ready() > 0);
 
+  for (const std::uint8_t state : unready_) {
+    report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
+  }
   const std::vector<double> poles = compute_poles(triangulation_, surface_);
   Recovered out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
@@ -174,6 +185,29 @@ bool CertifiedRecovery::add_site(VertexId v) {
   return true;
 }
 
+bool CertifiedRecovery::part_coincident(VertexId s) {
+  for (const VertexId v : labels_.region(s)) {
+    if (v == contour_vertex_[s] || labels_.distance2_to_site(v) > 0) continue;
+    // Vertices on the box move along their chain, so that they stay there.
+    Vec3 along;
+    if (contour_.on_boundary(v)) {
+      along = contour_.points[graph_.chain_next(v)] - contour_.points[v];
+    } else {
+      for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
+        along = along + (contour_.points[w.next] - contour_.points[v]);
+      }
+    }
+    const double size = length(along);
+    const Vec3 spacing = surface_.volume().spacing();
+    if (!(size > 0)) continue;
+    const double hair = kHair * std::min({spacing.x, spacing.y, spacing.z});
+    contour_.points[v] = contour_.points[v] + (hair / size) * along;
+    labels_.moved(v, triangulation_.point(s));
+    return add_site(v);
+  }
+  return false;
+}
+
 void CertifiedRecovery::satisfy_certificate() {
   while (!queue_.empty()) {
     const VertexId s = queue_.front();
@@ -183,10 +217,10 @@ void CertifiedRecovery::satisfy_certificate() {
     facets_[s].assign(certificate_.facets().begin(), certificate_.facets().end());
     unready_[s] = kFingers | kReadiness;
     if (verdict.violation == Violation::none) continue;
-    if (verdict.insert != kNoId && add_site(verdict.insert)) {
+    if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
       queue_site(s);
     } else {
-      ++report_[Counter::uncertified_sites];
+      unready_[s] |= kUncertified;
     }
   }
 }

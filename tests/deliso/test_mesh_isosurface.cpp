@@ -117,6 +117,37 @@ TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
   }
 }
 
+// Everything that trilinear data can do in a small place: noise of few levels, half-way isovalues
+// (saddles exactly at kappa, vertices of the contour that coincide), samples equal to the isovalue.
+TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology") {
+  int components = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Index3 dims{2 + static_cast<int>(random.below(6)), 2 + static_cast<int>(random.below(6)),
+                      2 + static_cast<int>(random.below(6))};
+    const std::uint32_t levels = 2 + random.below(30);
+    std::vector<std::uint8_t> samples;
+    for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+      samples.push_back(static_cast<std::uint8_t>(random.below(levels)));
+    }
+    const double isovalue = 0.5 * levels - 0.5 * random.below(2) + (seed % 3 == 0 ? 0.1 : 0);
+    const Volume volume = Volume::from_samples(dims, {1, 1, 1.0 + random.below(3)}, samples);
+    const ContourSummary exact = summarize_contour(volume, effective_isovalue(volume, isovalue));
+    Options options;
+    options.recover = RecoverWay::certified;
+    options.r_min = {0.2, true};
+    options.seed = seed;
+    const Run out = run(volume, isovalue, options);
+    components += static_cast<int>(exact.components.size());
+    CHECK(check_mesh(out.mesh) == "");
+    CHECK(check_boundary_on_box(out.mesh, volume.box()) == "");
+    CHECK(out.report[Counter::uncertified_sites] == 0);
+    check_topology(out.mesh, exact);
+  }
+  CHECK(components > 1000);
+}
+
 TEST_CASE("no component is missing among specks of all sizes") {
   // Bright samples on a dark ground: octahedra far smaller than r_min beside larger ones.
   Random random(3);
