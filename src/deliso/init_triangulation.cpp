@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/check.h"
@@ -105,39 +106,31 @@ double largest_side(const ContourComponent& c) {
 }
 
 // The first vertex of T of every (component, block of kBlock^3 voxels), of those that `wanted` asks
-// for.
+// for, in the order of T's vertices.
 template <class Wanted>
 void choose_block_seeds(const ContourMesh& contour, const Volume& volume, const Wanted& wanted,
                         std::vector<VertexId>& seeds) {
-  struct BlockSeen {
-    std::uint32_t component;
-    std::array<std::uint32_t, 3> block;
-    VertexId vertex;
-    auto key() const { return std::tie(component, block, vertex); }
-    bool operator<(const BlockSeen& o) const { return key() < o.key(); }
+  using Place = std::array<std::uint32_t, 4>;  // component and block
+  struct Hash {
+    std::size_t operator()(const Place& place) const {
+      std::uint64_t h = 0;
+      for (const std::uint32_t n : place) h = (h ^ n) * 0x9e3779b97f4a7c15u;
+      return h ^ (h >> 29);
+    }
   };
-  std::vector<BlockSeen> blocks;
+  std::unordered_set<Place, Hash> seen;  // only asked, never walked
+  Place last{};
   for (VertexId v = 0; v < contour.points.size(); ++v) {
     if (!wanted(v)) continue;
-    std::array<std::uint32_t, 3> block{};
+    Place place{contour.component[v]};
     for (int axis = 0; axis < 3; ++axis) {
-      block[static_cast<std::size_t>(axis)] =
+      place[static_cast<std::size_t>(axis) + 1] =
           static_cast<std::uint32_t>(contour.points[v][axis] / (kBlock * volume.spacing()[axis]));
     }
-    // Neighbours in T mostly share a block: what the last vertex saw need not be sorted again.
-    if (!blocks.empty() && blocks.back().component == contour.component[v] &&
-        blocks.back().block == block) {
-      continue;
-    }
-    blocks.push_back({contour.component[v], block, v});
-  }
-  std::sort(blocks.begin(), blocks.end());
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (i > 0 && blocks[i].component == blocks[i - 1].component &&
-        blocks[i].block == blocks[i - 1].block) {
-      continue;
-    }
-    seeds.push_back(blocks[i].vertex);
+    // Neighbours in T mostly share a block.
+    if (place == last && !seen.empty()) continue;
+    last = place;
+    if (seen.insert(place).second) seeds.push_back(v);
   }
 }
 
