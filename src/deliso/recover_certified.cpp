@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
+#include "contour/block_order.h"
 #include "deliso/certificate.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/poles.h"
@@ -335,6 +336,7 @@ Recovered recover_certified(const Isosurface& surface, ContourMesh& contour, con
   ContourSplit split = plain_split(volume.spacing());
   std::vector<Vec3> earlier_sites;
   for (int round = 1;; ++round) {
+    order_by_blocks(contour, volume);
     const BoundaryCurves curves(surface, contour);
     InitialSites sites = init_sites(contour, curves, volume, options, earlier_sites, report);
     Recovered recovered =

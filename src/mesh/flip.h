@@ -9,8 +9,8 @@
 
 namespace deliso {
 
-// The quadrilateral round the edge of facet f opposite its corner i: a = that corner, edge from b to
-// c as f runs along it, d = the corner of the facet beyond.
+// The quadrilateral round the edge of facet f opposite its corner i: a = that corner, edge from b
+// to c as f runs along it, d = the corner of the facet beyond.
 struct Quad {
   FaceId f, g;
   VertexId a, b, c, d;

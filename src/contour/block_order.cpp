@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "contour/block_order.h"
+
+#include <utility>
+
+namespace deliso {
+namespace {
+
+constexpr int kBlock = 8;
+
+// Where each item goes when they are sorted by key, stably: a counting sort.
+std::vector<std::uint32_t> places(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
+  std::vector<std::uint32_t> first(key_count + 1, 0);
+  for (const std::uint32_t key : keys) ++first[key + 1];
+  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  std::vector<std::uint32_t> place(keys.size());
+  for (std::size_t n = 0; n < keys.size(); ++n) place[n] = first[keys[n]]++;
+  return place;
+}
+
+template <class T>
+void move_to(std::vector<T>& items, const std::vector<std::uint32_t>& place) {
+  std::vector<T> moved(items.size());
+  for (std::size_t n = 0; n < items.size(); ++n) moved[place[n]] = items[n];
+  items = std::move(moved);
+}
+
+}  // namespace
+
+void order_by_blocks(ContourMesh& contour, const Volume& volume) {
+  const Index3 last = volume.voxels();
+  const auto blocks = [](int voxels) { return static_cast<std::uint32_t>(voxels / kBlock + 1); };
+  const std::uint32_t nx = blocks(last.i), ny = blocks(last.j), nz = blocks(last.k);
+
+  std::vector<std::uint32_t> block;
+  block.reserve(contour.points.size());
+  for (const Vec3& p : contour.points) {
+    const Index3 v = volume.voxel_at(p);
+    const auto at = [](int n) { return static_cast<std::uint32_t>(n / kBlock); };
+    block.push_back(at(v.i) + nx * (at(v.j) + ny * at(v.k)));
+  }
+  const std::size_t block_count = std::size_t{nx} * ny * nz;
+  const std::vector<std::uint32_t> place = places(block, block_count);
+
+  std::vector<std::uint32_t> triangle_block;
+  triangle_block.reserve(contour.triangles.size());
+  for (auto& triangle : contour.triangles) {
+    triangle_block.push_back(block[triangle[0]]);
+    for (VertexId& v : triangle) v = place[v];
+  }
+  move_to(contour.triangles, places(triangle_block, block_count));
+  move_to(contour.points, place);
+  move_to(contour.component, place);
+  move_to(contour.box_faces, place);
+  for (VertexId& v : contour.boundary.vertices) v = place[v];
+}
+
+}  // namespace deliso
