@@ -17,7 +17,21 @@
 namespace deliso {
 namespace {
 
-enum Commands : std::uint8_t { kMeshOnly = 1, kInfoOnly = 2, kBoth = 3 };
+// Which commands know an option.
+enum Commands : std::uint8_t {
+  kMeshOnly = 1,
+  kInfoOnly = 2,
+  kRenderOnly = 4,
+  kVolume = kMeshOnly | kInfoOnly,
+  kOutput = kMeshOnly | kRenderOnly,
+  kAll = kMeshOnly | kInfoOnly | kRenderOnly
+};
+
+Commands flag_of(Command command) {
+  return command == Command::info     ? kInfoOnly
+         : command == Command::render ? kRenderOnly
+                                      : kMeshOnly;
+}
 
 struct OptionSpec {
   std::string_view name;
@@ -81,9 +95,10 @@ using Line = CommandLine;
 using Text = std::string_view;
 
 constexpr OptionSpec kOptions[] = {
-    {"--iso", 'k', "K", kBoth, "isovalue: the surface is where the volume's interpolant is K",
+    {"--iso", 'k', "K", kVolume, "isovalue: the surface is where the volume's interpolant is K",
      [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
-    {"--output", 'o', "FILE", kMeshOnly, "mesh to write: .ply .off .obj .stl .vtp, or -",
+    {"--output", 'o', "FILE", kOutput,
+     "mesh to write: .ply .off .obj .stl .vtp; picture: .png; or -",
      [](Line& l, Text, Text v) { l.output = v; }},
     {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
@@ -93,15 +108,15 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text, Text) { l.write.single_precision = true; }},
     {"--double", 0, "", kMeshOnly, "coordinates in double precision (default)",
      [](Line& l, Text, Text) { l.write.single_precision = false; }},
-    {"--json", 0, "FILE", kBoth, "all statistics as JSON, or - for standard output",
+    {"--json", 0, "FILE", kVolume, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
-    {"--quiet", 'q', "", kBoth, "no report and no progress bar",
+    {"--quiet", 'q', "", kAll, "no report and no progress bar",
      [](Line& l, Text, Text) { l.quiet = true; }},
     {"--check", 0, "", kMeshOnly, "exit 1 when the mesh breaks a rule or misses the topology",
      [](Line& l, Text, Text) { l.check = true; }},
     {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
-    {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kBoth,
+    {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
      "only these samples; the ones at X1, Y1, Z1 are left out",
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
 
@@ -165,25 +180,53 @@ constexpr OptionSpec kOptions[] = {
                                                        {"schwarze", CubicMethod::schwarze}}));
      }},
 
-    {"--dims", 0, "NXxNYxNZ", kBoth, "size of a raw file, in samples",
+    {"--dims", 0, "NXxNYxNZ", kVolume, "size of a raw file, in samples",
      [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
-    {"--type", 0, "TYPE", kBoth,
+    {"--type", 0, "TYPE", kVolume,
      "its sample type: uint8 int8 uint16 int16 uint32 int32 float32 float64",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
-    {"--spacing", 0, "SX,SY,SZ", kBoth, "its distance between samples (default 1,1,1)",
+    {"--spacing", 0, "SX,SY,SZ", kVolume, "its distance between samples (default 1,1,1)",
      [](Line& l, Text o, Text v) { raw_layout(l).spacing = parse_spacing(o, v); }},
-    {"--endian", 0, "ORDER", kBoth, "its byte order: little (default) or big",
+    {"--endian", 0, "ORDER", kVolume, "its byte order: little (default) or big",
      [](Line& l, Text o, Text v) {
        using Choice = std::pair<std::string_view, std::endian>;
        raw_layout(l).byte_order = choose(
            o, v,
            std::to_array<Choice>({{"little", std::endian::little}, {"big", std::endian::big}}));
      }},
-    {"--skip", 0, "BYTES", kBoth, "its bytes before the first sample",
+    {"--skip", 0, "BYTES", kVolume, "its bytes before the first sample",
      [](Line& l, Text o, Text v) { raw_layout(l).skip = parse_count(o, v); }},
 
-    {"--help", 'h', "", kBoth, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
-    {"--version", 0, "", kBoth, "the version",
+    {"--view", 0, "AZIMUTH,ELEVATION", kRenderOnly,
+     "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
+     "of a ring that sees most of the surface)",
+     [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
+    {"--zoom", 0, "X", kRenderOnly, "larger than to fill the picture (default 1, at most 64)",
+     [](Line& l, Text o, Text v) { l.render.zoom = parse_zoom(o, v); }},
+    {"--size", 0, "WxH", kRenderOnly, "of the picture, in pixels (default 1200x900)",
+     [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
+    {"--shading", 0, "NAME", kRenderOnly, "smooth (default) or flat",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Shading>;
+       l.render.shading = choose(
+           o, v, std::to_array<Choice>({{"smooth", Shading::smooth}, {"flat", Shading::flat}}));
+     }},
+    {"--edges", 0, "WHEN", kRenderOnly,
+     "of triangles: auto (default: where they are long enough to be told apart), on or off",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Edges>;
+       l.render.edges =
+           choose(o, v,
+                  std::to_array<Choice>(
+                      {{"auto", Edges::automatic}, {"on", Edges::drawn}, {"off", Edges::hidden}}));
+     }},
+    {"--clip", 0, "PLANE", kRenderOnly,
+     "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
+     "has a x + b y + c z <= d",
+     [](Line& l, Text o, Text v) { l.clip = parse_clip(o, v); }},
+
+    {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
+    {"--version", 0, "", kAll, "the version",
      [](Line& l, Text, Text) { l.command = Command::version; }},
 };
 constexpr std::size_t kOptionCount = std::size(kOptions);
@@ -195,10 +238,11 @@ struct Group {
 constexpr Group kGroups[] = {{"Input and output", "--iso"},
                              {"Meshing", "--eps"},
                              {"Raw files", "--dims"},
+                             {"Pictures", "--view"},
                              {"Help", "--help"}};
 
-constexpr std::array<std::pair<std::string_view, Command>, 2> kCommands{
-    {{"mesh", Command::mesh}, {"info", Command::info}}};
+constexpr std::array<std::pair<std::string_view, Command>, 3> kCommands{
+    {{"mesh", Command::mesh}, {"info", Command::info}, {"render", Command::render}}};
 
 // Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -233,21 +277,29 @@ const OptionSpec& find_option(std::string_view name) {
       (nearest ? "; did you mean " + std::string(nearest->name) + "?" : "; --help lists them"));
 }
 
-// The command that the first argument names; the default when it names none. check and render
-// belong to later versions: refused by name, lest they be taken for an input file.
+// The command that the first argument names; the default when it names none. check belongs to a
+// later version: refused by name, lest it be taken for an input file.
 std::optional<Command> command_named(std::string_view word) {
   for (const auto& [name, command] : kCommands) {
     if (name == word) return command;
   }
-  if (word == "check" || word == "render") {
-    throw InputError("unknown command '" + std::string(word) + "': this version has mesh and info");
+  if (word == "check") {
+    throw InputError("unknown command 'check': this version has mesh, info and render");
   }
   return std::nullopt;
+}
+
+void check_picture(const CommandLine& line) {
+  if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".png")) {
+    throw InputError("cannot write '" + line.output + "': pictures are .png");
+  }
 }
 
 // What must hold between options, once all are read.
 void check_combination(CommandLine& line) {
   if (line.input.empty()) throw InputError("no input given; --help shows how");
+  if (line.command == Command::render) return check_picture(line);
   const BuiltinField* field = find_builtin_field(line.input);
   if (field && !line.isovalue) line.isovalue = field->isovalue;
   if (line.command == Command::mesh && !line.isovalue) {
@@ -318,7 +370,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     if (std::exchange(seen[static_cast<std::size_t>(&spec - kOptions)], true)) {
       throw InputError(std::string(spec.name) + " is given twice");
     }
-    if ((spec.commands & (command == Command::info ? kInfoOnly : kMeshOnly)) == 0) {
+    if ((spec.commands & flag_of(command)) == 0) {
       throw InputError(std::string(spec.name) + " has no meaning for this command");
     }
     std::string_view value;
@@ -353,10 +405,12 @@ std::string help_text() {
   std::string text =
       "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
       "       deliso info INPUT [--iso K]\n"
+      "       deliso render MESH -o PICTURE.png [options]\n"
       "\n"
       "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n"
       "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .vtk .vti .raw, builtin:NAME[:SIZE], or - for\n"
-      "standard input. The report goes to standard output, or to standard error when the mesh or\n"
+      "standard input. MESH: .ply .off .obj, or -. The report goes to standard output, or to "
+      "standard error when the mesh or\n"
       "the JSON goes there. Exit status: 0 fine, 1 --check found a fault, 2 bad usage or input.\n";
   const Group* group = kGroups;
   for (const OptionSpec& spec : kOptions) {

@@ -10,11 +10,21 @@
 
 #include "deliso/options.h"
 #include "mesh/write_mesh.h"
+#include "render/render.h"
 #include "volume/read_volume.h"
 
 namespace deliso {
 
-enum class Command { mesh, info, help, version };
+enum class Command { mesh, info, render, help, version };
+
+// The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
+// space.
+struct ClipChoice {
+  int axis = 0;
+  double fraction = 1;
+  bool keep_above = false;
+  std::optional<ClipPlane> plane;  // when given, the rest means nothing
+};
 
 struct CommandLine {
   Command command = Command::mesh;
@@ -25,6 +35,8 @@ struct CommandLine {
   ReadOptions read;
   MeshWriteOptions write;  // its format is set wherever there is an output
   Options options;
+  RenderOptions render;  // its clip comes from the next
+  std::optional<ClipChoice> clip;
   bool allow_empty = false;
   bool check = false;
   bool quiet = false;

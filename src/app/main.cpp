@@ -28,6 +28,8 @@ int run(std::span<const std::string_view> arguments) {
       return kFine;
     case Command::info:
       return run_info(line);
+    case Command::render:
+      return run_render(line);
     case Command::mesh:
       break;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/parse_value.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -31,15 +32,19 @@ std::optional<double> read_finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// Splits at `separator` into exactly three parts.
-std::optional<std::array<std::string_view, 3>> split3(std::string_view text, char separator) {
-  const std::size_t first = text.find(separator);
-  if (first == std::string_view::npos) return std::nullopt;
-  const std::size_t second = text.find(separator, first + 1);
-  if (second == std::string_view::npos) return std::nullopt;
-  const std::string_view rest = text.substr(second + 1);
-  if (rest.find(separator) != std::string_view::npos) return std::nullopt;
-  return std::array{text.substr(0, first), text.substr(first + 1, second - first - 1), rest};
+// Splits at `separator` into exactly N parts and reads each.
+template <class Number, std::size_t N>
+std::optional<std::array<Number, N>> read_list(std::string_view text, char separator) {
+  std::array<Number, N> numbers;
+  for (std::size_t n = 0; n < N; ++n) {
+    const std::size_t end = text.find(separator);
+    if ((end == std::string_view::npos) != (n + 1 == N)) return std::nullopt;
+    const auto value = read_all<Number>(text.substr(0, end));
+    if (!value || !std::isfinite(static_cast<double>(*value))) return std::nullopt;
+    numbers[n] = *value;
+    if (n + 1 < N) text.remove_prefix(end + 1);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -73,14 +78,55 @@ RelativeLength parse_relative_length(std::string_view option, std::string_view t
 }
 
 Vec3 parse_spacing(std::string_view option, std::string_view text) {
-  const auto parts = split3(text, ',');
-  Vec3 spacing;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto value = parts ? read_finite((*parts)[static_cast<std::size_t>(axis)]) : std::nullopt;
-    if (!value || *value <= 0) refuse(option, text, "three numbers above 0 as in '1,1,2.5'");
-    spacing[axis] = *value;
+  const auto list = read_list<double, 3>(text, ',');
+  if (!list || !((*list)[0] > 0 && (*list)[1] > 0 && (*list)[2] > 0)) {
+    refuse(option, text, "three numbers above 0 as in '1,1,2.5'");
   }
-  return spacing;
+  return {(*list)[0], (*list)[1], (*list)[2]};
+}
+
+View parse_view(std::string_view option, std::string_view text) {
+  const auto list = read_list<double, 2>(text, ',');
+  if (!list || std::abs((*list)[0]) > 360 || std::abs((*list)[1]) > 90) {
+    refuse(option, text, "an azimuth and an elevation in degrees as in '30,25'");
+  }
+  return {(*list)[0], (*list)[1]};
+}
+
+double parse_zoom(std::string_view option, std::string_view text) {
+  const double zoom = parse_positive(option, text);
+  if (zoom > kLargestZoom)
+    refuse(option, text, "at most " + std::to_string(static_cast<int>(kLargestZoom)));
+  return zoom;
+}
+
+PictureSize parse_picture_size(std::string_view option, std::string_view text) {
+  const auto list = read_list<int, 2>(text, 'x');
+  if (!list || std::min((*list)[0], (*list)[1]) < 1 ||
+      std::max((*list)[0], (*list)[1]) > kLargestSide) {
+    refuse(option, text,
+           "two numbers of pixels from 1 to " + std::to_string(kLargestSide) + " as in '800x600'");
+  }
+  return {(*list)[0], (*list)[1]};
+}
+
+ClipChoice parse_clip(std::string_view option, std::string_view text) {
+  if (const auto plane = read_list<double, 4>(text, ',')) {
+    const Vec3 normal{(*plane)[0], (*plane)[1], (*plane)[2]};
+    if (normal != Vec3{}) return {0, 1, false, ClipPlane{normal, (*plane)[3]}};
+  }
+  ClipChoice clip;
+  std::string_view rest = text;
+  clip.keep_above = rest.starts_with('-');
+  if (clip.keep_above) rest.remove_prefix(1);
+  const auto fraction =
+      rest.size() > 2 && rest[1] == ':' ? read_finite(rest.substr(2)) : std::nullopt;
+  if (!fraction || *fraction < 0 || *fraction > 1 || rest[0] < 'x' || rest[0] > 'z') {
+    refuse(option, text, "an axis and a fraction as in 'x:0.5' or '-x:0.5', or a plane 'a,b,c,d'");
+  }
+  clip.axis = rest[0] - 'x';
+  clip.fraction = *fraction;
+  return clip;
 }
 
 }  // namespace deliso

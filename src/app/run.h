@@ -13,5 +13,6 @@ inline constexpr int kBadUsage = 2;
 
 int run_mesh(const CommandLine& line);
 int run_info(const CommandLine& line);
+int run_render(const CommandLine& line);
 
 }  // namespace deliso

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "volume/checksum.h"
+#include "base/checksum.h"
 #include "volume/prefix_code.h"
 
 namespace deliso {

@@ -91,7 +91,7 @@ refuses 'did you mean --iso' builtin:sphere --ios 0.5 -o $o
 refuses 'did you mean --lambda' builtin:sphere --lamda 2 -o $o
 refuses 'unknown option' builtin:sphere --zzzzzzzzzzzz -o $o
 refuses 'unknown option' builtin:sphere -x -o $o
-refuses "unknown command 'render'" render mesh.ply
+refuses "unknown command 'check'" check mesh.ply
 refuses 'needs a value' builtin:sphere -o $o --iso
 refuses 'needs a value' builtin:sphere -o $o --iso=
 refuses 'takes no value' builtin:sphere -o $o --quiet=yes
@@ -120,6 +120,21 @@ refuses 'out/mesh.xyz' builtin:sphere -o out/mesh.xyz
 refuses 'standard output' builtin:sphere -o - --json -
 refuses 'max-vertices' builtin:sphere --keep-partial -o $o
 refuses '10' builtin:fuel --max-vertices 10 -o $o
+
+# Pictures.
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >none.off
+printf 'OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n' >huge.off
+p=out/picture.png
+refuses 'no picture' render one.off
+refuses 'out/picture.gif' render one.off -o out/picture.gif
+refuses 'missing.off' render missing.off -o $p
+refuses 'none.off.*no facets' render none.off -o $p
+refuses 'huge.off.*too large' render huge.off -o $p
+refuses 'one.off.*clipped' render one.off -o $p --clip 0,0,1,-1
+refuses 'view' render one.off -o $p --view 30
+refuses 'no meaning' render one.off -o $p --iso 1
+refuses 'no/such/p.png' render one.off -o no/such/p.png
 
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply

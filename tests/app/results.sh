@@ -23,6 +23,9 @@ holds() {
 empty() {
   for file in "$@"; do [ ! -s "$file" ] || return 1; done
 }
+differ() {
+  ! cmp -s "$1" "$2"
+}
 # opens FILE TEXT: the file's first bytes.
 opens() {
   [ "$(head -c "$(printf '%s' "$2" | wc -c)" "$1")" = "$2" ]
@@ -70,6 +73,22 @@ holds "--help" grep -q -e '--lambda X' help
 holds "--version" grep -q -x 'deliso [0-9.]*' version
 "$deliso" info builtin:torus >facts
 holds "info" grep -q '1 component, Euler number 0, 0 boundary loops' facts
+
+# A picture of every format that can be read, the same from each, in a file and on standard output.
+for format in ply off obj; do
+  "$deliso" builtin:sphere -q -o drawn.$format
+  "$deliso" render drawn.$format -q -o $format.png --size 200x150 >stdout 2>stderr
+  holds "-q is quiet with pictures" empty stdout stderr
+  holds "the picture of the $format file is that of the PLY file" cmp -s $format.png ply.png
+done
+"$deliso" render - -o - --size 200x150 <drawn.ply >piped.png 2>stderr
+holds "standard output gets the bytes of the picture" cmp -s piped.png ply.png
+holds "then the report is on standard error" grep -q 'triangles drawn from --view' stderr
+printf '\211PNG' >signature
+head -c 4 ply.png >begin
+holds "PNG" cmp -s signature begin
+"$deliso" render drawn.ply -q -o clipped.png --size 200x150 --clip x:0.5
+holds "a clipped picture is another" differ clipped.png ply.png
 
 # A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
 # The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.

@@ -169,6 +169,52 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.input == "in.raw");
 }
 
+TEST_CASE("every option of pictures reaches its field") {
+  const CommandLine line =
+      parse({"render", "m.off", "-o", "m.png", "--view", "-30.5,20", "--zoom", "1.5", "--size",
+             "640x480", "--shading", "flat", "--edges", "off", "--clip", "-y:0.25", "-q"});
+  CHECK(line.command == Command::render);
+  CHECK(line.input == "m.off");
+  CHECK(line.output == "m.png");
+  CHECK(line.render.view == View{-30.5, 20});
+  CHECK(line.render.zoom == 1.5);
+  CHECK(line.render.size == PictureSize{640, 480});
+  CHECK(line.render.shading == Shading::flat);
+  CHECK(line.render.edges == Edges::hidden);
+  REQUIRE(line.clip.has_value());
+  CHECK_FALSE(line.clip->plane.has_value());
+  CHECK(line.clip->axis == 1);
+  CHECK(line.clip->fraction == 0.25);
+  CHECK(line.clip->keep_above);
+  CHECK(line.quiet);
+  const CommandLine plane = parse({"render", "m.off", "-o", "-", "--clip", "1,-2,0.5,7"});
+  REQUIRE(plane.clip.has_value());
+  REQUIRE(plane.clip->plane.has_value());
+  CHECK(plane.clip->plane->normal == Vec3{1, -2, 0.5});
+  CHECK(plane.clip->plane->offset == 7);
+  CHECK_FALSE(parse({"render", "m.off", "-o", "-"}).render.view.has_value());
+}
+
+TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quotes it") {
+  const std::pair<std::string_view, std::vector<std::string_view>> never[] = {
+      {"--view", {"1", "1,2,3", "1,", ",1", "1,91", "361,0", "nan,0", "a,b", "1;2"}},
+      {"--size", {"1", "0x5", "5x0", "-5x5", "5x5x5", "9000x5", "5.5x5", "x", "5X5"}},
+      {"--zoom", {"0", "-1", "65", "inf", "x"}},
+      {"--clip", {"x", "x:", "w:0.5", "x:2", "x:-1", "--x:0.5", "1,2,3", "0,0,0,1", "x:nan", "-"}},
+      {"--shading", {"round", "SMOOTH"}},
+      {"--edges", {"yes", "1"}}};
+  for (const auto& [option, texts] : never) {
+    for (const std::string_view text : texts) {
+      const std::string message = refusal({"render", "m", "-o", "m.png", option, text});
+      CAPTURE(option);
+      CAPTURE(text);
+      CHECK(message.starts_with(option));
+      CHECK(message.ends_with(std::string("not '").append(text).append("'")));
+      CHECK(message.find('\n') == std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("every format by its name and by its ending") {
   const std::pair<std::string, MeshFormat> formats[] = {{"ply", MeshFormat::ply},
                                                         {"off", MeshFormat::off},
@@ -208,14 +254,18 @@ TEST_CASE("the table, the parser and the help text agree on every option") {
   for (const HelpEntry& entry : entries) {
     CAPTURE(entry.name);
     if (entry.name == "--help" || entry.name == "--version") continue;
+    const bool of_pictures =
+        refusal({"x", entry.name, "1"}).find("no meaning") != std::string::npos;
+    const std::string command = of_pictures ? "render" : "mesh";
     if (entry.argument.empty()) {
       const std::string with_value = entry.name + "=1";
-      CHECK(refusal({"x", with_value}).find("takes no value") != std::string::npos);
-      CHECK(refusal({"x", entry.name, entry.name}).find("given twice") != std::string::npos);
+      CHECK(refusal({command, "x", with_value}).find("takes no value") != std::string::npos);
+      CHECK(refusal({command, "x", entry.name, entry.name}).find("given twice") !=
+            std::string::npos);
     } else {
-      CHECK(refusal({"x", entry.name}).find("needs a value") != std::string::npos);
+      CHECK(refusal({command, "x", entry.name}).find("needs a value") != std::string::npos);
       const std::string empty = entry.name + "=";
-      CHECK(refusal({"x", empty}).find("needs a value") != std::string::npos);
+      CHECK(refusal({command, "x", empty}).find("needs a value") != std::string::npos);
     }
   }
 }
@@ -274,13 +324,18 @@ TEST_CASE("options that do not go together") {
   CHECK(refusal({"a", "--iso", "1", "--type", "uint8"}) != "");
   CHECK(refusal({"info", "a", "--lambda", "2"}) != "");
   CHECK(refusal({"check", "a"}).find("unknown command 'check'") == 0);
-  CHECK(refusal({"render", "a"}).find("unknown command 'render'") == 0);
+  CHECK(refusal({"render", "a"}) != "");
+  CHECK(refusal({"render", "-o", "a.png"}) != "");
+  CHECK(refusal({"render", "a", "-o", "a.gif"}).find("'a.gif'") != std::string::npos);
+  CHECK(refusal({"render", "a", "-o", "a.png", "--iso", "1"}).starts_with("--iso has no meaning"));
+  CHECK(refusal({"a", "--iso", "1", "--zoom", "2"}).starts_with("--zoom has no meaning"));
 }
 
 TEST_CASE("whatever the arguments, a command line or an InputError of one line") {
-  std::vector<std::string> words = {"mesh", "info", "a.nrrd", "builtin:torus", "-",     "--", "-o",
-                                    "-k",   "1",    "0.5vox", "2x2x2",         "m.ply", "",   "=",
-                                    "--=",  "-=",   "paper"};
+  std::vector<std::string> words = {
+      "mesh", "info", "render", "a.png", "a.nrrd", "builtin:torus", "-",
+      "--",   "-o",   "-k",     "1",     "0.5vox", "2x2x2",         "m.ply",
+      "",     "=",    "--=",    "-=",    "paper"};
   for (const HelpEntry& entry : options_in_help()) {
     words.push_back(entry.name);
     words.push_back(entry.name + "=1");

@@ -7,11 +7,12 @@ src=$1
 allowed() {
   case $1 in
     base) echo base ;;
+    render) echo "base mesh render" ;;
     roots | delaunay | mesh | volume) echo "base $1" ;;
     kdtree | contour) echo "base volume $1" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     deliso) echo "base roots delaunay mesh volume kdtree contour isosurface deliso" ;;
-    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso app" ;;
+    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso render app" ;;
     *) return 1 ;;
   esac
 }

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "base/checksum.h"
 #include "topology_oracle.h"
-#include "volume/checksum.h"
 
 using namespace deliso;
 using test::CountedTopology;

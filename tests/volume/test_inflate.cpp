@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/checksum.h"
 #include "base/random.h"
 #include "deflate_writer.h"
-#include "volume/checksum.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "volume/checksum.h"
+#include "base/checksum.h"
 
 #include <algorithm>
 #include <array>

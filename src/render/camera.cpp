@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/box3.h"
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+constexpr double kMargin = 0.03;  // of the picture, on each side
+
+Camera look_from(const View& view) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double ca = std::cos(view.azimuth * kDegree), sa = std::sin(view.azimuth * kDegree);
+  const double ce = std::cos(view.elevation * kDegree), se = std::sin(view.elevation * kDegree);
+  Camera camera;
+  camera.back = {ce * ca, ce * sa, se};
+  camera.right = {-sa, ca, 0};
+  camera.up = cross(camera.back, camera.right);
+  return camera;
+}
+
+// The box, along the camera's axes, of what is drawn.
+Box3 seen_box(const TriMesh& mesh, const Camera& camera, const std::optional<ClipPlane>& clip) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (const Face& face : mesh.faces) {
+    for (const VertexId v : face.v) {
+      const Vec3& p = mesh.points[v];
+      if (clip && clip->height(p) > 0) continue;
+      const Vec3 q{dot(camera.right, p), dot(camera.up, p), dot(camera.back, p)};
+      for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = std::min(box.lo[axis], q[axis]);
+        box.hi[axis] = std::max(box.hi[axis], q[axis]);
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Camera fit_camera(const TriMesh& mesh, const View& view, double zoom, PictureSize size,
+                  const std::optional<ClipPlane>& clip) {
+  Camera camera = look_from(view);
+  camera.size = size;
+  const Box3 box = seen_box(mesh, camera, clip);
+  if (!(box.lo.x <= box.hi.x)) {
+    throw InputError(mesh.faces.empty() ? "there is nothing to draw: the mesh has no facets"
+                                        : "there is nothing to draw: all is clipped");
+  }
+  const Vec3 middle = 0.5 * (box.lo + box.hi), sides = box.size();
+  camera.center = middle.x * camera.right + middle.y * camera.up + middle.z * camera.back;
+  const double room = 1 - 2 * kMargin;
+  const double units_per_pixel =
+      std::max(sides.x / (room * size.width), sides.y / (room * size.height));
+  camera.scale = units_per_pixel > 0 ? zoom / units_per_pixel : zoom;
+  if (!std::isfinite(length2(sides)) || !std::isfinite(length2(camera.center)) ||
+      !std::isfinite(camera.scale)) {
+    throw InputError("the mesh is too large or too small to draw");
+  }
+  return camera;
+}
+
+}  // namespace deliso

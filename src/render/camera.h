@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A camera infinitely far away (parallel projection), upright: +z is up in the picture.
+//
+//   C1  right, up and back are orthonormal and right-handed; back points to the eye;
+//   C2  picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left
+//   corner; C3  depth is in the mesh's units, larger is nearer to the eye.
+#pragma once
+
+#include <optional>
+
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// Where the eye is, in degrees: azimuth from +x towards +y, elevation above the xy plane.
+struct View {
+  double azimuth = 0, elevation = 0;
+  friend constexpr bool operator==(const View&, const View&) = default;
+};
+
+// Only what has dot(normal, p) <= offset is drawn.
+struct ClipPlane {
+  Vec3 normal;
+  double offset = 0;
+
+  double height(const Vec3& p) const { return dot(normal, p) - offset; }
+};
+
+struct PictureSize {
+  int width = 1200, height = 900;
+  friend constexpr bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+struct Camera {
+  Vec3 right, up, back;
+  Vec3 center;       // is seen in the middle of the picture
+  double scale = 1;  // pixels per unit of length
+  PictureSize size;
+
+  struct Projected {
+    double x, y, depth;
+  };
+  Projected project(const Vec3& p) const {
+    const Vec3 d = p - center;
+    return {0.5 * size.width + scale * dot(right, d), 0.5 * size.height - scale * dot(up, d),
+            dot(back, d)};
+  }
+};
+
+// The camera that sees all corners of the mesh's facets that are not clipped, as large as a narrow
+// margin allows; zoom enlarges from there. Throws InputError where nothing is left to see, or the
+// mesh is too large for the arithmetic.
+Camera fit_camera(const TriMesh& mesh, const View& view, double zoom, PictureSize size,
+                  const std::optional<ClipPlane>& clip);
+
+}  // namespace deliso

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A picture: rows from the top, pixels from the left, three bytes each (sRGB red, green, blue).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace deliso {
+
+struct Rgb {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  // width * height
+
+  Image() = default;
+  Image(int columns, int rows, Rgb color = {})
+      : width(columns),
+        height(rows),
+        pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), color) {}
+
+  const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
+  Rgb& at(int x, int y) { return pixels[index(x, y)]; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+}  // namespace deliso
