@@ -85,7 +85,7 @@ Vec3 Shader::lit(const Vec3& base, const Vec3& normal) const {
   const double mirrored = std::max(0.0, dot(normal, direction(-0.25, 0.3, 0.9)));
   const double squared = mirrored * mirrored, fourth = squared * squared;
   const double highlight = fourth * fourth * fourth * fourth * fourth * fourth;
-  const Vec3 color = (0.24 + 0.68 * key + 0.22 * fill) * base + 0.10 * highlight * Vec3{1, 1, 1};
+  const Vec3 color = (0.34 + 0.66 * key + 0.20 * fill) * base + 0.10 * highlight * Vec3{1, 1, 1};
   return {std::min(color.x, 1.0), std::min(color.y, 1.0), std::min(color.z, 1.0)};
 }
 
