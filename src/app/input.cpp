@@ -37,12 +37,7 @@ Input read_input(const CommandLine& line) {
   const Stopwatch watch;
   std::vector<std::string> notes;
   Volume volume = read_volume(line.input, line.read, &notes);
-  ValueRange range;
-  try {
-    range = value_range(volume);
-  } catch (const InputError& error) {
-    throw InputError("'" + line.input + "': " + error.what());
-  }
+  const ValueRange range = value_range(volume, line.input);
   return {line.input, std::move(volume), range, std::move(notes), watch.seconds()};
 }
 

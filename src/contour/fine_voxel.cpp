@@ -25,7 +25,7 @@ FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
   }
   const auto points = [&](int axis) { return static_cast<std::uint32_t>(factor[axis] + 1); };
   stride_ = {1, points(0), points(0) * points(1)};
-  values_.resize(stride_[2] * points(2));
+  values_.resize(std::size_t{stride_[2]} * points(2));
   inside_.resize(values_.size());
   on_edge_.resize(3 * values_.size());
   next_.resize(3 * values_.size());

@@ -311,9 +311,9 @@ void Recovery::estimate_pole(VertexId v, std::vector<double>& poles) {
 
 void Recovery::count_unresolved() {
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
-    if (restricted_.is_live(r) && restricted_.effective_hits(r).size() > 1) {
-      ++report_[Counter::unresolved_facets];
-    }
+    if (!restricted_.is_live(r)) continue;
+    report_[Counter::cancelled_pairs] += restricted_.cancelled_pairs(r);
+    if (restricted_.effective_hits(r).size() > 1) ++report_[Counter::unresolved_facets];
   }
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];

@@ -210,7 +210,12 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
 }
 
 void CertifiedRecovery::satisfy_certificate() {
-  while (!queue_.empty()) {
+  constexpr std::size_t kEvery = 1024;
+  for (std::size_t done = 1; !queue_.empty(); ++done) {
+    if (options_.progress && done % kEvery == 0) {
+      const double left = static_cast<double>(queue_.size());
+      options_.progress("recover", static_cast<double>(done) / (static_cast<double>(done) + left));
+    }
     const VertexId s = queue_.front();
     queue_.pop_front();
     queued_[s] = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/refine.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -47,8 +49,10 @@ class Refiner {
     int index = 0;
   };
 
+  FacetShape shape(FaceId f) const;
   void judge(FaceId f);
   void refine(FaceId f);
+  void show_progress();
   // Inserts p, which lies in the ball of `start`; on the boundary edge `opened` when given.
   // Returns the reason when it must not be.
   std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
@@ -71,7 +75,8 @@ class Refiner {
   Report& report_;
 
   WorstFirst queue_;
-  std::size_t flips_left_ = 0;
+  std::size_t flips_left_ = 0, steps_ = 0;
+  double share_ = 0;
   std::vector<FaceId> refused_;
   std::vector<std::uint32_t> marks_;
   std::uint32_t stamp_ = 0;
@@ -93,6 +98,7 @@ void Refiner::run() {
     points_before = mesh_.points.size();
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       refine(f);
+      show_progress();
       if (mesh_.points.size() < options_.max_vertices) continue;
       if (!options_.keep_partial) {
         throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
@@ -104,21 +110,31 @@ void Refiner::run() {
     for (const FaceId f : std::exchange(refused_, {})) judge(f);
   } while (mesh_.points.size() != points_before);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    const Face& face = mesh_.faces[f];
-    const FacetShape shape = measure(mesh_.points[face.v[0]], mesh_.points[face.v[1]],
-                                     mesh_.points[face.v[2]], mesh_.surface_points[f]);
-    if (is_bad(shape, facet_pole(poles_, face.v), criteria_)) {
+    if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
       ++report_[Counter::unrefined_facets];
     }
   }
 }
 
+FacetShape Refiner::shape(FaceId f) const {
+  const std::array<VertexId, 3>& v = mesh_.faces[f].v;
+  return measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]],
+                 mesh_.surface_points[f]);
+}
+
 void Refiner::judge(FaceId f) {
-  const Face& face = mesh_.faces[f];
-  const FacetShape shape = measure(mesh_.points[face.v[0]], mesh_.points[face.v[1]],
-                                   mesh_.points[face.v[2]], mesh_.surface_points[f]);
-  const bool small = !(shape.r > criteria_.r_min);
-  queue_.set(f, small ? 0 : violation(shape, facet_pole(poles_, face.v), criteria_));
+  const FacetShape s = shape(f);
+  const bool small = !(s.r > criteria_.r_min);
+  queue_.set(f, small ? 0 : violation(s, facet_pole(poles_, mesh_.faces[f].v), criteria_));
+}
+
+// What is done, of that and what is queued; the queue grows at first, so the share is a guess.
+void Refiner::show_progress() {
+  constexpr std::size_t kEvery = 4096;
+  if (!options_.progress || ++steps_ % kEvery != 0) return;
+  const double done = static_cast<double>(steps_), left = static_cast<double>(queue_.size());
+  share_ = std::max(share_, done / (done + left));
+  options_.progress("refine", share_);
 }
 
 void Refiner::refine(FaceId f) {

@@ -54,6 +54,10 @@ class RestrictedDelaunay {
   // The surface points left when close pairs have cancelled, in order along the Voronoi edge.
   // Valid until the next call.
   std::span<const Vec3> effective_hits(RecordId r) const;
+  // How many pairs of hits have cancelled.
+  std::size_t cancelled_pairs(RecordId r) const {
+    return (records_[r].hits.size() - effective_hits(r).size()) / 2;
+  }
   // The facet is in Del S|Sigma: an effective hit is left.
   bool is_restricted(RecordId r) const { return !effective_hits(r).empty(); }
   // The effective hit nearest to the facet's circumcenter. pre: is_restricted(r).

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,10 @@ class WorstFirst {
   // Replaces what is queued for f. violation > 1: queue it; else: take it out.
   void set(FaceId f, double violation) {
     if (f >= bucket_of_.size()) bucket_of_.resize(f + 1, kNone);
+    size_ -= bucket_of_[f] != kNone;
     bucket_of_[f] = kNone;
     if (!(violation > 1)) return;
+    ++size_;
     const int bucket = std::min(kBuckets - 1, static_cast<int>(std::ilogb(violation)));
     bucket_of_[f] = static_cast<std::uint8_t>(bucket);
     buckets_[static_cast<std::size_t>(bucket)].push_back(f);
@@ -36,11 +39,14 @@ class WorstFirst {
         bucket.pop_back();
         if (bucket_of_[f] != top_) continue;  // replaced since
         bucket_of_[f] = kNone;
+        --size_;
         return f;
       }
     }
     return kNoId;
   }
+
+  std::size_t size() const { return size_; }
 
  private:
   static constexpr int kBuckets = 32;
@@ -48,6 +54,7 @@ class WorstFirst {
   std::array<std::vector<FaceId>, kBuckets> buckets_;
   std::vector<std::uint8_t> bucket_of_;
   int top_ = -1;
+  std::size_t size_ = 0;
 };
 
 }  // namespace deliso

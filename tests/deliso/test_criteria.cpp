@@ -65,6 +65,7 @@ TEST_CASE("the queue gives out each octave before the next, and only what was se
     }
     std::size_t expected = 0, got = 0;
     for (const double v : violation) expected += v > 1;
+    CHECK(queue.size() == expected);
     int octave = 100;
     for (FaceId f = queue.pop(); f != kNoId; f = queue.pop()) {
       ++got;
@@ -75,5 +76,6 @@ TEST_CASE("the queue gives out each octave before the next, and only what was se
       violation[f] = 0;  // given out once
     }
     CHECK(got == expected);
+    CHECK(queue.size() == 0);
   }
 }
