@@ -13,7 +13,7 @@ CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
 SANITIZE_BUILD = $(BUILD)-sanitize
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test bench sanitize tidy format format-check install doctest clean
+.PHONY: all demo test figures bench sanitize tidy format format-check install doctest clean
 
 all:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -30,6 +30,11 @@ test: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+# The pictures of docs/figures, by the commands that the README gives.
+figures: all
+	$(BUILD)/deliso builtin:fuel -q -o $(BUILD)/fuel.ply
+	$(BUILD)/deliso render $(BUILD)/fuel.ply -o docs/figures/fuel.png --size 520x380
 
 bench:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null

@@ -170,6 +170,15 @@ constexpr OptionSpec kOptions[] = {
        require(o, v, "recover");
        l.options.stop_after_recover = true;
      }},
+    {"--method", 0, "NAME", kMeshOnly,
+     "delaunay (default), or marching-cubes for comparison, which ignores the other options here",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Method>;
+       l.options.method =
+           choose(o, v,
+                  std::to_array<Choice>({{"delaunay", Method::delaunay},
+                                         {"marching-cubes", Method::marching_cubes}}));
+     }},
     {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
     {"--solver", 0, "NAME", kMeshOnly, "roots of cubics: isolation (default) or schwarze",

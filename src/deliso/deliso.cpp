@@ -9,6 +9,7 @@
 #include "contour/contour.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/lost_components.h"
+#include "deliso/marching_cubes.h"
 #include "deliso/poles.h"
 #include "deliso/recover.h"
 #include "deliso/recover_certified.h"
@@ -112,6 +113,11 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   };
   report.kappa_effective = effective_isovalue(volume, kappa);
   report.r_min = scaled_length(options.r_min, volume);
+
+  if (options.method == Method::marching_cubes) {
+    const StepTimer timer(report.seconds_contour);
+    return marching_cubes(volume, report.kappa_effective);
+  }
 
   std::optional<VoxelTree> tree;
   {

@@ -22,7 +22,12 @@ struct RelativeLength {
 // paper's tests on Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
+// The two stages, or Marching Cubes for comparison (deliso/marching_cubes.h): all other options
+// then have no effect.
+enum class Method : std::uint8_t { delaunay, marching_cubes };
+
 struct Options {
+  Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
   double fingers = 1;     // certified: no vertex of the contour further from the mesh, in voxels
   double epsilon = 0.2;   // Stage 1: h/r

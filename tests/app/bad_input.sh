@@ -108,6 +108,7 @@ refuses 'seed' builtin:sphere --seed -1 -o $o
 refuses 'threads' builtin:sphere --threads 0 -o $o
 refuses 'recover' builtin:sphere --recover hope -o $o
 refuses 'stop-after' builtin:sphere --stop-after refine -o $o
+refuses 'method' builtin:sphere --method cubes -o $o
 refuses 'solver' builtin:sphere --solver newton -o $o
 refuses 'roi' builtin:sphere --roi 0:4,0:4 -o $o
 refuses 'sphere' builtin:sphere --roi 0:1000000,0:4,0:4 -o $o

@@ -63,6 +63,11 @@ holds "the report has the file's vertices" grep -q "^mesh *$vertices vertices " 
 "$deliso" builtin:fuel -o mesh.ply --json - >json 2>stderr
 holds "the JSON has the file's vertices" grep -q "\"vertices\": $vertices,\$" json
 
+# Marching Cubes.
+"$deliso" builtin:torus --method marching-cubes -q --check -o cubes.ply
+"$deliso" builtin:torus -q -o torus.ply
+holds "--method marching-cubes gives another mesh" differ cubes.ply torus.ply
+
 # --check, --allow-empty, --help, --version, info.
 holds "--check finds no fault with the torus" "$deliso" builtin:torus -q --check
 "$deliso" builtin:sphere --iso 1000 --allow-empty -q -o empty.off

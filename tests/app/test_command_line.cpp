@@ -98,6 +98,8 @@ TEST_CASE("every option reaches its field") {
                                   "0.25",
                                   "--recover",
                                   "paper",
+                                  "--method",
+                                  "marching-cubes",
                                   "--stop-after",
                                   "recover",
                                   "--max-vertices",
@@ -144,6 +146,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
   CHECK(options.fingers == 0.25);
+  CHECK(options.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
   CHECK(options.keep_partial);
@@ -203,8 +206,9 @@ TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quo
       {"--clip", {"x", "x:", "w:0.5", "x:2", "x:-1", "--x:0.5", "1,2,3", "0,0,0,1", "x:nan", "-"}},
       {"--shading", {"round", "SMOOTH"}},
       {"--edges", {"yes", "1"}}};
-  for (const auto& [option, texts] : never) {
-    for (const std::string_view text : texts) {
+  for (const auto& refused : never) {
+    const std::string_view option = refused.first;
+    for (const std::string_view text : refused.second) {
       const std::string message = refusal({"render", "m", "-o", "m.png", option, text});
       CAPTURE(option);
       CAPTURE(text);
