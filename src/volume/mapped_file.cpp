@@ -49,7 +49,7 @@ Bytes read_to_end(int descriptor, const std::string& name) {
 
 }  // namespace
 
-MappedFile::MappedFile(int descriptor, std::size_t size) : data_(nullptr), size_(size) {
+MappedFile::MappedFile(int descriptor, std::size_t size) : size_(size) {
   void* address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
   if (address != MAP_FAILED) data_ = static_cast<const std::byte*>(address);
 }

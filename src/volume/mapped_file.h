@@ -27,7 +27,7 @@ class MappedFile {
   const std::byte* data() const { return data_; }
 
  private:
-  const std::byte* data_;
+  const std::byte* data_ = nullptr;
   std::size_t size_;
 };
 

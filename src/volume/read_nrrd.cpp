@@ -71,7 +71,7 @@ std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view t
   std::vector<std::optional<Vec3>> vectors;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
     if (starts_with_ignoring_case(text, "none")) {
-      vectors.push_back(std::nullopt);
+      vectors.emplace_back(std::nullopt);
       text.remove_prefix(4);
       continue;
     }
@@ -82,7 +82,7 @@ std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view t
       if (c == ',') c = ' ';
     const std::optional<std::vector<double>> numbers = to_doubles(list);
     if (!numbers || numbers->size() != 3) return std::nullopt;
-    vectors.push_back(Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]});
+    vectors.emplace_back(Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]});
     text.remove_prefix(close + 1);
   }
   return vectors;

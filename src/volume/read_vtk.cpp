@@ -37,7 +37,7 @@ class VtkParser {
 
  private:
   std::string keyword() {
-    const std::string word = lower(text_.word());
+    std::string word = lower(text_.word());
     if (word.empty()) fail(input_.name(), "ends before the samples");
     return word;
   }
