@@ -34,6 +34,12 @@ Shader::Shader(const TriMesh& mesh, const ProjectedMesh& projected, const Camera
       camera_(camera),
       palette_(palette),
       edge_reach_(0.5 * edge_width * static_cast<double>(ProjectedMesh::kUnit)) {
+  const auto direction = [&](double right, double up, double back) {
+    return unit(right * camera.right + up * camera.up + back * camera.back);
+  };
+  key_ = direction(-0.5, 0.6, 0.8);
+  fill_ = direction(0.8, -0.1, 0.5);
+  gloss_ = direction(-0.25, 0.3, 0.9);
   if (shading == Shading::smooth) normals_ = vertex_normals(mesh);
 }
 
@@ -77,12 +83,9 @@ double Shader::edge_strength(const Triangle& triangle, const CornerWeights& corn
 
 // A key light from the upper left, a weak one from the right, and a soft highlight.
 Vec3 Shader::lit(const Vec3& base, const Vec3& normal) const {
-  const auto direction = [&](double right, double up, double back) {
-    return unit(right * camera_.right + up * camera_.up + back * camera_.back);
-  };
-  const double key = std::max(0.0, dot(normal, direction(-0.5, 0.6, 0.8)));
-  const double fill = std::max(0.0, dot(normal, direction(0.8, -0.1, 0.5)));
-  const double mirrored = std::max(0.0, dot(normal, direction(-0.25, 0.3, 0.9)));
+  const double key = std::max(0.0, dot(normal, key_));
+  const double fill = std::max(0.0, dot(normal, fill_));
+  const double mirrored = std::max(0.0, dot(normal, gloss_));
   const double squared = mirrored * mirrored, fourth = squared * squared;
   const double highlight = fourth * fourth * fourth * fourth * fourth * fourth;
   const Vec3 color = (0.34 + 0.66 * key + 0.20 * fill) * base + 0.10 * highlight * Vec3{1, 1, 1};

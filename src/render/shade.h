@@ -49,6 +49,7 @@ class Shader {
   const Camera& camera_;
   Palette palette_;
   double edge_reach_;          // snapped units
+  Vec3 key_, fill_, gloss_;    // unit directions to the lights, and that of the highlight
   std::vector<Vec3> normals_;  // one per vertex; empty for flat shading
 };
 
