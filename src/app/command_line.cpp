@@ -22,14 +22,17 @@ enum Commands : std::uint8_t {
   kMeshOnly = 1,
   kInfoOnly = 2,
   kRenderOnly = 4,
-  kVolume = kMeshOnly | kInfoOnly,
+  kCheckOnly = 8,
+  kVolume = kMeshOnly | kInfoOnly | kCheckOnly,
+  kMeshAndCheck = kMeshOnly | kCheckOnly,
   kOutput = kMeshOnly | kRenderOnly,
-  kAll = kMeshOnly | kInfoOnly | kRenderOnly
+  kAll = kMeshOnly | kInfoOnly | kRenderOnly | kCheckOnly
 };
 
 Commands flag_of(Command command) {
   return command == Command::info     ? kInfoOnly
          : command == Command::render ? kRenderOnly
+         : command == Command::check  ? kCheckOnly
                                       : kMeshOnly;
 }
 
@@ -85,6 +88,12 @@ double parse_lambda(std::string_view option, std::string_view text) {
   return lambda;
 }
 
+double parse_share(std::string_view option, std::string_view text) {
+  const double share = parse_positive(option, text);
+  if (share > 1) throw InputError(std::string(option) + " must be at most 1");
+  return share;
+}
+
 void require(std::string_view option, std::string_view text, std::string_view only) {
   if (text == only) return;
   throw InputError(std::string(option) + " " + std::string(text) + " is not in this version: use " +
@@ -112,8 +121,11 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar",
      [](Line& l, Text, Text) { l.quiet = true; }},
-    {"--check", 0, "", kMeshOnly, "exit 1 when the mesh breaks a rule or misses the topology",
+    {"--check", 0, "", kMeshOnly, "check the mesh as the check command does: exit 1 on a fault",
      [](Line& l, Text, Text) { l.check = true; }},
+    {"--restricted", 0, "SHARE", kMeshAndCheck,
+     "check: least share of restricted Delaunay triangles (default 0.999)",
+     [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
     {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
@@ -122,21 +134,22 @@ constexpr OptionSpec kOptions[] = {
 
     {"--eps", 0, "X", kMeshOnly, "stage 1: largest h/r (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
-    {"--eps1", 0, "X", kMeshOnly, "stage 2: largest h/r (default 0.1)",
+    {"--eps1", 0, "X", kMeshAndCheck, "stage 2: largest h/r (default 0.1)",
      [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); }},
     {"--eps2", 0, "X", kMeshOnly, "stage 2: largest r over pole height (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
-    {"--lambda", 0, "X", kMeshOnly, "largest r over shortest edge (default 2)",
+    {"--lambda", 0, "X", kMeshAndCheck, "largest r over shortest edge (default 2)",
      [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
-    {"--rmin", 0, "X|Xvox", kMeshOnly,
+    {"--rmin", 0, "X|Xvox", kMeshAndCheck,
      "triangles of smaller r are left as they are: a share of the "
      "box's smallest side (default 0.001), or voxels as in 0.5vox",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_relative_length(o, v); }},
-    {"--max-distance", 0, "D", kMeshOnly, "largest h, in world units (default: none)",
+    {"--max-distance", 0, "D", kMeshAndCheck, "largest h, in world units (default: none)",
      [](Line& l, Text o, Text v) { l.options.max_distance = parse_positive(o, v); }},
     {"--max-radius", 0, "R", kMeshOnly, "largest r, in world units (default: none)",
      [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
-    {"--min-component", 0, "N", kMeshOnly, "leave out components smaller than N voxels (default 0)",
+    {"--min-component", 0, "N", kMeshAndCheck,
+     "leave out components smaller than N voxels (default 0)",
      [](Line& l, Text o, Text v) {
        l.options.min_component = v == "0" ? 0 : parse_positive(o, v);
      }},
@@ -250,8 +263,11 @@ constexpr Group kGroups[] = {{"Input and output", "--iso"},
                              {"Pictures", "--view"},
                              {"Help", "--help"}};
 
-constexpr std::array<std::pair<std::string_view, Command>, 3> kCommands{
-    {{"mesh", Command::mesh}, {"info", Command::info}, {"render", Command::render}}};
+constexpr std::array<std::pair<std::string_view, Command>, 4> kCommands{
+    {{"mesh", Command::mesh},
+     {"info", Command::info},
+     {"check", Command::check},
+     {"render", Command::render}}};
 
 // Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -286,14 +302,10 @@ const OptionSpec& find_option(std::string_view name) {
       (nearest ? "; did you mean " + std::string(nearest->name) + "?" : "; --help lists them"));
 }
 
-// The command that the first argument names; the default when it names none. check belongs to a
-// later version: refused by name, lest it be taken for an input file.
+// The command that the first argument names; nothing when it names none.
 std::optional<Command> command_named(std::string_view word) {
   for (const auto& [name, command] : kCommands) {
     if (name == word) return command;
-  }
-  if (word == "check") {
-    throw InputError("unknown command 'check': this version has mesh, info and render");
   }
   return std::nullopt;
 }
@@ -307,11 +319,17 @@ void check_picture(const CommandLine& line) {
 
 // What must hold between options, once all are read.
 void check_combination(CommandLine& line) {
+  if (line.command == Command::check && !line.mesh.empty() && line.input.empty()) {
+    throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
+  }
   if (line.input.empty()) throw InputError("no input given; --help shows how");
+  if (line.mesh == "-" && line.input == "-") {
+    throw InputError("mesh and volume cannot both come from standard input");
+  }
   if (line.command == Command::render) return check_picture(line);
   const BuiltinField* field = find_builtin_field(line.input);
   if (field && !line.isovalue) line.isovalue = field->isovalue;
-  if (line.command == Command::mesh && !line.isovalue) {
+  if (line.command != Command::info && !line.isovalue) {
     throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
   }
   if (line.output == "-" && line.json == "-") {
@@ -360,6 +378,10 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   for (; at < arguments.size(); ++at) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
+      if (command == Command::check && line.mesh.empty() && !argument.empty()) {
+        line.mesh = argument;
+        continue;
+      }
       if (!line.input.empty()) {
         throw InputError("more than one input: '" + line.input + "' and '" + std::string(argument) +
                          "'");
@@ -414,13 +436,14 @@ std::string help_text() {
   std::string text =
       "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
       "       deliso info INPUT [--iso K]\n"
+      "       deliso check MESH INPUT --iso K [options]\n"
       "       deliso render MESH -o PICTURE.png [options]\n"
       "\n"
       "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n"
       "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .vtk .vti .raw, builtin:NAME[:SIZE], or - for\n"
       "standard input. MESH: .ply .off .obj, or -. The report goes to standard output, or to "
       "standard error when the mesh or\n"
-      "the JSON goes there. Exit status: 0 fine, 1 --check found a fault, 2 bad usage or input.\n";
+      "the JSON goes there. Exit status: 0 fine, 1 a check found a fault, 2 bad usage or input.\n";
   const Group* group = kGroups;
   for (const OptionSpec& spec : kOptions) {
     if (group != std::end(kGroups) && spec.name == group->first) {

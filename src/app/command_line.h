@@ -15,7 +15,7 @@
 
 namespace deliso {
 
-enum class Command { mesh, info, render, help, version };
+enum class Command { mesh, info, check, render, help, version };
 
 // The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
 // space.
@@ -29,6 +29,7 @@ struct ClipChoice {
 struct CommandLine {
   Command command = Command::mesh;
   std::string input;   // a path, builtin:NAME[:SIZE], or - for standard input
+  std::string mesh;    // of the check command: a path, or - for standard input
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
   std::optional<double> isovalue;
@@ -39,6 +40,7 @@ struct CommandLine {
   std::optional<ClipChoice> clip;
   bool allow_empty = false;
   bool check = false;
+  double restricted_share = 0.999;  // the least that a check lets pass
   bool quiet = false;
 };
 

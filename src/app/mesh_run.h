@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "app/command_line.h"
 #include "app/input.h"
 #include "app/topology.h"
+#include "check/verify.h"
 #include "deliso/report.h"
 #include "mesh/quality.h"
 
@@ -27,11 +29,12 @@ struct MeshRun {
   Topology mesh, exact;
   std::string fault;  // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
   MeshQuality quality;
+  std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
   std::uint64_t peak_bytes = 0;  // of the process
 
-  bool sound() const { return fault.empty() && mesh == exact; }
+  bool sound() const { return fault.empty() && !(verification && verification->faults.any()); }
 };
 
 std::string report_text(const MeshRun& run);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/check_report.h"
 #include "app/json.h"
 #include "app/mesh_run.h"
 #include "app/text.h"
@@ -114,6 +115,7 @@ std::string report_json(const MeshRun& run) {
   json.add("topology_exact", run.mesh == run.exact);
   add_quality(json, run.quality);
   json.close();
+  if (run.verification) add_verification(json, *run.verification, run.input.volume);
   json.add("peak_memory_bytes", run.peak_bytes);
   return json.finish();
 }

@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "app/check_report.h"
 #include "app/mesh_run.h"
 #include "app/text.h"
 
@@ -95,6 +96,7 @@ std::string report_text(const MeshRun& run) {
   if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
   if (run.triangles > 0) append_quality(text, run.quality, run.line.options.lambda, report.r_min);
 
+  if (run.verification) text += verification_text(*run.verification, run.input.volume);
   const std::size_t before = text.size();
   for (std::size_t n = 0; n < kCounterCount; ++n) {
     if (report.counters[n] == 0) continue;

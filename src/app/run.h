@@ -13,6 +13,7 @@ inline constexpr int kBadUsage = 2;
 
 int run_mesh(const CommandLine& line);
 int run_info(const CommandLine& line);
+int run_check(const CommandLine& line);
 int run_render(const CommandLine& line);
 
 }  // namespace deliso

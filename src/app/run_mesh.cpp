@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/check_report.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -11,6 +12,7 @@
 #include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
@@ -44,6 +46,11 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   run.mesh = topology_of(mesh_topology(mesh));
   run.exact = topology_of(summarize_contour(volume, run.report.kappa_effective));
   run.quality = measure_quality(mesh, run.line.options.lambda, run.report.r_min);
+  if (run.line.check) {
+    VerifyOptions options = verify_options(run.line, volume);
+    options.r_min = run.report.r_min;
+    run.verification = verify(mesh, volume, run.report.kappa_effective, options);
+  }
   run.seconds_check = watch.seconds();
 }
 

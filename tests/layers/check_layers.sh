@@ -12,7 +12,8 @@ allowed() {
     kdtree | contour) echo "base volume $1" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     deliso) echo "base roots delaunay mesh volume kdtree contour isosurface deliso" ;;
-    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso render app" ;;
+    check) echo "base roots delaunay mesh volume kdtree contour isosurface check" ;;
+    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso check render app" ;;
     *) return 1 ;;
   esac
 }

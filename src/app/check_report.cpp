@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "app/check_report.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "app/text.h"
+#include "base/text.h"
+
+namespace deliso {
+namespace {
+
+double voxel_of(const Volume& volume) {
+  const Vec3 s = volume.spacing();
+  return std::min({s.x, s.y, s.z});
+}
+
+std::string place_text(const Vec3& p) {
+  return text("(", p.x, " ", p.y, " ", p.z, ")");
+}
+
+std::string distances_text(const char* name, const Distances& d, double voxel,
+                           const Volume& volume) {
+  if (d.points == 0) return text(name, "not measured\n");
+  const auto in_voxels = [&](double length) { return std::to_string(length / voxel); };
+  std::string line =
+      text(name, "max ", in_voxels(d.max), ", mean ", in_voxels(d.mean), ", rms ", in_voxels(d.rms),
+           ", 99.9 % ", in_voxels(d.quantile_999), " voxels, furthest at ",
+           place_text(volume.orientation().to_world(d.furthest)), "\n");
+  if (d.not_found > 0) {
+    line += "          " + counted(d.not_found, "point", "points") + " with no surface near by\n";
+  }
+  return line;
+}
+
+void add_distances(JsonWriter& json, std::string_view key, const Distances& d, double voxel) {
+  json.open(key);
+  json.add("points", d.points);
+  json.add("max", d.max / voxel);
+  json.add("mean", d.mean / voxel);
+  json.add("rms", d.rms / voxel);
+  json.add("quantile_999", d.quantile_999 / voxel);
+  json.add("not_found", d.not_found);
+  json.close();
+}
+
+std::string counts_text(const TopologyCounts& t) {
+  return text(t.components, " components, Euler number ", t.euler, ", ", t.boundary_loops,
+              " boundary loops");
+}
+
+void add_counts(JsonWriter& json, std::string_view key, const TopologyCounts& t) {
+  json.open(key);
+  json.add("components", t.components);
+  json.add("euler", t.euler);
+  json.add("boundary_loops", t.boundary_loops);
+  json.close();
+}
+
+}  // namespace
+
+VerifyOptions verify_options(const CommandLine& line, const Volume& volume) {
+  VerifyOptions options;
+  options.min_component = line.options.min_component;
+  options.restricted_share = line.restricted_share;
+  options.max_distance = line.options.max_distance;
+  options.r_min = line.options.r_min.value *
+                  (line.options.r_min.in_voxels ? voxel_of(volume) : volume.box().smallest_side());
+  options.lambda = line.options.lambda;
+  options.h_over_r = line.options.epsilon1;
+  return options;
+}
+
+std::string verification_text(const Verification& v, const Volume& volume) {
+  const double voxel = voxel_of(volume);
+  const DelaunayShare& d = v.delaunay;
+  std::string out = "check     " + counts_text(v.mesh) +
+                    "\n          exact: " + counts_text(v.exact) + "; " +
+                    text(v.equal_components, " alike");
+  if (v.small_components > 0) out += text(", ", v.small_components, " left out as small");
+  out += text("\ndelaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
+              d.restricted, " restricted ones (", 100 * d.share(), " %)\n          ", d.missing,
+              " restricted facets are missing, ", d.multiple,
+              " Voronoi edges meet the surface twice or more\n          ", d.occupied,
+              " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
+  out += distances_text("mesh->    ", v.to_surface, voxel, volume);
+  out += distances_text("->mesh    ", v.from_surface, voxel, volume);
+  out += text("criteria  of ", v.triangles_above_r_min, " triangles above r_min ", v.over_h_over_r,
+              " pass h/r, ", v.quality.over_lambda, " pass r/l; largest h/r ",
+              v.max_h_over_r_above_r_min, ", smallest angle ", v.quality.min_angle, " degrees\n");
+  bool any = false;
+  for (std::size_t n = 0; n < kFaultKinds; ++n) {
+    const auto kind = static_cast<FaultKind>(n);
+    if (v.faults.count(kind) == 0) continue;
+    any = true;
+    out += text("FAULT     ", name_of(kind), ": ", v.faults.count(kind), "\n");
+    for (const Fault& fault : v.faults.first(kind)) {
+      out += "          " + fault.what + " at " +
+             place_text(volume.orientation().to_world(fault.at)) + "\n";
+    }
+  }
+  if (!any) out += "faults    none\n";
+  return out;
+}
+
+void add_verification(JsonWriter& json, const Verification& v, const Volume& volume) {
+  const double voxel = voxel_of(volume);
+  const DelaunayShare& d = v.delaunay;
+  json.open("check");
+  json.add("vertices", v.vertices);
+  json.add("triangles", v.triangles);
+  add_counts(json, "topology", v.mesh);
+  add_counts(json, "exact_topology", v.exact);
+  json.add("equal_components", v.equal_components);
+  json.add("small_components", v.small_components);
+  json.add("surface_tolerance_voxels", v.surface_tolerance / voxel);
+  json.add("max_off_surface_voxels", v.max_off_surface / voxel);
+  json.open("restricted_delaunay");
+  json.add("triangles", d.triangles);
+  json.add("delaunay", d.delaunay);
+  json.add("restricted", d.restricted);
+  json.add("share", d.share());
+  json.add("missing_facets", d.missing);
+  json.add("multiple_voronoi_edges", d.multiple);
+  json.add("occupied_surface_balls", d.occupied);
+  json.add("without_surface_ball", d.without_ball);
+  json.close();
+  add_distances(json, "mesh_to_surface_voxels", v.to_surface, voxel);
+  add_distances(json, "surface_to_mesh_voxels", v.from_surface, voxel);
+  json.open("criteria");
+  json.add("above_r_min", v.triangles_above_r_min);
+  json.add("over_h_over_r", v.over_h_over_r);
+  json.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min);
+  json.add("over_lambda", v.quality.over_lambda);
+  json.add("min_angle_degrees", v.quality.min_angle);
+  json.add("max_angle_degrees", v.quality.max_angle);
+  json.add("max_r_over_l_above_r_min", v.quality.max_r_over_l_above_r_min);
+  json.close();
+  json.open("seconds");
+  json.add("validity", v.seconds_validity);
+  json.add("topology", v.seconds_topology);
+  json.add("delaunay", v.seconds_delaunay);
+  json.add("distances", v.seconds_distances);
+  json.close();
+  json.open("faults");
+  for (std::size_t n = 0; n < kFaultKinds; ++n) {
+    const auto kind = static_cast<FaultKind>(n);
+    if (v.faults.count(kind) == 0) continue;
+    json.open(name_of(kind));
+    json.add("count", v.faults.count(kind));
+    std::size_t number = 0;
+    for (const Fault& fault : v.faults.first(kind)) {
+      const Vec3 at = volume.orientation().to_world(fault.at);
+      json.open(std::to_string(++number));
+      json.add("what", fault.what);
+      json.add("at", {at.x, at.y, at.z});
+      json.close();
+    }
+    json.close();
+  }
+  json.close();
+  json.close();
+}
+
+}  // namespace deliso

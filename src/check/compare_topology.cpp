@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "check/compare_topology.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "base/triangle.h"
+#include "mesh/check_mesh.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kVotes = 64;
+
+std::string box_text(const Box3& box, const Vec3& spacing) {
+  const auto range = [&](int axis) {
+    const auto rounded = [](double u) { return std::round(100 * u) / 100; };
+    return text(rounded(box.lo[axis] / spacing[axis]), " to ",
+                rounded(box.hi[axis] / spacing[axis]));
+  };
+  return text("voxels x ", range(0), ", y ", range(1), ", z ", range(2));
+}
+
+std::string topology_text(std::int64_t euler, std::uint64_t loops) {
+  return text("Euler number ", euler, ", boundary loops ", loops);
+}
+
+Box3 box_of(const ContourComponent& c, const Volume& volume) {
+  return {volume.position(c.lo), volume.position({c.hi.i + 1, c.hi.j + 1, c.hi.k + 1})};
+}
+
+Vec3 middle_of(const Box3& box) {
+  return 0.5 * (box.lo + box.hi);
+}
+
+// Which component of T the vertices are nearest to; kNoId when most are near none.
+std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
+                   const ContourMesh& contour, const TriangleTree& tree, double within) {
+  std::vector<std::uint32_t> votes;
+  const std::size_t asked = std::min(kVotes, vertices.size());
+  for (std::size_t n = 0; n < asked; ++n) {
+    const Vec3& p = mesh.points[vertices[n * vertices.size() / asked]];
+    const FaceId nearest = tree.nearest(p, within * within).triangle;
+    if (nearest != kNoId) votes.push_back(contour.component[contour.triangles[nearest][0]]);
+  }
+  if (2 * votes.size() <= asked) return kNoId;
+  std::sort(votes.begin(), votes.end());
+  std::uint32_t winner = kNoId;
+  std::size_t most = 0;
+  for (std::size_t i = 0, j = 0; i < votes.size(); i = j) {
+    while (j < votes.size() && votes[j] == votes[i]) ++j;
+    if (j - i <= most) continue;
+    most = j - i;
+    winner = votes[i];
+  }
+  return winner;
+}
+
+// Whether most of the component's area has its normals along the gradient of g.
+std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, std::size_t count) {
+  std::vector<double> along(count, 0);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Vec3 gradient = volume.gradient((a + b + c) / 3);
+    const double size = length(gradient);
+    if (size > 0) along[mesh.component[t[0]]] += dot(area_normal(a, b, c), gradient) / size;
+  }
+  std::vector<std::uint8_t> result;
+  for (const double sum : along) result.push_back(sum > 0);
+  return result;
+}
+
+}  // namespace
+
+ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
+                                      const TriangleTree& contour_tree, const Volume& volume,
+                                      double min_component, Faults& faults) {
+  const std::size_t count = mesh.broken.size();
+  const Vec3 spacing = volume.spacing();
+  const MeshTopology topology = mesh_topology(make_tri_mesh(mesh.points, mesh.triangles));
+  std::vector<std::vector<VertexId>> vertices(count);
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.component[v] != kNoId) vertices[mesh.component[v]].push_back(v);
+  }
+
+  const std::vector<ContourComponent>& exact = contour.summary.components;
+  std::vector<std::uint32_t> stands_for(count), stand_in(exact.size(), kNoId);
+  for (std::uint32_t m = 0; m < count; ++m) {
+    stands_for[m] = vote(mesh, vertices[m], contour, contour_tree, length(spacing));
+    if (stands_for[m] == kNoId) continue;
+    std::uint32_t& best = stand_in[stands_for[m]];
+    if (best == kNoId || topology.components[m].faces > topology.components[best].faces) best = m;
+  }
+
+  ComparedComponents result;
+  result.extra.assign(count, 0);
+  for (std::uint32_t m = 0; m < count; ++m) {
+    if (stands_for[m] != kNoId && stand_in[stands_for[m]] == m) continue;
+    result.extra[m] = 1;
+    // A piece that only faulty edges part from its component is not one more mistake.
+    if (mesh.broken[m]) continue;
+    const ComponentTopology& c = topology.components[m];
+    faults.add(
+        FaultKind::extra_components,
+        text("the component of vertex ", vertices[m][0], " (", c.faces, " triangles, ",
+             topology_text(c.euler(), c.boundary_loops), ", ", box_text(c.box, spacing),
+             stands_for[m] == kNoId ? std::string(") is near no component of the surface")
+                                    : text(") is a further one on component ", stands_for[m])),
+        middle_of(c.box));
+  }
+  const std::vector<std::uint8_t> is_turned = turned(mesh, volume, count);
+  for (std::uint32_t e = 0; e < exact.size(); ++e) {
+    const ContourComponent& x = exact[e];
+    const Box3 box = box_of(x, volume);
+    const std::string name =
+        text("component ", e, " of the surface (", box_text(box, spacing), ")");
+    const std::uint32_t m = stand_in[e];
+    if (m == kNoId) {
+      const int largest = 1 + std::max({x.hi.i - x.lo.i, x.hi.j - x.lo.j, x.hi.k - x.lo.k});
+      if (largest < min_component) {
+        ++result.small;
+        continue;
+      }
+      const auto loops = x.boundary_loops;
+      faults.add(FaultKind::missing_components,
+                 text(name, " is missing: ", topology_text(x.euler, loops)), middle_of(box));
+      continue;
+    }
+    if (mesh.broken[m]) continue;
+    const ComponentTopology& c = topology.components[m];
+    if (c.euler() == x.euler && c.boundary_loops == x.boundary_loops) {
+      ++result.equal;
+    } else {
+      faults.add(FaultKind::different_components,
+                 text(name, " has ", topology_text(x.euler, x.boundary_loops),
+                      ", but the mesh there (of vertex ", vertices[m][0], ") ",
+                      topology_text(c.euler(), c.boundary_loops)),
+                 middle_of(box));
+    }
+    if (is_turned[m]) {
+      faults.add(FaultKind::turned_components,
+                 text(name, " has its normals turned to the side of the greater values"),
+                 middle_of(box));
+    }
+  }
+  return result;
+}
+
+}  // namespace deliso

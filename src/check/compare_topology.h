@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A mesh's components beside those of the exact contour: which is which, and whether they are the
+// same surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "check/faults.h"
+#include "check/triangle_tree.h"
+#include "check/validity.h"
+#include "contour/contour.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct ComparedComponents {
+  std::vector<std::uint8_t> extra;  // per component of the mesh
+  std::uint64_t equal = 0;          // pairs with equal Euler number and boundary loops
+  std::uint64_t small = 0;          // missing, but smaller than min_component
+};
+
+// A component of the mesh stands for that of T which most of its vertices are nearest to (64 of
+// them are asked, evenly spread), provided that is no further than a voxel's diagonal from most of
+// them. Where several stand for the same, the one with most triangles counts and the others are
+// extra. Components smaller than min_component (largest side of the box of their voxels) may be
+// missing. Reports missing, extra, different and turned components into `faults`. `contour_tree`
+// holds the contour's triangles.
+ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
+                                      const TriangleTree& contour_tree, const Volume& volume,
+                                      double min_component, Faults& faults);
+
+}  // namespace deliso

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "check/distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/triangle.h"
+
+namespace deliso {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Distances summarize(std::vector<double>& values) {
+  Distances d;
+  d.points = values.size();
+  if (values.empty()) return d;
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += value * value;
+  }
+  const auto n = static_cast<double>(values.size());
+  d.mean = sum / n;
+  d.rms = std::sqrt(squares / n);
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.999 * n)) - 1;
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  d.quantile_999 = values[static_cast<std::size_t>(rank)];
+  d.max = *std::max_element(values.begin(), values.end());
+  return d;
+}
+
+double along(const Isosurface& surface, const Vec3& p, const Vec3& direction, double limit,
+             SearchCounters& counters) {
+  const double size = length(direction);
+  if (!(size > 0) || !std::isfinite(size)) return kInfinity;
+  const auto hit = surface.nearest(p, direction / size, limit, counters);
+  return hit ? std::fabs(hit->t) : kInfinity;
+}
+
+}  // namespace
+
+Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit) {
+  std::vector<double> values;
+  values.reserve(4 * mesh.triangles.size());
+  SearchCounters counters;
+  double furthest = -1;
+  Vec3 where;
+  std::size_t not_found = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Vec3 normal = area_normal(a, b, c);
+    for (const Vec3& p : {(a + b + c) / 3, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+      const double steep = along(surface, p, surface.gradient(p), limit, counters);
+      // The second search need not go further than the first found something.
+      const double straight = along(surface, p, normal, std::min(limit, steep), counters);
+      const double d = std::min(steep, straight);
+      if (d == kInfinity) {
+        ++not_found;
+        continue;
+      }
+      values.push_back(d);
+      if (d <= furthest) continue;
+      furthest = d;
+      where = p;
+    }
+  }
+  Distances result = summarize(values);
+  result.furthest = where;
+  result.not_found = not_found;
+  return result;
+}
+
+Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree) {
+  std::vector<double> values;
+  values.reserve(contour.points.size());
+  double furthest = -1;
+  Vec3 where;
+  for (const Vec3& p : contour.points) {
+    const NearestTriangle nearest = mesh_tree.nearest(p);
+    if (nearest.triangle == kNoId) break;
+    const double d = std::sqrt(nearest.distance2);
+    values.push_back(d);
+    if (d <= furthest) continue;
+    furthest = d;
+    where = p;
+  }
+  Distances result = summarize(values);
+  result.furthest = where;
+  return result;
+}
+
+double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit) {
+  const Volume& volume = surface.volume();
+  const Corners corners = volume.corners(volume.voxel_at(p));
+  const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
+  const double difference = std::fabs(volume.value(p) - surface.kappa());
+  const Vec3 gradient = surface.gradient(p);
+  const Box3 box = volume.box();
+  bool near_box = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    near_box &= p[axis] >= box.lo[axis] - tolerance && p[axis] <= box.hi[axis] + tolerance;
+  }
+  if (near_box &&
+      (difference <= 1e-9 * (*most - *least) || difference <= tolerance * length(gradient))) {
+    return 0;
+  }
+  SearchCounters counters;
+  double d = limit;
+  for (const Vec3& direction : {gradient, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    d = std::min(d, along(surface, p, direction, d, counters));
+  }
+  return d <= tolerance ? 0 : d;
+}
+
+}  // namespace deliso

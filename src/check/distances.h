@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// How far mesh and Sigma are apart, both ways, at points of each. Lengths in the scaled frame.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "check/triangle_tree.h"
+#include "check/validity.h"
+#include "contour/contour.h"
+#include "isosurface/isosurface.h"
+
+namespace deliso {
+
+struct Distances {
+  std::size_t points = 0;
+  double max = 0, mean = 0, rms = 0;
+  double quantile_999 = 0;    // 99.9 % of the points are no further
+  Vec3 furthest;              // the point with `max`
+  std::size_t not_found = 0;  // points left out: no point of Sigma on the lines that were searched
+};
+
+// From the middle of every triangle and of its edges to Sigma: along the gradient and along the
+// triangle's normal, whichever is shorter, hence an upper bound. Searched over `limit`.
+Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit);
+
+// From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
+Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree);
+
+// Whether a point of Sigma is within `tolerance` of p on the lines through p along the gradient and
+// the axes, or g is as near to kappa there as the oracle's own points may be (1e-9 of the range of
+// the voxel's samples). Otherwise how far it is: the nearest point of Sigma on these lines within
+// `limit`, or `limit`. Returns 0 when p is on Sigma.
+double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit);
+
+}  // namespace deliso

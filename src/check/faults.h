@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What a check finds wrong, kind by kind: how often, and the first few with ids and places.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace deliso {
+
+enum class FaultKind : std::uint8_t {
+  not_finite,             // coordinates
+  duplicate_vertices,     // at one position; everything else is looked at as if they were one
+  unused_vertices,        // of no triangle
+  degenerate_triangles,   // a corner twice, or all three on one line
+  duplicate_triangles,    // on the same three vertices
+  non_manifold_edges,     // of more than two triangles
+  orientation,            // two triangles run the same way along their edge
+  non_manifold_vertices,  // the triangles there are neither a disk nor a half disk
+  holes,                  // edges of one triangle that do not lie on the box
+  self_intersections,     // pairs of triangles that meet beyond what they share
+  vertices_off_surface,   // not on Sigma within the tolerance
+  missing_components,     // of the exact contour
+  extra_components,       // of the mesh, beyond one for each of the contour's
+  different_components,   // another Euler number, or more or fewer boundary loops
+  turned_components,      // with the normals to the side where g >= kappa
+  restricted_share,       // too few triangles are restricted Delaunay facets
+  too_far,                // a distance beyond the given bound
+};
+inline constexpr std::size_t kFaultKinds = 17;
+
+std::string_view name_of(FaultKind kind);  // "duplicate vertices"
+
+struct Fault {
+  std::string what;  // one line with the ids
+  Vec3 at;           // scaled frame
+};
+
+class Faults {
+ public:
+  static constexpr std::size_t kShown = 5;  // of every kind are kept in full
+
+  void add(FaultKind kind, std::string what, const Vec3& at) {
+    Entry& entry = entries_[static_cast<std::size_t>(kind)];
+    if (entry.count++ < kShown) entry.first.push_back({std::move(what), at});
+  }
+  std::size_t count(FaultKind kind) const { return entries_[static_cast<std::size_t>(kind)].count; }
+  const std::vector<Fault>& first(FaultKind kind) const {
+    return entries_[static_cast<std::size_t>(kind)].first;
+  }
+  bool any() const {
+    for (const Entry& entry : entries_) {
+      if (entry.count > 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Entry {
+    std::size_t count = 0;
+    std::vector<Fault> first;
+  };
+  std::array<Entry, kFaultKinds> entries_;
+};
+
+}  // namespace deliso

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// All pairs of triangles of a mesh that meet beyond what they share (check/triangle_pair.h), found
+// through a tree of boxes: O(n log n) for a mesh whose triangles are about as large as they are
+// apart.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "check/triangle_tree.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// Pairs (f, g) with f < g, ascending. Degenerate triangles are passed over.
+// pre: the tree is that of these triangles; different ids have different positions.
+std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
+                                                          std::span<const Triangle> triangles,
+                                                          const TriangleTree& tree);
+
+}  // namespace deliso

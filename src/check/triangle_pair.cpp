@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "check/triangle_pair.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "delaunay/predicates.h"
+
+namespace deliso {
+namespace {
+
+// Orientation within the plane of a triangle, which counts as counter-clockwise.
+class PlaneOf {
+ public:
+  PlaneOf(const Vec3& a, const Vec3& b, const Vec3& c) : apex_(a) {
+    // Some axis leaves the plane; as far as the triangle is large, lest rounding swallow the step.
+    const double size = std::max({predicates::largest(b.x - a.x, b.y - a.y, b.z - a.z),
+                                  predicates::largest(c.x - a.x, c.y - a.y, c.z - a.z),
+                                  predicates::largest(a.x, a.y, a.z)});
+    for (int axis = 0; axis < 3; ++axis) {
+      apex_ = a;
+      apex_[axis] += size;
+      sign_ = orient3d(a, b, c, apex_);
+      if (sign_ != 0) return;
+    }
+  }
+
+  // pre: p, q, r lie in the plane.
+  int turn(const Vec3& p, const Vec3& q, const Vec3& r) const {
+    return sign_ * orient3d(p, q, r, apex_);
+  }
+
+  bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) const {
+    const int pqa = turn(p, q, a), pqb = turn(p, q, b);
+    if (pqa == 0 && pqb == 0) {  // on one line, where the order of coordinates is that of points
+      const auto less = [](const Vec3& u, const Vec3& v) {
+        return std::tie(u.x, u.y, u.z) < std::tie(v.x, v.y, v.z);
+      };
+      return !less(std::max(p, q, less), std::min(a, b, less)) &&
+             !less(std::max(a, b, less), std::min(p, q, less));
+    }
+    return pqa * pqb <= 0 && turn(a, b, p) * turn(a, b, q) <= 0;
+  }
+
+  bool inside(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) const {
+    return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  }
+
+ private:
+  Vec3 apex_;
+  int sign_ = 0;
+};
+
+}  // namespace
+
+bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                            const Vec3& c) {
+  const int p_side = orient3d(a, b, c, p), q_side = orient3d(a, b, c, q);
+  if (p_side * q_side > 0) return false;
+  if (p_side == 0 && q_side == 0) {
+    const PlaneOf plane(a, b, c);
+    return plane.inside(p, a, b, c) || plane.segments_meet(p, q, a, b) ||
+           plane.segments_meet(p, q, b, c) || plane.segments_meet(p, q, c, a);
+  }
+  // The line passes through the plane in one point, which is on the segment.
+  const int ab = orient3d(p, q, a, b), bc = orient3d(p, q, b, c);
+  if (ab * bc < 0) return false;
+  const int ca = orient3d(p, q, c, a);
+  return ab * ca >= 0 && bc * ca >= 0;
+}
+
+bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t) {
+  // Turned so that shared vertices come first in both.
+  Triangle u = s, v = t;
+  int shared = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = shared; j < 3; ++j) {
+      if (v[j] != s[i]) continue;
+      std::swap(v[j], v[shared]);
+      std::swap(*std::find(u.begin(), u.end(), s[i]), u[shared]);
+      ++shared;
+      break;
+    }
+  }
+  const Vec3 &a = points[u[0]], &b = points[u[1]], &c = points[u[2]];
+  const Vec3 &d = points[v[0]], &e = points[v[1]], &f = points[v[2]];
+  switch (shared) {
+    case 3:
+      return true;
+    case 2: {  // an edge: they meet elsewhere only when one is folded onto the other
+      return orient3d(a, b, c, f) == 0 && PlaneOf(a, b, c).turn(a, b, f) > 0;
+    }
+    case 1:  // two convex sets that meet in a and elsewhere meet along a segment from a, which ends
+             // on the far side of one of them
+      return segment_meets_triangle(b, c, d, e, f) || segment_meets_triangle(e, f, a, b, c);
+    default:
+      break;
+  }
+  // One of the planes parts most pairs.
+  const int d_side = orient3d(a, b, c, d);
+  if (d_side != 0 && d_side == orient3d(a, b, c, e) && d_side == orient3d(a, b, c, f)) return false;
+  const int a_side = orient3d(d, e, f, a);
+  if (a_side != 0 && a_side == orient3d(d, e, f, b) && a_side == orient3d(d, e, f, c)) return false;
+  // Where two triangles meet, an edge of one meets the other.
+  return segment_meets_triangle(a, b, d, e, f) || segment_meets_triangle(b, c, d, e, f) ||
+         segment_meets_triangle(c, a, d, e, f) || segment_meets_triangle(d, e, a, b, c) ||
+         segment_meets_triangle(e, f, a, b, c) || segment_meets_triangle(f, d, a, b, c);
+}
+
+}  // namespace deliso

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Whether triangles are a mesh at all: an oriented manifold that ends on the box only. Counts on
+// the corners, by sorting; stored neighbours are not looked at.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/box3.h"
+#include "check/faults.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// What is left of a mesh once doubles and degenerate triangles are out. Ids of vertices are those
+// of the mesh; `id` gives those of the triangles.
+struct CleanMesh {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<FaceId> id;
+
+  // Connected through shared vertices; numbered by their smallest vertex.
+  std::vector<std::uint32_t> component;  // per vertex; kNoId where no triangle uses it
+  std::vector<std::uint8_t> broken;      // per component: it has a fault of its own
+};
+
+// Reports into `faults`. `tolerance`: how far a vertex may be from the box and count as on it.
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults);
+
+}  // namespace deliso

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "check/verify.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/text.h"
+#include "base/triangle.h"
+#include "check/compare_topology.h"
+#include "check/self_intersections.h"
+#include "check/triangle_tree.h"
+#include "check/validity.h"
+#include "isosurface/isosurface.h"
+#include "kdtree/voxel_tree.h"
+#include "mesh/check_mesh.h"
+
+namespace deliso {
+namespace {
+
+// How far a vertex may be from Sigma beyond its rounding, in voxels.
+constexpr double kOnSurface = 1e-6;
+
+// Seconds since construction or the last lap.
+class Laps {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ")");
+}
+
+Vec3 middle_of(const TriMesh& mesh, FaceId f) {
+  const Triangle& t = mesh.faces[f].v;
+  return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+}
+
+void report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
+                               const TriangleTree& tree, Faults& faults) {
+  for (const auto& [f, g] : self_intersections(clean.points, clean.triangles, tree)) {
+    faults.add(
+        FaultKind::self_intersections,
+        text(name_of_triangle(mesh, clean.id[f]), " meets ", name_of_triangle(mesh, clean.id[g])),
+        middle_of(mesh, clean.id[f]));
+  }
+}
+
+// Vertices of extra components are not asked.
+void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uint8_t>& extra,
+                               const Isosurface& surface, double voxel, Verification& result) {
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    const std::uint32_t component = mesh.component[v];
+    if (component == kNoId || extra[component]) continue;
+    const double d = off_surface(mesh.points[v], surface, result.surface_tolerance, 4 * voxel);
+    if (d == 0) continue;
+    result.max_off_surface = std::max(result.max_off_surface, d);
+    result.faults.add(FaultKind::vertices_off_surface,
+                      text("vertex ", v, " is ", d / voxel, " voxels from the surface"),
+                      mesh.points[v]);
+  }
+}
+
+void measure_heights(const CleanMesh& mesh, const Isosurface& surface, const VerifyOptions& options,
+                     Verification& result) {
+  const std::vector<double> heights = surface_heights(mesh, surface);
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    const Triangle& t = mesh.triangles[n];
+    const Vec3& a = mesh.points[t[0]];
+    const double r = distance(circumcenter(a, mesh.points[t[1]], mesh.points[t[2]]), a);
+    if (!(r > options.r_min)) continue;
+    ++result.triangles_above_r_min;
+    const double ratio = heights[n] / r;
+    result.over_h_over_r += ratio > options.h_over_r;
+    if (std::isfinite(ratio)) {
+      result.max_h_over_r_above_r_min = std::max(result.max_h_over_r_above_r_min, ratio);
+    }
+  }
+}
+
+void judge_distance(const Distances& d, double bound, double voxel, const char* name,
+                    Faults& faults) {
+  if (d.max <= bound) return;
+  faults.add(FaultKind::too_far, text(name, " is ", d.max / voxel, " voxels away"), d.furthest);
+}
+
+}  // namespace
+
+Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
+                    const VerifyOptions& options) {
+  const Vec3 spacing = volume.spacing();
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  Verification result;
+  Faults& faults = result.faults;
+  result.vertices = mesh.points.size();
+  result.triangles = mesh.faces.size();
+  result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
+  Laps laps;
+
+  const CleanMesh clean = check_validity(mesh, volume.box(), options.position_error, faults);
+  const TriangleTree tree(clean.points, clean.triangles);
+  report_self_intersections(mesh, clean, tree, faults);
+  result.seconds_validity = laps.lap();
+
+  const ContourMesh contour = build_contour(volume, kappa);
+  const TriangleTree contour_tree(contour.points, contour.triangles);
+  const ComparedComponents compared =
+      compare_components(clean, contour, contour_tree, volume, options.min_component, faults);
+  const MeshTopology topology = mesh_topology(mesh);
+  result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
+  result.exact = {contour.summary.components.size(), contour.summary.euler(),
+                  contour.summary.boundary_loops()};
+  result.equal_components = compared.equal;
+  result.small_components = compared.small;
+  const VoxelTree voxels(volume);
+  const Isosurface surface(volume, voxels, kappa);
+  check_vertices_on_surface(clean, compared.extra, surface, voxel, result);
+  result.seconds_topology = laps.lap();
+
+  result.delaunay = measure_delaunay_share(clean, surface);
+  if (!faults.any() && result.delaunay.share() < options.restricted_share) {
+    const std::size_t outside = result.delaunay.triangles - result.delaunay.restricted;
+    for (const FaceId f : result.delaunay.first_outside) {
+      faults.add(FaultKind::restricted_share,
+                 text(name_of_triangle(mesh, f), ", one of ", outside,
+                      ", is no restricted Delaunay facet"),
+                 middle_of(mesh, f));
+    }
+  }
+  result.seconds_delaunay = laps.lap();
+
+  result.to_surface = distances_to_surface(clean, surface, 4 * length(spacing));
+  result.from_surface = distances_from_surface(contour, tree);
+  judge_distance(result.to_surface, options.max_distance, voxel, "a point of the mesh", faults);
+  judge_distance(result.from_surface, options.max_distance, voxel, "a point of the surface",
+                 faults);
+  result.quality = measure_quality(mesh, options.lambda, options.r_min);
+  measure_heights(clean, surface, options, result);
+  result.seconds_distances = laps.lap();
+  return result;
+}
+
+}  // namespace deliso

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Proves, or names what is wrong with, a mesh of an isosurface: given the mesh and the volume
+// alone, whoever made it. It shares no path with the stages, only the exact predicates, the oracle,
+// the exact contour and the Delaunay triangulation.
+//
+// One mistake is to be one fault, so each part is only asked what the parts before leave open:
+//   V1  vertices at one position count as one from the first (smallest) id on, after being named;
+//   V2  degenerate and doubled triangles are named, then left out;
+//   V3  a component with faulty edges or vertices has no topology: it is not compared;
+//   V4  vertices of extra components are not asked whether they lie on Sigma;
+//   V5  the restricted share is always measured, but judged only where nothing else is wrong.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "check/delaunay_share.h"
+#include "check/distances.h"
+#include "check/faults.h"
+#include "contour/contour.h"
+#include "mesh/quality.h"
+#include "mesh/tri_mesh.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct VerifyOptions {
+  double min_component = 0;         // in voxels: smaller components of the contour may be missing
+  double position_error = 0;        // of the vertices, as far as they were rounded; scaled frame
+  double restricted_share = 0.999;  // the least share of restricted Delaunay facets
+  double max_distance = std::numeric_limits<double>::infinity();  // both ways; scaled frame
+  double r_min = 0;   // smaller triangles are not held to criteria; scaled frame
+  double lambda = 2;  // r/l
+  double h_over_r = 0.1;
+};
+
+struct TopologyCounts {
+  std::uint64_t components = 0;
+  std::int64_t euler = 0;
+  std::uint64_t boundary_loops = 0;
+  friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
+};
+
+struct Verification {
+  Faults faults;
+  std::size_t vertices = 0, triangles = 0;  // as given
+  TopologyCounts mesh, exact;
+  std::uint64_t equal_components = 0;  // of both, one to one, with equal topology
+  std::uint64_t small_components = 0;  // of the contour, missing as min_component allows
+  double surface_tolerance = 0;        // scaled frame
+  double max_off_surface = 0;          // of the vertices beyond it
+  DelaunayShare delaunay;
+  Distances to_surface;    // from points of the triangles
+  Distances from_surface;  // from vertices of the exact contour
+  MeshQuality quality;
+  std::size_t triangles_above_r_min = 0, over_h_over_r = 0;  // the second among the first
+  double max_h_over_r_above_r_min = 0;
+  double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
+};
+
+// `mesh` in the scaled frame of `volume`, kappa the effective isovalue. Faults of the mesh are in
+// the result, never thrown. pre: corners below the vertex count; samples finite.
+Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
+                    const VerifyOptions& options);
+
+}  // namespace deliso
