@@ -70,6 +70,15 @@ holds "--method marching-cubes gives another mesh" differ cubes.ply torus.ply
 
 # --check, --allow-empty, --help, --version, info.
 holds "--check finds no fault with the torus" "$deliso" builtin:torus -q --check
+"$deliso" builtin:torus -q -o torus.ply
+holds "check finds no fault with its file" "$deliso" check torus.ply builtin:torus -q
+"$deliso" builtin:torus -q -o torus-float.ply --float
+holds "nor with its file in single precision" "$deliso" check torus-float.ply builtin:torus -q
+status=0
+"$deliso" check torus.ply builtin:sphere --json faults.json >report || status=$?
+holds "check exits 1 on a fault" [ "$status" -eq 1 ]
+holds "and names it" grep -q '^FAULT' report
+holds "in the JSON too" grep -q '"what": ' faults.json
 "$deliso" builtin:sphere --iso 1000 --allow-empty -q -o empty.off
 holds "an empty mesh on request" grep -q -x '0 0 0' empty.off
 "$deliso" --help >help

@@ -240,6 +240,19 @@ TEST_CASE("help and version win over everything after them, and need no input") 
   CHECK(parse({"--version"}).command == Command::version);
 }
 
+TEST_CASE("check takes a mesh and a volume") {
+  const CommandLine line = parse({"check", "a.ply", "b.nrrd", "--iso", "3", "--restricted", "0.5"});
+  CHECK(line.command == Command::check);
+  CHECK(line.mesh == "a.ply");
+  CHECK(line.input == "b.nrrd");
+  CHECK(line.restricted_share == 0.5);
+  CHECK(refusal({"check", "a.ply", "b.nrrd"}).find("no isovalue given") == 0);
+  CHECK(refusal({"check", "a", "b", "c", "--iso", "1"}).find("more than one input") == 0);
+  CHECK(refusal({"check", "-", "-", "--iso", "1"}).find("mesh and volume cannot both") == 0);
+  CHECK(refusal({"check", "a", "b", "--iso", "1", "-o", "x.ply"}) != "");
+  CHECK(refusal({"check", "a", "b", "--iso", "1", "--restricted", "1.5"}) != "");
+}
+
 TEST_CASE("info needs no isovalue; a built-in field brings its own") {
   CHECK(parse({"info", "a.nrrd"}).command == Command::info);
   CHECK_FALSE(parse({"info", "a.nrrd"}).isovalue.has_value());
@@ -327,7 +340,7 @@ TEST_CASE("options that do not go together") {
   CHECK(refusal({"a", "--iso", "1", "--dims", "2x2x2"}) != "");
   CHECK(refusal({"a", "--iso", "1", "--type", "uint8"}) != "");
   CHECK(refusal({"info", "a", "--lambda", "2"}) != "");
-  CHECK(refusal({"check", "a"}).find("unknown command 'check'") == 0);
+  CHECK(refusal({"check", "a"}).find("check needs a mesh and a volume") == 0);
   CHECK(refusal({"render", "a"}) != "");
   CHECK(refusal({"render", "-o", "a.png"}) != "");
   CHECK(refusal({"render", "a", "-o", "a.gif"}).find("'a.gif'") != std::string::npos);
