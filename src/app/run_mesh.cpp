@@ -49,6 +49,8 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   if (run.line.check) {
     VerifyOptions options = verify_options(run.line, volume);
     options.r_min = run.report.r_min;
+    // Marching Cubes promises no Delaunay triangles.
+    if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
     run.verification = verify(mesh, volume, run.report.kappa_effective, options);
   }
   run.seconds_check = watch.seconds();

@@ -50,6 +50,10 @@ class Faults {
     Entry& entry = entries_[static_cast<std::size_t>(kind)];
     if (entry.count++ < kShown) entry.first.push_back({std::move(what), at});
   }
+  // That many more, which are not described.
+  void add_unnamed(FaultKind kind, std::size_t more) {
+    entries_[static_cast<std::size_t>(kind)].count += more;
+  }
   std::size_t count(FaultKind kind) const { return entries_[static_cast<std::size_t>(kind)].count; }
   const std::vector<Fault>& first(FaultKind kind) const {
     return entries_[static_cast<std::size_t>(kind)].first;

@@ -129,12 +129,13 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.delaunay = measure_delaunay_share(clean, surface);
   if (!faults.any() && result.delaunay.share() < options.restricted_share) {
     const std::size_t outside = result.delaunay.triangles - result.delaunay.restricted;
-    for (const FaceId f : result.delaunay.first_outside) {
+    const std::vector<FaceId>& named = result.delaunay.first_outside;
+    for (const FaceId f : named) {
       faults.add(FaultKind::restricted_share,
-                 text(name_of_triangle(mesh, f), ", one of ", outside,
-                      ", is no restricted Delaunay facet"),
+                 text(name_of_triangle(mesh, f), " is no restricted Delaunay facet"),
                  middle_of(mesh, f));
     }
+    faults.add_unnamed(FaultKind::restricted_share, outside - named.size());
   }
   result.seconds_delaunay = laps.lap();
 

@@ -91,7 +91,7 @@ refuses 'did you mean --iso' builtin:sphere --ios 0.5 -o $o
 refuses 'did you mean --lambda' builtin:sphere --lamda 2 -o $o
 refuses 'unknown option' builtin:sphere --zzzzzzzzzzzz -o $o
 refuses 'unknown option' builtin:sphere -x -o $o
-refuses "unknown command 'check'" check mesh.ply
+refuses 'check needs a mesh and a volume' check mesh.ply
 refuses 'needs a value' builtin:sphere -o $o --iso
 refuses 'needs a value' builtin:sphere -o $o --iso=
 refuses 'takes no value' builtin:sphere -o $o --quiet=yes

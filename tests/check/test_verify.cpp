@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "mesh/flip.h"
