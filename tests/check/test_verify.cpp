@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "mesh/flip.h"
@@ -129,6 +130,13 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     moved = moved + Vec3{1e-4, 2e-4, -1e-4};
     check_only(good.verify_parts(p), FaultKind::vertices_off_surface, 1);
   }
+  SUBCASE("crossing triangles: two vertices next to each other change places") {
+    Parts p = sphere;
+    std::swap(p.points[p.triangles[middle][0]], p.points[p.triangles[middle][1]]);
+    const Verification v = good.verify_parts(p);
+    CHECK(v.faults.count(FaultKind::self_intersections) >= 2);
+    check_only(v, FaultKind::self_intersections, v.faults.count(FaultKind::self_intersections));
+  }
   SUBCASE("turned inside out") {
     Parts p = sphere;
     for (Triangle& t : p.triangles) std::swap(t[0], t[1]);
@@ -151,6 +159,72 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
       break;
     }
   }
+}
+
+// Two triangles of one voxel where a tube was: the piece of T in it with its two loops filled.
+TEST_CASE("a handle cut through is a component that differs") {
+  std::size_t cut = 0;
+  for (std::uint64_t seed = 1; seed <= 3000 && cut < 3; ++seed) {
+    Random random(seed);
+    std::vector<float> samples(216);
+    for (float& s : samples) s = static_cast<float>(random.uniform(-1, 1));
+    const Scene scene(Volume::from_samples({6, 6, 6}, {1, 1, 1}, samples), 0);
+    const ContourMesh& contour = scene.contour;
+    VerifyOptions options;
+    options.restricted_share = 0;
+    const auto run = [&](const Parts& p) {
+      return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
+                    options);
+    };
+    const Parts whole{contour.points, contour.triangles};
+    for (int n = 0; n < 125 && cut < 3; ++n) {
+      const Index3 voxel{n % 5, n / 5 % 5, n / 25};
+      Corners c = scene.volume.corners(voxel);
+      for (double& value : c) value -= scene.surface.kappa();
+      VoxelLoops scratch;
+      const VoxelLoops& loops = voxel_loops(mask_of(c), c, scratch);
+      if (loops.count != 2 || loops.edges(0).size() != 3 || loops.edges(1).size() != 3 ||
+          !find_tube(mask_of(c), c, loops)) {
+        continue;
+      }
+      Parts p{contour.points, {}};
+      std::vector<Triangle> tube;
+      for (const Triangle& t : contour.triangles) {
+        const Vec3 middle = (p.points[t[0]] + p.points[t[1]] + p.points[t[2]]) / 3;
+        const bool within = scene.volume.voxel_at(middle) == voxel;
+        (within ? tube : p.triangles).push_back(t);
+      }
+      // The open edges of the tube's triangles, as they ran, are the edges of the two lids.
+      std::vector<std::array<VertexId, 2>> open;
+      for (const Triangle& t : tube) {
+        for (int i = 0; i < 3; ++i) {
+          const VertexId a = t[i], b = t[(i + 1) % 3];
+          const auto back = std::ranges::find_if(tube, [&](const Triangle& u) {
+            return (u[0] == b && u[1] == a) || (u[1] == b && u[2] == a) || (u[2] == b && u[0] == a);
+          });
+          if (back == tube.end()) open.push_back({a, b});
+        }
+      }
+      if (open.size() != 6) continue;
+      const auto next = [&](VertexId v) {
+        return (*std::ranges::find_if(open, [v](const auto& e) { return e[0] == v; }))[1];
+      };
+      std::vector<bool> done(p.points.size(), false);
+      for (const auto& [a, b] : open) {
+        if (done[a]) continue;
+        done[a] = done[b] = done[next(b)] = true;
+        p.triangles.push_back({a, b, next(b)});
+      }
+      remove_unused(p);
+      // Where the cut parts a component, or T meets itself, it is another story.
+      const Verification before = run(whole), after = run(p);
+      if (before.faults.any() || after.mesh.components != before.mesh.components) continue;
+      CAPTURE(seed);
+      check_only(after, FaultKind::different_components, 1);
+      ++cut;
+    }
+  }
+  CHECK(cut == 3);
 }
 
 TEST_CASE("a component left out is missing") {
