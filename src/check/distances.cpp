@@ -55,7 +55,12 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
       const double steep = along(surface, p, surface.gradient(p), limit, counters);
       // The second search need not go further than the first found something.
       const double straight = along(surface, p, normal, std::min(limit, steep), counters);
-      const double d = std::min(steep, straight);
+      double d = std::min(steep, straight);
+      if (d > limit / 8) {  // both lines may run past a small component
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+          d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));
+        }
+      }
       if (d == kInfinity) {
         ++not_found;
         continue;

@@ -21,7 +21,8 @@ struct Distances {
 };
 
 // From the middle of every triangle and of its edges to Sigma: along the gradient and along the
-// triangle's normal, whichever is shorter, hence an upper bound. Searched over `limit`.
+// triangle's normal, and where that gives nothing near by along the axes; the shortest of these,
+// hence an upper bound. Searched over `limit`.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit);
 
 // From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
