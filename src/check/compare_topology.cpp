@@ -67,6 +67,7 @@ std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, st
     if (size > 0) along[mesh.component[t[0]]] += dot(area_normal(a, b, c), gradient) / size;
   }
   std::vector<std::uint8_t> result;
+  result.reserve(count);
   for (const double sum : along) result.push_back(sum > 0);
   return result;
 }
