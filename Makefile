@@ -1,4 +1,5 @@
-# The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX;
+# The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX; for `make fuzz`:
+# FUZZ_SECONDS (of each target), FUZZ (the targets, e.g. "nrrd ply"), FUZZ_CLANG;
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
@@ -11,9 +12,11 @@ MAKEFLAGS += --no-print-directory
 CXX_FLAG := $(if $(filter default undefined,$(origin CXX)),,-DCMAKE_CXX_COMPILER=$(CXX))
 CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
 SANITIZE_BUILD = $(BUILD)-sanitize
+FUZZ_BUILD = $(BUILD)-fuzz
+FUZZ_CLANG ?= clang++
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures bench sanitize tidy format format-check install doctest clean
+.PHONY: all demo test figures bench sanitize fuzz tidy format format-check install doctest clean
 
 all:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -47,6 +50,13 @@ sanitize: doctest
 	@cmake --build $(SANITIZE_BUILD) -j $(JOBS)
 	@ctest --test-dir $(SANITIZE_BUILD) --output-on-failure -j $(JOBS)
 
+# Every libFuzzer target (tests/fuzz) for FUZZ_SECONDS (60), or those in FUZZ; the corpus is kept.
+fuzz:
+	@cmake -S . -Wno-dev -B $(FUZZ_BUILD) -DCMAKE_CXX_COMPILER=$(FUZZ_CLANG) -DDELISO_BUILD_FUZZERS=ON \
+	  -DDELISO_BUILD_APP=OFF -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@cmake --build $(FUZZ_BUILD) -j $(JOBS)
+	@sh tests/fuzz/run.sh $(FUZZ_BUILD)/tests/fuzz $(FUZZ_BUILD)/corpus $(FUZZ)
+
 tidy:
 	@$(CONFIGURE) -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=clang++ -DDELISO_BUILD_TESTS=OFF \
 	  -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -72,4 +82,4 @@ doctest:
 	fi
 
 clean:
-	rm -rf $(BUILD) $(SANITIZE_BUILD) $(BUILD)-tidy
+	rm -rf $(BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy

@@ -314,12 +314,22 @@ std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet
 // Cells per voxel, along its shortest side, where T is made finer; and how often it may be.
 constexpr int kSplitFactor = 8;
 constexpr int kRounds = 3;
+// Spacings far apart would give any number of cells: so many at most, and along an axis.
+constexpr double kMostCells = 4096;
+constexpr double kMostAlongAxis = 64;
 
+// About cubic cells, as far as the limits allow.
 ContourSplit plain_split(Vec3 spacing) {
   const double smallest = std::min({spacing.x, spacing.y, spacing.z});
   ContourSplit split;
-  for (int axis = 0; axis < 3; ++axis) {
-    split.factor[axis] = static_cast<int>(std::lround(kSplitFactor * spacing[axis] / smallest));
+  for (int factor = kSplitFactor; factor > 0; --factor) {
+    double cells = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double along = std::min(std::round(factor * spacing[axis] / smallest), kMostAlongAxis);
+      split.factor[axis] = static_cast<int>(along);
+      cells *= along;
+    }
+    if (cells <= kMostCells) break;
   }
   return split;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What random volumes broke, each with its story. tests/stress and tests/fuzz find more.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "base/random.h"
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "mesh/check_mesh.h"
+
+using namespace deliso;
+
+namespace {
+
+template <class T>
+Volume noise(Index3 dims, Vec3 spacing, std::uint32_t levels, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<T> samples;
+  for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+    samples.push_back(static_cast<T>(random.below(levels)));
+  }
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+void check_sound(const TriMesh& mesh, const Volume& volume) {
+  CHECK(check_mesh(mesh) == "");
+  CHECK(check_boundary_on_box(mesh, volume.box()) == "");
+}
+
+}  // namespace
+
+// Voxels were cut into cells about as long as wide, whatever their spacing: 1:20:20 gave 204,800
+// cells for each and looked like a hang, 1:1:100000 asked for more memory than there is.
+TEST_CASE("long voxels are not cut into any number of cells") {
+  for (const Vec3 spacing : {Vec3{20, 1, 20}, Vec3{1, 1, 1e5}, Vec3{1e20, 1, 1}}) {
+    CAPTURE(spacing.x);
+    const Volume volume = noise<std::uint8_t>({4, 4, 4}, spacing, 18, 90);
+    Options options;
+    options.r_min = {20, true};
+    options.fingers = 1e6;
+    Report report;
+    const TriMesh mesh = mesh_isosurface(volume, 6.5, options, report);
+    check_sound(mesh, volume);
+    const ContourSummary exact = summarize_contour(volume, report.kappa_effective);
+    const MeshTopology topology = mesh_topology(mesh);
+    CHECK(topology.components.size() == exact.components.size());
+    CHECK(topology.euler() == exact.euler());
+  }
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The first inputs of the fuzz targets: every form in which the tests store a volume, a small mesh
+// in every format, and seeded bytes for the pipeline. Usage: make_corpus FOLDER
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "base/random.h"
+#include "fuzz/reader_target.h"
+#include "mesh/write_mesh.h"
+#include "volume/volume_files.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+class Corpus {
+ public:
+  explicit Corpus(std::string folder) : folder_(std::move(folder)) {}
+
+  void add(const std::string& target, const std::string& content) {
+    std::filesystem::create_directories(folder_ + "/" + target);
+    const std::string name = folder_ + "/" + target + "/seed-" + std::to_string(counts_[target]++);
+    std::ofstream(name, std::ios::binary) << content;
+  }
+
+ private:
+  std::string folder_;
+  std::map<std::string, int> counts_;
+};
+
+std::string with_detached(const std::vector<NamedFile>& files) {
+  if (files.size() == 1) return files[0].content;
+  return files[0].content + std::string(fuzz::kDetached) + files[1].content;
+}
+
+void add_volumes(Corpus& corpus) {
+  for (const SampleType type : {SampleType::u8, SampleType::i16, SampleType::f32}) {
+    Truth truth = random_truth(type, {3, 4, 5}, 17);
+    truth.spacing = {0.5, 1.25, 3};
+    for (const StoredVolume& stored : all_forms(truth)) {
+      const std::string target = stored.label.substr(0, stored.label.find(' '));
+      if (target == "raw") {
+        const bool big = stored.options.raw->byte_order == std::endian::big;
+        corpus.add("raw", "3x4x5 " + std::string(name_of(type)) + " 0.5 1.25 3 " +
+                              (big ? "big" : "little") + " 4 0:3,1:3,2:5\n" +
+                              stored.files[0].content);
+        continue;
+      }
+      corpus.add(target, with_detached(stored.files));
+      if (stored.files.size() == 1 && type == SampleType::u8) {
+        corpus.add("stdin", stored.files[0].content);
+      }
+    }
+  }
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    Random random(seed);
+    std::string data;
+    for (std::uint32_t n = 40 * random.below(20); n > 0; --n) {
+      data += static_cast<char>(random.below(1 + static_cast<std::uint32_t>(seed) * 10));
+    }
+    const char wrapping = static_cast<char>(seed % 2), room = static_cast<char>(random.below(16));
+    corpus.add("inflate", std::string{wrapping, room} +
+                              (seed % 2 == 0 ? gzipped(data, seed) : zlibbed(data, seed)));
+  }
+}
+
+void add_meshes(Corpus& corpus, const TemporaryFolder& folder) {
+  const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const TriMesh mesh = make_tri_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0.5, 1.25}}, triangles);
+  const auto add = [&](const char* target, const MeshWriteOptions& options) {
+    const std::string path = folder.path(std::string("mesh.") + target);
+    write_mesh(mesh, path, options);
+    std::ifstream in(path, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(in), {}};
+    corpus.add(target, content);
+    corpus.add("stdin", content);
+  };
+  add("off", {});
+  add("obj", {});
+  for (const bool ascii : {false, true}) {
+    for (const bool single : {false, true}) {
+      MeshWriteOptions options;
+      options.ascii = ascii;
+      options.single_precision = single;
+      add("ply", options);
+    }
+  }
+  corpus.add("ply",
+             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int "
+             "vertex_index\nelement extra 1\nproperty list int short values\nend_header\n"
+             "0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n2 5 6\n");
+  corpus.add("off", "# comment\nCNOFF 3 1 0\n0 0 0 0 0 1 9 9 9 1\n1 0 0\n0 1 0\n3 0 1 2 255\n");
+  corpus.add("obj", "mtllib a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2/1/1 \\\n -1\ns off\n");
+}
+
+void add_pipeline(Corpus& corpus) {
+  for (std::uint64_t seed = 1; seed <= 64; ++seed) {
+    Random random(seed);
+    std::string bytes;
+    for (std::uint32_t n = 32 + random.below(400); n > 0; --n) {
+      bytes += static_cast<char>(random.below(256));
+    }
+    corpus.add("pipeline", bytes);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: make_corpus FOLDER\n", stderr);
+    return 2;
+  }
+  Corpus corpus(argv[1]);
+  const TemporaryFolder folder;
+  add_volumes(corpus);
+  add_meshes(corpus, folder);
+  add_pipeline(corpus);
+  return 0;
+}

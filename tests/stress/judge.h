@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Meshes a volume, checks the mesh in every way there is, and says what was found.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/verify.h"
+#include "deliso/deliso.h"
+#include "mesh/check_mesh.h"
+
+namespace deliso::stress {
+
+// POD, so that it can go through a pipe. The first fault is said in words.
+struct Verdict {
+  char fault[200] = "";
+  bool invalid = false;             // no oriented manifold that ends on the box only
+  bool topology_exact = false;      // the same kinds of components, as many of each
+  bool disputed = false;            // exact, but verify() finds components that differ
+  std::uint32_t coincident = 0;     // vertices where another one is
+  std::uint32_t intersections = 0;  // pairs of triangles
+  std::uint32_t off_surface = 0;    // vertices
+  std::uint64_t uncertified = 0;    // sites
+  std::uint64_t triangles = 0;
+  double seconds = 0;
+};
+
+inline std::string first_of(const Faults& faults, std::initializer_list<FaultKind> kinds) {
+  for (const FaultKind kind : kinds) {
+    if (faults.count(kind) > 0) {
+      return std::string(name_of(kind)) + ": " + faults.first(kind).front().what;
+    }
+  }
+  return {};
+}
+
+// (Euler number, boundary loops) of every component, sorted.
+using ComponentKinds = std::vector<std::pair<std::int64_t, std::uint64_t>>;
+
+inline ComponentKinds kinds_of(const MeshTopology& mesh) {
+  ComponentKinds kinds;
+  for (const ComponentTopology& c : mesh.components) {
+    kinds.emplace_back(c.euler(), c.boundary_loops);
+  }
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
+inline ComponentKinds kinds_of(const ContourSummary& contour) {
+  ComponentKinds kinds;
+  for (const auto& c : contour.components) kinds.emplace_back(c.euler, c.boundary_loops);
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
+// Only the two slow checkers and the contour are trusted, each with its own counts.
+inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& options,
+                     const Report& report) {
+  using enum FaultKind;
+  Verdict verdict;
+  VerifyOptions how;
+  how.min_component = options.min_component;
+  how.restricted_share = 0;
+  const Verification v = verify(mesh, volume, report.kappa_effective, how);
+  std::string fault = check_mesh(mesh);
+  if (fault.empty()) fault = check_boundary_on_box(mesh, volume.box());
+  verdict.invalid = !fault.empty();
+
+  const ComponentKinds exact = kinds_of(summarize_contour(volume, report.kappa_effective));
+  verdict.topology_exact = kinds_of(mesh_topology(mesh)) == exact;
+  if (fault.empty() && !verdict.topology_exact) fault = "another topology";
+  const std::string differs = first_of(
+      v.faults, {missing_components, extra_components, different_components, turned_components});
+  verdict.disputed = verdict.topology_exact && !differs.empty();
+  if (fault.empty()) {
+    fault = first_of(v.faults, {duplicate_vertices, degenerate_triangles, non_manifold_vertices});
+  }
+  if (fault.empty()) fault = differs;
+  if (fault.empty()) fault = first_of(v.faults, {vertices_off_surface, self_intersections});
+  fault.copy(verdict.fault, sizeof verdict.fault - 1);
+  verdict.coincident = static_cast<std::uint32_t>(v.faults.count(duplicate_vertices));
+  verdict.intersections = static_cast<std::uint32_t>(v.faults.count(self_intersections));
+  verdict.off_surface = static_cast<std::uint32_t>(v.faults.count(vertices_off_surface));
+  verdict.uncertified = report[Counter::uncertified_sites];
+  verdict.triangles = mesh.faces.size();
+  return verdict;
+}
+
+}  // namespace deliso::stress

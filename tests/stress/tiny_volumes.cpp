@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Many random tiny volumes (tiny_volume.h) through mesh and check, and a table of what came out.
+//   tiny_volumes [--first-seed N] [--count M] [--recover certified|paper]
+//                [--rmin SHARE] [--list]
+//   tiny_volumes --write SEED FILE.nrrd      one of them as a file, and its command line
+// Seeds first-seed .. first-seed + count - 1 (1 .. 210), r_min a quarter of the largest
+// spacing, or SHARE of it. They run in a child
+// process: a crash or more than 60 s of processor time costs that one volume, and the rest goes on.
+// --list names every seed with a fault.
+//
+// Columns: volumes; of these crashed; hung; with an invalid mesh (check_mesh, boundary off the
+// box); with components of other topology than the exact contour's; with equal ones that verify()
+// cannot match; with uncertified sites; with vertices at one position; with triangles that
+// intersect; pairs of such triangles; volumes with vertices off the surface; triangles.
+// Exit status 1 when a mesh is invalid, a run crashed or hung, or, by the certified way, a topology
+// is not exact.
+//
+//   cmake --build build --target tiny_volumes
+//   build/tests/tiny_volumes --count 20000 --list
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <string>
+#include <string_view>
+
+#include "base/check.h"
+#include "stress/judge.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using namespace deliso::stress;
+
+namespace {
+
+struct Arguments {
+  std::uint64_t first_seed = 1, count = 210;
+  RecoverWay way = RecoverWay::certified;
+  double r_min = 0.25;  // of the largest spacing
+  bool list = false;
+};
+
+struct Row {
+  std::uint64_t volumes = 0, crashes = 0, hangs = 0, invalid = 0, inexact = 0, intersecting = 0,
+                pairs = 0, off_surface = 0, coincident = 0, disputed = 0, uncertified = 0,
+                triangles = 0;
+  double seconds = 0;
+
+  void operator+=(const Row& b) {
+    volumes += b.volumes;
+    crashes += b.crashes;
+    hangs += b.hangs;
+    invalid += b.invalid;
+    inexact += b.inexact;
+    intersecting += b.intersecting;
+    pairs += b.pairs;
+    off_surface += b.off_surface;
+    coincident += b.coincident;
+    disputed += b.disputed;
+    uncertified += b.uncertified;
+    triangles += b.triangles;
+    seconds += b.seconds;
+  }
+};
+
+Verdict run(std::uint64_t seed, const Arguments& arguments) {
+  const TinyVolume tiny = make_tiny_volume(seed);
+  Options options;
+  options.recover = arguments.way;
+  const Vec3 spacing = tiny.volume.spacing();
+  options.r_min = {arguments.r_min * std::max({spacing.x, spacing.y, spacing.z}) /
+                       std::min({spacing.x, spacing.y, spacing.z}),
+                   true};
+  Report report;
+  const std::clock_t start = std::clock();
+  const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
+  Verdict verdict = judge(tiny.volume, mesh, options, report);
+  verdict.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return verdict;
+}
+
+// Runs seeds from `first` to `end` until one of them ends the process; writes a verdict for each.
+void run_child(std::uint64_t first, std::uint64_t end, const Arguments& arguments, int to) {
+  for (std::uint64_t seed = first; seed < end; ++seed) {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    const auto limit = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 61);
+    const rlimit cpu{limit, RLIM_INFINITY};
+    setrlimit(RLIMIT_CPU, &cpu);
+    const Verdict verdict = run(seed, arguments);
+    if (write(to, &verdict, sizeof verdict) != static_cast<ssize_t>(sizeof verdict)) _exit(1);
+  }
+  _exit(0);
+}
+
+bool read_verdict(int from, Verdict& verdict) {
+  char* to = reinterpret_cast<char*>(&verdict);
+  for (std::size_t done = 0; done < sizeof verdict;) {
+    const ssize_t n = read(from, to + done, sizeof verdict - done);
+    if (n <= 0) return false;
+    done += static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+void add(Row& row, const Verdict& verdict) {
+  ++row.volumes;
+  row.invalid += verdict.invalid;
+  row.inexact += !verdict.topology_exact;
+  row.intersecting += verdict.intersections > 0;
+  row.pairs += verdict.intersections;
+  row.off_surface += verdict.off_surface > 0;
+  row.coincident += verdict.coincident > 0;
+  row.disputed += verdict.disputed;
+  row.uncertified += verdict.uncertified > 0;
+  row.triangles += verdict.triangles;
+  row.seconds += verdict.seconds;
+}
+
+void list(std::uint64_t seed, const char* what) {
+  const TinyVolume tiny = make_tiny_volume(seed);
+  const Index3 n = tiny.volume.dims();
+  std::printf("seed %llu %s %dx%dx%d at %.17g: %s\n", static_cast<unsigned long long>(seed),
+              std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k, tiny.isovalue, what);
+}
+
+void print_row(std::string_view name, const Row& r) {
+  std::printf("%-12s", std::string(name).c_str());
+  for (const std::uint64_t count :
+       {r.volumes, r.crashes, r.hangs, r.invalid, r.inexact, r.disputed, r.uncertified,
+        r.coincident, r.intersecting, r.pairs, r.off_surface, r.triangles}) {
+    std::printf(" %9llu", static_cast<unsigned long long>(count));
+  }
+  std::printf(" %9.1f\n", r.seconds);
+}
+
+int run_all(const Arguments& arguments) {
+  Row rows[kTinyKinds];
+  const std::uint64_t end = arguments.first_seed + arguments.count;
+  std::uint64_t seed = arguments.first_seed;
+  while (seed < end) {
+    int ends[2];
+    if (pipe(ends) != 0) return 2;
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child < 0) return 2;
+    if (child == 0) {
+      close(ends[0]);
+      run_child(seed, end, arguments, ends[1]);
+    }
+    close(ends[1]);
+    for (Verdict verdict; seed < end && read_verdict(ends[0], verdict); ++seed) {
+      add(rows[static_cast<std::size_t>(kind_of(seed))], verdict);
+      const bool faulty = verdict.invalid || !verdict.topology_exact || verdict.fault[0] != 0;
+      if (arguments.list && faulty) list(seed, verdict.fault);
+    }
+    close(ends[0]);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (seed == end) break;
+    Row& row = rows[static_cast<std::size_t>(kind_of(seed))];
+    const bool hang = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+    ++row.volumes;
+    ++(hang ? row.hangs : row.crashes);
+    list(seed, hang ? "hang" : "crash");
+    ++seed;
+  }
+
+  std::printf("%-12s", "kind");
+  for (const char* column :
+       {"volumes", "crashes", "hangs", "invalid", "inexact", "disputed", "uncertif.", "coincid.",
+        "crossing", "pairs", "off", "triangles", "CPU s"}) {
+    std::printf(" %9s", column);
+  }
+  std::printf("\n");
+  Row all;
+  for (std::uint64_t n = 0; n < kTinyKinds; ++n) {
+    print_row(name_of(static_cast<TinyKind>(n)), rows[n]);
+    all += rows[n];
+  }
+  print_row("all", all);
+  const bool exact = arguments.way == RecoverWay::paper || all.inexact == 0;
+  return all.crashes + all.hangs + all.invalid == 0 && exact ? 0 : 1;
+}
+
+int write_one(std::uint64_t seed, const std::string& path) {
+  const TinyVolume tiny = make_tiny_volume(seed);
+  write_nrrd(tiny.volume, path);
+  const Vec3 spacing = tiny.volume.spacing();
+  const double r_min = 0.25 * std::max({spacing.x, spacing.y, spacing.z}) /
+                       std::min({spacing.x, spacing.y, spacing.z});
+  std::printf("deliso %s --iso %.17g --rmin %gvox --check\n", path.c_str(), tiny.isovalue, r_min);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  for (int n = 1; n < argc; ++n) {
+    const std::string_view option = argv[n];
+    const auto value = [&]() -> const char* { return n + 1 < argc ? argv[++n] : ""; };
+    if (option == "--first-seed") {
+      arguments.first_seed = std::strtoull(value(), nullptr, 10);
+    } else if (option == "--count") {
+      arguments.count = std::strtoull(value(), nullptr, 10);
+    } else if (option == "--recover") {
+      arguments.way =
+          std::string_view(value()) == "paper" ? RecoverWay::paper : RecoverWay::certified;
+    } else if (option == "--rmin") {
+      arguments.r_min = std::strtod(value(), nullptr);
+    } else if (option == "--list") {
+      arguments.list = true;
+    } else if (option == "--write" && n + 2 < argc) {
+      return write_one(std::strtoull(argv[n + 1], nullptr, 10), argv[n + 2]);
+    } else {
+      std::fprintf(stderr, "tiny_volumes: what is '%s'? (its source's head says)\n", argv[n]);
+      return 2;
+    }
+  }
+  return run_all(arguments);
+}
