@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/solid.h"
 #include "app/text.h"
 #include "base/text.h"
 
@@ -68,6 +69,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume) {
                   (line.options.r_min.in_voxels ? voxel_of(volume) : volume.box().smallest_side());
   options.lambda = line.options.lambda;
   options.h_over_r = line.options.epsilon1;
+  options.solid = line.options.cap;
   return options;
 }
 
@@ -78,6 +80,13 @@ std::string verification_text(const Verification& v, const Volume& volume) {
                     "\n          exact: " + counts_text(v.exact) + "; " +
                     text(v.equal_components, " alike");
   if (v.small_components > 0) out += text(", ", v.small_components, " left out as small");
+  if (v.solid) {
+    out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
+                                       world_volume(v.solid->volume, volume.orientation()),
+                                       v.solid->quality);
+    out += text("\n          caps are at most ", v.solid->off_box / voxel, " voxels off the box, ",
+                v.solid->self_intersections, " self-intersections with them");
+  }
   out += text("\ndelaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
               d.restricted, " restricted ones (", 100 * d.share(), " %)\n          ", d.missing,
               " restricted facets are missing, ", d.multiple,
@@ -115,6 +124,12 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   json.add("small_components", v.small_components);
   json.add("surface_tolerance_voxels", v.surface_tolerance / voxel);
   json.add("max_off_surface_voxels", v.max_off_surface / voxel);
+  if (v.solid) {
+    add_solid(json, v.solid->cap_vertices, v.solid->cap_triangles,
+              world_volume(v.solid->volume, volume.orientation()), v.solid->quality);
+    json.add("caps_off_box_voxels", v.solid->off_box / voxel);
+    json.add("cap_self_intersections", v.solid->self_intersections);
+  }
   json.open("restricted_delaunay");
   json.add("triangles", d.triangles);
   json.add("delaunay", d.delaunay);

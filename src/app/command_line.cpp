@@ -184,7 +184,8 @@ constexpr OptionSpec kOptions[] = {
        l.options.stop_after_recover = true;
      }},
     {"--method", 0, "NAME", kMeshOnly,
-     "delaunay (default), or marching-cubes for comparison, which ignores the other options here",
+     "delaunay (default), or marching-cubes for comparison, which ignores the other options here "
+     "but --cap",
      [](Line& l, Text o, Text v) {
        using Choice = std::pair<std::string_view, Method>;
        l.options.method =
@@ -192,6 +193,9 @@ constexpr OptionSpec kOptions[] = {
                   std::to_array<Choice>({{"delaunay", Method::delaunay},
                                          {"marching-cubes", Method::marching_cubes}}));
      }},
+    {"--cap", 0, "", kMeshAndCheck,
+     "close the surface on the volume's box: a watertight solid; check: expect that of the mesh",
+     [](Line& l, Text, Text) { l.options.cap = true; }},
     {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
     {"--solver", 0, "NAME", kMeshOnly, "roots of cubics: isolation (default) or schwarze",

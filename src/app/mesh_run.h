@@ -27,14 +27,19 @@ struct MeshRun {
   Report report;
   std::size_t vertices = 0, triangles = 0;
   Topology mesh, exact;
-  std::string fault;  // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
-  MeshQuality quality;
+  std::string fault;        // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
+  MeshQuality quality;      // of the surface
+  MeshQuality cap_quality;  // with --cap
+  double volume = 0;        // with --cap: what mesh and caps enclose, in world units
   std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
   std::uint64_t peak_bytes = 0;  // of the process
 
-  bool sound() const { return fault.empty() && !(verification && verification->faults.any()); }
+  bool sound() const {
+    return fault.empty() && report.cap.failure.empty() &&
+           !(verification && verification->faults.any());
+  }
 };
 
 std::string report_text(const MeshRun& run);

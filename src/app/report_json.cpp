@@ -2,6 +2,7 @@
 #include "app/check_report.h"
 #include "app/json.h"
 #include "app/mesh_run.h"
+#include "app/solid.h"
 #include "app/text.h"
 #include "base/version.h"
 
@@ -36,6 +37,7 @@ void add_options(JsonWriter& json, const Options& options) {
   json.add("threads", options.threads);
   json.add("single_stage", options.single_stage);
   json.add("stop_after_recover", options.stop_after_recover);
+  json.add("cap", options.cap);
   json.close();
 }
 
@@ -88,6 +90,7 @@ std::string report_json(const MeshRun& run) {
   json.add("refine", report.seconds_refine);
   json.add("meshing", report.seconds_total);
   json.add("check", run.seconds_check);
+  json.add("cap", report.seconds_cap);
   json.add("write", run.seconds_write);
   json.add("total", run.seconds_total);
   json.close();
@@ -114,6 +117,11 @@ std::string report_json(const MeshRun& run) {
   add_topology(json, "exact_topology", run.exact);
   json.add("topology_exact", run.mesh == run.exact);
   add_quality(json, run.quality);
+  if (run.line.options.cap) {
+    add_solid(json, run.vertices - report.cap.surface_vertices,
+              run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
+    json.add("cap_failure", report.cap.failure);
+  }
   json.close();
   if (run.verification) add_verification(json, *run.verification, run.input.volume);
   json.add("peak_memory_bytes", run.peak_bytes);

@@ -5,6 +5,7 @@
 
 #include "app/check_report.h"
 #include "app/mesh_run.h"
+#include "app/solid.h"
 #include "app/text.h"
 
 namespace deliso {
@@ -82,6 +83,7 @@ std::string report_text(const MeshRun& run) {
   append_step(text, "poles", report.seconds_poles);
   append_stage(text, "refine", report.seconds_refine, report.points_refined,
                report.searches_refine);
+  append_step(text, "cap", report.seconds_cap);
   append_step(text, "check", run.seconds_check);
   append_step(text, "write", run.seconds_write);
   append(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
@@ -94,6 +96,14 @@ std::string report_text(const MeshRun& run) {
   text += "exact     " +
           (run.mesh == run.exact ? std::string("the same") : topology_text(run.exact)) + "\n";
   if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
+  if (run.line.options.cap && report.cap.failure.empty()) {
+    text += "solid     " +
+            solid_text(run.vertices - report.cap.surface_vertices,
+                       run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality) +
+            "\n";
+  } else if (run.line.options.cap) {
+    text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
+  }
   if (run.triangles > 0) append_quality(text, run.quality, run.line.options.lambda, report.r_min);
 
   if (run.verification) text += verification_text(*run.verification, run.input.volume);

@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/solid.h"
 #include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -36,16 +37,34 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
                    " (--allow-empty accepts that)");
 }
 
+// The facets from number `begin` to `end`, over the same vertices.
+TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
+  std::vector<Triangle> triangles;
+  for (std::size_t f = begin; f < end; ++f) triangles.push_back(mesh.faces[f].v);
+  return make_tri_mesh(mesh.points, triangles);
+}
+
 // Counts, checks and measures the mesh, and sets the exact contour beside it.
 void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   const Stopwatch watch;
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
   run.fault = check_mesh(mesh);
-  if (run.fault.empty()) run.fault = check_boundary_on_box(mesh, volume.box());
-  run.mesh = topology_of(mesh_topology(mesh));
+  // Caps are no part of what is compared with the exact surface.
+  TriMesh without_caps;
+  const bool capped = run.line.options.cap;
+  if (capped) {
+    const std::size_t surface_triangles = run.report.cap.surface_triangles;
+    without_caps = part_of(mesh, 0, surface_triangles);
+    const TriMesh caps = part_of(mesh, surface_triangles, mesh.faces.size());
+    run.cap_quality = measure_quality(caps, run.line.options.lambda, 0);
+    run.volume = world_volume(enclosed_volume(mesh), volume.orientation());
+  }
+  const TriMesh& surface = capped ? without_caps : mesh;
+  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
+  run.mesh = topology_of(mesh_topology(surface));
   run.exact = topology_of(summarize_contour(volume, run.report.kappa_effective));
-  run.quality = measure_quality(mesh, run.line.options.lambda, run.report.r_min);
+  run.quality = measure_quality(surface, run.line.options.lambda, run.report.r_min);
   if (run.line.check) {
     VerifyOptions options = verify_options(run.line, volume);
     options.r_min = run.report.r_min;
@@ -109,7 +128,8 @@ int run_mesh(const CommandLine& line) {
       print(text);
     }
   }
-  return line.check && !run.sound() ? kFaultFound : kFine;
+  const bool stayed_open = !run.report.cap.failure.empty();
+  return stayed_open || (line.check && !run.sound()) ? kFaultFound : kFine;
 }
 
 }  // namespace deliso

@@ -19,6 +19,8 @@ std::string_view name_of(FaultKind kind) {
                                                              "extra components",
                                                              "different components",
                                                              "turned components",
+                                                             "turned caps",
+                                                             "no volume",
                                                              "restricted share",
                                                              "too far"};
   return kNames[static_cast<std::size_t>(kind)];

@@ -23,17 +23,19 @@ enum class FaultKind : std::uint8_t {
   non_manifold_edges,     // of more than two triangles
   orientation,            // two triangles run the same way along their edge
   non_manifold_vertices,  // the triangles there are neither a disk nor a half disk
-  holes,                  // edges of one triangle that do not lie on the box
+  holes,                  // edges of one triangle that do not lie on the box; of a solid: any
   self_intersections,     // pairs of triangles that meet beyond what they share
   vertices_off_surface,   // not on Sigma within the tolerance
   missing_components,     // of the exact contour
   extra_components,       // of the mesh, beyond one for each of the contour's
   different_components,   // another Euler number, or more or fewer boundary loops
   turned_components,      // with the normals to the side where g >= kappa
+  turned_caps,            // triangles of a solid on the box that face into it
+  no_volume,              // a solid that encloses nothing, or is turned inside out
   restricted_share,       // too few triangles are restricted Delaunay facets
   too_far,                // a distance beyond the given bound
 };
-inline constexpr std::size_t kFaultKinds = 17;
+inline constexpr std::size_t kFaultKinds = 19;
 
 std::string_view name_of(FaultKind kind);  // "duplicate vertices"
 

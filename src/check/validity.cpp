@@ -133,7 +133,8 @@ bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double tolerance
   return false;
 }
 
-void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, Faults& faults) {
+void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
+                 Faults& faults) {
   struct Use {
     VertexId lo, hi;
     std::uint32_t triangle;
@@ -163,6 +164,8 @@ void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, Faults& fau
       report(FaultKind::non_manifold_edges, "is of triangles");
     } else if (j - i == 2 && uses[i].forward == uses[i + 1].forward) {
       report(FaultKind::orientation, "runs the same way in triangles");
+    } else if (j - i == 1 && may_end == MayEnd::nowhere) {
+      report(FaultKind::holes, "of the solid is only of triangle");
     } else if (j - i == 1 && !on_one_face(p, q, box, tolerance)) {
       report(FaultKind::holes, "inside the box is only of triangle");
     }
@@ -215,7 +218,8 @@ void check_vertices(CleanMesh& mesh, Faults& faults) {
 
 }  // namespace
 
-CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults) {
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
+                         Faults& faults) {
   CleanMesh out;
   out.points = mesh.points;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
@@ -232,7 +236,7 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
   report_unused(mesh, first, faults);
   keep_good_triangles(mesh, first, faults, out);
   find_components(out);
-  check_edges(out, box, tolerance, faults);
+  check_edges(out, box, tolerance, may_end, faults);
   check_vertices(out, faults);
   return out;
 }

@@ -24,7 +24,11 @@ struct CleanMesh {
   std::vector<std::uint8_t> broken;      // per component: it has a fault of its own
 };
 
+// Where triangles may have edges that no other one shares.
+enum class MayEnd : std::uint8_t { on_box, nowhere };
+
 // Reports into `faults`. `tolerance`: how far a vertex may be from the box and count as on it.
-CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults);
+CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
+                         Faults& faults);
 
 }  // namespace deliso

@@ -9,6 +9,7 @@
 #include "base/triangle.h"
 #include "check/compare_topology.h"
 #include "check/self_intersections.h"
+#include "check/solid.h"
 #include "check/triangle_tree.h"
 #include "check/validity.h"
 #include "isosurface/isosurface.h"
@@ -45,14 +46,21 @@ Vec3 middle_of(const TriMesh& mesh, FaceId f) {
   return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
 }
 
-void report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
-                               const TriangleTree& tree, Faults& faults) {
-  for (const auto& [f, g] : self_intersections(clean.points, clean.triangles, tree)) {
+// Pairs of triangles, by their ids in the mesh.
+using Pairs = std::vector<std::pair<FaceId, FaceId>>;
+
+Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
+                                const TriangleTree& tree, Faults& faults) {
+  Pairs pairs = self_intersections(clean.points, clean.triangles, tree);
+  for (auto& [f, g] : pairs) {
     faults.add(
         FaultKind::self_intersections,
         text(name_of_triangle(mesh, clean.id[f]), " meets ", name_of_triangle(mesh, clean.id[g])),
         middle_of(mesh, clean.id[f]));
+    f = clean.id[f];
+    g = clean.id[g];
   }
+  return pairs;
 }
 
 // Vertices of extra components are not asked.
@@ -87,6 +95,44 @@ void measure_heights(const CleanMesh& mesh, const Isosurface& surface, const Ver
   }
 }
 
+// The surface of a solid, with ids of the whole mesh; the caps are summed up.
+CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions& options,
+                       const Pairs& intersections, Verification& result) {
+  SolidParts parts = part_solid(mesh, box, options.position_error, result.faults);
+  Faults of_surface;
+  CleanMesh clean =
+      check_validity(parts.surface, box, options.position_error, MayEnd::on_box, of_surface);
+  // What the whole is free of, but not the surface alone: it touches itself at the box.
+  const auto kind = FaultKind::non_manifold_vertices;
+  if (result.faults.count(kind) == 0) {
+    for (const Fault& fault : of_surface.first(kind)) result.faults.add(kind, fault.what, fault.at);
+    result.faults.add_unnamed(kind, of_surface.count(kind) - of_surface.first(kind).size());
+  }
+  for (FaceId& id : clean.id) id = parts.surface_id[id];
+
+  SolidSummary summary;
+  std::vector<std::uint8_t> use(mesh.points.size(), 0);
+  for (const Face& face : parts.caps.faces) {
+    for (const VertexId v : face.v) use[v] = 1;
+  }
+  for (const Face& face : parts.surface.faces) {
+    for (const VertexId v : face.v) use[v] = 2;
+  }
+  summary.cap_vertices = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  summary.cap_triangles = parts.caps.faces.size();
+  summary.volume = parts.volume;
+  summary.off_box = parts.off_box;
+  for (const auto& [f, g] : intersections) {
+    summary.self_intersections += parts.is_cap[f] || parts.is_cap[g];
+  }
+  summary.quality = measure_quality(parts.caps, options.lambda, 0);
+  result.solid = summary;
+  result.quality = measure_quality(parts.surface, options.lambda, options.r_min);
+  const MeshTopology topology = mesh_topology(parts.surface);
+  result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
+  return clean;
+}
+
 void judge_distance(const Distances& d, double bound, double voxel, const char* name,
                     Faults& faults) {
   if (d.max <= bound) return;
@@ -106,17 +152,28 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
   Laps laps;
 
-  const CleanMesh clean = check_validity(mesh, volume.box(), options.position_error, faults);
-  const TriangleTree tree(clean.points, clean.triangles);
-  report_self_intersections(mesh, clean, tree, faults);
+  const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
+                                         options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
+  const TriangleTree whole_tree(whole.points, whole.triangles);
+  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, faults);
+  std::optional<CleanMesh> surface_part;
+  std::optional<TriangleTree> surface_tree;
+  if (options.solid) {
+    surface_part = take_surface(mesh, volume.box(), options, intersections, result);
+    surface_tree.emplace(surface_part->points, surface_part->triangles);
+  } else {
+    const MeshTopology topology = mesh_topology(mesh);
+    result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
+    result.quality = measure_quality(mesh, options.lambda, options.r_min);
+  }
+  const CleanMesh& clean = surface_part ? *surface_part : whole;
+  const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
   result.seconds_validity = laps.lap();
 
   const ContourMesh contour = build_contour(volume, kappa);
   const TriangleTree contour_tree(contour.points, contour.triangles);
   const ComparedComponents compared =
       compare_components(clean, contour, contour_tree, volume, options.min_component, faults);
-  const MeshTopology topology = mesh_topology(mesh);
-  result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
   result.exact = {contour.summary.components.size(), contour.summary.euler(),
                   contour.summary.boundary_loops()};
   result.equal_components = compared.equal;
@@ -144,7 +201,6 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   judge_distance(result.to_surface, options.max_distance, voxel, "a point of the mesh", faults);
   judge_distance(result.from_surface, options.max_distance, voxel, "a point of the surface",
                  faults);
-  result.quality = measure_quality(mesh, options.lambda, options.r_min);
   measure_heights(clean, surface, options, result);
   result.seconds_distances = laps.lap();
   return result;

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,17 @@ struct VerifyOptions {
   double r_min = 0;   // smaller triangles are not held to criteria; scaled frame
   double lambda = 2;  // r/l
   double h_over_r = 0.1;
+  bool solid = false;  // the mesh is to be closed on the box; what is said of it holds without caps
+};
+
+// What the triangles on the box are, of a solid. The surface is verified without them.
+struct SolidSummary {
+  std::size_t cap_vertices = 0;  // of no triangle of the surface
+  std::size_t cap_triangles = 0;
+  double volume = 0;
+  std::size_t self_intersections = 0;  // pairs of triangles with at least one of the caps
+  double off_box = 0;                  // the largest distance of a cap's corner from the box
+  MeshQuality quality;                 // of the caps
 };
 
 struct TopologyCounts {
@@ -48,6 +60,7 @@ struct TopologyCounts {
 struct Verification {
   Faults faults;
   std::size_t vertices = 0, triangles = 0;  // as given
+  std::optional<SolidSummary> solid;
   TopologyCounts mesh, exact;
   std::uint64_t equal_components = 0;  // of both, one to one, with equal topology
   std::uint64_t small_components = 0;  // of the contour, missing as min_component allows

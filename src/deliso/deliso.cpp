@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "contour/contour.h"
+#include "deliso/close_on_box.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/lost_components.h"
 #include "deliso/marching_cubes.h"
@@ -114,9 +115,20 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   report.kappa_effective = effective_isovalue(volume, kappa);
   report.r_min = scaled_length(options.r_min, volume);
 
+  const auto cap = [&](TriMesh& mesh, const BoundaryAid* aid) {
+    if (!options.cap) return;
+    const StepTimer timer(report.seconds_cap);
+    close_on_box(mesh, volume, report.kappa_effective, options.lambda, aid, report);
+  };
+
   if (options.method == Method::marching_cubes) {
-    const StepTimer timer(report.seconds_contour);
-    return marching_cubes(volume, report.kappa_effective);
+    TriMesh mesh;
+    {
+      const StepTimer timer(report.seconds_contour);
+      mesh = marching_cubes(volume, report.kappa_effective);
+    }
+    cap(mesh, nullptr);
+    return mesh;
   }
 
   std::optional<VoxelTree> tree;
@@ -130,7 +142,11 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     const StepTimer timer(report.seconds_contour);
     contour = build_contour(volume, report.kappa_effective);
   }
-  if (contour.points.empty()) return {};
+  if (contour.points.empty()) {
+    TriMesh nothing;
+    cap(nothing, nullptr);
+    return nothing;
+  }
   std::optional<BoundaryCurves> curves;
   curves.emplace(surface, contour);
 
@@ -145,6 +161,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
                 report);
     report.points_refined = recovered.mesh.points.size() - before;
   }
+  const BoundaryAid aid{surface, *curves, recovered.chain};
+  cap(recovered.mesh, &aid);
   return std::move(recovered.mesh);
 }
 

@@ -23,7 +23,7 @@ struct RelativeLength {
 enum class RecoverWay : std::uint8_t { certified, paper };
 
 // The two stages, or Marching Cubes for comparison (deliso/marching_cubes.h): all other options
-// then have no effect.
+// but `cap` then have no effect.
 enum class Method : std::uint8_t { delaunay, marching_cubes };
 
 struct Options {
@@ -46,6 +46,7 @@ struct Options {
 
   bool single_stage = false;  // Table 2's baseline: all refinement on the 3D triangulation
   bool stop_after_recover = false;
+  bool cap = false;  // close the mesh on the box (deliso/close_on_box.h)
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
   bool keep_partial = false;

@@ -22,7 +22,11 @@ std::string_view name_of(Counter counter) {
                                         "refused_too_close",
                                         "refused_boundary",
                                         "boundary_splits_refine",
-                                        "unrefined_facets"};
+                                        "unrefined_facets",
+                                        "cap_edges_lifted",
+                                        "cap_lifts_off_surface",
+                                        "cap_edges_split",
+                                        "cap_refused"};
   static_assert(sizeof(names) / sizeof(names[0]) == kCounterCount);
   return names[static_cast<std::size_t>(counter)];
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "isosurface/isosurface.h"
@@ -34,15 +35,26 @@ enum class Counter : std::uint8_t {
   refused_boundary,          // a boundary edge encroached upon that cannot be split
   boundary_splits_refine,
   unrefined_facets,  // facets that still violate a criterion because their point was refused
+  // --cap
+  cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
+  cap_lifts_off_surface,  // those of them that found no point of Sigma
+  cap_edges_split,        // boundary edges that crossed another one
+  cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 std::string_view name_of(Counter counter);  // "cancelled_pairs", ...
 
+// With --cap: the surface is what comes first in the mesh, the caps follow.
+struct CapReport {
+  std::size_t surface_vertices = 0, surface_triangles = 0;
+  std::string failure;  // why the mesh stayed open; empty: it is closed
+};
+
 struct Report {
   // Seconds, wall clock, per step.
   double seconds_tree = 0, seconds_contour = 0, seconds_init = 0, seconds_recover = 0,
-         seconds_poles = 0, seconds_refine = 0, seconds_total = 0;
+         seconds_poles = 0, seconds_refine = 0, seconds_cap = 0, seconds_total = 0;
   std::size_t points_initial = 0;    // S_0
   std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
   std::size_t points_refined = 0;    // n_RF: points inserted by Stage 2
@@ -50,6 +62,7 @@ struct Report {
   double kappa_effective = 0;  // lowered where samples equal the isovalue
   double r_min = 0;            // scaled frame
   bool stopped_at_max_vertices = false;
+  CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }

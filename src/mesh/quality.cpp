@@ -92,4 +92,16 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
   return q;
 }
 
+double enclosed_volume(const TriMesh& mesh) {
+  if (mesh.points.empty()) return 0;
+  // Tetrahedra from one of the vertices: cancellation stays within the size of the mesh.
+  const Vec3 apex = mesh.points[0];
+  double sixfold = 0;
+  for (const Face& face : mesh.faces) {
+    sixfold += dot(mesh.points[face.v[0]] - apex,
+                   cross(mesh.points[face.v[1]] - apex, mesh.points[face.v[2]] - apex));
+  }
+  return sixfold / 6;
+}
+
 }  // namespace deliso

@@ -40,4 +40,8 @@ struct MeshQuality {
 // pre: I1.
 MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min);
 
+// The volume that the facets enclose, positive where they are counter-clockwise seen from outside.
+// Means something for closed meshes only.
+double enclosed_volume(const TriMesh& mesh);
+
 }  // namespace deliso

@@ -68,6 +68,21 @@ holds "the JSON has the file's vertices" grep -q "\"vertices\": $vertices,\$" js
 "$deliso" builtin:torus -q -o torus.ply
 holds "--method marching-cubes gives another mesh" differ cubes.ply torus.ply
 
+# Solids.
+"$deliso" builtin:gyroid:24 --cap --check --json solid.json -o solid.ply >report
+holds "--cap gives a solid without a fault" grep -q '^faults    none' report
+holds "and tells its volume" grep -q '"volume": 60[0-9][0-9]\.' solid.json
+holds "check --cap finds none with its file" "$deliso" check solid.ply builtin:gyroid:24 --cap -q
+"$deliso" builtin:gyroid:24 --cap -q --float -o solid-float.ply
+holds "nor in single precision" "$deliso" check solid-float.ply builtin:gyroid:24 --cap -q
+"$deliso" builtin:gyroid:24 -q -o open.ply
+status=0
+"$deliso" check open.ply builtin:gyroid:24 --cap >report || status=$?
+holds "an open mesh is no solid" [ "$status" -eq 1 ]
+holds "for its holes" grep -q '^FAULT     holes' report
+"$deliso" builtin:sphere --iso -1000 --cap --allow-empty -q -o full.off
+holds "a full box is a box" grep -q -x '8 12 0' full.off
+
 # --check, --allow-empty, --help, --version, info.
 holds "--check finds no fault with the torus" "$deliso" builtin:torus -q --check
 "$deliso" builtin:torus -q -o torus.ply

@@ -108,6 +108,7 @@ TEST_CASE("every option reaches its field") {
                                   "--roi",
                                   "0:4,1:5,2:6",
                                   "--single-stage",
+                                  "--cap",
                                   "--solver",
                                   "schwarze",
                                   "--json",
@@ -151,6 +152,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.max_vertices == 1000);
   CHECK(options.keep_partial);
   CHECK(options.single_stage);
+  CHECK(options.cap);
   CHECK(options.cubic == CubicMethod::schwarze);
   CHECK(line.json == "-");
   CHECK(line.quiet);

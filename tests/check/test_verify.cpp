@@ -243,4 +243,53 @@ TEST_CASE("a component left out is missing") {
   check_only(run(), FaultKind::missing_components, 1);
 }
 
+TEST_CASE("a solid: sound as it is, and one fault in its caps is one fault") {
+  const Volume volume = make_builtin_volume("builtin:gyroid:24");
+  Options meshing;
+  meshing.cap = true;
+  Report report;
+  const TriMesh mesh = mesh_isosurface(volume, 0, meshing, report);
+  REQUIRE(report.cap.failure == "");
+  const auto run = [&](const Parts& p, bool solid = true) {
+    VerifyOptions options;
+    options.restricted_share = 0.5;
+    options.solid = solid;
+    return verify(make_tri_mesh(p.points, p.triangles), volume, effective_isovalue(volume, 0),
+                  options);
+  };
+  const Parts good = parts_of(mesh);
+  const Verification sound = run(good);
+  CHECK_FALSE(sound.faults.any());
+  CHECK(sound.mesh == sound.exact);
+  REQUIRE(sound.solid);
+  CHECK(sound.solid->cap_triangles == mesh.faces.size() - report.cap.surface_triangles);
+  CHECK(sound.solid->cap_vertices == mesh.points.size() - report.cap.surface_vertices);
+  CHECK(sound.solid->self_intersections == 0);
+  CHECK(sound.solid->off_box == 0);
+
+  Parts p = good;
+  p.triangles.pop_back();
+  check_only(run(p), FaultKind::holes, 3);
+
+  p = good;
+  p.triangles.resize(report.cap.surface_triangles);  // no caps at all
+  p.points.resize(report.cap.surface_vertices);
+  CHECK(run(p).faults.count(FaultKind::holes) > 100);
+  CHECK_FALSE(run(p, false).faults.any());
+
+  p = good;
+  for (Triangle& t : p.triangles) std::swap(t[1], t[2]);
+  const Verification turned = run(p);
+  CHECK(turned.faults.count(FaultKind::turned_caps) == sound.solid->cap_triangles);
+  CHECK(turned.faults.count(FaultKind::turned_components) == 1);
+  CHECK(turned.faults.count(FaultKind::no_volume) == 1);
+  CHECK(kinds_of(turned.faults).size() == 3);
+
+  // A new corner of the caps, pushed off the box: its triangles are no caps any more.
+  p = good;
+  Vec3& corner = p.points.back();
+  corner = corner + 0.01 * (0.5 * (volume.box().lo + volume.box().hi) - corner);
+  CHECK(run(p).faults.any());
+}
+
 }  // namespace deliso

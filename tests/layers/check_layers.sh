@@ -7,13 +7,14 @@ src=$1
 allowed() {
   case $1 in
     base) echo base ;;
+    planar) echo "base delaunay planar" ;;
     render) echo "base mesh render" ;;
     roots | delaunay | mesh | volume) echo "base $1" ;;
     kdtree | contour) echo "base volume $1" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    deliso) echo "base roots delaunay mesh volume kdtree contour isosurface deliso" ;;
+    deliso) echo "base roots delaunay planar mesh volume kdtree contour isosurface deliso" ;;
     check) echo "base roots delaunay mesh volume kdtree contour isosurface check" ;;
-    app) echo "base roots delaunay mesh volume kdtree contour isosurface deliso check render app" ;;
+    app) echo "base roots delaunay planar mesh volume kdtree contour isosurface deliso check render app" ;;
     *) return 1 ;;
   esac
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "app/solid.h"
+
+#include <cmath>
+
+#include "app/text.h"
+#include "base/text.h"
+
+namespace deliso {
+
+double world_volume(double scaled, const Orientation& orientation) {
+  const auto& [u, v, w] = orientation.axes;
+  return scaled * std::fabs(dot(cross(u, v), w));
+}
+
+std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
+                       const MeshQuality& caps) {
+  std::string line = text("volume ", volume, "; caps of ") +
+                     counted(cap_triangles, "triangle", "triangles") + ", " +
+                     counted(cap_vertices, "new vertex", "new vertices");
+  if (cap_triangles > 0) {
+    line += text(",\n          their smallest angle ", caps.min_angle, " degrees, largest r/l ",
+                 caps.max_r_over_l);
+  }
+  return line;
+}
+
+void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
+               const MeshQuality& caps) {
+  json.open("solid");
+  json.add("volume", volume);
+  json.add("cap_vertices", cap_vertices);
+  json.add("cap_triangles", cap_triangles);
+  json.add("cap_area", caps.area);
+  json.add("cap_min_angle_degrees", caps.min_angle);
+  json.add("cap_max_r_over_l", caps.max_r_over_l);
+  json.add("cap_over_lambda", caps.over_lambda);
+  json.close();
+}
+
+}  // namespace deliso

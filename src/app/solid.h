@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the reports say of caps and of the volume that they close in.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "app/json.h"
+#include "mesh/quality.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// A volume of the scaled frame, in world units.
+double world_volume(double scaled, const Orientation& orientation);
+
+// "volume 12.5, caps of 7 new vertices and 31 triangles, ...", without an end of line.
+std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
+                       const MeshQuality& caps);
+
+// An object "solid".
+void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
+               const MeshQuality& caps);
+
+}  // namespace deliso
