@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -73,21 +74,24 @@ Recovered paper_way(const Isosurface& surface, const ContourMesh& contour,
   std::optional<RestrictedDelaunay> restricted;
   {
     const StepTimer timer(report.seconds_recover);
-    restricted.emplace(surface, std::move(initial.triangulation), report.r_min, report);
+    restricted.emplace(surface, std::move(initial.triangulation), report.r_min, report,
+                       options.profile);
     Recovery recovery(*restricted, curves, initial.chain, options, report.r_min);
     recovery.protect_boundary();
     recovery.multi_intersect();
     recovery.extract_manifold();
-    std::vector<double> no_poles;
-    recovery.approximate_geom(recover_criteria(options, report.r_min), no_poles);
-    recovery.extract_manifold();
+    if (std::isfinite(options.epsilon)) {
+      std::vector<double> no_poles;
+      recovery.approximate_geom(recover_criteria(options, report.r_min), no_poles);
+      recovery.extract_manifold();
+    }
     report.points_recovered =
         restricted->triangulation().vertex_capacity() - 1 - kAuxiliaryVertices;
   }
   std::vector<double> poles;
   {
     const StepTimer timer(report.seconds_poles);
-    poles = compute_poles(restricted->triangulation(), surface);
+    poles = compute_poles(restricted->triangulation(), surface, options.pole_side);
   }
   const StepTimer timer(report.seconds_refine);
   if (options.single_stage) {

@@ -26,15 +26,22 @@ enum class RecoverWay : std::uint8_t { certified, paper };
 // but `cap` then have no effect.
 enum class Method : std::uint8_t { delaunay, marching_cubes };
 
+// Which of a vertex's two poles gives its height: §3.2 says the nearer; the other is for studying
+// how the paper's counts came about.
+enum class PoleSide : std::uint8_t { nearer, further };
+
+struct Profile;
+
 struct Options {
   Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
   double fingers = 1;     // certified: no vertex of the contour further from the mesh, in voxels
-  double epsilon = 0.2;   // Stage 1: h/r
+  double epsilon = 0.2;   // Stage 1, paper's way: h/r; infinity: no ApproximateGeom
   double epsilon1 = 0.1;  // Stage 2: h/r
   double epsilon2 = 0.2;  // Stage 2: r/h_sigma
   double lambda = 2.0;    // r/l, both stages
   RelativeLength r_min;   // nothing with r <= r_min is refined
+  PoleSide pole_side = PoleSide::nearer;                          // paper's way only
   double max_distance = std::numeric_limits<double>::infinity();  // h, world units
   double max_radius = std::numeric_limits<double>::infinity();    // r, world units
 
@@ -53,6 +60,7 @@ struct Options {
 
   // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
   std::function<void(const char* stage, double share)> progress;
+  Profile* profile = nullptr;  // deliso/profile.h: filled when given
 };
 
 }  // namespace deliso

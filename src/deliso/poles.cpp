@@ -8,7 +8,8 @@
 
 namespace deliso {
 
-std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface) {
+std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface,
+                                  PoleSide side) {
   const std::size_t count = t.vertex_capacity();
   std::vector<Vec3> gradient(count);
   for (VertexId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));
@@ -20,13 +21,15 @@ std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surf
     const Vec3 center = circumsphere(t, c).center;
     for (const VertexId q : t.vertices(c)) {
       const Vec3 direction = center - t.point(q);
-      double& side = furthest2[q][dot(direction, gradient[q]) > 0];
-      side = std::max(side, length2(direction));
+      double& furthest = furthest2[q][dot(direction, gradient[q]) > 0];
+      furthest = std::max(furthest, length2(direction));
     }
   }
   std::vector<double> height(count);
   for (VertexId q = 0; q < count; ++q) {
-    height[q] = std::sqrt(std::min(furthest2[q][0], furthest2[q][1]));
+    const auto [falling, rising] = furthest2[q];
+    height[q] =
+        std::sqrt(side == PoleSide::nearer ? std::min(falling, rising) : std::max(falling, rising));
   }
   return height;
 }

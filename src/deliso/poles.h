@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "delaunay/triangulation.h"
+#include "deliso/options.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
 
 // One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
 // their own; the auxiliary vertices (init_triangulation.h) keep those of the surface off it.
-std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface);
+std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
+                                  PoleSide side = PoleSide::nearer);
 
 // h_sigma: the mean over the facet's vertices.
 inline double facet_pole(std::span<const double> poles, const std::array<VertexId, 3>& v) {

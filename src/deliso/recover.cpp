@@ -220,11 +220,17 @@ bool Recovery::is_manifold_at(VertexId q) {
 
 void Recovery::extract_manifold() {
   const Triangulation& t = restricted_.triangulation();
+  Profile* const profile = restricted_.profile();
   while (!vertex_queue_.empty()) {
     const VertexId q = vertex_queue_.front();
     vertex_queue_.pop_front();
     vertex_queued_[q] = 0;
-    if (is_manifold_at(q)) continue;
+    bool is_manifold = false;
+    {
+      const ProfiledTime time(profile ? &profile->seconds_disk_tests : nullptr);
+      is_manifold = is_manifold_at(q);
+    }
+    if (is_manifold) continue;
 
     // The surface point of D_q furthest from q.
     RecordId furthest = kNoId;

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "deliso/poles.h"
+#include "deliso/profile.h"
 #include "deliso/surface_point.h"
 #include "deliso/worst_first.h"
 #include "mesh/encroach.h"
@@ -152,6 +153,8 @@ void Refiner::refine(FaceId f) {
 }
 
 std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened) {
+  InsertionWatch watch(options_.profile ? &options_.profile->refine : nullptr);
+  watch.start(report_.searches_refine);
   const bool good = find_encroached_disk(mesh_, start, p, marks_, ++stamp_, disk_);
   if (!opened) {
     if (const auto edge = encroached_boundary(p)) {
@@ -177,6 +180,7 @@ std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optiona
   for (const FaceId f : created_) {
     if (f != kNoId) judge(f);
   }
+  watch.done(report_.searches_refine);
   return std::nullopt;
 }
 

@@ -9,14 +9,17 @@
 namespace deliso {
 
 RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation,
-                                       double delta, Report& report)
+                                       double delta, Report& report, Profile* profile)
     : surface_(surface),
       triangulation_(std::move(triangulation)),
       delta_(delta),
       report_(report),
+      profile_(profile),
+      watch_(profile ? &profile->recover : nullptr),
       box_(surface.volume().box()) {
   const Triangulation& t = triangulation_;
   record_of_.assign(4 * t.cell_capacity(), kNoId);
+  const ProfiledTime time(profile_ ? &profile_->seconds_search : nullptr);
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
     for (int i = 0; i < 4; ++i) {
@@ -139,6 +142,8 @@ std::span<const VertexId> RestrictedDelaunay::neighbors(VertexId q) const {
 }
 
 const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
+  watch_.start(report_.searches_recover);
+  const ProfiledTime time(profile_ ? &profile_->seconds_triangulation : nullptr);
   triangulation_.find_conflicts(p, hint, zone_);
   return zone_;
 }
@@ -191,7 +196,11 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     }
   }
 
-  const VertexId v = t.insert_in_zone(p, zone_, created_cells_);
+  VertexId v = kNoId;
+  {
+    const ProfiledTime time(profile_ ? &profile_->seconds_triangulation : nullptr);
+    v = t.insert_in_zone(p, zone_, created_cells_);
+  }
   touch(v);
   for (const VertexId w : gone_) touch(w);
   record_of_.resize(4 * t.cell_capacity(), kNoId);
@@ -218,12 +227,16 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
       created_records_.push_back(r);
     }
   }
-  for (std::size_t k = 0; k < created_cells_.size(); ++k) {
-    const CellId c = created_cells_[k];
-    for (int i = 0; i < 4; ++i) {
-      if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
+  {
+    const ProfiledTime time(profile_ ? &profile_->seconds_search : nullptr);
+    for (std::size_t k = 0; k < created_cells_.size(); ++k) {
+      const CellId c = created_cells_[k];
+      for (int i = 0; i < 4; ++i) {
+        if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
+      }
     }
   }
+  watch_.done(report_.searches_recover);
   return v;
 }
 

@@ -21,6 +21,7 @@
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
 #include "deliso/init_triangulation.h"
+#include "deliso/profile.h"
 #include "deliso/report.h"
 #include "isosurface/isosurface.h"
 #include "mesh/star.h"
@@ -31,13 +32,15 @@ using RecordId = std::uint32_t;
 
 class RestrictedDelaunay {
  public:
-  // Searches every facet of `triangulation`, which it takes over. The surface must outlive it.
+  // Searches every facet of `triangulation`, which it takes over. The surface must outlive it, and
+  // so must `profile`, if given.
   RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation, double delta,
-                     Report& report);
+                     Report& report, Profile* profile = nullptr);
 
   const Triangulation& triangulation() const { return triangulation_; }
   const Isosurface& surface() const { return surface_; }
   Report& report() const { return report_; }
+  Profile* profile() const { return profile_; }
 
   bool is_auxiliary(VertexId v) const {
     return deliso::is_auxiliary(triangulation_.point(v), box_);
@@ -101,6 +104,8 @@ class RestrictedDelaunay {
   Triangulation triangulation_;
   double delta_;
   Report& report_;
+  Profile* profile_;
+  InsertionWatch watch_;
   Box3 box_;
 
   std::vector<RecordId> record_of_;  // per cell and index; kNoId where Sigma is not met
