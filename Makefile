@@ -1,11 +1,13 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX; for `make fuzz`:
 # FUZZ_SECONDS (of each target), FUZZ (the targets, e.g. "nrrd ply"), FUZZ_CLANG;
-# for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to).
+# for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets` and
+# `make tables`: DATA (folder of volumes).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
+DATA  ?= $(or $(DELISO_DATA),datasets)
 
 MAKEFLAGS += --no-print-directory
 # GNU Make's own default (g++) counts as unset: CMake then looks for a compiler itself.
@@ -16,7 +18,8 @@ FUZZ_BUILD = $(BUILD)-fuzz
 FUZZ_CLANG ?= clang++
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures bench sanitize fuzz tidy format format-check install doctest clean
+.PHONY: all demo test figures bench datasets tables sanitize fuzz tidy format format-check install
+.PHONY: doctest clean
 
 all:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -39,10 +42,26 @@ figures: all
 	$(BUILD)/deliso builtin:fuel -q -o $(BUILD)/fuel.ply
 	$(BUILD)/deliso render $(BUILD)/fuel.ply -o docs/figures/fuel.png --size 520x380
 
+# The micro-benchmarks, one primitive each; they need no data.
 bench:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
-	@for b in $(BUILD)/bench/bench_*; do echo "== $$b"; $$b || echo "(see the head of bench/$${b##*/}.cpp for its arguments)"; done
+	@for source in bench/bench_*.cpp; do \
+	  name=$$(basename $$source .cpp); started=$$(date +%s); \
+	  printf '\n== %s\n' $$name; sed -n '2,/^[^\/]/s|^// \{0,1\}||p' $$source; echo; \
+	  $(BUILD)/bench/$$name || exit 1; \
+	  echo "($$name took $$(($$(date +%s) - started)) s)"; \
+	done
+
+# The volumes that are public as plain files, into the folder DATA.
+datasets:
+	@sh bench/fetch_datasets.sh bench/datasets.tsv '$(DATA)'
+
+# docs/results.md and its plots: the paper's tables and the studies, on the volumes in DATA.
+tables:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS)
+	@sh bench/write_results.sh $(BUILD) docs '$(DATA)'
 
 # The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer.
 sanitize: doctest

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Cost against the size of the output, in one stage and in two: a built-in field at rising
+// resolution, and one at falling epsilons. Needs no data; about forty seconds.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "support/line_chart.h"
+#include "support/runs.h"
+#include "volume/builtin_fields.h"
+#include "volume/read_volume.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Way {
+  const char* name;
+  Options options;
+};
+
+std::vector<Way> ways(const BenchArguments& arguments) {
+  std::vector<Way> all{{"3D only", paper_options(arguments)},
+                       {"two stages", paper_options(arguments)},
+                       {"certified", certified_options(arguments)}};
+  all[0].options.single_stage = true;
+  return all;
+}
+
+OpenedDataset open_builtin(const std::string& input) {
+  return {read_volume(input), find_builtin_field(input)->isovalue, true, input, {}};
+}
+
+// One row per input and factor of the epsilons, one series per way.
+class Scaling {
+ public:
+  Scaling(const char* title, const BenchArguments& arguments)
+      : arguments_(arguments),
+        table_(
+            title,
+            {"field", "epsilons x", "3D vertices", "3D s", "us/vertex", "two vertices", "two s",
+             "us/vertex", "speedup", "certified vertices", "certified s", "us/vertex", "speedup"},
+            1),
+        chart_{title, {"vertices", true}, {"seconds", true}, {}} {
+    for (const Way& way : ways(arguments)) chart_.series.push_back({way.name, {}});
+  }
+
+  void add(const std::string& input, double factor) {
+    const OpenedDataset opened = open_builtin(input);
+    std::vector<std::string> row{input, fixed_cell(factor, 2)};
+    double first = 0;
+    std::size_t n = 0;
+    for (Way& way : ways(arguments_)) {
+      for (double* epsilon : {&way.options.epsilon, &way.options.epsilon1, &way.options.epsilon2}) {
+        *epsilon *= factor;
+      }
+      const Runs runs = measure_runs(opened, way.options, arguments_);
+      const double seconds = runs.total().median;
+      const auto vertices = static_cast<double>(runs.mesh.points.size());
+      row.push_back(count_cell(vertices));
+      row.push_back(fixed_cell(seconds, 3));
+      row.push_back(fixed_cell(1e6 * seconds / vertices, 1));
+      if (n == 0) {
+        first = seconds;
+      } else {
+        row.push_back(fixed_cell(first / seconds, 2));
+      }
+      chart_.series[n++].points.emplace_back(vertices, seconds);
+    }
+    table_.add(std::move(row));
+  }
+
+  void finish(const char* name) {
+    print_table(table_, arguments_);
+    write_chart(chart_, arguments_.figures, name);
+  }
+
+ private:
+  const BenchArguments& arguments_;
+  Table table_;
+  LineChart chart_;
+};
+
+int work(const BenchArguments& arguments) {
+  Scaling resolution("Time against output: a machine part at rising resolution", arguments);
+  for (const int size : {16, 24, 32, 48, 64, 96, 128}) {
+    resolution.add(text("builtin:machine:", size), 1);
+  }
+  resolution.finish("scaling-resolution");
+
+  Scaling epsilon("Time against output: an orbital at falling epsilons", arguments);
+  for (const double factor : {2., 1.4, 1., 0.7, 0.5, 0.35, 0.25}) {
+    epsilon.add("builtin:orbital:128", factor);
+  }
+  epsilon.finish("scaling-epsilon");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_bench(argc, argv, "Time against the size of the output.", work);
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// How early can one switch to Stage 2 (the open question of the paper's §6)? The paper's way with
+// ApproximateGeom's epsilon from 0.1 to none, the certified way with its fingers rule from half a
+// voxel to none: points at the switch, time, violations, and whether the final topology is exact.
+// One run each: a minute and a half on the paper's volumes.
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "support/examine.h"
+#include "support/line_chart.h"
+#include "support/runs.h"
+
+using namespace deliso;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::array kEpsilons{0.1, 0.2, 0.4, 0.8, kInfinity};
+
+struct Setting {
+  std::string name;
+  Options options;
+};
+
+std::vector<Setting> settings(const BenchArguments& arguments) {
+  std::vector<Setting> all;
+  for (const double epsilon : kEpsilons) {
+    Options options = paper_options(arguments);
+    options.epsilon = epsilon;
+    all.push_back({epsilon == kInfinity ? "paper, no ApproximateGeom"
+                                        : "paper, epsilon " + fixed_cell(epsilon, 1),
+                   options});
+  }
+  for (const double fingers : {1., kInfinity}) {
+    Options options = certified_options(arguments);
+    options.fingers = fingers;
+    all.push_back({fingers == kInfinity ? "certified, no fingers rule"
+                                        : "certified, fingers " + fixed_cell(fingers, 1),
+                   options});
+  }
+  return all;
+}
+
+// Where an epsilon stands on the charts; none at all, at the right.
+double chart_epsilon(double epsilon) {
+  return epsilon == kInfinity ? 1.6 : epsilon;
+}
+
+int work(const BenchArguments& arguments) {
+  Table table("How early can one switch?",
+              {"data set", "data", "Stage 1", "topology", "components", "exact", "Euler number",
+               "exact", "put back", "n_RC", "n_RF", "vertices", "seconds", "r/l over", "h/r over"},
+              4);
+  LineChart time_chart{"Total time by the bound of ApproximateGeom (paper's way)",
+                       {"epsilon (1.6 stands for: no ApproximateGeom)", true},
+                       {"seconds over those at epsilon 0.2"},
+                       {}};
+  LineChart share_chart{"Points inserted before the switch (paper's way)",
+                        {"epsilon (1.6 stands for: no ApproximateGeom)", true},
+                        {"n_RC, % of all vertices"},
+                        {}};
+  for (const Dataset& dataset : arguments.datasets) {
+    const OpenedDataset opened = open_dataset(dataset, arguments.data);
+    // Stand-ins are for those who have no data at all.
+    if (opened.is_analogue && !arguments.data.empty()) continue;
+    const ContourSummary exact = exact_topology(opened);
+    Series times{dataset.name, {}}, shares = times;
+    for (const Setting& setting : settings(arguments)) {
+      const Options& options = setting.options;
+      const Runs runs = run_once(opened, options);
+      const Report& r = runs.last();
+      const Examined e = examine(runs.mesh, exact, options.lambda, options.epsilon1, r.r_min);
+      const auto count = [](auto n) { return count_cell(static_cast<double>(n)); };
+      table.add({dataset.name, opened.data, setting.name, e.topology_exact ? "exact" : "wrong",
+                 count(e.components), count(exact.components.size()),
+                 fixed_cell(static_cast<double>(e.euler), 0),
+                 fixed_cell(static_cast<double>(exact.euler()), 0),
+                 count(r[Counter::components_put_back]), count(r.points_recovered),
+                 count(r.points_refined), count(runs.mesh.points.size()),
+                 fixed_cell(r.seconds_total, 3), count(e.over_lambda), count(e.over_h_over_r)});
+      if (options.recover != RecoverWay::paper) continue;
+      times.points.emplace_back(chart_epsilon(options.epsilon), r.seconds_total);
+      shares.points.emplace_back(chart_epsilon(options.epsilon),
+                                 100 * static_cast<double>(r.points_recovered) /
+                                     static_cast<double>(runs.mesh.points.size()));
+    }
+    const double at_default = times.points[1].second;
+    for (auto& [epsilon, seconds] : times.points) seconds /= at_default;
+    for (const std::string& remark : opened.remarks) table.remark(remark);
+    if (time_chart.series.size() == LineChart::kMostSeries) continue;
+    time_chart.series.push_back(std::move(times));
+    share_chart.series.push_back(std::move(shares));
+  }
+  table.remark(
+      "Exact: the components' Euler numbers and boundary loops are those of the surface, after the "
+      "components that the paper's tests lost were put back (counted). Over: triangles above r_min "
+      "beyond lambda = 2, and beyond epsilon1 = 0.1.");
+  table.remark(
+      "Fingers: no vertex of the contour further from the mesh at the switch, in voxels. The "
+      "certified way has no ApproximateGeom.");
+  print_table(table, arguments);
+  write_chart(time_chart, arguments.figures, "switch-time");
+  write_chart(share_chart, arguments.figures, "switch-points");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_bench(argc, argv, "How early one can switch to Stage 2: the switch-point study.",
+                   work);
+}

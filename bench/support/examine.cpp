@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "support/examine.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "deliso/criteria.h"
+#include "mesh/check_mesh.h"
+
+namespace deliso {
+
+Examined examine(const TriMesh& mesh, const ContourSummary& exact, double lambda, double epsilon1,
+                 double r_min) {
+  Examined out;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle& v = mesh.faces[f].v;
+    const FacetShape s =
+        measure(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.surface_points[f]);
+    if (!(s.r > r_min)) continue;
+    out.over_lambda += s.r > lambda * s.l;
+    out.over_h_over_r += s.h > epsilon1 * s.r;
+  }
+
+  using Kind = std::pair<std::int64_t, std::uint64_t>;  // Euler number, boundary loops
+  const MeshTopology topology = mesh_topology(mesh);
+  std::vector<Kind> kinds, exact_kinds;
+  for (const ComponentTopology& c : topology.components) {
+    kinds.emplace_back(c.euler(), c.boundary_loops);
+  }
+  for (const ContourComponent& c : exact.components) {
+    exact_kinds.emplace_back(c.euler, c.boundary_loops);
+  }
+  std::sort(kinds.begin(), kinds.end());
+  std::sort(exact_kinds.begin(), exact_kinds.end());
+  out.components = kinds.size();
+  out.euler = topology.euler();
+  out.topology_exact = kinds == exact_kinds;
+  return out;
+}
+
+ContourSummary exact_topology(const OpenedDataset& opened) {
+  return summarize_contour(opened.volume, effective_isovalue(opened.volume, opened.isovalue));
+}
+
+}  // namespace deliso

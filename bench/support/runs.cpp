@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "support/runs.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// A warm-up of so many seconds is a measurement.
+constexpr double kLongRun = 1;
+
+constexpr const char* kOptions =
+    "  --data FOLDER    where the volumes are (NAME.nhdr; default: $DELISO_DATA)\n"
+    "  --only A,B       these data sets only, by name\n"
+    "  --repeat N       measure N times after a warm-up (default 3)\n"
+    "  --budget S       but no longer than S seconds per figure, once at least (default 8)\n"
+    "  --solver NAME    isolation (default) or schwarze, the paper's\n"
+    "  --figures FOLDER where plots go, as SVG (default: none)\n"
+    "  --markdown, --csv  instead of aligned text\n"
+    "  --manifest FILE  the list of data sets\n";
+
+std::vector<Dataset> choose(std::vector<Dataset> all, const std::string& names) {
+  if (names.empty()) return all;
+  std::vector<Dataset> chosen;
+  for (std::size_t begin = 0; begin <= names.size();) {
+    const std::size_t end = std::min(names.find(',', begin), names.size());
+    const std::string name = names.substr(begin, end - begin);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Dataset& d) { return d.name == name; });
+    if (found == all.end()) throw InputError("--only " + name + ": no such data set");
+    chosen.push_back(*found);
+    begin = end + 1;
+  }
+  return chosen;
+}
+
+double positive(std::string_view option, const std::string& value) {
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  if (value.empty() || *end != '\0' || !(number > 0 && number < 1e9)) {
+    throw InputError(std::string(option) + " " + value + ": not a positive number");
+  }
+  return number;
+}
+
+}  // namespace
+
+BenchArguments parse_bench_arguments(int argc, char** argv, const char* purpose) {
+  BenchArguments arguments;
+  if (const char* folder = std::getenv("DELISO_DATA")) arguments.data = folder;
+  std::string manifest = DELISO_DATASETS, only;
+  for (int n = 1; n < argc; ++n) {
+    const std::string option = argv[n];
+    if (option == "--help") {
+      std::cout << purpose << "\n\n" << kOptions;
+      std::exit(0);
+    }
+    if (option == "--markdown" || option == "--csv") {
+      arguments.format = option == "--csv" ? TableFormat::csv : TableFormat::markdown;
+      continue;
+    }
+    if (n + 1 == argc) throw InputError(option + ": unknown option, or its value is missing");
+    const std::string value = argv[++n];
+    if (option == "--data") {
+      arguments.data = value;
+    } else if (option == "--only") {
+      only = value;
+    } else if (option == "--repeat") {
+      arguments.repeat = static_cast<std::size_t>(std::max(1., positive(option, value)));
+    } else if (option == "--budget") {
+      arguments.budget = positive(option, value);
+    } else if (option == "--figures") {
+      arguments.figures = value;
+    } else if (option == "--manifest") {
+      manifest = value;
+    } else if (option == "--solver" && (value == "isolation" || value == "schwarze")) {
+      arguments.cubic = value == "schwarze" ? CubicMethod::schwarze : CubicMethod::isolation;
+    } else {
+      throw InputError(option + " " + value + ": unknown");
+    }
+  }
+  arguments.datasets = choose(read_datasets(manifest), only);
+  return arguments;
+}
+
+int run_bench(int argc, char** argv, const char* purpose, int (*work)(const BenchArguments&)) {
+  try {
+    return work(parse_bench_arguments(argc, argv, purpose));
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 2;
+  }
+}
+
+Runs run_once(const OpenedDataset& opened, const Options& options) {
+  Runs runs;
+  runs.reports.emplace_back();
+  runs.mesh = mesh_isosurface(opened.volume, opened.isovalue, options, runs.reports.back());
+  return runs;
+}
+
+Runs measure_runs(const OpenedDataset& opened, const Options& options,
+                  const BenchArguments& arguments) {
+  Runs runs = run_once(opened, options);
+  double spent = runs.last().seconds_total;
+  const double first = spent;
+  std::vector<Report> measured;
+  if (first >= kLongRun) measured = std::move(runs.reports);
+  while (measured.size() < arguments.repeat &&
+         (measured.empty() || spent + first <= arguments.budget)) {
+    Runs next = run_once(opened, options);
+    spent += next.last().seconds_total;
+    measured.push_back(next.last());
+    runs.mesh = std::move(next.mesh);
+  }
+  runs.reports = std::move(measured);
+  return runs;
+}
+
+Options paper_options(const BenchArguments& arguments) {
+  Options options;
+  options.recover = RecoverWay::paper;
+  options.cubic = arguments.cubic;
+  return options;
+}
+
+Options certified_options(const BenchArguments& arguments) {
+  Options options;
+  options.recover = RecoverWay::certified;
+  options.cubic = arguments.cubic;
+  return options;
+}
+
+double seconds_per_recover_insertion(const Report& report) {
+  return report.seconds_recover /
+         static_cast<double>(report.points_recovered - report.points_initial);
+}
+
+double seconds_per_refine_insertion(const Report& report) {
+  return report.seconds_refine / static_cast<double>(report.points_refined);
+}
+
+std::string spread_cell(const Statistic& statistic) {
+  return statistic.count > 1 ? percent_cell(statistic.spread) : "one run";
+}
+
+void print_table(const Table& table, const BenchArguments& arguments) {
+  static bool first = true;
+  if (arguments.format == TableFormat::csv && !std::exchange(first, false)) std::cout << '\n';
+  std::cout << table.print(arguments.format) << std::flush;
+}
+
+}  // namespace deliso

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Table 2: all refinement on the 3D triangulation (--single-stage) against two stages, to the same
+// threshold, both by the paper's Recover; and the certified way beside them. About two minutes on
+// the paper's volumes.
+#include "support/runs.h"
+
+using namespace deliso;
+
+namespace {
+
+std::string count_of(const Runs& runs) {
+  return count_cell(static_cast<double>(runs.mesh.points.size()));
+}
+
+int work(const BenchArguments& arguments) {
+  Table table("Table 2: one stage against two, seconds",
+              {"data set", "data", "paper 3D", "paper two", "paper speedup", "3D", "spread", "two",
+               "spread", "speedup", "to paper's", "certified", "spread", "speedup", "vertices 3D",
+               "two", "certified"},
+              2);
+  for (const Dataset& dataset : arguments.datasets) {
+    const OpenedDataset opened = open_dataset(dataset, arguments.data);
+    const PaperFigures& paper = dataset.paper;
+    const Options two_stages = paper_options(arguments);
+    Options one_stage = two_stages;
+    one_stage.single_stage = true;
+    const Runs one = measure_runs(opened, one_stage, arguments);
+    const Runs two = measure_runs(opened, two_stages, arguments);
+    const Runs certified = measure_runs(opened, certified_options(arguments), arguments);
+    const Statistic t1 = one.total(), t2 = two.total(), tc = certified.total();
+    const double speedup = t1.median / t2.median;
+    table.add({dataset.name, opened.data, fixed_cell(paper.seconds_3d, 2),
+               fixed_cell(paper.seconds_deliso, 2), fixed_cell(paper.speedup, 2),
+               fixed_cell(t1.median, 3), spread_cell(t1), fixed_cell(t2.median, 3), spread_cell(t2),
+               fixed_cell(speedup, 2),
+               opened.is_analogue ? "-" : ratio_cell(speedup, paper.speedup),
+               fixed_cell(tc.median, 3), spread_cell(tc), ratio_cell(t1.median, tc.median),
+               count_of(one), count_of(two), count_of(certified)});
+    for (const std::string& remark : opened.remarks) table.remark(remark);
+  }
+  table.remark(
+      "3D, two: the paper's way through Recover. Medians; the spread is (largest - smallest) / "
+      "median. Certified: its speedup is over the same 3D.");
+  table.remark("Times are of the whole program but reading: tree, contour, both stages.");
+  print_table(table, arguments);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_bench(argc, argv,
+                   "Table 2: refinement on the 3D triangulation only, against two stages.", work);
+}
