@@ -3,7 +3,8 @@
 //   bench_insert [--points cube|sphere|grid|cospherical|plane|clusters] [--n N] [--xyz FILE]
 //                [--repeat R]
 // --xyz reads raw native doubles x y z, to compare with another program on the same points.
-// Prints the best of R runs of build(), in points per second of processor time.
+// Without --points and --xyz, all kinds in turn. Prints the best of R runs of build(), in points
+// per second of processor time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -68,10 +69,26 @@ std::vector<Vec3> make_points(const std::string& kind, std::size_t n) {
   return points;
 }
 
+constexpr const char* kKinds[] = {"cube", "sphere", "grid", "cospherical", "plane", "clusters"};
+
+void measure(const std::string& name, const std::vector<Vec3>& points, int repeat) {
+  double best = 1e300;
+  Triangulation t;
+  std::vector<VertexId> ids;
+  for (int run = 0; run < repeat; ++run) {
+    const std::clock_t start = std::clock();
+    t.build(points, ids);
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  std::printf("%-12s %8zu points %8zu vertices %9zu cells %8.3f s %8.0f points/s\n", name.c_str(),
+              points.size(), t.vertex_capacity() - 1, t.cell_capacity(), best,
+              static_cast<double>(points.size()) / best);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-  std::string kind = "cube", file;
+  std::string kind, file;
   std::size_t n = 100000;
   int repeat = 3;
   for (int i = 1; i + 1 < argc; i += 2) {
@@ -87,19 +104,13 @@ int main(int argc, char** argv) try {
     else
       throw InputError(option + ": unknown option");
   }
-  const std::vector<Vec3> points = file.empty() ? make_points(kind, n) : read_xyz(file);
-
-  double best = 1e300;
-  Triangulation t;
-  std::vector<VertexId> ids;
-  for (int run = 0; run < repeat; ++run) {
-    const std::clock_t start = std::clock();
-    t.build(points, ids);
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  if (!file.empty()) {
+    measure(file, read_xyz(file), repeat);
+  } else if (!kind.empty()) {
+    measure(kind, make_points(kind, n), repeat);
+  } else {
+    for (const char* each : kKinds) measure(each, make_points(each, n), repeat);
   }
-  std::printf("%-12s %8zu points %8zu vertices %9zu cells %8.3f s %8.0f points/s\n",
-              file.empty() ? kind.c_str() : file.c_str(), points.size(), t.vertex_capacity() - 1,
-              t.cell_capacity(), best, static_cast<double>(points.size()) / best);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bench_insert: %s\n", error.what());

@@ -4,7 +4,7 @@
 // surface balls, facet after facet in the order of a queue, as RefineGeom does it; in a second pass
 // at random facets, so that no insertion finds the mesh around it in the cache.
 //   bench_mesh [POINTS ...]
-// Prints nanoseconds per insertion for each part, in processor time, and encroached facets each.
+// Prints nanoseconds of processor time per insertion, and how many facets each one replaced.
 #include <array>
 #include <cmath>
 #include <cstdio>

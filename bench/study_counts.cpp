@@ -16,12 +16,27 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Geometric means over data sets of ours over theirs.
+struct Agreement {
+  double log_sum = 0, log_error = 0;
+  std::size_t count = 0;
+
+  void add(double ratio) {
+    log_sum += std::log(ratio);
+    log_error += std::fabs(std::log(ratio));
+    ++count;
+  }
+  std::string ratio() const { return fixed_cell(std::exp(log_sum / n()), 2); }
+  std::string factor_off() const { return fixed_cell(std::exp(log_error / n()), 2); }
+
+ private:
+  double n() const { return static_cast<double>(count); }
+};
+
 struct Reading {
   std::string name;
   Options options;
-  double log_ratios = 0;  // of vertices, ours over the paper's
-  double log_errors = 0;  // their absolute values
-  std::size_t count = 0;
+  Agreement recover{}, refine{}, vertices{};
 };
 
 std::vector<Reading> readings(const BenchArguments& arguments) {
@@ -56,42 +71,46 @@ int work(const BenchArguments& arguments) {
                "ratio", "vertices", "ratio"},
               3);
   std::vector<Reading> all = readings(arguments);
-  const auto count = [](std::size_t n) { return static_cast<double>(n); };
   for (const Dataset& dataset : arguments.datasets) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
     if (opened.is_analogue) continue;
     const PaperFigures& paper = dataset.paper;
     const double of_paper = paper.n_recover + paper.n_refine;
-    const auto run = [&](const OpenedDataset& input, const Reading& reading) {
+    const auto run = [&](const OpenedDataset& input, Reading& reading, bool counts) {
       const Report r = run_once(input, reading.options).last();
-      const double n_rc = count(r.points_recovered), n_rf = count(r.points_refined);
+      const double n_rc = static_cast<double>(r.points_recovered);
+      const double n_rf = static_cast<double>(r.points_refined), n = n_rc + n_rf;
       table.add({dataset.name, input.data, reading.name, count_cell(paper.n_recover),
                  count_cell(n_rc), ratio_cell(n_rc, paper.n_recover), count_cell(paper.n_refine),
-                 count_cell(n_rf), ratio_cell(n_rf, paper.n_refine), count_cell(n_rc + n_rf),
-                 ratio_cell(n_rc + n_rf, of_paper)});
-      return (n_rc + n_rf) / of_paper;
+                 count_cell(n_rf), ratio_cell(n_rf, paper.n_refine), count_cell(n),
+                 ratio_cell(n, of_paper)});
+      if (!counts) return;
+      reading.recover.add(n_rc / paper.n_recover);
+      reading.refine.add(n_rf / paper.n_refine);
+      reading.vertices.add(n / of_paper);
     };
-    for (Reading& reading : all) {
-      const double ratio = run(opened, reading);
-      reading.log_ratios += std::log(ratio);
-      reading.log_errors += std::fabs(std::log(ratio));
-      ++reading.count;
-    }
     const Vec3 s = opened.volume.spacing();
-    if (s.x == s.y && s.y == s.z) continue;
+    const bool even = s.x == s.y && s.y == s.z;
+    const bool same = opened.volume.dims() == dataset.dims;
+    for (Reading& reading : all) run(opened, reading, even && same);
+    if (even) continue;
     const OpenedDataset unit = with_unit_spacing(opened);
-    for (const Reading& reading : all) run(unit, reading);
+    for (Reading& reading : all) run(unit, reading, same);
   }
-  Table summary("Readings, over the data sets", {"reading", "mean ratio", "mean factor off"}, 1);
-  for (const Reading& reading : all) {
-    const double n = count(reading.count);
-    summary.add({reading.name, fixed_cell(std::exp(reading.log_ratios / n), 2),
-                 fixed_cell(std::exp(reading.log_errors / n), 2)});
+  print_table(table, arguments);
+  if (all.front().vertices.count == 0) return 0;
+  Table summary(
+      "Readings, over the data sets",
+      {"reading", "n_RC ratio", "off by", "n_RF ratio", "off by", "vertices ratio", "off by"}, 1);
+  for (const Reading& r : all) {
+    summary.add({r.name, r.recover.ratio(), r.recover.factor_off(), r.refine.ratio(),
+                 r.refine.factor_off(), r.vertices.ratio(), r.vertices.factor_off()});
   }
   summary.remark(
-      "Vertices, ours over the paper's: geometric mean, and the geometric mean of how far off, "
-      "either way. LEG in its own spacing; data sets not at hand are left out.");
-  print_table(table, arguments);
+      "Ours over the paper's: the geometric mean, and that of the factor by which it is off, "
+      "either "
+      "way. Without crops and data sets not at hand; where samples are not evenly spaced, at "
+      "1:1:1.");
   print_table(summary, arguments);
   return 0;
 }

@@ -13,14 +13,15 @@ namespace {
 int work(const BenchArguments& arguments) {
   Table table("Table 1: data sets",
               {"data set", "data", "paper's isovalue", "paper's dims", "isovalue", "dims", "type",
-               "samples", "components", "Euler number", "boundary loops", "active voxels"},
+               "samples", "components", "Euler number", "boundary loops", "boundary points",
+               "active voxels"},
               2);
   for (const Dataset& dataset : arguments.datasets) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
     const Volume& volume = opened.volume;
     const ValueRange range = value_range(volume);
-    const ContourSummary contour =
-        summarize_contour(volume, effective_isovalue(volume, opened.isovalue));
+    const ContourMesh mesh = build_contour(volume, effective_isovalue(volume, opened.isovalue));
+    const ContourSummary& contour = mesh.summary;
     table.add({dataset.name, opened.data, fixed_cell(dataset.isovalue, 1), dims_text(dataset.dims),
                fixed_cell(opened.isovalue, 1), dims_text(volume.dims()),
                std::string(name_of(volume.type())),
@@ -28,10 +29,13 @@ int work(const BenchArguments& arguments) {
                count_cell(static_cast<double>(contour.components.size())),
                fixed_cell(static_cast<double>(contour.euler()), 0),
                count_cell(static_cast<double>(contour.boundary_loops())),
+               count_cell(static_cast<double>(mesh.boundary.vertices.size())),
                count_cell(static_cast<double>(contour.active_voxels))});
     for (const std::string& remark : opened.remarks) table.remark(remark);
   }
-  table.remark("Components, Euler number and boundary loops are those of the trilinear surface.");
+  table.remark(
+      "Components, Euler number and boundary loops are those of the trilinear surface; boundary "
+      "points are the crossings of grid edges on the box, the vertices of marching squares.");
   print_table(table, arguments);
   return 0;
 }
