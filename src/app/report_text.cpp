@@ -69,7 +69,8 @@ std::string report_text(const MeshRun& run) {
   std::string text = input_text(run.input);
   text += "isovalue  " + number_text(*run.line.isovalue);
   if (report.kappa_effective != *run.line.isovalue) {
-    text += ", lowered to " + number_text(report.kappa_effective) + " as samples equal it";
+    text +=
+        ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles equal it";
   }
 
   text += "\n\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";

@@ -11,6 +11,7 @@
 #include "app/run.h"
 #include "base/check.h"
 #include "check/verify.h"
+#include "contour/contour.h"
 #include "mesh/read_mesh.h"
 
 namespace deliso {
@@ -55,7 +56,7 @@ int run_check(const CommandLine& line) {
   VerifyOptions options = verify_options(line, volume);
   options.position_error = bring_home(mesh, volume.orientation());
   const Verification result =
-      verify(mesh, volume, effective_isovalue(volume, *line.isovalue), options);
+      verify(mesh, volume, settled_isovalue(volume, *line.isovalue), options);
 
   if (!line.json.empty()) {
     JsonWriter json;

@@ -46,7 +46,7 @@ std::string info_text(const Info& info) {
   if (info.isovalue) {
     text += "\nisovalue  " + number_text(*info.isovalue);
     if (info.effective != *info.isovalue) {
-      text += ", lowered to " + number_text(info.effective) + " as samples equal it";
+      text += ", lowered to " + number_text(info.effective) + " as samples or saddles equal it";
     }
     text += "\nsurface   " + topology_text(topology_of(info.contour)) + "\n          in " +
             std::to_string(info.contour.active_voxels) + " voxels";
@@ -82,7 +82,7 @@ int run_info(const CommandLine& line) {
   info.suggestion = suggested_isovalue(input.volume.type(), otsu_threshold(info.histogram));
   if (line.isovalue) {
     const Stopwatch watch;
-    info.effective = effective_isovalue(input.volume, *line.isovalue);
+    info.effective = settled_isovalue(input.volume, *line.isovalue);
     info.contour = summarize_contour(input.volume, info.effective);
     info.seconds_contour = watch.seconds();
   }

@@ -39,6 +39,7 @@ StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
     walk.run();
     StreamResult result;
     result.summary.active_voxels = walk.active_voxels;
+    result.summary.tied_saddles = walk.tied_saddles;
     sink.replace_boundary(walk.boundary);
     auto& components = result.summary.components;
     result.component_of_label = walk.components.finish(components);
@@ -91,6 +92,12 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
 ContourSummary summarize_contour(const Volume& volume, double kappa) {
   CountingSink sink;
   return stream(volume, kappa, sink).summary;
+}
+
+double settled_isovalue(const Volume& volume, double kappa) {
+  const double effective = effective_isovalue(volume, kappa);
+  return summarize_contour(volume, effective).tied_saddles > 0 ? lowered_isovalue(volume, effective)
+                                                               : effective;
 }
 
 }  // namespace deliso

@@ -52,6 +52,7 @@ struct ContourComponent {
 struct ContourSummary {
   std::vector<ContourComponent> components;  // by first voxel in scan order
   std::uint64_t active_voxels = 0;
+  std::uint64_t tied_saddles = 0;  // voxels with a face whose saddle is at kappa, to the last bits
 
   std::int64_t euler() const;
   std::uint64_t boundary_loops() const;
@@ -123,6 +124,11 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
 
 // The summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa);
+
+// The isovalue that the geometry works at: effective_isovalue(), lowered once more where saddles
+// are tied. Sigma meets itself there (a checkerboard at its mean is nothing but that); a tied
+// saddle counts as inside, so lowering kappa keeps the topology and parts what touches.
+double settled_isovalue(const Volume& volume, double kappa);
 
 // The point of Sigma on box face `face` halfway between two of its points a and b there: where the
 // in-face normal line of the chord ab, through its midpoint, meets Sigma nearest to the midpoint,

@@ -154,7 +154,7 @@ class ContourStream {
 
   GrowingComponents components;
   std::vector<BoundarySegment> boundary;
-  std::uint64_t active_voxels = 0;
+  std::uint64_t active_voxels = 0, tied_saddles = 0;
 
  private:
   struct Slot {
@@ -298,6 +298,7 @@ class ContourStream {
     ++active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, c, scratch);
+    if (&loops == &scratch) tied_saddles += has_tied_saddle(mask, c);
     const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
     VoxelPieces pieces(voxel, c, loops, tube);
     auto& vertex = pieces.vertex;

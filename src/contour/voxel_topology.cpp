@@ -239,6 +239,19 @@ const VoxelLoops& voxel_loops(int mask, const Corners& c, VoxelLoops& scratch) {
   return scratch;
 }
 
+bool has_tied_saddle(int mask, const Corners& c) {
+  // Far more than rounding, far less than what lowered_isovalue() does to the products.
+  constexpr double kTie = 1e-13;
+  const std::uint8_t ambiguous = kMasks.ambiguous[mask];
+  for (int f = 0; f < 6; ++f) {
+    if ((ambiguous >> f & 1) == 0) continue;
+    const auto& k = kFaceCorners[f];
+    const double diagonal = c[k[0]] * c[k[2]], other = c[k[1]] * c[k[3]];
+    if (std::abs(diagonal - other) <= kTie * (diagonal + other)) return true;
+  }
+  return false;
+}
+
 Tube find_tube(int mask, const Corners& c, const VoxelLoops& loops) {
   if (loops.count < 2) return {};
   return Sweep(mask, c, loops).run();

@@ -58,6 +58,10 @@ VoxelLoops trace_loops(int mask, std::uint8_t joined);
 // to a table or to `scratch`.
 const VoxelLoops& voxel_loops(int mask, const Corners& c, VoxelLoops& scratch);
 
+// Whether the saddle of an ambiguous face is at kappa, to the last bits: there two arcs of Sigma on
+// the face meet in a point, and across the face Sigma is no surface.
+bool has_tied_saddle(int mask, const Corners& c);
+
 // pre: loops are those of c.
 Tube find_tube(int mask, const Corners& c, const VoxelLoops& loops);
 

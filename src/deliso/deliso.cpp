@@ -116,7 +116,6 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const auto progress = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  report.kappa_effective = effective_isovalue(volume, kappa);
   report.r_min = scaled_length(options.r_min, volume);
 
   const auto cap = [&](TriMesh& mesh, const BoundaryAid* aid) {
@@ -126,6 +125,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   };
 
   if (options.method == Method::marching_cubes) {
+    report.kappa_effective = settled_isovalue(volume, kappa);
     TriMesh mesh;
     {
       const StepTimer timer(report.seconds_contour);
@@ -140,12 +140,17 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     const StepTimer timer(report.seconds_tree);
     tree.emplace(volume);
   }
-  const Isosurface surface(volume, *tree, report.kappa_effective, options.cubic);
   ContourMesh contour;
   {
     const StepTimer timer(report.seconds_contour);
+    report.kappa_effective = effective_isovalue(volume, kappa);
     contour = build_contour(volume, report.kappa_effective);
+    if (contour.summary.tied_saddles > 0) {  // as settled_isovalue() does
+      report.kappa_effective = lowered_isovalue(volume, report.kappa_effective);
+      contour = build_contour(volume, report.kappa_effective);
+    }
   }
+  const Isosurface surface(volume, *tree, report.kappa_effective, options.cubic);
   if (contour.points.empty()) {
     TriMesh nothing;
     cap(nothing, nullptr);

@@ -109,19 +109,24 @@ double effective_isovalue(const Volume& volume, double kappa) {
         [&](std::size_t, std::size_t) {
           return found = std::find(equal.begin(), equal.end(), T{1}) != equal.end();
         });
-    if (!found) return kappa;
+    return found ? lowered_isovalue(volume, kappa) : kappa;
+  });
+}
 
+double lowered_isovalue(const Volume& volume, double kappa) {
+  return volume.visit([&](const auto* s) {
+    using T = std::remove_cvref_t<decltype(*s)>;
     // The greatest sample below kappa. Without one, all of the volume is inside.
     constexpr T lowest = std::numeric_limits<T>::lowest();
     Extremes<T> all(s[0]), below(lowest);
     for_each_lane(
-        s, count,
+        s, volume.sample_count(),
         [&](std::size_t lane, T v) {
           all.add(lane, v);
-          below.add(lane, v < level ? v : lowest);
+          below.add(lane, static_cast<double>(v) < kappa ? v : lowest);
         },
         [](std::size_t, std::size_t) { return false; });
-    if (!(all.min() < level)) return kappa;
+    if (!(static_cast<double>(all.min()) < kappa)) return kappa;
     const double next = static_cast<double>(below.max());
     const double range = static_cast<double>(all.max()) - static_cast<double>(all.min());
     const double lowered =

@@ -146,6 +146,10 @@ ValueRange value_range(const Volume& volume, std::string_view name = "volume");
 // pre: no sample is NaN or infinite.
 double effective_isovalue(const Volume& volume, double kappa);
 
+// kappa lowered by that amount, whether a sample equals it or not; kappa itself where no sample is
+// below it or no number is left in between. pre: no sample is NaN or infinite.
+double lowered_isovalue(const Volume& volume, double kappa);
+
 template <class T>
 constexpr SampleType sample_type_of();
 template <>

@@ -48,3 +48,31 @@ TEST_CASE("long voxels are not cut into any number of cells") {
     CHECK(topology.euler() == exact.euler());
   }
 }
+
+// A checkerboard at its mean: every face's saddle is at the isovalue, and Sigma is planes that meet
+// in lines. Vertices of T coincided there, 27 sites could not be certified, and K had edges of four
+// facets. tests/stress, seeds 54, 166 and 208.
+TEST_CASE("a checkerboard at its mean is parted") {
+  std::vector<std::uint8_t> samples;
+  for (int n = 0; n < 6 * 5 * 4; ++n) {
+    samples.push_back((n % 6 + n / 6 % 5 + n / 30) % 2 == 0 ? 95 : 176);
+  }
+  const Volume volume = Volume::from_samples({6, 5, 4}, {1, 1, 1}, samples);
+  const double kappa = settled_isovalue(volume, 135.5);
+  CHECK(kappa < 135.5);
+  CHECK(kappa > 135.5 - 1e-6);
+  CHECK(summarize_contour(volume, 135.5).tied_saddles == 5 * 4 * 3);
+  const ContourSummary exact = summarize_contour(volume, kappa);
+  CHECK(exact.tied_saddles == 0);
+  CHECK(exact.components.size() == 60);  // tied saddles are inside: every outside sample is alone
+  Options options;
+  options.r_min = {0.25, true};
+  Report report;
+  const TriMesh mesh = mesh_isosurface(volume, 135.5, options, report);
+  CHECK(report.kappa_effective == kappa);
+  CHECK(report[Counter::uncertified_sites] == 0);
+  check_sound(mesh, volume);
+  const MeshTopology topology = mesh_topology(mesh);
+  CHECK(topology.components.size() == exact.components.size());
+  CHECK(topology.euler() == exact.euler());
+}

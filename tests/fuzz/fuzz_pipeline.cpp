@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// The whole way from samples to a checked mesh, on volumes of up to 12 x 12 x 12. The first bytes
+// say size, sample type, spacing, isovalue and options, the rest are samples: taken as they are, or
+// as the parameters of smooth noise. Whatever they say, the mesh is a manifold that ends on the box
+// only, and by the certified way its topology is exact unless a counter says otherwise.
+//
+// With DELISO_FUZZ_WRITE=FILE.nrrd in the environment the volume is written there and the command
+// line that does the same is printed.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "fuzz/reader_target.h"
+#include "stress/judge.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using namespace deliso::fuzz;
+
+namespace {
+
+// Bytes one by one, and zeros when they are used up.
+class ByteSource {
+ public:
+  ByteSource(const std::uint8_t* bytes, std::size_t size) : bytes_(bytes), left_(size) {}
+  std::uint8_t next() {
+    if (left_ == 0) return 0;
+    --left_;
+    return *bytes_++;
+  }
+  std::uint32_t below(std::uint32_t n) { return next() % n; }
+  double share() { return next() / 255.0; }
+  template <class T>
+  T raw() {
+    std::uint8_t bytes[sizeof(T)];
+    for (std::uint8_t& byte : bytes) byte = next();
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  }
+
+ private:
+  const std::uint8_t* bytes_;
+  std::size_t left_;
+};
+
+constexpr double kLargest = 1e30;  // of samples: their differences and products stay finite
+
+template <class T>
+T sample_of(ByteSource& source, std::uint32_t content) {
+  if (content == 1) return static_cast<T>(source.below(3));
+  if (content == 2) return static_cast<T>(source.next());
+  const T value = source.raw<T>();
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!(std::abs(static_cast<double>(value)) <= kLargest)) return T{0};
+  }
+  return value;
+}
+
+template <class T>
+Volume make_volume(ByteSource& source, Index3 dims, Vec3 spacing) {
+  const std::uint32_t content = source.below(4);
+  const std::size_t count = static_cast<std::size_t>(dims.i * dims.j * dims.k);
+  std::vector<T> samples;
+  if (content == 3) {
+    Vec3 waves[3];
+    for (Vec3& wave : waves) {
+      wave = Vec3{source.share(), source.share(), source.share()} * 4 - Vec3{2, 2, 2};
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto x = static_cast<int>(n) % dims.i, y = static_cast<int>(n) / dims.i % dims.j,
+                 z = static_cast<int>(n) / dims.i / dims.j;
+      double sum = 60;
+      for (const Vec3& w : waves) sum += 20 * std::sin(dot(w, Vec3{1.0 * x, 1.0 * y, 1.0 * z}));
+      samples.push_back(static_cast<T>(sum));
+    }
+  } else {
+    for (std::size_t n = 0; n < count; ++n) samples.push_back(sample_of<T>(source, content));
+  }
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+Volume make_volume(ByteSource& source) {
+  Index3 dims;
+  Vec3 spacing;
+  constexpr double lengths[] = {1, 1, 1, 0.3, 3, 20, 1e-6, 1e6};
+  for (int axis = 0; axis < 3; ++axis) {
+    dims[axis] = 1 + static_cast<int>(source.below(12));
+    spacing[axis] = lengths[source.below(6)];
+  }
+  const double scale = lengths[source.below(8)];
+  spacing = spacing * scale;
+  switch (source.below(8)) {
+    case 0:
+      return make_volume<std::int8_t>(source, dims, spacing);
+    case 1:
+      return make_volume<std::uint16_t>(source, dims, spacing);
+    case 2:
+      return make_volume<std::int16_t>(source, dims, spacing);
+    case 3:
+      return make_volume<std::int32_t>(source, dims, spacing);
+    case 4:
+      return make_volume<float>(source, dims, spacing);
+    case 5:
+      return make_volume<double>(source, dims, spacing);
+    default:
+      return make_volume<std::uint8_t>(source, dims, spacing);
+  }
+}
+
+double make_isovalue(ByteSource& source, const Volume& volume, const ValueRange& range) {
+  const auto any = [&] {
+    const Index3 n = volume.dims();
+    const auto at = [&](int size) { return static_cast<int>(source.below(256)) % size; };
+    const int i = at(n.i), j = at(n.j);
+    return volume.sample(i, j, at(n.k));
+  };
+  switch (source.below(4)) {
+    case 0:
+      return any();
+    case 1:
+      return 0.5 * any() + 0.5 * any();
+    case 2:
+      return range.min + (range.max - range.min) * source.share();
+    default:
+      return std::floor(range.min + (range.max - range.min) * source.share()) + 0.5;
+  }
+}
+
+// Small triangles are left alone from a tenth of a voxel on, so that every input is done soon.
+Options make_options(ByteSource& source, const Vec3& spacing) {
+  Options options;
+  options.recover = source.below(3) == 0 ? RecoverWay::paper : RecoverWay::certified;
+  const std::uint8_t flags = source.next();
+  const double ratio =
+      std::max({spacing.x, spacing.y, spacing.z}) / std::min({spacing.x, spacing.y, spacing.z});
+  options.r_min = {(0.1 + source.share()) * ratio, true};
+  options.fingers = ratio * ((flags & 1) != 0 ? 0.1 + 3 * source.share() : 1);
+  if ((flags & 2) != 0) options.min_component = 4 * source.share();
+  if ((flags & 4) != 0) options.seed = source.next();
+  if ((flags & 8) != 0) options.lambda = 1 + 2 * source.share();
+  if ((flags & 16) != 0) options.samples = source.next();
+  if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
+  options.keep_partial = (flags & 64) != 0;
+  if ((flags & 128) != 0) {
+    const std::uint32_t rare = source.below(8);
+    options.stop_after_recover = rare == 0;
+    options.single_stage = rare == 1 && options.recover == RecoverWay::paper;
+    if (rare == 2) options.max_distance = spacing.x * (0.01 + source.share());
+    if (rare == 3) options.max_radius = spacing.x * (0.2 + source.share());
+    if (rare == 4) options.epsilon1 = 0.05 + source.share();
+    if (rare == 5) options.epsilon2 = 0.05 + source.share();
+    if (rare == 6) options.cubic = CubicMethod::schwarze;
+    if (rare == 7) options.method = Method::marching_cubes;
+  }
+  return options;
+}
+
+void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
+  stress::write_nrrd(volume, path);
+  std::printf(
+      "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17g "
+      "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu%s%s%s"
+      " --max-distance %.17g --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
+      path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
+      o.fingers, o.min_component, static_cast<unsigned long long>(o.seed), o.lambda, o.samples,
+      o.max_vertices, o.keep_partial ? " --keep-partial" : "",
+      o.stop_after_recover ? " --stop-after recover" : "", o.single_stage ? " --single-stage" : "",
+      o.max_distance, o.max_radius, o.epsilon1, o.epsilon2,
+      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
+      o.method == Method::marching_cubes ? " --method marching-cubes" : "");
+}
+
+bool any_doubt(const Report& report) {
+  for (const Counter c : {Counter::uncertified_sites, Counter::capped_insertions,
+                          Counter::unresolved_facets, Counter::unresolved_vertices}) {
+    if (report[c] > 0) return true;
+  }
+  return report.stopped_at_max_vertices;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  ByteSource source(bytes, size);
+  // The few bytes of options come first: what follows them may be cut.
+  std::uint8_t front[24];
+  for (std::uint8_t& byte : front) byte = source.next();
+  const Volume volume = make_volume(source);
+  ByteSource choices(front, sizeof front);
+  const Options options = make_options(choices, volume.spacing());
+  const ValueRange range = value_range(volume);
+  const double isovalue = make_isovalue(choices, volume, range);
+  if (const char* path = std::getenv("DELISO_FUZZ_WRITE")) {
+    write_case(volume, isovalue, options, path);
+  }
+
+  Report report;
+  TriMesh mesh;
+  try {
+    mesh = mesh_isosurface(volume, isovalue, options, report);
+  } catch (const InputError& error) {
+    check_message(error);
+    require(options.max_vertices < 1u << 20, "refused without --max-vertices");
+    return 0;
+  }
+  const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
+  if (verdict.invalid) found(verdict.fault);
+  const bool certified =
+      options.recover == RecoverWay::certified && options.method == Method::delaunay;
+  if (certified && options.min_component == 0 && !any_doubt(report) && !verdict.topology_exact) {
+    found(verdict.fault);
+  }
+  return 0;
+}
