@@ -4,13 +4,13 @@
 # one after the other; what only counts runs two at a time after them. What stands in
 # OUT/results-notes.md under a program's name goes below that program's tables. Nothing is written
 # unless all of it succeeded.
-# Usage: write_results.sh BUILD OUT [DATA]      BUDGET: seconds per figure at most (default 4)
+# Usage: write_results.sh BUILD OUT [DATA]      BUDGET: seconds per figure at most (default 3)
 set -eu
 [ $# -ge 2 ] || { echo "usage: $0 BUILD OUT [DATA]" >&2; exit 2; }
 build=$1
 out=$2
 data=${3:-}
-budget=${BUDGET:-4}
+budget=${BUDGET:-3}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM

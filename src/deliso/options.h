@@ -35,13 +35,15 @@ struct Profile;
 struct Options {
   Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
-  double fingers = 1;     // certified: no vertex of the contour further from the mesh, in voxels
-  double epsilon = 0.2;   // Stage 1, paper's way: h/r; infinity: no ApproximateGeom
-  double epsilon1 = 0.1;  // Stage 2: h/r
-  double epsilon2 = 0.2;  // Stage 2: r/h_sigma
-  double lambda = 2.0;    // r/l, both stages
-  RelativeLength r_min;   // nothing with r <= r_min is refined
-  PoleSide pole_side = PoleSide::nearer;                          // paper's way only
+  double fingers = 1;  // certified: no vertex of the contour further from the mesh, in voxels
+  // certified: an ApproximateGeom, h/r of facets larger than a voxel; the topology needs none
+  double certified_epsilon = std::numeric_limits<double>::infinity();
+  double epsilon = 0.2;                   // Stage 1, paper's way: h/r; infinity: no ApproximateGeom
+  double epsilon1 = 0.1;                  // Stage 2: h/r
+  double epsilon2 = 0.2;                  // Stage 2: r/h_sigma
+  double lambda = 2.0;                    // r/l, both stages
+  RelativeLength r_min;                   // nothing with r <= r_min is refined
+  PoleSide pole_side = PoleSide::nearer;  // paper's way only
   double max_distance = std::numeric_limits<double>::infinity();  // h, world units
   double max_radius = std::numeric_limits<double>::infinity();    // r, world units
 

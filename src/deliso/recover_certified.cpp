@@ -11,6 +11,7 @@
 #include "base/triangle.h"
 #include "contour/block_order.h"
 #include "deliso/certificate.h"
+#include "deliso/criteria.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/poles.h"
 #include "deliso/surface_point.h"
@@ -60,6 +61,8 @@ class CertifiedRecovery {
   std::optional<Vec3> find_surface_point(const DualFacet& facet);
   // Finds its surface point, or is too small for Stage 2 to look at.
   bool is_ready(const DualFacet& facet);
+  // Fails the certified way's own ApproximateGeom (options.certified_epsilon).
+  bool is_coarse(const DualFacet& facet);
   // The voxels at a facet's sites and witness, and those next to them.
   void add_voxels_around(const DualFacet& facet, std::vector<std::uint64_t>& voxels) const;
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
@@ -271,7 +274,8 @@ std::size_t CertifiedRecovery::make_ready() {
     unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
     VertexId worst = kNoId;
     for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s || is_ready(facet)) continue;
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;
+      if (is_ready(facet) && !is_coarse(facet)) continue;
       for (const VertexId v : facet.witness) {
         const double d2 = labels_.distance2_to_site(v);
         if (d2 > 0 && (worst == kNoId || d2 > labels_.distance2_to_site(worst))) worst = v;
@@ -304,6 +308,19 @@ bool CertifiedRecovery::is_ready(const DualFacet& facet) {
   const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
              &c = triangulation_.point(facet.sites[2]);
   return distance(circumcenter(a, b, c), a) <= report_.r_min || find_surface_point(facet);
+}
+
+bool CertifiedRecovery::is_coarse(const DualFacet& facet) {
+  if (!std::isfinite(options_.certified_epsilon)) return false;
+  const auto x = find_surface_point(facet);
+  if (!x) return false;
+  const FacetShape shape =
+      measure(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
+              triangulation_.point(facet.sites[2]), *x);
+  // Sites as dense as T's vertices would spoil the labels.
+  const Vec3 spacing = surface_.volume().spacing();
+  return shape.r > std::max({spacing.x, spacing.y, spacing.z}) &&
+         shape.h > options_.certified_epsilon * shape.r;
 }
 
 std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
