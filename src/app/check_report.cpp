@@ -34,6 +34,30 @@ std::string distances_text(const char* name, const Distances& d, double voxel,
   return line;
 }
 
+std::string boundary_text(const BoundaryQuality& b, double voxel) {
+  return text("boundary  of ", b.edges, " edges on the box ", b.over_h_over_r,
+              " above r_min pass h/r; h at most ", b.max_h / voxel, " voxels, largest h/r ",
+              b.max_h_over_r, ", ", b.without_curve, " without curve\n          of ", b.triangles,
+              " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
+              " have an angle below ", kSliver, "; largest r/l ", b.max_r_over_l,
+              ", smallest angle ", b.min_angle, " degrees\n");
+}
+
+void add_boundary(JsonWriter& json, const BoundaryQuality& b, double voxel) {
+  json.open("boundary");
+  json.add("edges", b.edges);
+  json.add("max_h_voxels", b.max_h / voxel);
+  json.add("max_h_over_r_above_r_min", b.max_h_over_r);
+  json.add("over_h_over_r", b.over_h_over_r);
+  json.add("without_curve", b.without_curve);
+  json.add("triangles", b.triangles);
+  json.add("over_lambda", b.over_lambda);
+  json.add("slivers", b.slivers);
+  json.add("max_r_over_l", b.max_r_over_l);
+  json.add("min_angle_degrees", b.min_angle);
+  json.close();
+}
+
 void add_distances(JsonWriter& json, std::string_view key, const Distances& d, double voxel) {
   json.open(key);
   json.add("points", d.points);
@@ -97,6 +121,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   out += text("criteria  of ", v.triangles_above_r_min, " triangles above r_min ", v.over_h_over_r,
               " pass h/r, ", v.quality.over_lambda, " pass r/l; largest h/r ",
               v.max_h_over_r_above_r_min, ", smallest angle ", v.quality.min_angle, " degrees\n");
+  if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
   bool any = false;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
@@ -151,6 +176,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   json.add("max_angle_degrees", v.quality.max_angle);
   json.add("max_r_over_l_above_r_min", v.quality.max_r_over_l_above_r_min);
   json.close();
+  add_boundary(json, v.boundary, voxel);
   json.open("seconds");
   json.add("validity", v.seconds_validity);
   json.add("topology", v.seconds_topology);

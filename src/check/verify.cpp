@@ -202,6 +202,8 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   judge_distance(result.from_surface, options.max_distance, voxel, "a point of the surface",
                  faults);
   measure_heights(clean, surface, options, result);
+  result.boundary =
+      measure_boundary(clean, surface, options.h_over_r, options.lambda, options.r_min);
   result.seconds_distances = laps.lap();
   return result;
 }

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "check/boundary_quality.h"
 #include "check/delaunay_share.h"
 #include "check/distances.h"
 #include "check/faults.h"
@@ -72,6 +73,7 @@ struct Verification {
   MeshQuality quality;
   std::size_t triangles_above_r_min = 0, over_h_over_r = 0;  // the second among the first
   double max_h_over_r_above_r_min = 0;
+  BoundaryQuality boundary;
   double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
 };
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "check/boundary_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "base/triangle.h"
+#include "contour/contour.h"
+
+namespace deliso {
+namespace {
+
+struct BoundaryEdge {
+  VertexId a, b;
+  std::uint32_t triangle;
+};
+
+// Edges that one triangle holds, as it runs along them, in the order of their triangles.
+std::vector<BoundaryEdge> boundary_edges(const CleanMesh& mesh) {
+  struct Use {
+    VertexId lo, hi;
+    BoundaryEdge edge;
+  };
+  std::vector<Use> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = mesh.triangles[n][i], b = mesh.triangles[n][(i + 1) % 3];
+      uses.push_back({std::min(a, b), std::max(a, b), {a, b, n}});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& s, const Use& t) {
+    return std::tie(s.lo, s.hi, s.edge.triangle) < std::tie(t.lo, t.hi, t.edge.triangle);
+  });
+  std::vector<BoundaryEdge> edges;
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    while (j < uses.size() && uses[j].lo == uses[i].lo && uses[j].hi == uses[i].hi) ++j;
+    if (j - i == 1) edges.push_back(uses[i].edge);
+  }
+  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& s, const BoundaryEdge& t) {
+    return std::tie(s.triangle, s.a) < std::tie(t.triangle, t.a);
+  });
+  return edges;
+}
+
+// From the middle of the edge to the curve; on an edge of the box, the nearer of two curves.
+std::optional<double> distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface) {
+  const Box3 box = surface.volume().box();
+  const Vec3 middle = 0.5 * (a + b);
+  std::optional<double> nearest;
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2;
+    const double plane = face % 2 == 0 ? box.lo[axis] : box.hi[axis];
+    // Meshes that come from files may be off by their rounding.
+    const double slack = 1e-6 * box.size()[axis];
+    if (std::fabs(a[axis] - plane) > slack || std::fabs(b[axis] - plane) > slack) continue;
+    const auto x =
+        boundary_midpoint(surface.volume(), surface.kappa(), static_cast<BoxFace>(face), a, b);
+    if (x && (!nearest || distance(*x, middle) < *nearest)) nearest = distance(*x, middle);
+  }
+  return nearest;
+}
+
+double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto angle = [](const Vec3& at, const Vec3& p, const Vec3& q) {
+    return std::atan2(length(cross(p - at, q - at)), dot(p - at, q - at));
+  };
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)}) / kDegree;
+}
+
+}  // namespace
+
+BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface, double h_over_r,
+                                 double lambda, double r_min) {
+  BoundaryQuality q;
+  q.min_angle = 60;
+  std::uint32_t last = kNoId;
+  for (const BoundaryEdge& edge : boundary_edges(mesh)) {
+    ++q.edges;
+    const Vec3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
+    const double r = 0.5 * distance(a, b);
+    if (const auto h = distance_to_curve(a, b, surface)) {
+      q.max_h = std::max(q.max_h, *h);
+      if (r > r_min) {
+        q.max_h_over_r = std::max(q.max_h_over_r, *h / r);
+        q.over_h_over_r += *h > h_over_r * r;
+      }
+    } else {
+      ++q.without_curve;
+    }
+    if (edge.triangle == last) continue;
+    last = edge.triangle;
+    ++q.triangles;
+    const Triangle& t = mesh.triangles[edge.triangle];
+    const Vec3 &p0 = mesh.points[t[0]], &p1 = mesh.points[t[1]], &p2 = mesh.points[t[2]];
+    const double ratio =
+        distance(circumcenter(p0, p1, p2), p0) / std::sqrt(shortest_edge2(p0, p1, p2));
+    const double angle = smallest_angle(p0, p1, p2);
+    q.over_lambda += !(ratio <= lambda);
+    q.slivers += angle < kSliver;
+    q.max_r_over_l = std::max(q.max_r_over_l, ratio);
+    q.min_angle = std::min(q.min_angle, angle);
+  }
+  if (q.edges == 0) q.min_angle = 0;
+  return q;
+}
+
+}  // namespace deliso

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// How well a mesh ends on the box: its boundary edges against the curves in which Sigma meets the
+// box, and the triangles along them.
+#pragma once
+
+#include <cstddef>
+
+#include "check/validity.h"
+#include "isosurface/isosurface.h"
+
+namespace deliso {
+
+struct BoundaryQuality {
+  std::size_t edges = 0;
+  // h: from the middle of an edge to the curve, across the edge within its face of the box; its r
+  // is half the edge, the radius of its ball. Edges with r > r_min are held to h/r.
+  double max_h = 0;
+  double max_h_over_r = 0;
+  std::size_t over_h_over_r = 0;
+  std::size_t without_curve = 0;  // edges whose ball does not meet the curve there
+  // Triangles with a boundary edge.
+  std::size_t triangles = 0;
+  std::size_t over_lambda = 0;             // of r/l, whatever their size
+  std::size_t slivers = 0;                 // with an angle below kSliver
+  double max_r_over_l = 0, min_angle = 0;  // degrees
+};
+
+inline constexpr double kSliver = 10;  // degrees
+
+// `mesh` ends on the box only.
+BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface, double h_over_r,
+                                 double lambda, double r_min);
+
+}  // namespace deliso
