@@ -33,6 +33,11 @@ const Vec3& BoundaryCurves::point(CurvePlace place) const {
   return loops_[place.loop].points[static_cast<std::size_t>(place.s)];
 }
 
+bool BoundaryCurves::is_corner(CurvePlace place) const {
+  return place.s == std::floor(place.s) &&
+         loops_[place.loop].corners[static_cast<std::size_t>(place.s)] != 0;
+}
+
 std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double sagitta) const {
   const std::vector<Vec3>& points = loops_[loop].points;
   const std::size_t n = points.size();
@@ -71,39 +76,64 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   return chain;
 }
 
-std::optional<BoundaryCurves::Split> BoundaryCurves::split(CurvePlace a, const Vec3& pa,
-                                                           CurvePlace b, const Vec3& pb) const {
+std::vector<BoundaryCurves::ArcPoint> BoundaryCurves::arc(CurvePlace a, const Vec3& pa,
+                                                          CurvePlace b, const Vec3& pb) const {
   const BoundaryLoop& loop = loops_[a.loop];
   const std::size_t n = loop.points.size();
   const double end = b.s > a.s ? b.s : b.s + static_cast<double>(n);
-  const std::size_t first = static_cast<std::size_t>(a.s) + 1;
-  const std::size_t last = static_cast<std::size_t>(std::ceil(end)) - 1;
+  std::vector<ArcPoint> points{{a.s, pa}};
+  for (auto i = static_cast<std::size_t>(a.s) + 1; static_cast<double>(i) < end; ++i) {
+    points.push_back({static_cast<double>(i), loop.points[i % n]});
+  }
+  points.push_back({end, pb});
+  return points;
+}
 
-  if (first > last) {  // both ends in one pixel's arc
-    const BoxFace face = loop.faces[(first - 1) % n];
-    const auto middle = boundary_midpoint(surface_.volume(), surface_.kappa(), face, pa, pb);
-    const double s = a.s + 0.5 * (end - a.s);
-    if (!middle || !(a.s < s && s < end) || *middle == pa || *middle == pb) return std::nullopt;
-    return Split{{a.loop, s}, *middle};
-  }
-  // The chain point nearest to half the arc's length.
-  double total = 0, so_far = 0;
-  const auto at = [&](std::size_t i) -> const Vec3& { return loop.points[i % n]; };
-  for (std::size_t i = first; i <= last + 1; ++i) {
-    total += distance(i == first ? pa : at(i - 1), i > last ? pb : at(i));
-  }
-  std::size_t best = first;
+std::optional<Vec3> BoundaryCurves::middle(std::uint32_t loop, const ArcPoint& from,
+                                           const ArcPoint& to) const {
+  const std::vector<BoxFace>& faces = loops_[loop].faces;
+  const BoxFace face = faces[static_cast<std::size_t>(from.s) % faces.size()];
+  return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.p, to.p);
+}
+
+std::optional<BoundaryCurves::Split> BoundaryCurves::split(CurvePlace a, const Vec3& pa,
+                                                           CurvePlace b, const Vec3& pb) const {
+  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+  double total = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) total += distance(points[i - 1].p, points[i].p);
+
+  std::optional<ArcPoint> best;
   double best_gap = total;
-  for (std::size_t i = first; i <= last; ++i) {
-    so_far += distance(i == first ? pa : at(i - 1), at(i));
-    const double gap = std::abs(so_far - total / 2);
-    if (gap < best_gap) {
-      best_gap = gap;
-      best = i;
+  const auto consider = [&](const ArcPoint& at, double from_start) {
+    const double gap = std::abs(from_start - total / 2);
+    if (gap >= best_gap || at.p == pa || at.p == pb) return;
+    best_gap = gap;
+    best = at;
+  };
+  double so_far = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ArcPoint &from = points[i - 1], &to = points[i];
+    const double size = distance(from.p, to.p), s = from.s + 0.5 * (to.s - from.s);
+    if (so_far <= total / 2 && total / 2 <= so_far + size && from.s < s && s < to.s) {
+      if (const auto p = middle(a.loop, from, to)) consider({s, *p}, so_far + size / 2);
     }
+    so_far += size;
+    if (i + 1 < points.size()) consider(to, so_far);
   }
-  if (at(best) == pa || at(best) == pb) return std::nullopt;
-  return Split{{a.loop, static_cast<double>(best % n)}, at(best)};
+  if (!best) return std::nullopt;
+  const auto length = static_cast<double>(loops_[a.loop].points.size());
+  return Split{{a.loop, best->s < length ? best->s : best->s - length}, best->p};
+}
+
+double BoundaryCurves::sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const {
+  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+  double worst2 = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    worst2 = std::max(worst2, distance_to_chord2(points[i].p, pa, pb));
+    const auto p = middle(a.loop, points[i - 1], points[i]);
+    if (p) worst2 = std::max(worst2, distance_to_chord2(*p, pa, pb));
+  }
+  return std::sqrt(worst2);
 }
 
 BoundaryChain::Link& BoundaryChain::link(VertexId v) {
@@ -124,6 +154,13 @@ void BoundaryChain::insert_after(VertexId a, VertexId v, CurvePlace place) {
   link(v) = {b, a, place};
   links_[a].next = v;
   links_[b].previous = v;
+}
+
+void BoundaryChain::remove(VertexId v) {
+  const Link gone = links_[v];
+  links_[gone.previous].next = gone.next;
+  links_[gone.next].previous = gone.previous;
+  links_[v] = {};
 }
 
 BoundaryChain BoundaryChain::renumbered(std::span<const VertexId> new_id) const {

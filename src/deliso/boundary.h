@@ -42,16 +42,31 @@ class BoundaryCurves {
   std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
   // pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
+  // Whether the curve turns there, on an edge of the box, so that every chain needs the place.
+  bool is_corner(CurvePlace place) const;
 
   struct Split {
     CurvePlace place;
     Vec3 point;
   };
-  // The middle of the arc that runs from a (at pa) to b (at pb). Nothing when the arc is too short
-  // to have one that differs from its ends.
+  // A point near the middle of the arc that runs from a (at pa) to b (at pb): a point of the curve,
+  // or the middle of the piece between two of them, whichever is nearer to half of its length, so
+  // that neither half is much shorter. Nothing when the arc is too short to have one
+  // that differs from its ends.
   std::optional<Split> split(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  // How far that arc runs from its chord.
+  double sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
 
  private:
+  // The points of an arc: its ends, and those of the curve between them.
+  struct ArcPoint {
+    double s;  // not reduced: beyond the loop's length where the arc passes its first point
+    Vec3 p;
+  };
+  std::vector<ArcPoint> arc(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  // The middle of the piece of a curve between two points of one arc, next to each other.
+  std::optional<Vec3> middle(std::uint32_t loop, const ArcPoint& from, const ArcPoint& to) const;
+
   const Isosurface& surface_;
   std::vector<BoundaryLoop> loops_;
 };
@@ -70,6 +85,8 @@ class BoundaryChain {
   void add_loop(std::span<const VertexId> vertices, std::span<const CurvePlace> places);
   // Puts v between a and its next.
   void insert_after(VertexId a, VertexId v, CurvePlace place);
+  // Joins v's neighbours to each other. pre: the loop has more than three vertices.
+  void remove(VertexId v);
   // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone; its chain must be
   // gone with it).
   BoundaryChain renumbered(std::span<const VertexId> new_id) const;
@@ -83,6 +100,10 @@ class BoundaryChain {
   Link& link(VertexId v);
   std::vector<Link> links_;
 };
+
+// A boundary edge shorter than this share of r_min is not split, in either stage: where the curve
+// turns sharply at an edge of the box, its two sides would encroach upon each other for ever.
+inline constexpr double kShortestBoundaryEdge = 0.25;
 
 // p lies strictly inside the ball whose diameter is ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {

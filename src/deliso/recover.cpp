@@ -15,10 +15,6 @@ namespace {
 // arbitrarily close would be refined for ever.
 constexpr double kFloor = 0.01;
 
-// Boundary edges are not split below this share of r_min: where the curve turns sharply at an edge
-// of the box, its two sides would encroach upon each other for ever.
-constexpr double kShortestBoundaryEdge = 0.1;
-
 // A hit is real only if no vertex lies deeper in its ball than rounding explains.
 constexpr double kBallTolerance = 0.999;
 

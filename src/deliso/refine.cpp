@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "deliso/collapse_needles.h"
 #include "deliso/poles.h"
 #include "deliso/profile.h"
 #include "deliso/surface_point.h"
@@ -22,9 +23,6 @@ namespace {
 
 // A point nearer than this share of r_min to a vertex of its rim would make needles.
 constexpr double kTooClose = 0.25;
-
-// A boundary edge shorter than this share of r_min is not split.
-constexpr double kShortestBoundaryEdge = 0.25;
 
 // Flips allowed, per facet handed over. On a surface they need not come to an end by themselves.
 constexpr std::size_t kFlipsPerFacet = 4;
@@ -58,6 +56,9 @@ class Refiner {
   // Returns the reason when it must not be.
   std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
   bool split_boundary(EdgeRef edge);
+  // Splits the boundary edges of the facets in ends_ that leave their curve, as facets leave Sigma.
+  void follow_curves();
+  bool leaves_curve(EdgeRef edge) const;
   // Flips the edge of f opposite its corner i when it is not Delaunay and its flip is.
   bool flip_if_not_delaunay(FaceId f, int i);
   // Flips edges of `faces`, and then around what changed, until all are Delaunay or cannot be.
@@ -79,6 +80,7 @@ class Refiner {
   std::size_t flips_left_ = 0, steps_ = 0;
   double share_ = 0;
   std::vector<FaceId> refused_;
+  std::vector<FaceId> ends_;  // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> marks_;
   std::uint32_t stamp_ = 0;
   EncroachedDisk disk_;
@@ -93,12 +95,16 @@ void Refiner::run() {
   std::iota(all.begin(), all.end(), 0);
   legalize(std::move(all));
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
+  ends_.resize(mesh_.faces.size());
+  std::iota(ends_.rbegin(), ends_.rend(), 0);
+  follow_curves();
   // What was refused is tried again once its surroundings have changed, while that helps.
   std::size_t points_before;
   do {
     points_before = mesh_.points.size();
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       refine(f);
+      follow_curves();
       show_progress();
       if (mesh_.points.size() < options_.max_vertices) continue;
       if (!options_.keep_partial) {
@@ -141,9 +147,12 @@ void Refiner::show_progress() {
 void Refiner::refine(FaceId f) {
   const auto refusal = insert(f, mesh_.surface_points[f], std::nullopt);
   if (!refusal) return;
-  // Next to the boundary a shorter boundary edge makes room.
+  // Next to the boundary a shorter boundary edge makes room, unless it is short already.
   for (int i = 0; i < 3; ++i) {
-    if (mesh_.faces[f].n[i] == kNoId && split_boundary({f, i})) return;
+    if (mesh_.faces[f].n[i] != kNoId) continue;
+    const Triangle& v = mesh_.faces[f].v;
+    const Vec3 &a = mesh_.points[v[(i + 1) % 3]], &b = mesh_.points[v[(i + 2) % 3]];
+    if (distance(a, b) >= shape(f).r && split_boundary({f, i})) return;
   }
   bool flipped = false;
   for (int i = 0; i < 3; ++i) flipped |= flip_if_not_delaunay(f, i);
@@ -277,14 +286,38 @@ bool Refiner::split_boundary(EdgeRef edge) {
   if (insert(edge.face, middle->point, edge)) return false;
   chain_.insert_after(a, static_cast<VertexId>(mesh_.points.size() - 1), middle->place);
   ++report_[Counter::boundary_splits_refine];
+  ends_.insert(ends_.end(), created_.begin(), created_.end());
   return true;
+}
+
+bool Refiner::leaves_curve(EdgeRef edge) const {
+  const Face& face = mesh_.faces[edge.face];
+  VertexId a = face.v[(edge.index + 1) % 3], b = face.v[(edge.index + 2) % 3];
+  if (!chain_.is_edge(a, b)) return false;
+  if (chain_.next(a) != b) std::swap(a, b);
+  const Vec3 &pa = mesh_.points[a], &pb = mesh_.points[b];
+  const double r = 0.5 * distance(pa, pb);
+  return r > criteria_.r_min &&
+         curves_.sagitta(chain_.place(a), pa, chain_.place(b), pb) > criteria_.h_over_r * r;
+}
+
+void Refiner::follow_curves() {
+  while (!ends_.empty()) {
+    const FaceId f = ends_.back();
+    ends_.pop_back();
+    for (int i = 0; f != kNoId && i < 3; ++i) {
+      if (mesh_.faces[f].n[i] == kNoId && leaves_curve({f, i}) && split_boundary({f, i})) break;
+    }
+  }
 }
 
 }  // namespace
 
 void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
                  const Criteria& criteria, const Options& options, Report& report) {
+  collapse_needles(recovered, surface, curves, criteria, report);
   Refiner(recovered, surface, curves, criteria, options, report).run();
+  collapse_needles(recovered, surface, curves, criteria, report);
 }
 
 }  // namespace deliso

@@ -27,6 +27,7 @@ enum class Counter : std::uint8_t {
   components_put_back,      // components the tests lost, taken from the exact contour
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
+  needles_collapsed,        // edges at the box too short for any triangle above r_min
   // Stage 2, refused insertions by reason
   refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
   refused_no_surface_point,  // a new facet's dual line misses Sigma

@@ -46,6 +46,12 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
           ++splits;
           CHECK(on_box(scene.volume.box(), split->point));
           CHECK(std::abs(scene.volume.value(split->point) - scene.surface.kappa()) < 1e-9);
+          // Neither half is much shorter than the other.
+          const double before = distance(pa, split->point), after = distance(split->point, pb);
+          CHECK(std::min(before, after) > 0.15 * std::max(before, after));
+          // The arc stays as close to its chord as its middle is, at least.
+          CHECK(curves.sagitta(a, pa, b, pb) + 1e-9 >=
+                0.999 * length(cross(split->point - pa, pb - pa)) / distance(pa, pb));
           const double end = b.s > a.s ? b.s : b.s + static_cast<double>(n);
           const double s = split->place.s > a.s ? split->place.s : split->place.s + double(n);
           CHECK(a.s < s);
@@ -69,12 +75,16 @@ TEST_CASE("the chain links vertices both ways and survives insertion and renumbe
   CHECK(chain.previous(5) == 9);
   CHECK(chain.is_edge(9, 5));
   CHECK_FALSE(chain.is_boundary(6));
+  chain.insert_after(5, 13, {0, 2});
+  chain.remove(13);
+  CHECK(chain.is_edge(5, 7));
+  CHECK_FALSE(chain.is_boundary(13));
   chain.insert_after(7, 11, {0, 6});
   CHECK(chain.next(7) == 11);
   CHECK(chain.next(11) == 9);
   CHECK(chain.previous(9) == 11);
   CHECK_FALSE(chain.is_edge(7, 9));
-  std::vector<VertexId> new_id(12, kNoId);
+  std::vector<VertexId> new_id(14, kNoId);
   new_id[5] = 0, new_id[7] = 1, new_id[11] = 2, new_id[9] = 3;
   const BoundaryChain after = chain.renumbered(new_id);
   CHECK(after.next(1) == 2);

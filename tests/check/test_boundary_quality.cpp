@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Boundary edges against circles whose sagitta is known, and what the stages make of curves.
+#include "check/boundary_quality.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "deliso/deliso.h"
+#include "deliso/fields.h"
+
+using namespace deliso;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Round the z axis of a 65 x 65 x 9 box, inside within `radius`.
+Volume cylinder(double radius) {
+  std::vector<float> samples;
+  for (int k = 0; k < 9; ++k) {
+    for (int j = 0; j < 65; ++j) {
+      for (int i = 0; i < 65; ++i) {
+        const double x = i - 32, y = j - 32;
+        samples.push_back(static_cast<float>(radius - std::sqrt(x * x + y * y)));
+      }
+    }
+  }
+  return Volume::from_samples({65, 65, 9}, {1, 1, 1}, samples);
+}
+
+// A prism of n sides inscribed into it, with its corners on the curve that the samples have.
+CleanMesh prism(const Isosurface& surface, int n) {
+  CleanMesh mesh;
+  for (const double z : {0.0, 8.0}) {
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * kPi * k / n;
+      const Vec3 direction{std::cos(angle), std::sin(angle), 0};
+      SearchCounters counters;
+      const auto hit = surface.nearest(Vec3{32, 32, z} + 20 * direction, direction, 2, counters);
+      REQUIRE(hit);
+      mesh.points.push_back(hit->point);
+    }
+  }
+  for (VertexId k = 0; k < VertexId(n); ++k) {
+    const VertexId a = k, b = (k + 1) % VertexId(n), c = a + VertexId(n), d = b + VertexId(n);
+    mesh.triangles.push_back({a, b, d});
+    mesh.triangles.push_back({a, d, c});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("the sagitta of polygons inscribed into a circle") {
+  const Volume volume = cylinder(20);
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, effective_isovalue(volume, 0));
+  for (const int n : {5, 8, 13, 24}) {
+    CAPTURE(n);
+    const CleanMesh mesh = prism(surface, n);
+    const double expected = std::tan(kPi / n / 2);
+    const BoundaryQuality q = measure_boundary(mesh, surface, 0.1, 2, 0);
+    CHECK(q.edges == std::size_t(2 * n));
+    CHECK(q.triangles == std::size_t(2 * n));
+    CHECK(q.without_curve == 0);
+    CHECK(q.max_h_over_r == doctest::Approx(expected).epsilon(0.03));
+    CHECK(q.max_h == doctest::Approx(20 * (1 - std::cos(kPi / n))).epsilon(0.03));
+    CHECK(q.over_h_over_r == (expected > 0.1 ? std::size_t(2 * n) : 0));
+    CHECK(measure_boundary(mesh, surface, 0.1, 2, 20).over_h_over_r == 0);
+    // All triangles are right-angled: the edge, 8 along the axis, and the diagonal.
+    const double edge = 40 * std::sin(kPi / n), diagonal = std::sqrt(edge * edge + 64);
+    CHECK(q.max_r_over_l == doctest::Approx(diagonal / 2 / std::min(edge, 8.0)).epsilon(0.01));
+    CHECK(q.over_lambda == 0);
+    CHECK(q.slivers == 0);
+  }
+}
+
+TEST_CASE("the stages follow the curves on the box, with no slivers along them") {
+  int edges = 0;
+  for (int n = 0; n < 5; ++n) {
+    CAPTURE(n);
+    const Scene scene = n == 0   ? builtin_scene("gyroid", 32)
+                        : n == 1 ? builtin_scene("fuel", 32)
+                                 : wave_scene(static_cast<std::uint64_t>(n), 16);
+    Options options;
+    options.r_min = {0.05, true};
+    Report report;
+    const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
+    Faults faults;
+    const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0, MayEnd::on_box, faults);
+    const BoundaryQuality q =
+        measure_boundary(clean, scene.surface, options.epsilon1, options.lambda, report.r_min);
+    edges += static_cast<int>(q.edges);
+    CHECK(q.without_curve == 0);
+    CHECK(100 * q.over_h_over_r <= q.edges);
+    CHECK(100 * q.slivers <= q.triangles);
+  }
+  CHECK(edges > 500);
+}
