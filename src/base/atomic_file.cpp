@@ -54,6 +54,17 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
 }
 
+// Calls `attempt` with names beside the target until it succeeds, or fails for another reason than
+// that there is such a file.
+template <class Attempt>
+void for_free_name(const std::string& target, Attempt attempt) {
+  static std::atomic<unsigned> counter{0};
+  const std::string stem = text(folder_of(target), ".deliso-", getpid(), "-");
+  while (!attempt(text(stem, counter++, ".tmp"))) {
+    if (errno != EEXIST) return;
+  }
+}
+
 // Repeats a system call that a signal has interrupted.
 template <class Call>
 auto uninterrupted(Call call) {
@@ -93,17 +104,40 @@ AtomicFile::~AtomicFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
-// In the folder of the target, since a rename cannot cross file systems.
+// In the folder of the target, since neither a link nor a rename can cross file systems.
 void AtomicFile::open_temporary() {
-  static std::atomic<unsigned> counter{0};
-  const std::string stem = text(folder_of(target_), ".deliso-", getpid(), "-");
-  do {
-    const std::string name = text(stem, counter++, ".tmp");
+#ifdef O_TMPFILE
+  // The name is given through /proc at the end, so that must be there.
+  if (access("/proc/self/fd", X_OK) == 0) {
+    const std::string folder = text(folder_of(target_), ".");
+    descriptor_ =
+        uninterrupted([&] { return open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666); });
+    unnamed_ = descriptor_ >= 0;
+    if (unnamed_) return;
+  }
+#endif
+  open_named_temporary();
+}
+
+void AtomicFile::open_named_temporary() {
+  for_free_name(target_, [&](const std::string& name) {
     descriptor_ = uninterrupted(
         [&] { return open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
     if (descriptor_ >= 0) temporary_ = name;
-  } while (descriptor_ < 0 && errno == EEXIST);
+    return descriptor_ >= 0;
+  });
   if (descriptor_ < 0) fail(errno);
+}
+
+void AtomicFile::name_temporary() {
+  const std::string open_file = text("/proc/self/fd/", descriptor_);
+  for_free_name(target_, [&](const std::string& name) {
+    const bool done =
+        linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    if (done) temporary_ = name;
+    return done;
+  });
+  if (temporary_.empty()) fail(errno);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -124,7 +158,8 @@ void AtomicFile::flush() {
 
 void AtomicFile::commit() {
   flush();
-  if (sync_ && !temporary_.empty() && fsync(descriptor_) != 0) fail(errno);
+  if (sync_ && (unnamed_ || !temporary_.empty()) && fsync(descriptor_) != 0) fail(errno);
+  if (unnamed_) name_temporary();
   // Some file systems report a full disk only here.
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
   if (temporary_.empty()) return;
