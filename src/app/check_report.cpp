@@ -119,7 +119,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   out += distances_text("mesh->    ", v.to_surface, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, voxel, volume);
   out += text("criteria  of ", v.triangles_above_r_min, " triangles above r_min ", v.over_h_over_r,
-              " pass h/r, ", v.quality.over_lambda, " pass r/l; largest h/r ",
+              " exceed h/r, ", v.quality.over_lambda, " exceed r/l; largest h/r ",
               v.max_h_over_r_above_r_min, ", smallest angle ", v.quality.min_angle, " degrees\n");
   if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
   bool any = false;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "base/text.h"
 #include "base/triangle.h"
@@ -34,17 +36,40 @@ Vec3 middle_of(const Box3& box) {
   return 0.5 * (box.lo + box.hi);
 }
 
-// Which component of T the vertices are nearest to; kNoId when most are near none.
-std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
-                   const ContourMesh& contour, const TriangleTree& tree, double within) {
-  std::vector<std::uint32_t> votes;
-  const std::size_t asked = std::min(kVotes, vertices.size());
-  for (std::size_t n = 0; n < asked; ++n) {
-    const Vec3& p = mesh.points[vertices[n * vertices.size() / asked]];
-    const FaceId nearest = tree.nearest(p, within * within).triangle;
-    if (nearest != kNoId) votes.push_back(contour.component[contour.triangles[nearest][0]]);
+// The component of T where a voxel holds pieces of one only.
+class LoneComponents {
+ public:
+  LoneComponents(const ContourMesh& contour, const Volume& volume) : volume_(volume) {
+    for (const Triangle& t : contour.triangles) {
+      const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3;
+      const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(middle));
+      entries_.emplace_back(voxel, contour.component[t[0]]);
+    }
+    std::sort(entries_.begin(), entries_.end());
+    entries_.erase(std::unique(entries_.begin(), entries_.end()), entries_.end());
   }
-  if (2 * votes.size() <= asked) return kNoId;
+
+  // kNoId near the voxel's faces, too, where p could be a neighbour's.
+  std::uint32_t at(const Vec3& p) const {
+    constexpr double kMargin = 1e-6;
+    const Index3 voxel = volume_.voxel_at(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double u = p[axis] / volume_.spacing()[axis] - voxel[axis];
+      if (!(u > kMargin && u < 1 - kMargin)) return kNoId;
+    }
+    const std::uint64_t number = voxel_number(volume_.dims(), voxel);
+    const auto first =
+        std::lower_bound(entries_.begin(), entries_.end(), std::pair(number, std::uint32_t{0}));
+    if (first == entries_.end() || first->first != number) return kNoId;
+    return first + 1 != entries_.end() && (first + 1)->first == number ? kNoId : first->second;
+  }
+
+ private:
+  const Volume& volume_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_;  // voxel, component
+};
+
+std::uint32_t most_frequent(std::vector<std::uint32_t>& votes) {
   std::sort(votes.begin(), votes.end());
   std::uint32_t winner = kNoId;
   std::size_t most = 0;
@@ -57,14 +82,41 @@ std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
   return winner;
 }
 
-// Whether most of the component's area has its normals along the gradient of g.
+// Which component of T the vertices are nearest to; kNoId when most are near none. Where sheets lie
+// closer than T is fine the nearest can be another's: vertices in voxels of one component know
+// better, and then those whose nearest triangle faces the way that Sigma does.
+std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
+                   const ContourMesh& contour, const TriangleTree& tree, const LoneComponents& lone,
+                   const Volume& volume, double within) {
+  std::vector<std::uint32_t> votes, facing, sure;
+  const std::size_t asked = std::min(kVotes, vertices.size());
+  for (std::size_t n = 0; n < asked; ++n) {
+    const Vec3& p = mesh.points[vertices[n * vertices.size() / asked]];
+    const FaceId nearest = tree.nearest(p, within * within).triangle;
+    if (nearest == kNoId) continue;
+    const Triangle& t = contour.triangles[nearest];
+    votes.push_back(contour.component[t[0]]);
+    const Vec3 normal =
+        area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]);
+    if (dot(normal, volume.gradient(p)) < 0) facing.push_back(votes.back());
+    const std::uint32_t only = lone.at(p);
+    if (only != kNoId) sure.push_back(only);
+  }
+  if (2 * votes.size() <= asked) return kNoId;
+  return most_frequent(!sure.empty() ? sure : !facing.empty() ? facing : votes);
+}
+
+// Whether most of the component's area has its normals along the gradient of g, at the corners: the
+// middle of a triangle can lie beyond the next sheet.
 std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, std::size_t count) {
   std::vector<double> along(count, 0);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const Vec3 gradient = volume.gradient((a + b + c) / 3);
-    const double size = length(gradient);
-    if (size > 0) along[mesh.component[t[0]]] += dot(area_normal(a, b, c), gradient) / size;
+    const Vec3 normal = area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    for (const VertexId v : t) {
+      const Vec3 gradient = volume.gradient(mesh.points[v]);
+      const double size = length(gradient);
+      if (size > 0) along[mesh.component[v]] += dot(normal, gradient) / size;
+    }
   }
   std::vector<std::uint8_t> result;
   result.reserve(count);
@@ -86,9 +138,10 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
   }
 
   const std::vector<ContourComponent>& exact = contour.summary.components;
+  const LoneComponents lone(contour, volume);
   std::vector<std::uint32_t> stands_for(count), stand_in(exact.size(), kNoId);
   for (std::uint32_t m = 0; m < count; ++m) {
-    stands_for[m] = vote(mesh, vertices[m], contour, contour_tree, length(spacing));
+    stands_for[m] = vote(mesh, vertices[m], contour, contour_tree, lone, volume, length(spacing));
     if (stands_for[m] == kNoId) continue;
     std::uint32_t& best = stand_in[stands_for[m]];
     if (best == kNoId || topology.components[m].faces > topology.components[best].faces) best = m;

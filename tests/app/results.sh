@@ -89,6 +89,30 @@ holds "--check finds no fault with the torus" "$deliso" builtin:torus -q --check
 holds "check finds no fault with its file" "$deliso" check torus.ply builtin:torus -q
 "$deliso" builtin:torus -q -o torus-float.ply --float
 holds "nor with its file in single precision" "$deliso" check torus-float.ply builtin:torus -q
+# A volume turned, moved and mirrored in the world: the mesh is written there, and checked there.
+{
+  printf 'NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 6 6 6\n'
+  printf 'space directions: (0,2,0) (0.6,0,0.8) (0.8,0,-0.6)\nspace origin: (-40,25.5,1000)\n'
+  printf 'encoding: ascii\n\n'
+  awk 'BEGIN { for (n = 0; n < 216; n++) { i = n % 6 - 2.4; j = int(n / 6) % 6 - 2.6
+    k = int(n / 36) - 2.5; print int(200 - 12 * (i * i + j * j + 2 * k * k)) "" } }' |
+    sed 's/^-.*/0/'
+} >turned.nrrd
+sed 's/(0,2,0) (0.6,0,0.8) (0.8,0,-0.6)/(0,2,0) (0.6,0,0.8) (-0.8,0,0.6)/' turned.nrrd >mirrored.nrrd
+for name in turned mirrored; do
+  for precision in --double --float; do
+    "$deliso" $name.nrrd --iso 150.3 -q -o $name.ply $precision
+    holds "check finds no fault with a $name volume's mesh, $precision" \
+      "$deliso" check $name.ply $name.nrrd --iso 150.3 -q --restricted 0.9
+  done
+done
+"$deliso" info mirrored.nrrd >facts
+"$deliso" info turned.nrrd >>facts
+holds "one of the two is left-handed" [ "$(grep -c left-handed facts)" -eq 1 ]
+status=0
+"$deliso" check turned.ply mirrored.nrrd --iso 150.3 -q --restricted 0.9 || status=$?
+holds "a mesh in another place is at fault" [ "$status" -eq 1 ]
+
 status=0
 "$deliso" check torus.ply builtin:sphere --json faults.json >report || status=$?
 holds "check exits 1 on a fault" [ "$status" -eq 1 ]

@@ -172,6 +172,7 @@ void write_case(const Volume& volume, double isovalue, const Options& o, const c
       o.max_distance, o.max_radius, o.epsilon1, o.epsilon2,
       o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
       o.method == Method::marching_cubes ? " --method marching-cubes" : "");
+  std::fflush(stdout);
 }
 
 bool any_doubt(const Report& report) {
