@@ -93,13 +93,26 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
 }
 
 double enclosed_volume(const TriMesh& mesh) {
-  if (mesh.points.empty()) return 0;
-  // Tetrahedra from one of the vertices: cancellation stays within the size of the mesh.
-  const Vec3 apex = mesh.points[0];
   double sixfold = 0;
-  for (const Face& face : mesh.faces) {
-    sixfold += dot(mesh.points[face.v[0]] - apex,
-                   cross(mesh.points[face.v[1]] - apex, mesh.points[face.v[2]] - apex));
+  std::vector<bool> seen(mesh.faces.size(), false);
+  std::vector<FaceId> pending;
+  for (FaceId start = 0; start < mesh.faces.size(); ++start) {
+    if (seen[start]) continue;
+    // Tetrahedra from one vertex of each component: cancellation stays within its size.
+    const Vec3 apex = mesh.points[mesh.faces[start].v[0]];
+    seen[start] = true;
+    for (pending.assign(1, start); !pending.empty();) {
+      const Face& face = mesh.faces[pending.back()];
+      pending.pop_back();
+      const Vec3 a = mesh.points[face.v[0]] - apex, b = mesh.points[face.v[1]] - apex,
+                 c = mesh.points[face.v[2]] - apex;
+      sixfold += dot(a, cross(b, c));
+      for (const FaceId g : face.n) {
+        if (g == kNoId || seen[g]) continue;
+        seen[g] = true;
+        pending.push_back(g);
+      }
+    }
   }
   return sixfold / 6;
 }

@@ -41,7 +41,7 @@ struct MeshQuality {
 MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min);
 
 // The volume that the facets enclose, positive where they are counter-clockwise seen from outside.
-// Means something for closed meshes only.
+// Means something for closed meshes only. pre: linked.
 double enclosed_volume(const TriMesh& mesh);
 
 }  // namespace deliso

@@ -142,3 +142,27 @@ TEST_CASE("lambda bounds the smallest angle") {
     CHECK(q.min_angle == doctest::Approx(bound).epsilon(1e-6));
   }
 }
+
+TEST_CASE("the volume within closed meshes, however small and far apart they are") {
+  const TriMesh unit = mesh_of(tetrahedron());
+  const double size = enclosed_volume(unit);
+  REQUIRE(size != 0);
+  for (const double scale : {1.0, 1e-3, 1e-9}) {
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    for (int copy = 0; copy < 20; ++copy) {
+      const auto first = static_cast<VertexId>(points.size());
+      const Vec3 at{1.0 * copy, 2.0 * copy, -3.0 * copy};
+      for (const Vec3& p : unit.points) points.push_back(at + scale * p);
+      for (const Face& f : unit.faces) {
+        triangles.push_back({first + f.v[0], first + f.v[1], first + f.v[2]});
+      }
+    }
+    const double expected = 20 * size * scale * scale * scale;
+    CHECK(enclosed_volume(make_tri_mesh(points, triangles)) ==
+          doctest::Approx(expected).epsilon(1e-4));
+    for (Triangle& t : triangles) std::swap(t[0], t[1]);
+    CHECK(enclosed_volume(make_tri_mesh(points, triangles)) ==
+          doctest::Approx(-expected).epsilon(1e-4));
+  }
+}
