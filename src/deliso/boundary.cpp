@@ -167,7 +167,10 @@ BoundaryChain BoundaryChain::renumbered(std::span<const VertexId> new_id) const 
   BoundaryChain chain;
   for (VertexId v = 0; v < links_.size(); ++v) {
     if (!is_boundary(v) || new_id[v] == kNoId) continue;
-    chain.link(new_id[v]) = {new_id[links_[v].next], new_id[links_[v].previous], links_[v].place};
+    VertexId after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
+    while (new_id[after] == kNoId) after = links_[after].next;
+    while (new_id[before] == kNoId) before = links_[before].previous;
+    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
   }
   return chain;
 }

@@ -87,8 +87,8 @@ class BoundaryChain {
   void insert_after(VertexId a, VertexId v, CurvePlace place);
   // Joins v's neighbours to each other. pre: the loop has more than three vertices.
   void remove(VertexId v);
-  // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone; its chain must be
-  // gone with it).
+  // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone, as happens where
+  // the paper's tests lose facets; its neighbours are joined).
   BoundaryChain renumbered(std::span<const VertexId> new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }
 

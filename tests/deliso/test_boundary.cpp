@@ -91,3 +91,19 @@ TEST_CASE("the chain links vertices both ways and survives insertion and renumbe
   CHECK(after.previous(0) == 3);
   CHECK(after.place(2).s == 6);
 }
+
+// The paper's tests can lose all facets at a vertex of the chain. Its neighbours then pointed to
+// nobody, and collapsing needles along the box read far outside of the chain.
+TEST_CASE("a vertex that is gone leaves its chain closed") {
+  BoundaryChain chain;
+  chain.add_loop(std::vector<VertexId>{5, 7, 9, 11, 13},
+                 std::vector<CurvePlace>{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}});
+  std::vector<VertexId> new_id(14, kNoId);
+  new_id[5] = 0, new_id[11] = 1, new_id[13] = 2;
+  const BoundaryChain after = chain.renumbered(new_id);
+  CHECK(after.next(0) == 1);
+  CHECK(after.previous(1) == 0);
+  CHECK(after.next(1) == 2);
+  CHECK(after.next(2) == 0);
+  CHECK_FALSE(after.is_boundary(3));
+}
