@@ -62,9 +62,7 @@ int work(const BenchArguments& arguments) {
     vertices.add({dataset.name, opened.data, count_cell(of_paper), count_cell(of_runs),
                   ratio(of_runs, of_paper), count_cell(of_certified),
                   ratio(of_certified, of_paper)});
-    for (Table* table : {&insertions, &certified_way, &vertices}) {
-      for (const std::string& remark : opened.remarks) table->remark(remark);
-    }
+    for (const std::string& remark : opened.remarks) insertions.remark(remark);
   }
   insertions.remark(
       "n_RC: all points when Recover ends, with the initial sample. t_RC: the seconds of Recover "
