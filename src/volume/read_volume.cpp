@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "volume/read_volume.h"
 
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "volume/builtin_fields.h"
 #include "volume/text_scan.h"
@@ -85,6 +87,10 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
   if (file_name.empty()) fail(input.name(), "names no data file");
   const bool absolute = file_name[0] == '/';
   const std::string path = (absolute ? "" : input.directory) + std::string(file_name);
+  // A device could give bytes without end, a pipe none.
+  std::error_code ignored;
+  if (std::filesystem::is_other(path, ignored))
+    fail(input.name(), "its data file " + quote(path) + " is no regular file");
   try {
     return open_file(path);
   } catch (const InputError& error) {

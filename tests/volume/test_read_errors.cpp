@@ -64,6 +64,21 @@ Truth small_truth(SampleType type = SampleType::u8) {
 
 }  // namespace
 
+// A header may name any path. /dev/zero was read until memory was out, a pipe waited for.
+TEST_CASE("data files that are devices or pipes") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  for (const char* file : {"/dev/zero", "pipe"}) {
+    CAPTURE(file);
+    CHECK(fault_of(folder, "v.nhdr", nrrd_with("data file", file, 0)).find("no regular file") !=
+          std::string::npos);
+    CHECK(fault_of(folder, "v.mhd",
+                   "NDims = 3\nDimSize = 2 3 4\nElementType = MET_UCHAR\nElementDataFile = " +
+                       std::string(file) + "\n")
+              .find("no regular file") != std::string::npos);
+  }
+}
+
 TEST_CASE("files that are not there, not readable, empty, no volumes") {
   const TemporaryFolder folder;
   CHECK(fault(folder, "none.nrrd") == "none.nrrd: cannot open: No such file or directory");
