@@ -4,13 +4,13 @@
 # one after the other; what only counts runs two at a time after them. What stands in
 # OUT/results-notes.md under a program's name goes below that program's tables. Nothing is written
 # unless all of it succeeded.
-# Usage: write_results.sh BUILD OUT [DATA]      BUDGET: seconds per figure at most (default 3)
+# Usage: write_results.sh BUILD OUT [DATA]      BUDGET: seconds per figure at most (default 5; half in the studies)
 set -eu
 [ $# -ge 2 ] || { echo "usage: $0 BUILD OUT [DATA]" >&2; exit 2; }
 build=$1
 out=$2
 data=${3:-}
-budget=${BUDGET:-3}
+budget=${BUDGET:-5}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
@@ -19,7 +19,9 @@ mkdir -p "$work/figures" "$out/figures"
 run() {
   echo "$1" >&2
   started=$(date +%s)
-  "$build/bench/$1" --markdown --budget "$budget" --figures "$work/figures" \
+  limit=$budget
+  case $1 in study_*) limit=$(awk "BEGIN { print $budget / 2 }") ;; esac
+  "$build/bench/$1" --markdown --budget "$limit" --figures "$work/figures" \
     ${data:+--data "$data"} >"$work/$1.md" || return 1
   echo "| $1 | $(($(date +%s) - started)) |" >"$work/$1.time"
 }
