@@ -48,22 +48,22 @@ class ByteSource {
   std::size_t left_;
 };
 
-constexpr double kLargest = 1e30;  // of samples: their differences and products stay finite
-
 template <class T>
-T sample_of(ByteSource& source, std::uint32_t content) {
+T sample_of(ByteSource& source, std::uint32_t content, double scale) {
   if (content == 1) return static_cast<T>(source.below(3));
   if (content == 2) return static_cast<T>(source.next());
-  const T value = source.raw<T>();
   if constexpr (std::is_floating_point_v<T>) {
-    if (!(std::abs(static_cast<double>(value)) <= kLargest)) return T{0};
+    // One exponent for all: where samples differ by more than 1e15, crossings round to samples.
+    return static_cast<T>(source.raw<std::int16_t>() * scale);
   }
-  return value;
+  return source.raw<T>();
 }
 
 template <class T>
 Volume make_volume(ByteSource& source, Index3 dims, Vec3 spacing) {
   const std::uint32_t content = source.below(4);
+  constexpr double scales[] = {1, 1e26, 1e-26, 1e-41};
+  const double scale = scales[source.below(4)];
   const std::size_t count = static_cast<std::size_t>(dims.i * dims.j * dims.k);
   std::vector<T> samples;
   if (content == 3) {
@@ -79,7 +79,7 @@ Volume make_volume(ByteSource& source, Index3 dims, Vec3 spacing) {
       samples.push_back(static_cast<T>(sum));
     }
   } else {
-    for (std::size_t n = 0; n < count; ++n) samples.push_back(sample_of<T>(source, content));
+    for (std::size_t n = 0; n < count; ++n) samples.push_back(sample_of<T>(source, content, scale));
   }
   return Volume::from_samples(dims, spacing, samples);
 }
