@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/faults.h"
-#include "check/triangle_tree.h"
+#include "embedding/triangle_tree.h"
 #include "check/validity.h"
 #include "contour/contour.h"
 #include "volume/volume.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "check/triangle_tree.h"
+#include "embedding/triangle_tree.h"
 #include "check/validity.h"
 #include "contour/contour.h"
 #include "isosurface/isosurface.h"

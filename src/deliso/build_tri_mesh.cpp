@@ -172,6 +172,7 @@ Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& 
   std::vector<Vec3> surface_points = std::move(out.mesh.surface_points);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
   out.mesh.surface_points = std::move(surface_points);
+  out.unhit.assign(out.mesh.faces.size(), 0);
   out.chain = chain.renumbered(new_id);
   return out;
 }

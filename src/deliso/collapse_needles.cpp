@@ -29,6 +29,7 @@ class NeedleCollapser {
   NeedleCollapser(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
                   const Criteria& criteria, Report& report)
       : mesh_(recovered.mesh),
+        unhit_(recovered.unhit),
         chain_(recovered.chain),
         box_(surface.volume().box()),
         finder_(surface),
@@ -54,6 +55,7 @@ class NeedleCollapser {
   bool joins_on_box(VertexId v, VertexId w) const;
 
   TriMesh& mesh_;
+  std::vector<std::uint8_t>& unhit_;
   BoundaryChain& chain_;
   const Box3 box_;
   SurfacePointFinder finder_;
@@ -61,7 +63,12 @@ class NeedleCollapser {
   const Criteria criteria_;
   Report& report_;
   Collapse plan_;
-  std::vector<std::pair<FaceId, Vec3>> surface_points_;
+  struct SurfacePoint {
+    FaceId facet;
+    Vec3 x;
+    bool unhit;
+  };
+  std::vector<SurfacePoint> surface_points_;
 };
 
 std::vector<NeedleCollapser::Edge> NeedleCollapser::short_edges() const {
@@ -119,12 +126,16 @@ bool NeedleCollapser::collapse(FaceId f, int i, VertexId from) {
     const auto x = finder_.find(p[0], p[1], p[2], report_.searches_refine);
     // Facets that Stage 2 does not look at only need a ball; near the box its center may lie
     // outside.
-    if (!x && distance(circumcenter(p[0], p[1], p[2]), p[0]) > criteria_.r_min) return false;
-    surface_points_.emplace_back(g, x ? *x : mesh_.points[to]);
+    const Vec3 center = circumcenter(p[0], p[1], p[2]);
+    if (!x && distance(center, p[0]) > criteria_.r_min) return false;
+    surface_points_.push_back({g, x ? *x : center, !x});
   }
   if (worst_before <= criteria_.lambda || worst_after > kWorse * worst_before) return false;
   collapse_edge(mesh_, plan_);
-  for (const auto& [g, x] : surface_points_) mesh_.surface_points[g] = x;
+  for (const SurfacePoint& point : surface_points_) {
+    mesh_.surface_points[point.facet] = point.x;
+    unhit_[point.facet] = point.unhit;
+  }
   if (chain_.is_boundary(from)) chain_.remove(from);
   ++report_[Counter::needles_collapsed];
   return true;
@@ -155,6 +166,11 @@ void collapse_needles(Recovered& recovered, const Isosurface& surface, const Bou
                       const Criteria& criteria, Report& report) {
   if (!NeedleCollapser(recovered, surface, curves, criteria, report).run()) return;
   recovered.source.resize(recovered.mesh.points.size(), kNoId);  // Stage 2 gives none
+  std::size_t live = 0;
+  for (FaceId f = 0; f < recovered.mesh.faces.size(); ++f) {
+    if (!is_dead(recovered.mesh.faces[f])) recovered.unhit[live++] = recovered.unhit[f];
+  }
+  recovered.unhit.resize(live);
   std::vector<VertexId> new_id;
   remove_dead(recovered.mesh, new_id);
   recovered.chain = recovered.chain.renumbered(new_id);

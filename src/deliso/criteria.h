@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/triangle.h"
 #include "deliso/options.h"
@@ -19,6 +20,15 @@ struct Criteria {
   double max_distance;  // h
   double max_radius;    // r
 };
+
+inline Criteria recover_criteria(const Options& o, double r_min) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {o.epsilon, infinity, o.lambda, r_min, infinity, infinity};
+}
+
+inline Criteria refine_criteria(const Options& o, double r_min) {
+  return {o.epsilon1, o.epsilon2, o.lambda, r_min, o.max_distance, o.max_radius};
+}
 
 // What a facet sigma with surface point x = V_sigma cap Sigma measures.
 struct FacetShape {

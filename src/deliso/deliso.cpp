@@ -2,65 +2,29 @@
 #include "deliso/deliso.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "contour/contour.h"
+#include "deliso/certified_way.h"
 #include "deliso/close_on_box.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/lost_components.h"
 #include "deliso/marching_cubes.h"
 #include "deliso/poles.h"
 #include "deliso/recover.h"
-#include "deliso/recover_certified.h"
 #include "deliso/recovered.h"
 #include "deliso/refine.h"
+#include "deliso/step_timer.h"
 #include "kdtree/voxel_tree.h"
 
 namespace deliso {
 namespace {
 
-// Adds the seconds of its own life to a step of the report.
-class StepTimer {
- public:
-  explicit StepTimer(double& seconds) : seconds_(seconds) {}
-  StepTimer(const StepTimer&) = delete;
-  StepTimer& operator=(const StepTimer&) = delete;
-  ~StepTimer() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 double scaled_length(const RelativeLength& length, const Volume& volume) {
   const Vec3 s = volume.spacing();
   return length.value *
          (length.in_voxels ? std::min({s.x, s.y, s.z}) : volume.box().smallest_side());
-}
-
-Criteria recover_criteria(const Options& o, double r_min) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  return {o.epsilon, infinity, o.lambda, r_min, infinity, infinity};
-}
-
-Criteria refine_criteria(const Options& o, double r_min) {
-  return {o.epsilon1, o.epsilon2, o.lambda, r_min, o.max_distance, o.max_radius};
-}
-
-// Stage 1 by the certificate; contour and curves are what it ended with.
-Recovered certified_way(const Isosurface& surface, ContourMesh& contour,
-                        std::optional<BoundaryCurves>& curves, const Options& options,
-                        Report& report) {
-  const StepTimer timer(report.seconds_recover);
-  Recovered recovered = recover_certified(surface, contour, options, report);
-  curves.emplace(surface, contour);
-  report.points_recovered = recovered.mesh.points.size();
-  return recovered;
 }
 
 // Stage 1 as Figure 5 has it; with --single-stage, everything else on the triangulation too.
@@ -156,23 +120,25 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     cap(nothing, nullptr);
     return nothing;
   }
-  std::optional<BoundaryCurves> curves;
-  curves.emplace(surface, contour);
-
-  Recovered recovered = options.recover == RecoverWay::certified
-                            ? certified_way(surface, contour, curves, options, report)
-                            : paper_way(surface, contour, *curves, options, report);
+  const auto finish = [&](Recovered& made, const BoundaryCurves& curves) {
+    const BoundaryAid aid{surface, curves, made.chain};
+    cap(made.mesh, &aid);
+    return std::move(made.mesh);
+  };
+  if (options.recover == RecoverWay::certified) {
+    CertifiedMesh made = mesh_certified(surface, std::move(contour), options, report);
+    return finish(made.refined, made.curves);
+  }
+  const BoundaryCurves curves(surface, contour);
+  Recovered recovered = paper_way(surface, contour, curves, options, report);
   if (!options.stop_after_recover && !options.single_stage) {
     const StepTimer timer(report.seconds_refine);
     progress("refine", 0);
-    const std::size_t before = recovered.mesh.points.size();
-    refine_geom(recovered, surface, *curves, refine_criteria(options, report.r_min), options,
+    refine_geom(recovered, surface, curves, refine_criteria(options, report.r_min), {}, options,
                 report);
-    report.points_refined = recovered.mesh.points.size() - before;
+    report.points_refined = report.insertions_refine;
   }
-  const BoundaryAid aid{surface, *curves, recovered.chain};
-  cap(recovered.mesh, &aid);
-  return std::move(recovered.mesh);
+  return finish(recovered, curves);
 }
 
 }  // namespace deliso

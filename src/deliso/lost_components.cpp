@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/triangle.h"
 #include "deliso/surface_point.h"
 
 namespace deliso {
@@ -91,7 +92,8 @@ void put_back_lost_components(Recovered& recovered, const ContourMesh& contour,
     const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]];
     const auto x = finder.find(a, b, c, report.searches_recover);
     if (!x) ++report[Counter::unready_facets];
-    mesh.surface_points.push_back(x ? *x : a);
+    recovered.unhit.push_back(!x);
+    mesh.surface_points.push_back(x ? *x : circumcenter(a, b, c));
   }
   std::vector<Vec3> surface_points = std::move(mesh.surface_points);
   mesh = make_tri_mesh(std::move(mesh.points), triangles);

@@ -36,6 +36,7 @@ struct Options {
   Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
   double fingers = 1;  // certified: no vertex of the contour further from the mesh, in voxels
+  int turns = 4;       // certified: of Stage 1 and Stage 2, at most
   // certified: an ApproximateGeom, h/r of facets larger than a voxel; the topology needs none
   double certified_epsilon = std::numeric_limits<double>::infinity();
   double epsilon = 0.2;                   // Stage 1, paper's way: h/r; infinity: no ApproximateGeom

@@ -9,11 +9,11 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
-#include "contour/block_order.h"
 #include "deliso/certificate.h"
 #include "deliso/criteria.h"
 #include "deliso/init_triangulation.h"
 #include "deliso/poles.h"
+#include "deliso/step_timer.h"
 #include "deliso/surface_point.h"
 
 namespace deliso {
@@ -23,13 +23,18 @@ namespace {
 // Sigma.
 constexpr double kHair = 1e-7;
 
+// Strict readiness: h/r, the cosine between the facet's normal and the surface's at its corners,
+// and from how many cells of T on a circumradius is held to them.
+constexpr double kStrictFlatness = 0.4, kStrictCosine = 0.5, kFewCells = 2;
+
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
-                    const Options& options, Report& report)
+                    const ContourSplit& split, const Options& options, Report& report)
       : surface_(surface),
         finder_(surface),
         contour_(contour),
+        split_(split),
         options_(options),
         report_(report),
         triangulation_(std::move(initial.triangulation)),
@@ -39,6 +44,10 @@ class CertifiedRecovery {
         graph_(contour),
         labels_(contour, graph_, triangulation_, kept_components(contour, options)),
         certificate_(contour, graph_, labels_) {
+    const Vec3 spacing = surface.volume().spacing();
+    for (int axis = 0; axis < 3; ++axis) {
+      cell_ = std::max(cell_, spacing[axis] / split.factor[axis]);
+    }
     for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
       if (contour_vertex_[s] == kNoId) continue;
       site_[contour_vertex_[s]] = s;
@@ -63,8 +72,8 @@ class CertifiedRecovery {
   bool is_ready(const DualFacet& facet);
   // Fails the certified way's own ApproximateGeom (options.certified_epsilon).
   bool is_coarse(const DualFacet& facet);
-  // The voxels at a facet's sites and witness, and those next to them.
-  void add_voxels_around(const DualFacet& facet, std::vector<std::uint64_t>& voxels) const;
+  bool is_in_split_voxel(const DualFacet& facet) const;
+  Recovered dual();
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
   // that is `enough` or less.
   double distance2_to_dual(VertexId v, double enough) const;
@@ -72,6 +81,7 @@ class CertifiedRecovery {
   const Isosurface& surface_;
   SurfacePointFinder finder_;
   ContourMesh& contour_;
+  const ContourSplit& split_;
   const Options& options_;
   Report& report_;
   Triangulation triangulation_;
@@ -81,6 +91,7 @@ class CertifiedRecovery {
   ContourGraph graph_;
   Labels labels_;
   Certificate certificate_;
+  double cell_ = 0;  // the longest side of a split voxel's cells
 
   std::deque<VertexId> queue_;
   std::vector<std::uint8_t> queued_;
@@ -97,14 +108,25 @@ class CertifiedRecovery {
 };
 
 Recovered CertifiedRecovery::run() {
-  do {
-    satisfy_certificate();
-  } while (cut_fingers() > 0 || make_ready() > 0);
-
-  for (const std::uint8_t state : unready_) {
-    report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
+  {
+    const StepTimer timer(report_.seconds_recover);
+    do {
+      satisfy_certificate();
+    } while (cut_fingers() > 0 || make_ready() > 0);
+    for (const std::uint8_t state : unready_) {
+      report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
+    }
   }
-  const std::vector<double> poles = compute_poles(triangulation_, surface_);
+  return dual();
+}
+
+Recovered CertifiedRecovery::dual() {
+  std::vector<double> poles;
+  {
+    const StepTimer timer(report_.seconds_poles);
+    poles = compute_poles(triangulation_, surface_);
+  }
+  const StepTimer timer(report_.seconds_recover);
   Recovered out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
   std::vector<Triangle> triangles;
@@ -112,6 +134,14 @@ Recovered CertifiedRecovery::run() {
   for (VertexId s = 1; s < facets_.size(); ++s) {
     for (const DualFacet& facet : facets_[s]) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
+      const auto& [a, b, c] = facet.sites;
+      std::optional<Vec3> x = find_surface_point(facet);
+      out.unhit.push_back(!x);
+      if (!x) {
+        x = circumcenter(triangulation_.point(a), triangulation_.point(b), triangulation_.point(c));
+        ++report_[Counter::unready_facets];
+      }
+      surface_points.push_back(*x);
       Triangle v = facet.sites;
       for (VertexId& q : v) {
         if (new_id[q] == kNoId) {
@@ -123,13 +153,6 @@ Recovered CertifiedRecovery::run() {
         q = new_id[q];
       }
       triangles.push_back(v);
-      const auto x = find_surface_point(facet);
-      if (!x && !is_ready(facet)) {
-        ++report_[Counter::unready_facets];
-        add_voxels_around(facet, out.unready_voxels);
-      }
-      // Where the dual line misses, a point of the surface near by keeps the ball a ball.
-      surface_points.push_back(x ? *x : contour_.points[facet.witness[0]]);
     }
   }
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
@@ -286,28 +309,32 @@ std::size_t CertifiedRecovery::make_ready() {
   return added;
 }
 
-void CertifiedRecovery::add_voxels_around(const DualFacet& facet,
-                                          std::vector<std::uint64_t>& voxels) const {
+bool CertifiedRecovery::is_in_split_voxel(const DualFacet& facet) const {
+  if (split_.voxels.empty()) return false;
   const Volume& volume = surface_.volume();
-  const Index3 last = volume.voxels();
-  const auto add = [&](const Vec3& p) {
-    const Index3 at = volume.voxel_at(p);
-    for (int k = std::max(0, at.k - 1); k <= std::min(last.k - 1, at.k + 1); ++k) {
-      for (int j = std::max(0, at.j - 1); j <= std::min(last.j - 1, at.j + 1); ++j) {
-        for (int i = std::max(0, at.i - 1); i <= std::min(last.i - 1, at.i + 1); ++i) {
-          voxels.push_back(voxel_number(volume.dims(), {i, j, k}));
-        }
-      }
-    }
-  };
-  for (const VertexId s : facet.sites) add(triangulation_.point(s));
-  for (const VertexId v : facet.witness) add(contour_.points[v]);
+  return std::any_of(facet.witness.begin(), facet.witness.end(), [&](VertexId v) {
+    const Index3 voxel = volume.voxel_at(contour_.points[v]);
+    return std::binary_search(split_.voxels.begin(), split_.voxels.end(),
+                              voxel_number(volume.dims(), voxel));
+  });
 }
 
 bool CertifiedRecovery::is_ready(const DualFacet& facet) {
   const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
              &c = triangulation_.point(facet.sites[2]);
-  return distance(circumcenter(a, b, c), a) <= report_.r_min || find_surface_point(facet);
+  const Vec3 center = circumcenter(a, b, c);
+  const double r = distance(center, a);
+  if (r <= report_.r_min) return true;
+  const auto x = find_surface_point(facet);
+  // Facets as small as the cells of T cannot be asked for more: sites as dense as T's vertices
+  // spoil the labels.
+  if (!x || r <= kFewCells * cell_ || !is_in_split_voxel(facet)) return x.has_value();
+  if (distance(*x, center) > kStrictFlatness * r) return false;
+  const Vec3 normal = area_normal(a, b, c);
+  return std::all_of(facet.sites.begin(), facet.sites.end(), [&](VertexId s) {
+    const Vec3 gradient = surface_.gradient(triangulation_.point(s));
+    return -dot(gradient, normal) >= kStrictCosine * std::sqrt(length2(gradient) * length2(normal));
+  });
 }
 
 bool CertifiedRecovery::is_coarse(const DualFacet& facet) {
@@ -328,67 +355,20 @@ std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet
                       triangulation_.point(facet.sites[2]), report_.searches_recover);
 }
 
-// Cells per voxel, along its shortest side, where T is made finer; and how often it may be.
-constexpr int kSplitFactor = 8;
-constexpr int kRounds = 3;
-// Spacings far apart would give any number of cells: so many at most, and along an axis.
-constexpr double kMostCells = 4096;
-constexpr double kMostAlongAxis = 64;
-
-// About cubic cells, as far as the limits allow.
-ContourSplit plain_split(Vec3 spacing) {
-  const double smallest = std::min({spacing.x, spacing.y, spacing.z});
-  ContourSplit split;
-  for (int factor = kSplitFactor; factor > 0; --factor) {
-    double cells = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double along = std::min(std::round(factor * spacing[axis] / smallest), kMostAlongAxis);
-      split.factor[axis] = static_cast<int>(along);
-      cells *= along;
-    }
-    if (cells <= kMostCells) break;
-  }
-  return split;
-}
-
-// Takes the voxels into the split; whether any of them is new to it.
-bool add_voxels(ContourSplit& split, const std::vector<std::uint64_t>& voxels) {
-  const std::size_t before = split.voxels.size();
-  split.voxels.insert(split.voxels.end(), voxels.begin(), voxels.end());
-  std::sort(split.voxels.begin(), split.voxels.end());
-  split.voxels.erase(std::unique(split.voxels.begin(), split.voxels.end()), split.voxels.end());
-  return split.voxels.size() > before;
-}
-
 }  // namespace
 
-Recovered recover_certified(const Isosurface& surface, ContourMesh& contour, const Options& options,
+Recovered recover_certified(const Isosurface& surface, ContourMesh& contour,
+                            const BoundaryCurves& curves, const ContourSplit& split,
+                            std::vector<Vec3> earlier_sites, const Options& options,
                             Report& report) {
-  const Volume& volume = surface.volume();
-  ContourSplit split = plain_split(volume.spacing());
-  std::vector<Vec3> earlier_sites;
-  for (int round = 1;; ++round) {
-    order_by_blocks(contour, volume);
-    const BoundaryCurves curves(surface, contour);
-    InitialSites sites = init_sites(contour, curves, volume, options, earlier_sites, report);
-    Recovered recovered =
-        CertifiedRecovery(surface, contour, std::move(sites), options, report).run();
-    if (!add_voxels(split, recovered.unready_voxels) || round == kRounds) return recovered;
-
-    // What was found elsewhere stays found.
-    earlier_sites.clear();
-    for (const Vec3& p : recovered.mesh.points) {
-      const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(p));
-      if (!std::binary_search(split.voxels.begin(), split.voxels.end(), voxel)) {
-        earlier_sites.push_back(p);
-      }
-    }
-    contour = build_contour(volume, surface.kappa(), split);
-    for (const Counter c :
-         {Counter::unready_facets, Counter::uncertified_sites, Counter::boundary_splits_recover}) {
-      report[c] = 0;
-    }
+  std::optional<CertifiedRecovery> recovery;
+  {
+    const StepTimer timer(report.seconds_labels);
+    InitialSites sites =
+        init_sites(contour, curves, surface.volume(), options, std::move(earlier_sites), report);
+    recovery.emplace(surface, contour, std::move(sites), split, options, report);
   }
+  return recovery->run();
 }
 
 }  // namespace deliso

@@ -5,12 +5,13 @@
 //
 // Two practical tests follow, each with the same remedy: no vertex of T may be further than
 // `fingers` from the facets at its site (a thin branch inside one Voronoi cell is a disk too), and
-// every facet of K must find the surface point that Stage 2 starts from. Where the vertices of T
-// are too few for that, at sheets and specks thinner than a voxel, the voxels concerned are split,
-// and the sites there chosen again from the finer T.
+// every facet of K must find the surface point that Stage 2 starts from. In voxels that are split,
+// because Stage 2 met trouble there, the second test is strict: the surface point lies near, and
+// the surface at the corners faces as the facet does.
 #pragma once
 
 #include "contour/contour.h"
+#include "deliso/boundary.h"
 #include "deliso/options.h"
 #include "deliso/recovered.h"
 #include "deliso/report.h"
@@ -18,10 +19,12 @@
 
 namespace deliso {
 
-// Sites: some vertices of T at random, one per (component, block of 8^3 voxels), and the coarse
-// boundary chain. Then grows them as said above and hands over K. `contour` is the plain contour,
-// and afterwards the one that K is the dual on; the chain's places are places on its boundary.
-Recovered recover_certified(const Isosurface& surface, ContourMesh& contour, const Options& options,
+// Sites: some vertices of T at random, one per (component, block of 8^3 voxels), the coarse
+// boundary chain, and those `earlier_sites` that are vertices of T. Then grows them as said above
+// and hands over K. `contour` is split as `split` says; vertices that coincide are moved apart.
+Recovered recover_certified(const Isosurface& surface, ContourMesh& contour,
+                            const BoundaryCurves& curves, const ContourSplit& split,
+                            std::vector<Vec3> earlier_sites, const Options& options,
                             Report& report);
 
 }  // namespace deliso

@@ -3,6 +3,7 @@
 // Whatever produces one of these is a way through Recover.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "deliso/boundary.h"
@@ -15,9 +16,9 @@ struct Recovered {
   TriMesh mesh;                      // linked, oriented, with surface points
   std::vector<double> pole_heights;  // one per vertex
   BoundaryChain chain;               // over the mesh's vertices
-  // Voxels (voxel_number()) at facets whose dual line misses Sigma: the contour is too coarse
-  // there.
-  std::vector<std::uint64_t> unready_voxels;
+  // One per facet, 1 where the dual line misses Sigma within the circumradius; the circumcenter
+  // stands in for the surface point there.
+  std::vector<std::uint8_t> unhit;
   std::vector<VertexId> source;  // the vertex of Stage 1 each one was; kNoId: of another origin
 };
 

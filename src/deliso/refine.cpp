@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/triangle.h"
 #include "deliso/collapse_needles.h"
+#include "deliso/crossing_guard.h"
 #include "deliso/poles.h"
 #include "deliso/profile.h"
 #include "deliso/surface_point.h"
@@ -30,11 +32,15 @@ constexpr std::size_t kFlipsPerFacet = 4;
 class Refiner {
  public:
   Refiner(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-          const Criteria& criteria, const Options& options, Report& report)
+          const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+          const Options& options, Report& report)
       : mesh_(recovered.mesh),
+        unhit_(recovered.unhit),
         poles_(recovered.pole_heights),
         chain_(recovered.chain),
+        surface_(surface),
         finder_(surface),
+        guard_(surface.volume(), recovered.mesh, guarded_voxels),
         curves_(curves),
         criteria_(criteria),
         options_(options),
@@ -48,11 +54,16 @@ class Refiner {
     int index = 0;
   };
 
+  // h of a facet without surface point is r: the most there is.
   FacetShape shape(FaceId f) const;
   void judge(FaceId f);
   void refine(FaceId f);
   void show_progress();
-  // Inserts p, which lies in the ball of `start`; on the boundary edge `opened` when given.
+  // Points to insert when the surface point of f is refused or there is none: where the steepest
+  // lines through its circumcenter and through the middle of its longest edge meet Sigma.
+  std::array<std::optional<Vec3>, 2> other_points(FaceId f);
+  std::optional<Vec3> foot(const Vec3& from, double limit, const Vec3& normal);
+  // Inserts p, which is to take `start` away; on the boundary edge `opened` when given.
   // Returns the reason when it must not be.
   std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
   bool split_boundary(EdgeRef edge);
@@ -65,12 +76,17 @@ class Refiner {
   void legalize(std::vector<FaceId> faces);
   // The longest boundary edge of the encroached disk or next to it whose diametral ball holds p.
   std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
+  bool cone_would_cross(const Vec3& p, std::optional<std::size_t> opened);
+  bool is_small_and_turned_out(const Vec3& a, const Vec3& b, const Vec3& c) const;
   std::optional<Counter> find_surface_points(const Vec3& p, std::optional<std::size_t> opened);
 
   TriMesh& mesh_;
+  std::vector<std::uint8_t>& unhit_;
   std::vector<double>& poles_;
   BoundaryChain& chain_;
+  const Isosurface& surface_;
   SurfacePointFinder finder_;
+  CrossingGuard guard_;
   const BoundaryCurves& curves_;
   const Criteria criteria_;
   const Options& options_;
@@ -85,6 +101,7 @@ class Refiner {
   std::uint32_t stamp_ = 0;
   EncroachedDisk disk_;
   std::vector<Vec3> surface_points_;
+  std::vector<std::uint8_t> found_;  // for each of them: it is one
   std::vector<FaceId> created_;
 };
 
@@ -125,8 +142,10 @@ void Refiner::run() {
 
 FacetShape Refiner::shape(FaceId f) const {
   const std::array<VertexId, 3>& v = mesh_.faces[f].v;
-  return measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]],
-                 mesh_.surface_points[f]);
+  FacetShape s =
+      measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.surface_points[f]);
+  if (unhit_[f]) s.h = s.r;
+  return s;
 }
 
 void Refiner::judge(FaceId f) {
@@ -145,8 +164,12 @@ void Refiner::show_progress() {
 }
 
 void Refiner::refine(FaceId f) {
-  const auto refusal = insert(f, mesh_.surface_points[f], std::nullopt);
+  std::optional<Counter> refusal = Counter::refused_no_surface_point;
+  if (!unhit_[f]) refusal = insert(f, mesh_.surface_points[f], std::nullopt);
   if (!refusal) return;
+  for (const std::optional<Vec3>& p : other_points(f)) {
+    if (p && !insert(f, *p, std::nullopt)) return;
+  }
   // Next to the boundary a shorter boundary edge makes room, unless it is short already.
   for (int i = 0; i < 3; ++i) {
     if (mesh_.faces[f].n[i] != kNoId) continue;
@@ -159,6 +182,30 @@ void Refiner::refine(FaceId f) {
   if (flipped) return;
   ++report_[*refusal];
   refused_.push_back(f);
+}
+
+std::array<std::optional<Vec3>, 2> Refiner::other_points(FaceId f) {
+  const std::array<VertexId, 3>& v = mesh_.faces[f].v;
+  const std::array<Vec3, 3> p = {mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]};
+  const Vec3 normal = area_normal(p[0], p[1], p[2]), center = circumcenter(p[0], p[1], p[2]);
+  std::size_t i = 0;  // the corner opposite the longest edge
+  const auto length2_opposite = [&](std::size_t k) {
+    return distance2(p[(k + 1) % 3], p[(k + 2) % 3]);
+  };
+  for (const std::size_t k : {1u, 2u}) {
+    if (length2_opposite(k) > length2_opposite(i)) i = k;
+  }
+  const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
+  return {foot(center, distance(center, p[0]), normal),
+          foot(middle, 0.5 * std::sqrt(length2_opposite(i)), normal)};
+}
+
+std::optional<Vec3> Refiner::foot(const Vec3& from, double limit, const Vec3& normal) {
+  const Vec3 gradient = surface_.gradient(from);
+  const double steepness = length(gradient);
+  if (!(steepness > 0)) return std::nullopt;
+  const auto x = finder_.nearest(from, (-1 / steepness) * gradient, limit, report_.searches_refine);
+  return x && dot(surface_.gradient(*x), normal) <= 0 ? x : std::nullopt;
 }
 
 std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened) {
@@ -181,16 +228,35 @@ std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optiona
   }
   if (const auto refusal = find_surface_points(p, opened_rim)) return refusal;
 
+  if (guard_.is_on() && cone_would_cross(p, opened_rim)) return Counter::refused_crossing;
+
   double pole_sum = 0;
   for (const RimEdge& edge : disk_.rim) pole_sum += poles_[edge.from];
   poles_.push_back(pole_sum / static_cast<double>(disk_.rim.size()));
   replace_disk(mesh_, disk_, p, surface_points_, opened_rim, created_);
+  ++report_.insertions_refine;
   marks_.resize(mesh_.faces.size(), 0);
-  for (const FaceId f : created_) {
-    if (f != kNoId) judge(f);
+  unhit_.resize(mesh_.faces.size(), 0);
+  for (std::size_t k = 0; k < created_.size(); ++k) {
+    if (created_[k] == kNoId) continue;
+    unhit_[created_[k]] = !found_[k];
+    judge(created_[k]);
+    if (guard_.is_on()) guard_.add(created_[k]);
   }
   watch.done(report_.searches_refine);
   return std::nullopt;
+}
+
+bool Refiner::cone_would_cross(const Vec3& p, std::optional<std::size_t> opened) {
+  const auto apex = static_cast<VertexId>(mesh_.points.size());
+  std::vector<Triangle> cone;
+  for (std::size_t k = 0; k < disk_.rim.size(); ++k) {
+    if (k != opened) cone.push_back({disk_.rim[k].from, disk_.rim[k].to, apex});
+  }
+  mesh_.points.push_back(p);
+  const bool crosses = guard_.would_cross(cone, disk_.faces);
+  mesh_.points.pop_back();
+  return crosses;
 }
 
 std::optional<Counter> Refiner::find_surface_points(const Vec3& p,
@@ -202,15 +268,27 @@ std::optional<Counter> Refiner::find_surface_points(const Vec3& p,
     }
   }
   surface_points_.resize(disk_.rim.size());
+  found_.assign(disk_.rim.size(), 1);
   for (std::size_t k = 0; k < disk_.rim.size(); ++k) {
     if (k == opened) continue;
     const RimEdge& edge = disk_.rim[k];
     const auto x =
         finder_.find(mesh_.points[edge.from], mesh_.points[edge.to], p, report_.searches_refine);
-    if (!x) return Counter::refused_no_surface_point;
-    surface_points_[k] = *x;
+    if (!x && !is_small_and_turned_out(mesh_.points[edge.from], mesh_.points[edge.to], p)) {
+      return Counter::refused_no_surface_point;
+    }
+    found_[k] = x.has_value();
+    surface_points_[k] = x ? *x : circumcenter(mesh_.points[edge.from], mesh_.points[edge.to], p);
   }
   return std::nullopt;
+}
+
+// No criterion asks for the surface point of so small a facet; only a fold must not arise.
+bool Refiner::is_small_and_turned_out(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  if (distance(circumcenter(a, b, c), a) > criteria_.r_min) return false;
+  const Vec3 normal = area_normal(a, b, c);
+  return dot(surface_.gradient(a), normal) < 0 && dot(surface_.gradient(b), normal) < 0 &&
+         dot(surface_.gradient(c), normal) < 0;
 }
 
 bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
@@ -230,10 +308,18 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
     return dot(u, v) / std::sqrt(length2(u) * length2(v));
   };
   if (cosine(m1, m2) < std::min(0.5, cosine(n1, n2))) return false;
+  const std::array<Triangle, 2> flipped = {Triangle{q.a, q.b, q.d}, Triangle{q.d, q.c, q.a}};
+  const std::array<FaceId, 2> before = {q.f, q.g};
+  if (guard_.is_on() && guard_.would_cross(flipped, before)) return false;
   --flips_left_;
   flip_edge(mesh_, q);
   mesh_.surface_points[q.f] = *x;
   mesh_.surface_points[q.g] = *y;
+  unhit_[q.f] = unhit_[q.g] = 0;
+  if (guard_.is_on()) {
+    guard_.add(q.f);
+    guard_.add(q.g);
+  }
   judge(q.f);
   judge(q.g);
   return true;
@@ -314,9 +400,10 @@ void Refiner::follow_curves() {
 }  // namespace
 
 void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                 const Criteria& criteria, const Options& options, Report& report) {
+                 const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+                 const Options& options, Report& report) {
   collapse_needles(recovered, surface, curves, criteria, report);
-  Refiner(recovered, surface, curves, criteria, options, report).run();
+  Refiner(recovered, surface, curves, criteria, guarded_voxels, options, report).run();
   collapse_needles(recovered, surface, curves, criteria, report);
 }
 

@@ -8,15 +8,20 @@
 // counted. Euler number and components stay those of Stage 1.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "deliso/criteria.h"
 #include "deliso/recovered.h"
 #include "deliso/report.h"
 
 namespace deliso {
 
-// Refines `recovered` in place. Throws InputError at options.max_vertices unless
+// Refines `recovered` in place. In the guarded voxels (voxel_number()s) no facet is made that
+// crosses another. Throws InputError at options.max_vertices unless
 // options.keep_partial.
 void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                 const Criteria& criteria, const Options& options, Report& report);
+                 const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+                 const Options& options, Report& report);
 
 }  // namespace deliso

@@ -34,6 +34,7 @@ enum class Counter : std::uint8_t {
   refused_folded,            // a new facet's normal runs against the gradient
   refused_too_close,         // the point is too near to a vertex of the rim
   refused_boundary,          // a boundary edge encroached upon that cannot be split
+  refused_crossing,          // a new facet would cross another (crossing_guard.h)
   boundary_splits_refine,
   unrefined_facets,  // facets that still violate a criterion because their point was refused
   // --cap
@@ -54,14 +55,25 @@ struct CapReport {
 
 struct Report {
   // Seconds, wall clock, per step.
-  double seconds_tree = 0, seconds_contour = 0, seconds_init = 0, seconds_recover = 0,
-         seconds_poles = 0, seconds_refine = 0, seconds_cap = 0, seconds_total = 0;
-  std::size_t points_initial = 0;    // S_0
-  std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
-  std::size_t points_refined = 0;    // n_RF: points inserted by Stage 2
+  double seconds_tree = 0;
+  double seconds_contour = 0;  // T, and its boundary curves
+  double seconds_init = 0;     // the paper's way: S_0
+  double seconds_labels = 0;   // certified: first sites, their triangulation, labels of T
+  double seconds_recover = 0;  // the rest of Stage 1
+  double seconds_poles = 0, seconds_refine = 0;
+  double seconds_trouble = 0;  // certified: the search for what Stage 2 left
+  double seconds_cap = 0, seconds_total = 0;
+  // Certified: how often Stage 1 and Stage 2 took turns. All else here but seconds and searches is
+  // of the turn whose mesh was kept.
+  std::size_t turns = 0;
+  std::size_t troubled_facets = 0, crossing_pairs = 0;  // what was left then (trouble.h)
+  std::size_t points_initial = 0;                       // S_0
+  std::size_t points_recovered = 0;                     // n_RC: all points when Stage 1 ends
+  std::size_t points_refined = 0;                       // n_RF: points inserted by Stage 2
   SearchCounters searches_recover, searches_refine;
-  double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
-  double r_min = 0;            // scaled frame
+  std::size_t insertions_refine = 0;  // by Stage 2, in all turns
+  double kappa_effective = 0;         // lowered where samples or saddles equal the isovalue
+  double r_min = 0;                   // scaled frame
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/surface_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/triangle.h"
 
 namespace deliso {
+namespace {
+
+// Up to this h/r a surface point is that of the facet's own sheet.
+constexpr double kUndoubted = 0.2;
+
+// What counts as an end of a chord between two points of Sigma, as a share of it.
+constexpr double kEnd = 0.02;
+
+}  // namespace
 
 std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const Vec3& c,
                                              SearchCounters& counters) {
@@ -13,7 +23,21 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   const double twice_area = length(area);
   if (!(twice_area > 0)) return std::nullopt;
   const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
-  return this->nearest(center, normal, distance(center, a), counters);
+  // Across a needle the circumradius says nothing: the center is far away, and so would be x.
+  const double longest2 = std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
+  const double limit = std::min(distance(center, a), std::sqrt(longest2));
+  const auto x = this->nearest(center, normal, limit, counters);
+  if (!x || distance(*x, center) <= kUndoubted * distance(center, a)) return x;
+  // Far from the circumcenter it may lie on another sheet that faces the same way. Between the two
+  // there is one that faces the other way.
+  for (const Vec3& v : {a, b, c}) {
+    surface_.intersect({v, *x}, hits_, counters);
+    for (const Hit& hit : hits_) {
+      const bool at_an_end = hit.t < kEnd || hit.t > 1 - kEnd;
+      if (!at_an_end && !faces_along(hit.point, normal)) return std::nullopt;
+    }
+  }
+  return x;
 }
 
 std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& normal,

@@ -2,7 +2,8 @@
 // The surface point of a facet of a plain mesh: where its dual line meets Sigma the right way
 // round. Without the Voronoi diagram nothing says which of the hits is V_sigma cap Sigma; it is the
 // one nearest to the circumcenter (paper §2.2.2) of those that Sigma's outside is turned to as the
-// facet is. The sheet beyond a gap or a wall thinner than the facet faces the other way.
+// facet is. The sheet beyond a gap or a wall thinner than the facet faces the other way; one beyond
+// both is told by that sheet in between, on the chords to the corners.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ class SurfacePointFinder {
   explicit SurfacePointFinder(const Isosurface& surface) : surface_(surface) {}
 
   // For the facet a, b, c, counter-clockwise seen from g < kappa. Nothing when there is no such
-  // point within the circumradius, or the facet has no area.
+  // point within the circumradius and the longest edge's length, or the facet has no area.
   std::optional<Vec3> find(const Vec3& a, const Vec3& b, const Vec3& c, SearchCounters& counters);
 
   // The same on any line: center + t * normal, |t| <= limit; normal is a unit vector.

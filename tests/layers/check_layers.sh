@@ -11,10 +11,12 @@ allowed() {
     render) echo "base mesh render" ;;
     roots | delaunay | mesh | volume) echo "base $1" ;;
     kdtree | contour) echo "base volume $1" ;;
+    embedding) echo "base delaunay mesh embedding" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    deliso) echo "base roots delaunay planar mesh volume kdtree contour isosurface deliso" ;;
-    check) echo "base roots delaunay mesh volume kdtree contour isosurface check" ;;
-    app) echo "base roots delaunay planar mesh volume kdtree contour isosurface deliso check render app" ;;
+    deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface deliso" ;;
+    check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
+    app) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface deliso check" \
+      "render app" ;;
     *) return 1 ;;
   esac
 }

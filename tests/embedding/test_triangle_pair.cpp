@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact intersection test against separating axes in integers: on a small grid, where touching,
 // folding and overlapping in a plane are common.
-#include "check/triangle_pair.h"
+#include "embedding/triangle_pair.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "base/random.h"
-#include "check/self_intersections.h"
+#include "embedding/self_intersections.h"
 #include "delaunay/predicates.h"
 
 namespace deliso {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// All pairs of triangles of a mesh that meet beyond what they share (check/triangle_pair.h), found
-// through a tree of boxes: O(n log n) for a mesh whose triangles are about as large as they are
-// apart.
+// All pairs of triangles of a mesh that meet beyond what they share (embedding/triangle_pair.h),
+// found through a tree of boxes: O(n log n) for a mesh whose triangles are about as large as they
+// are apart.
 #pragma once
 
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "check/triangle_tree.h"
+#include "embedding/triangle_tree.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/triangle_tree.h"
+#include "embedding/triangle_tree.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "check/self_intersections.h"
+#include "embedding/self_intersections.h"
 
 #include <algorithm>
 
-#include "check/triangle_pair.h"
 #include "delaunay/predicates.h"
+#include "embedding/triangle_pair.h"
 
 namespace deliso {
 
@@ -17,14 +17,11 @@ std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3
     flat[f] = collinear(points[t[0]], points[t[1]], points[t[2]]);
   }
   std::vector<std::pair<FaceId, FaceId>> pairs;
-  for (FaceId f = 0; f < triangles.size(); ++f) {
-    if (flat[f]) continue;
-    tree.for_each_meeting(tree.box_of(f), [&](FaceId g) {
-      if (g > f && !flat[g] && triangles_intersect(points, triangles[f], triangles[g])) {
-        pairs.emplace_back(f, g);
-      }
-    });
-  }
+  tree.for_each_pair([&](FaceId f, FaceId g) {
+    if (!flat[f] && !flat[g] && triangles_intersect(points, triangles[f], triangles[g])) {
+      pairs.emplace_back(std::min(f, g), std::max(f, g));
+    }
+  });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/triangle_pair.h"
+#include "embedding/triangle_pair.h"
 
 #include <algorithm>
 #include <tuple>

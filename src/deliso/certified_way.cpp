@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/certified_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "contour/block_order.h"
+#include "deliso/recover_certified.h"
+#include "deliso/refine.h"
+#include "deliso/step_timer.h"
+#include "deliso/trouble.h"
+
+namespace deliso {
+namespace {
+
+// Spacings far apart would give any number of cells: so many along an axis and in a voxel.
+constexpr int kMostAlongAxis = 32, kMostCells = 4096;
+// How large a split may make T: so many times the plain one, and a little more for small volumes.
+constexpr double kGrowth = 4, kLittle = 5e5;
+
+// How often Stage 2 is run again to part facets that cross.
+constexpr int kGuardedPasses = 4;
+
+// Cells about as large as the smallest facet that the criteria care for, or larger where T would
+// grow beyond bounds.
+Index3 cells_per_voxel(Vec3 spacing, double r_min, std::size_t voxels, std::size_t plain_vertices) {
+  const auto divided = [&](double cell) {
+    Index3 n;
+    for (int axis = 0; axis < 3; ++axis) {
+      n[axis] = std::clamp(static_cast<int>(std::lround(spacing[axis] / cell)), 1, kMostAlongAxis);
+    }
+    return n;
+  };
+  const double limit = kGrowth * static_cast<double>(plain_vertices) + kLittle;
+  // Two cells a side where nothing smaller matters: else the split would be none.
+  const double coarsest = std::min({spacing.x, spacing.y, spacing.z}) / 2;
+  double cell = std::min(r_min, coarsest);
+  // A split voxel holds about two vertices for every cell of one layer.
+  const auto expected = [&](Index3 n) {
+    return 2.0 / 3.0 * (n.i * n.j + n.j * n.k + n.k * n.i) * static_cast<double>(voxels);
+  };
+  const auto too_many = [&](Index3 n) {
+    return n.i * n.j * n.k > kMostCells || expected(n) > limit;
+  };
+  while (cell < coarsest && too_many(divided(cell))) cell *= 1.25;
+  return divided(std::min(cell, coarsest));
+}
+
+// What Stage 1 hands over.
+struct Handover {
+  Recovered recovered;
+  BoundaryCurves curves;
+  decltype(Report::counters) counters;
+};
+
+Handover take_stage1(const Isosurface& surface, ContourMesh& contour, const ContourSplit& split,
+                     std::vector<Vec3>& sites, const Options& options, Report& report) {
+  report.counters = {};
+  std::optional<BoundaryCurves> curves;
+  {
+    const StepTimer timer(report.seconds_contour);
+    order_by_blocks(contour, surface.volume());
+    curves.emplace(surface, contour);
+  }
+  Recovered recovered =
+      recover_certified(surface, contour, *curves, split, std::move(sites), options, report);
+  sites = recovered.mesh.points;
+  report.points_recovered = sites.size();
+  return {std::move(recovered), std::move(*curves), report.counters};
+}
+
+// What Stage 2 makes of it, and what is said of that in the report.
+struct Refined {
+  Recovered recovered;
+  Trouble trouble;
+  Report report;
+};
+
+Refined take_stage2(const Isosurface& surface, const Handover& handover,
+                    std::span<const std::uint64_t> guarded_voxels, const Options& options,
+                    Report& report) {
+  const Criteria criteria = refine_criteria(options, report.r_min);
+  report.counters = handover.counters;
+  report.points_recovered = handover.recovered.mesh.points.size();
+  Recovered refined = handover.recovered;
+  {
+    const StepTimer timer(report.seconds_refine);
+    const std::size_t before = report.insertions_refine;
+    refine_geom(refined, surface, handover.curves, criteria, guarded_voxels, options, report);
+    report.points_refined = report.insertions_refine - before;
+  }
+  const StepTimer timer(report.seconds_trouble);
+  Trouble trouble = find_trouble(refined, criteria, surface.volume());
+  report.troubled_facets = trouble.bad_facets;
+  report.crossing_pairs = trouble.crossing_pairs;
+  return {std::move(refined), std::move(trouble), report};
+}
+
+std::vector<std::uint64_t> united(const std::vector<std::uint64_t>& a,
+                                  const std::vector<std::uint64_t>& b) {
+  std::vector<std::uint64_t> out;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+// Stage 2 again, guarded where facets crossed, and where they do then, as often as needed.
+void part_crossings(const Isosurface& surface, const Handover& handover, const Options& options,
+                    Refined& best, Report& report) {
+  std::vector<std::uint64_t> guarded, crossing = best.trouble.crossing_voxels;
+  for (int pass = 0; pass < kGuardedPasses && !crossing.empty(); ++pass) {
+    std::vector<std::uint64_t> more = united(guarded, crossing);
+    if (more.size() == guarded.size()) return;
+    guarded = std::move(more);
+    Refined again = take_stage2(surface, handover, guarded, options, report);
+    crossing = again.trouble.crossing_voxels;
+    if (again.trouble.crossing_pairs < best.trouble.crossing_pairs) best = std::move(again);
+  }
+}
+
+// The turns after the one whose mesh was kept left their seconds and searches in `report`.
+void report_of(const Refined& kept, Report& report) {
+  report.points_initial = kept.report.points_initial;
+  report.points_recovered = kept.report.points_recovered;
+  report.points_refined = kept.report.points_refined;
+  report.troubled_facets = kept.report.troubled_facets;
+  report.crossing_pairs = kept.report.crossing_pairs;
+  report.stopped_at_max_vertices = kept.report.stopped_at_max_vertices;
+  report.counters = kept.report.counters;
+}
+
+}  // namespace
+
+CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
+                             const Options& options, Report& report) {
+  const Volume& volume = surface.volume();
+  const std::size_t plain_vertices = contour.points.size();
+  ContourSplit split;
+  std::vector<Vec3> sites;
+  std::optional<Handover> handover;
+  std::optional<Refined> best;
+  for (int number = 1;; ++number) {
+    std::optional<Handover> next;
+    std::optional<Refined> refined;
+    try {
+      next.emplace(take_stage1(surface, contour, split, sites, options, report));
+      refined.emplace(take_stage2(surface, *next, {}, options, report));
+    } catch (const InputError&) {
+      // A better mesh than the one there is would take more than --max-vertices.
+      if (number == 1) throw;
+      break;
+    }
+    report.turns = static_cast<std::size_t>(number);
+    if (report.stopped_at_max_vertices && number > 1) break;
+
+    const Trouble trouble = refined->trouble;
+    if (!best || trouble.weight() < best->trouble.weight()) {
+      handover.emplace(std::move(*next));
+      best.emplace(std::move(*refined));
+    }
+    std::vector<std::uint64_t> voxels = united(split.voxels, trouble.voxels);
+    if (number == options.turns || trouble.is_slight() || report.stopped_at_max_vertices ||
+        voxels.size() == split.voxels.size()) {
+      break;
+    }
+    const StepTimer timer(report.seconds_contour);
+    split.voxels = std::move(voxels);
+    split.factor =
+        cells_per_voxel(volume.spacing(), report.r_min, split.voxels.size(), plain_vertices);
+    contour = build_contour(volume, surface.kappa(), split);
+  }
+  if (!best->report.stopped_at_max_vertices && !options.stop_after_recover) {
+    part_crossings(surface, *handover, options, *best, report);
+  }
+  report_of(*best, report);
+  return {std::move(options.stop_after_recover ? handover->recovered : best->recovered),
+          std::move(handover->curves)};
+}
+
+}  // namespace deliso
