@@ -178,6 +178,11 @@ constexpr OptionSpec kOptions[] = {
      "certified: no point of the exact contour further than X voxels from the mesh at the end of "
      "stage 1 (default 1)",
      [](Line& l, Text o, Text v) { l.options.fingers = parse_positive(o, v); }},
+    {"--turns", 0, "N", kMeshOnly,
+     "certified: how often the two stages take turns, at most, where sheets are close (default 4)",
+     [](Line& l, Text o, Text v) {
+       l.options.turns = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
+     }},
     {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {
        require(o, v, "recover");

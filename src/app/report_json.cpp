@@ -22,6 +22,7 @@ void add_options(JsonWriter& json, const Options& options) {
   json.open("options");
   json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
   json.add("fingers", options.fingers);
+  json.add("turns", options.turns);
   json.add("eps", options.epsilon);
   json.add("eps1", options.epsilon1);
   json.add("eps2", options.epsilon2);
@@ -85,9 +86,11 @@ std::string report_json(const MeshRun& run) {
   json.add("tree", report.seconds_tree);
   json.add("contour", report.seconds_contour);
   json.add("init", report.seconds_init);
+  json.add("labels", report.seconds_labels);
   json.add("recover", report.seconds_recover);
   json.add("poles", report.seconds_poles);
   json.add("refine", report.seconds_refine);
+  json.add("trouble", report.seconds_trouble);
   json.add("meshing", report.seconds_total);
   json.add("check", run.seconds_check);
   json.add("cap", report.seconds_cap);
@@ -98,6 +101,13 @@ std::string report_json(const MeshRun& run) {
   json.add("initial", report.points_initial);
   json.add("recovered", report.points_recovered);
   json.add("refined", report.points_refined);
+  json.add("insertions_recover", report.insertions_recover);
+  json.add("insertions_refine", report.insertions_refine);
+  json.close();
+  json.open("turns");
+  json.add("taken", report.turns);
+  json.add("troubled_facets", report.troubled_facets);
+  json.add("crossing_pairs", report.crossing_pairs);
   json.close();
   add_searches(json, "searches_recover", report.searches_recover);
   add_searches(json, "searches_refine", report.searches_refine);

@@ -44,10 +44,6 @@ void append_stage(std::string& text, const char* name, double seconds, std::uint
              .c_str());
 }
 
-std::uint64_t points_of_recover(const Report& report) {
-  return report.points_recovered - std::min(report.points_recovered, report.points_initial);
-}
-
 void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min) {
   append(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
          quality.max_angle);
@@ -79,16 +75,23 @@ std::string report_text(const MeshRun& run) {
   append_step(text, "exact contour", report.seconds_contour);
   append(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
          grouped(report.points_initial).c_str());
-  append_stage(text, "recover", report.seconds_recover, points_of_recover(report),
+  append_step(text, "labels", report.seconds_labels);
+  append_stage(text, "recover", report.seconds_recover, report.insertions_recover,
                report.searches_recover);
   append_step(text, "poles", report.seconds_poles);
-  append_stage(text, "refine", report.seconds_refine, report.points_refined,
+  append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
                report.searches_refine);
+  append_step(text, "trouble", report.seconds_trouble);
   append_step(text, "cap", report.seconds_cap);
   append_step(text, "check", run.seconds_check);
   append_step(text, "write", run.seconds_write);
   append(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 
+  if (report.turns > 0) {
+    text += "turns     " + counted(report.turns, "turn", "turns") + " of the stages; left: " +
+            counted(report.troubled_facets, "troubled facet", "troubled facets") + ", " +
+            counted(report.crossing_pairs, "crossing pair", "crossing pairs") + "\n";
+  }
   text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
           counted(run.triangles, "triangle", "triangles");
   if (!run.line.output.empty()) text += " -> " + run.line.output;

@@ -72,6 +72,7 @@ Handover take_stage1(const Isosurface& surface, ContourMesh& contour, const Cont
       recover_certified(surface, contour, *curves, split, std::move(sites), options, report);
   sites = recovered.mesh.points;
   report.points_recovered = sites.size();
+  report.insertions_recover += sites.size() - std::min(sites.size(), report.points_initial);
   return {std::move(recovered), std::move(*curves), report.counters};
 }
 

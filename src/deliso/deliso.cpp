@@ -51,6 +51,8 @@ Recovered paper_way(const Isosurface& surface, const ContourMesh& contour,
     }
     report.points_recovered =
         restricted->triangulation().vertex_capacity() - 1 - kAuxiliaryVertices;
+    report.insertions_recover =
+        report.points_recovered - std::min(report.points_recovered, report.points_initial);
   }
   std::vector<double> poles;
   {

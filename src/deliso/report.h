@@ -71,9 +71,9 @@ struct Report {
   std::size_t points_recovered = 0;                     // n_RC: all points when Stage 1 ends
   std::size_t points_refined = 0;                       // n_RF: points inserted by Stage 2
   SearchCounters searches_recover, searches_refine;
-  std::size_t insertions_refine = 0;  // by Stage 2, in all turns
-  double kappa_effective = 0;         // lowered where samples or saddles equal the isovalue
-  double r_min = 0;                   // scaled frame
+  std::size_t insertions_recover = 0, insertions_refine = 0;  // in all turns
+  double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
+  double r_min = 0;            // scaled frame
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};

@@ -96,6 +96,8 @@ TEST_CASE("every option reaches its field") {
                                   "3",
                                   "--fingers",
                                   "0.25",
+                                  "--turns",
+                                  "2",
                                   "--recover",
                                   "paper",
                                   "--method",
@@ -147,6 +149,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
   CHECK(options.fingers == 0.25);
+  CHECK(options.turns == 2);
   CHECK(options.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
@@ -308,10 +311,10 @@ TEST_CASE("every misspelling by one letter is refused and led back to the option
 TEST_CASE("text that is no number of the right kind is refused, in one line that quotes it") {
   const std::string_view never[] = {"",      "e",  "1e", "12abc", "nan", "inf", "-inf",
                                     "1e999", " 1", "1 ", "0x10",  "1,5", "--",  "+-1"};
-  const std::string_view numbers[] = {"--iso",          "--eps",    "--eps1",    "--eps2",
-                                      "--lambda",       "--rmin",   "--fingers", "--max-distance",
-                                      "--max-radius",   "--seed",   "--samples", "--min-component",
-                                      "--max-vertices", "--threads"};
+  const std::string_view numbers[] = {"--iso",          "--eps",     "--eps1",    "--eps2",
+                                      "--lambda",       "--rmin",    "--fingers", "--max-distance",
+                                      "--max-radius",   "--seed",    "--samples", "--min-component",
+                                      "--max-vertices", "--threads", "--turns"};
   for (const std::string_view option : numbers) {
     for (const std::string_view text : never) {
       const std::string message = refusal({"x", option, text});
