@@ -90,7 +90,7 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
         q.over_h_over_r += *h > h_over_r * r;
       }
     } else {
-      ++q.without_curve;
+      q.without_curve += r > r_min;
     }
     if (edge.triangle == last) continue;
     last = edge.triangle;

@@ -17,7 +17,7 @@ struct BoundaryQuality {
   double max_h = 0;
   double max_h_over_r = 0;
   std::size_t over_h_over_r = 0;
-  std::size_t without_curve = 0;  // edges whose ball does not meet the curve there
+  std::size_t without_curve = 0;  // edges above r_min whose ball does not meet the curve there
   // Triangles with a boundary edge.
   std::size_t triangles = 0;
   std::size_t over_lambda = 0;             // of r/l, whatever their size

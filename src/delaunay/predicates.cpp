@@ -150,6 +150,10 @@ int insphere_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
   // One coordinate pair at a time: (b-a) x (c-a) = ab + bc + ca of the plane's minors.
   const auto flat = [](double ax, double ay, double bx, double by, double cx, double cy) {
+    // Shewchuk 1997, Figure 21's bound A of orient2d.
+    constexpr double kFilter = 3.3306690738754716e-16;
+    const double left = (ax - cx) * (by - cy), right = (ay - cy) * (bx - cx);
+    if (std::fabs(left - right) > kFilter * (std::fabs(left) + std::fabs(right))) return false;
     return ((determinant(ax, bx, ay, by) + determinant(bx, cx, by, cy)) +
             determinant(cx, ax, cy, ay))
                .sign() == 0;

@@ -100,7 +100,7 @@ inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& 
   return predicates::insphere_adaptive(pa, pb, pc, pd, pe);
 }
 
-// Whether a, b, c lie on one line (or coincide). Exact; not for inner loops.
+// Whether a, b, c lie on one line (or coincide). Exact, behind a filter.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // det[b-a, c-a, d-a], six times the volume, with a relative error of a few kEpsilon however flat

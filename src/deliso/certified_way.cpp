@@ -115,9 +115,7 @@ void part_crossings(const Isosurface& surface, const Handover& handover, const O
                     Refined& best, Report& report) {
   std::vector<std::uint64_t> guarded, crossing = best.trouble.crossing_voxels;
   for (int pass = 0; pass < kGuardedPasses && !crossing.empty(); ++pass) {
-    std::vector<std::uint64_t> more = united(guarded, crossing);
-    if (more.size() == guarded.size()) return;
-    guarded = std::move(more);
+    guarded = united(guarded, crossing);
     Refined again = take_stage2(surface, handover, guarded, options, report);
     crossing = again.trouble.crossing_voxels;
     if (again.trouble.crossing_pairs < best.trouble.crossing_pairs) best = std::move(again);

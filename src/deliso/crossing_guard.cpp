@@ -9,6 +9,23 @@
 
 namespace deliso {
 
+namespace {
+
+constexpr std::size_t kTests = 1'000'000, kTestsPerFacet = 20;
+
+bool boxes_meet(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [s_lo, s_hi] =
+        std::minmax({points[s[0]][axis], points[s[1]][axis], points[s[2]][axis]});
+    const auto [t_lo, t_hi] =
+        std::minmax({points[t[0]][axis], points[t[1]][axis], points[t[2]][axis]});
+    if (s_lo > t_hi || t_lo > s_hi) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 CrossingGuard::CrossingGuard(const Volume& volume, const TriMesh& mesh,
                              std::span<const std::uint64_t> voxels)
     : volume_(volume), mesh_(mesh) {
@@ -25,7 +42,8 @@ CrossingGuard::CrossingGuard(const Volume& volume, const TriMesh& mesh,
       }
     }
   }
-  if (!is_on()) return;
+  if (facets_.empty()) return;
+  tests_left_ = kTests + kTestsPerFacet * mesh.faces.size();
   for (FaceId f = 0; f < mesh.faces.size(); ++f) add(f);
 }
 
@@ -49,8 +67,23 @@ void CrossingGuard::for_each_voxel(const Triangle& t, Visit&& visit) const {
 void CrossingGuard::add(FaceId f) {
   for_each_voxel(mesh_.faces[f].v, [&](std::uint64_t voxel) {
     const auto found = facets_.find(voxel);
-    if (found != facets_.end()) found->second.push_back(f);
+    if (found == facets_.end()) return;
+    List& list = found->second;
+    list.facets.push_back(f);
+    if (list.facets.size() >= list.full) tidy(voxel, list);
   });
+}
+
+void CrossingGuard::tidy(std::uint64_t voxel, List& list) const {
+  std::vector<FaceId>& facets = list.facets;
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  std::erase_if(facets, [&](FaceId f) {
+    bool meets = false;
+    for_each_voxel(mesh_.faces[f].v, [&](std::uint64_t other) { meets |= other == voxel; });
+    return !meets;
+  });
+  list.full = 2 * facets.size() + 32;
 }
 
 bool CrossingGuard::would_cross(std::span<const Triangle> created,
@@ -64,8 +97,10 @@ bool CrossingGuard::would_cross(std::span<const Triangle> created,
       const auto found = facets_.find(voxel);
       if (found == facets_.end()) return;
       guarded = true;
-      near.insert(near.end(), found->second.begin(), found->second.end());
+      const std::vector<FaceId>& facets = found->second.facets;
+      near.insert(near.end(), facets.begin(), facets.end());
     });
+    tests_left_ -= std::min(tests_left_, near.size());
     if (near.empty()) continue;
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -73,6 +108,7 @@ bool CrossingGuard::would_cross(std::span<const Triangle> created,
     crosses = std::any_of(near.begin(), near.end(), [&](FaceId f) {
       if (std::find(removed.begin(), removed.end(), f) != removed.end()) return false;
       const Triangle& other = mesh_.faces[f].v;
+      if (!boxes_meet(points, t, other)) return false;
       return !collinear(points[other[0]], points[other[1]], points[other[2]]) &&
              triangles_intersect(points, t, other);
     });

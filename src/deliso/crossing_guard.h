@@ -19,7 +19,9 @@ class CrossingGuard {
   // Guards these voxels (voxel_number()s) and all that touch one of them. Keeps references.
   CrossingGuard(const Volume& volume, const TriMesh& mesh, std::span<const std::uint64_t> voxels);
 
-  bool is_on() const { return !facets_.empty(); }
+  // Where facets keep crossing whatever is refused, Stage 2 would go on for ever: the guard goes
+  // off after so many tests.
+  bool is_on() const { return tests_left_ > 0; }
   // f is new, or has other corners than before.
   void add(FaceId f);
   // Whether one of the `created` triangles crosses another of them, or a facet of the mesh that is
@@ -33,8 +35,14 @@ class CrossingGuard {
 
   const Volume& volume_;
   const TriMesh& mesh_;
-  // By guarded voxel, the facets that meet it; also such as did once.
-  std::unordered_map<std::uint64_t, std::vector<FaceId>> facets_;
+  // The facets that meet a guarded voxel; also such as did once, until there are `full` of them.
+  struct List {
+    std::vector<FaceId> facets;
+    std::size_t full = 32;
+  };
+  void tidy(std::uint64_t voxel, List& list) const;
+  std::unordered_map<std::uint64_t, List> facets_;
+  mutable std::size_t tests_left_ = 0;
 };
 
 }  // namespace deliso

@@ -20,8 +20,7 @@ struct Trouble {
   std::size_t bad_facets = 0;      // above r_min, of a shape or flatness far from what is asked
   std::size_t crossing_pairs = 0;  // of facets, by exact predicates
   std::size_t facets_above_r_min = 0;
-  // A crossing is worse than a bad shape.
-  std::size_t weight() const { return bad_facets + 10 * crossing_pairs; }
+  std::size_t weight() const { return bad_facets + crossing_pairs; }
   // No crossing, and so few bad facets that creases of Sigma may well be all of their cause.
   bool is_slight() const { return crossing_pairs == 0 && 5000 * bad_facets <= facets_above_r_min; }
 };
