@@ -10,8 +10,8 @@
 #include <cstdint>
 
 #include "base/random.h"
-#include "embedding/self_intersections.h"
 #include "delaunay/predicates.h"
+#include "embedding/self_intersections.h"
 
 namespace deliso {
 namespace {
