@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "check/faults.h"
-#include "embedding/triangle_tree.h"
 #include "check/validity.h"
 #include "contour/contour.h"
+#include "embedding/triangle_tree.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "embedding/triangle_tree.h"
 #include "check/validity.h"
 #include "contour/contour.h"
+#include "embedding/triangle_tree.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
