@@ -12,22 +12,41 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Distances summarize(std::vector<double>& values) {
+// Distances as they are measured, and where the largest is.
+class Measured {
+ public:
+  void reserve(std::size_t count) { values_.reserve(count); }
+  void add(double d, const Vec3& p) {
+    values_.push_back(d);
+    if (d <= max_) return;
+    max_ = d;
+    furthest_ = p;
+  }
+  Distances summary();
+
+ private:
+  std::vector<double> values_;
+  double max_ = -1;
+  Vec3 furthest_;
+};
+
+Distances Measured::summary() {
   Distances d;
-  d.points = values.size();
-  if (values.empty()) return d;
+  d.points = values_.size();
+  if (values_.empty()) return d;
   double sum = 0, squares = 0;
-  for (const double value : values) {
+  for (const double value : values_) {
     sum += value;
     squares += value * value;
   }
-  const auto n = static_cast<double>(values.size());
+  const auto n = static_cast<double>(values_.size());
   d.mean = sum / n;
   d.rms = std::sqrt(squares / n);
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.999 * n)) - 1;
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  d.quantile_999 = values[static_cast<std::size_t>(rank)];
-  d.max = *std::max_element(values.begin(), values.end());
+  std::nth_element(values_.begin(), values_.begin() + rank, values_.end());
+  d.quantile_999 = values_[static_cast<std::size_t>(rank)];
+  d.max = max_;
+  d.furthest = furthest_;
   return d;
 }
 
@@ -42,11 +61,9 @@ double along(const Isosurface& surface, const Vec3& p, const Vec3& direction, do
 }  // namespace
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit) {
-  std::vector<double> values;
-  values.reserve(4 * mesh.triangles.size());
+  Measured measured;
+  measured.reserve(4 * mesh.triangles.size());
   SearchCounters counters;
-  double furthest = -1;
-  Vec3 where;
   std::size_t not_found = 0;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
@@ -65,35 +82,23 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
         ++not_found;
         continue;
       }
-      values.push_back(d);
-      if (d <= furthest) continue;
-      furthest = d;
-      where = p;
+      measured.add(d, p);
     }
   }
-  Distances result = summarize(values);
-  result.furthest = where;
+  Distances result = measured.summary();
   result.not_found = not_found;
   return result;
 }
 
 Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree) {
-  std::vector<double> values;
-  values.reserve(contour.points.size());
-  double furthest = -1;
-  Vec3 where;
+  Measured measured;
+  measured.reserve(contour.points.size());
   for (const Vec3& p : contour.points) {
     const NearestTriangle nearest = mesh_tree.nearest(p);
     if (nearest.triangle == kNoId) break;
-    const double d = std::sqrt(nearest.distance2);
-    values.push_back(d);
-    if (d <= furthest) continue;
-    furthest = d;
-    where = p;
+    measured.add(std::sqrt(nearest.distance2), p);
   }
-  Distances result = summarize(values);
-  result.furthest = where;
-  return result;
+  return measured.summary();
 }
 
 double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit) {

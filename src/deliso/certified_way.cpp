@@ -157,16 +157,14 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     report.turns = static_cast<std::size_t>(number);
     if (report.stopped_at_max_vertices && number > 1) break;
 
-    const Trouble trouble = refined->trouble;
-    if (!best || trouble.weight() < best->trouble.weight()) {
+    std::vector<std::uint64_t> voxels = united(split.voxels, refined->trouble.voxels);
+    const bool enough = number == options.turns || refined->trouble.is_slight() ||
+                        report.stopped_at_max_vertices || voxels.size() == split.voxels.size();
+    if (!best || refined->trouble.weight() < best->trouble.weight()) {
       handover.emplace(std::move(*next));
       best.emplace(std::move(*refined));
     }
-    std::vector<std::uint64_t> voxels = united(split.voxels, trouble.voxels);
-    if (number == options.turns || trouble.is_slight() || report.stopped_at_max_vertices ||
-        voxels.size() == split.voxels.size()) {
-      break;
-    }
+    if (enough) break;
     const StepTimer timer(report.seconds_contour);
     split.voxels = std::move(voxels);
     split.factor =
