@@ -233,8 +233,11 @@ constexpr OptionSpec kOptions[] = {
      "of a ring that sees most of the surface)",
      [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
     {"--zoom", 0, "X", kRenderOnly, "larger than to fill the picture (default 1, at most 64)",
-     [](Line& l, Text o, Text v) { l.render.zoom = parse_zoom(o, v); }},
-    {"--size", 0, "WxH", kRenderOnly, "of the picture, in pixels (default 1200x900)",
+     [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
+    {"--look-at", 0, "X,Y,Z", kRenderOnly,
+     "what is in the middle of the picture (default: the middle of all that is drawn)",
+     [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
+    {"--size", 0, "WxH", kRenderOnly, "of the whole picture, in pixels (default 1200x900)",
      [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
     {"--shading", 0, "NAME", kRenderOnly, "smooth (default) or flat",
      [](Line& l, Text o, Text v) {
@@ -253,8 +256,8 @@ constexpr OptionSpec kOptions[] = {
      }},
     {"--clip", 0, "PLANE", kRenderOnly,
      "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
-     "has a x + b y + c z <= d",
-     [](Line& l, Text o, Text v) { l.clip = parse_clip(o, v); }},
+     "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
+     [](Line& l, Text o, Text v) { l.clips = parse_clips(o, v); }},
 
     {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
     {"--version", 0, "", kAll, "the version",
@@ -320,6 +323,12 @@ std::optional<Command> command_named(std::string_view word) {
 }
 
 void check_picture(const CommandLine& line) {
+  if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 1) {
+    throw InputError("only one mesh can come from standard input");
+  }
+  if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
+    throw InputError("--clip wants one plane, or one for each mesh");
+  }
   if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
   if (line.output != "-" && !line.output.ends_with(".png")) {
     throw InputError("cannot write '" + line.output + "': pictures are .png");
@@ -328,14 +337,16 @@ void check_picture(const CommandLine& line) {
 
 // What must hold between options, once all are read.
 void check_combination(CommandLine& line) {
-  if (line.command == Command::check && !line.mesh.empty() && line.input.empty()) {
+  if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
     throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
   }
-  if (line.input.empty()) throw InputError("no input given; --help shows how");
-  if (line.mesh == "-" && line.input == "-") {
-    throw InputError("mesh and volume cannot both come from standard input");
+  if (line.input.empty() && line.meshes.empty()) {
+    throw InputError("no input given; --help shows how");
   }
   if (line.command == Command::render) return check_picture(line);
+  if (line.command == Command::check && line.meshes.front() == "-" && line.input == "-") {
+    throw InputError("mesh and volume cannot both come from standard input");
+  }
   const BuiltinField* field = find_builtin_field(line.input);
   if (field && !line.isovalue) line.isovalue = field->isovalue;
   if (line.command != Command::info && !line.isovalue) {
@@ -387,15 +398,15 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   for (; at < arguments.size(); ++at) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
-      if (command == Command::check && line.mesh.empty() && !argument.empty()) {
-        line.mesh = argument;
+      if (argument.empty()) throw InputError("the input's name is empty");
+      if (command == Command::render || (command == Command::check && line.meshes.empty())) {
+        line.meshes.emplace_back(argument);
         continue;
       }
       if (!line.input.empty()) {
         throw InputError("more than one input: '" + line.input + "' and '" + std::string(argument) +
                          "'");
       }
-      if (argument.empty()) throw InputError("the input's name is empty");
       line.input = argument;
       continue;
     }
@@ -446,13 +457,13 @@ std::string help_text() {
       "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
       "       deliso info INPUT [--iso K]\n"
       "       deliso check MESH INPUT --iso K [options]\n"
-      "       deliso render MESH -o PICTURE.png [options]\n"
+      "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
       "\n"
       "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n"
       "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .vtk .vti .raw, builtin:NAME[:SIZE], or - for\n"
-      "standard input. MESH: .ply .off .obj, or -. The report goes to standard output, or to "
-      "standard error when the mesh or\n"
-      "the JSON goes there. Exit status: 0 fine, 1 a check found a fault, 2 bad usage or input.\n";
+      "standard input. MESH: .ply .off .obj, or -; several are drawn side by side, by one camera.\n"
+      "The report goes to standard output, or to standard error when the mesh or the JSON goes\n"
+      "there. Exit status: 0 fine, 1 a check found a fault, 2 bad usage or input.\n";
   const Group* group = kGroups;
   for (const OptionSpec& spec : kOptions) {
     if (group != std::end(kGroups) && spec.name == group->first) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deliso/options.h"
 #include "mesh/write_mesh.h"
@@ -28,16 +29,16 @@ struct ClipChoice {
 
 struct CommandLine {
   Command command = Command::mesh;
-  std::string input;   // a path, builtin:NAME[:SIZE], or - for standard input
-  std::string mesh;    // of the check command: a path, or - for standard input
-  std::string output;  // a path, - for standard output, or empty: no mesh is written
-  std::string json;    // a path, - or empty
+  std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; none for pictures
+  std::vector<std::string> meshes;  // paths, or - for standard input: one to check, some to draw
+  std::string output;               // a path, - for standard output, or empty: no mesh is written
+  std::string json;                 // a path, - or empty
   std::optional<double> isovalue;
   ReadOptions read;
   MeshWriteOptions write;  // its format is set wherever there is an output
   Options options;
-  RenderOptions render;  // its clip comes from the next
-  std::optional<ClipChoice> clip;
+  RenderOptions render;
+  std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0.999;  // the least that a check lets pass

@@ -47,6 +47,25 @@ std::optional<std::array<Number, N>> read_list(std::string_view text, char separ
   return numbers;
 }
 
+ClipChoice parse_clip(std::string_view option, std::string_view text) {
+  if (const auto plane = read_list<double, 4>(text, ',')) {
+    const Vec3 normal{(*plane)[0], (*plane)[1], (*plane)[2]};
+    if (normal != Vec3{}) return {0, 1, false, ClipPlane{normal, (*plane)[3]}};
+  }
+  ClipChoice clip;
+  std::string_view rest = text;
+  clip.keep_above = rest.starts_with('-');
+  if (clip.keep_above) rest.remove_prefix(1);
+  const auto fraction =
+      rest.size() > 2 && rest[1] == ':' ? read_finite(rest.substr(2)) : std::nullopt;
+  if (!fraction || *fraction < 0 || *fraction > 1 || rest[0] < 'x' || rest[0] > 'z') {
+    refuse(option, text, "an axis and a fraction as in 'x:0.5' or '-x:0.5', or a plane 'a,b,c,d'");
+  }
+  clip.axis = rest[0] - 'x';
+  clip.fraction = *fraction;
+  return clip;
+}
+
 }  // namespace
 
 double parse_number(std::string_view option, std::string_view text) {
@@ -85,6 +104,12 @@ Vec3 parse_spacing(std::string_view option, std::string_view text) {
   return {(*list)[0], (*list)[1], (*list)[2]};
 }
 
+Vec3 parse_point(std::string_view option, std::string_view text) {
+  const auto list = read_list<double, 3>(text, ',');
+  if (!list) refuse(option, text, "three numbers as in '1,-2,2.5'");
+  return {(*list)[0], (*list)[1], (*list)[2]};
+}
+
 View parse_view(std::string_view option, std::string_view text) {
   const auto list = read_list<double, 2>(text, ',');
   if (!list || std::abs((*list)[0]) > 360 || std::abs((*list)[1]) > 90) {
@@ -110,23 +135,15 @@ PictureSize parse_picture_size(std::string_view option, std::string_view text) {
   return {(*list)[0], (*list)[1]};
 }
 
-ClipChoice parse_clip(std::string_view option, std::string_view text) {
-  if (const auto plane = read_list<double, 4>(text, ',')) {
-    const Vec3 normal{(*plane)[0], (*plane)[1], (*plane)[2]};
-    if (normal != Vec3{}) return {0, 1, false, ClipPlane{normal, (*plane)[3]}};
+std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std::string_view text) {
+  std::vector<std::optional<ClipChoice>> clips;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('/', begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    clips.push_back(word == "off" ? std::nullopt : std::optional(parse_clip(option, word)));
+    begin = end + 1;
   }
-  ClipChoice clip;
-  std::string_view rest = text;
-  clip.keep_above = rest.starts_with('-');
-  if (clip.keep_above) rest.remove_prefix(1);
-  const auto fraction =
-      rest.size() > 2 && rest[1] == ':' ? read_finite(rest.substr(2)) : std::nullopt;
-  if (!fraction || *fraction < 0 || *fraction > 1 || rest[0] < 'x' || rest[0] > 'z') {
-    refuse(option, text, "an axis and a fraction as in 'x:0.5' or '-x:0.5', or a plane 'a,b,c,d'");
-  }
-  clip.axis = rest[0] - 'x';
-  clip.fraction = *fraction;
-  return clip;
+  return clips;
 }
 
 }  // namespace deliso

@@ -50,7 +50,7 @@ double bring_home(TriMesh& mesh, const Orientation& at) {
 
 int run_check(const CommandLine& line) {
   if (!line.json.empty()) require_writable(line.json);
-  TriMesh mesh = read_mesh(line.mesh);
+  TriMesh mesh = read_mesh(line.meshes.front());
   const Input input = read_input(line);
   const Volume& volume = input.volume;
   VerifyOptions options = verify_options(line, volume);
@@ -60,14 +60,15 @@ int run_check(const CommandLine& line) {
 
   if (!line.json.empty()) {
     JsonWriter json;
-    json.add("mesh", line.mesh);
+    json.add("mesh", line.meshes.front());
     add_input(json, input);
     json.add("isovalue", *line.isovalue);
     add_verification(json, result, volume);
     write_text(line.json, json.finish());
   }
   if (!line.quiet && line.json != "-") {
-    print("mesh      " + line.mesh + "\n" + input_text(input) + verification_text(result, volume));
+    print("mesh      " + line.meshes.front() + "\n" + input_text(input) +
+          verification_text(result, volume));
   }
   return result.faults.any() ? kFaultFound : kFine;
 }

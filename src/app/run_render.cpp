@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The render command: a mesh from a file in, a picture out.
+// The render command: meshes from files in, a picture out.
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/output.h"
 #include "app/run.h"
@@ -17,14 +19,16 @@
 namespace deliso {
 namespace {
 
-Box3 box_of(const TriMesh& mesh) {
+Box3 box_of(std::span<const TriMesh> meshes) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const Face& face : mesh.faces) {
-    for (const VertexId v : face.v) {
-      for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::min(box.lo[axis], mesh.points[v][axis]);
-        box.hi[axis] = std::max(box.hi[axis], mesh.points[v][axis]);
+  for (const TriMesh& mesh : meshes) {
+    for (const Face& face : mesh.faces) {
+      for (const VertexId v : face.v) {
+        for (int axis = 0; axis < 3; ++axis) {
+          box.lo[axis] = std::min(box.lo[axis], mesh.points[v][axis]);
+          box.hi[axis] = std::max(box.hi[axis], mesh.points[v][axis]);
+        }
       }
     }
   }
@@ -44,23 +48,39 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
 
 int run_render(const CommandLine& line) {
   require_writable(line.output);
-  const TriMesh mesh = read_mesh(line.input);
+  std::vector<TriMesh> meshes;
+  std::string names, triangles;
+  for (const std::string& name : line.meshes) {
+    const TriMesh& mesh = meshes.emplace_back(read_mesh(name));
+    names += (names.empty() ? "'" : ", '") + name + "'";
+    triangles += triangles.empty() ? "" : " | ";
+    triangles += counted(mesh.faces.size(), "triangle", "triangles");
+  }
+  const Box3 box = box_of(meshes);
+  std::vector<Subject> subjects;
+  for (std::size_t n = 0; n < meshes.size(); ++n) {
+    subjects.push_back({&meshes[n], {}});
+    if (line.clips.empty()) continue;
+    const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
+    if (clip) subjects.back().clip = plane_of(*clip, box);
+  }
   RenderOptions options = line.render;
-  if (line.clip) options.clip = plane_of(*line.clip, box_of(mesh));
   Image image;
   try {
-    if (!options.view) options.view = best_view(mesh, options.size, options.clip);
-    image = render(mesh, options);
+    if (!options.view) {
+      options.view = best_view(subjects, panel_size(options.size, subjects.size()));
+    }
+    image = render(subjects, options);
   } catch (const InputError& error) {
-    throw InputError("cannot draw '" + line.input + "': " + error.what());
+    throw InputError("cannot draw " + names + ": " + error.what());
   }
   {
     const DeferSignals defer;
     write_png(image, line.output);
   }
   if (!line.quiet) {
-    const std::string report = counted(mesh.faces.size(), "triangle", "triangles") +
-                               " drawn from --view " + number_text(options.view->azimuth) + "," +
+    const std::string report = triangles + " drawn from --view " +
+                               number_text(options.view->azimuth) + "," +
                                number_text(options.view->elevation) + "\n";
     if (line.output == "-") {
       std::fputs(report.c_str(), stderr);

@@ -25,18 +25,25 @@ Camera look_from(const View& view) {
   return camera;
 }
 
+// A point in coordinates along the camera's axes.
+Vec3 along_axes(const Camera& camera, const Vec3& p) {
+  return {dot(camera.right, p), dot(camera.up, p), dot(camera.back, p)};
+}
+
 // The box, along the camera's axes, of what is drawn.
-Box3 seen_box(const TriMesh& mesh, const Camera& camera, const std::optional<ClipPlane>& clip) {
+Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const Face& face : mesh.faces) {
-    for (const VertexId v : face.v) {
-      const Vec3& p = mesh.points[v];
-      if (clip && clip->height(p) > 0) continue;
-      const Vec3 q{dot(camera.right, p), dot(camera.up, p), dot(camera.back, p)};
-      for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::min(box.lo[axis], q[axis]);
-        box.hi[axis] = std::max(box.hi[axis], q[axis]);
+  for (const auto& [mesh, clip] : subjects) {
+    for (const Face& face : mesh->faces) {
+      for (const VertexId v : face.v) {
+        const Vec3& p = mesh->points[v];
+        if (clip && clip->height(p) > 0) continue;
+        const Vec3 q = along_axes(camera, p);
+        for (int axis = 0; axis < 3; ++axis) {
+          box.lo[axis] = std::min(box.lo[axis], q[axis]);
+          box.hi[axis] = std::max(box.hi[axis], q[axis]);
+        }
       }
     }
   }
@@ -45,24 +52,34 @@ Box3 seen_box(const TriMesh& mesh, const Camera& camera, const std::optional<Cli
 
 }  // namespace
 
-Camera fit_camera(const TriMesh& mesh, const View& view, double zoom, PictureSize size,
-                  const std::optional<ClipPlane>& clip) {
+Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
+                  PictureSize size) {
   Camera camera = look_from(view);
   camera.size = size;
-  const Box3 box = seen_box(mesh, camera, clip);
+  const Box3 box = seen_box(subjects, camera);
   if (!(box.lo.x <= box.hi.x)) {
-    throw InputError(mesh.faces.empty() ? "there is nothing to draw: the mesh has no facets"
-                                        : "there is nothing to draw: all is clipped");
+    const bool empty = std::all_of(subjects.begin(), subjects.end(),
+                                   [](const Subject& s) { return s.mesh->faces.empty(); });
+    throw InputError(empty ? "there is nothing to draw: the mesh has no facets"
+                           : "there is nothing to draw: all is clipped");
   }
   const Vec3 middle = 0.5 * (box.lo + box.hi), sides = box.size();
   camera.center = middle.x * camera.right + middle.y * camera.up + middle.z * camera.back;
   const double room = 1 - 2 * kMargin;
   const double units_per_pixel =
       std::max(sides.x / (room * size.width), sides.y / (room * size.height));
-  camera.scale = units_per_pixel > 0 ? zoom / units_per_pixel : zoom;
+  camera.scale = units_per_pixel > 0 ? aim.zoom / units_per_pixel : aim.zoom;
   if (!std::isfinite(length2(sides)) || !std::isfinite(length2(camera.center)) ||
       !std::isfinite(camera.scale)) {
     throw InputError("the mesh is too large or too small to draw");
+  }
+  if (aim.look_at) {
+    const Vec3 target = along_axes(camera, *aim.look_at);
+    // Farther away, coordinates in the picture could outgrow rasterize.h's bound.
+    if (target.x < box.lo.x || target.x > box.hi.x || target.y < box.lo.y || target.y > box.hi.y) {
+      throw InputError("the point to look at is beside all that is drawn");
+    }
+    camera.center = *aim.look_at;
   }
   return camera;
 }

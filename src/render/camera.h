@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "mesh/tri_mesh.h"
 
@@ -24,6 +25,12 @@ struct ClipPlane {
   double offset = 0;
 
   double height(const Vec3& p) const { return dot(normal, p) - offset; }
+};
+
+// A mesh, and the part of it to be drawn. Keeps a pointer to the mesh.
+struct Subject {
+  const TriMesh* mesh;
+  std::optional<ClipPlane> clip;
 };
 
 struct PictureSize {
@@ -47,10 +54,16 @@ struct Camera {
   }
 };
 
-// The camera that sees all corners of the mesh's facets that are not clipped, as large as a narrow
-// margin allows; zoom enlarges from there. Throws InputError where nothing is left to see, or the
-// mesh is too large for the arithmetic.
-Camera fit_camera(const TriMesh& mesh, const View& view, double zoom, PictureSize size,
-                  const std::optional<ClipPlane>& clip);
+// How a camera is aimed.
+struct Aim {
+  double zoom = 1;              // 1: what is seen fills the picture
+  std::optional<Vec3> look_at;  // in the middle of the picture; absent: the middle of what is seen
+};
+
+// The camera that sees all corners of the subjects' facets that are not clipped, as large as a
+// narrow margin allows, and is then aimed. Throws InputError where nothing is left to see of any of
+// them, they are too large for the arithmetic, or look_at is beside all that is seen.
+Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
+                  PictureSize size);
 
 }  // namespace deliso

@@ -6,15 +6,18 @@
 #include <span>
 
 #include "base/check.h"
+#include "base/text.h"
 #include "base/triangle.h"
 #include "render/rasterize.h"
 
 namespace deliso {
 namespace {
 
-constexpr int kSamplesPerSide = 3;                // of a pixel
-constexpr double kEdgeWidth = 0.9;                // pixels
-constexpr double kShortestEdge = 4;               // pixels, on average, for edges to be drawn
+constexpr int kSamplesPerSide = 3;   // of a pixel
+constexpr double kEdgeWidth = 0.9;   // pixels
+constexpr double kShortestEdge = 4;  // pixels, on average, for edges to be drawn
+constexpr int kRule = 2;             // pixels, between panels
+constexpr Rgb kRuleColor{200, 200, 200};
 constexpr std::size_t kSamplesAtOnce = 1u << 22;  // bounds the memory
 
 // Mean length of the facets' edges in the picture, in pixels.
@@ -50,8 +53,9 @@ Rgb pixel_color(const Shader& shader, const Vec3& background, std::span<const Fa
 
 // Area of the surface seen, in the mesh's units; what is seen at an angle counts less, by the root
 // of the cosine: halfway between how large it is and how large it looks.
-double area_seen(const TriMesh& mesh, const Camera& camera, const std::optional<ClipPlane>& clip) {
-  const ProjectedMesh projected = project(mesh, camera, 1, clip);
+double area_seen(const Subject& subject, const Camera& camera) {
+  const TriMesh& mesh = *subject.mesh;
+  const ProjectedMesh projected = project(mesh, camera, 1, subject.clip);
   double area = 0;
   for (const FaceId f : visible_faces(mesh, projected, 0, projected.rows)) {
     if (f == kNoId) continue;
@@ -63,19 +67,57 @@ double area_seen(const TriMesh& mesh, const Camera& camera, const std::optional<
   return area / (camera.scale * camera.scale);
 }
 
+// Draws into the part of the image that begins at column `left` and has the camera's size.
+void draw_panel(const Subject& subject, const Camera& camera, const RenderOptions& options,
+                Image& image, int left) {
+  const TriMesh& mesh = *subject.mesh;
+  const ProjectedMesh projected = project(mesh, camera, kSamplesPerSide, subject.clip);
+  const bool edges = options.edges == Edges::drawn || (options.edges == Edges::automatic &&
+                                                       mean_edge(mesh, camera) >= kShortestEdge);
+  const Shader shader(mesh, projected, camera, options.shading,
+                      edges ? kEdgeWidth * kSamplesPerSide : 0, options.palette);
+
+  const std::size_t samples_per_line =
+      static_cast<std::size_t>(projected.columns) * kSamplesPerSide;
+  const int lines_at_once =
+      static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / samples_per_line));
+  for (int begin = 0; begin < camera.size.height; begin += lines_at_once) {
+    const int end = std::min(camera.size.height, begin + lines_at_once);
+    const std::vector<FaceId> faces =
+        visible_faces(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide);
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < camera.size.width; ++x) {
+        image.at(left + x, y) = pixel_color(shader, options.palette.background, faces,
+                                            projected.columns, begin * kSamplesPerSide, x, y);
+      }
+    }
+  }
+}
+
 }  // namespace
 
-View best_view(const TriMesh& mesh, PictureSize size, const std::optional<ClipPlane>& clip) {
+PictureSize panel_size(PictureSize picture, std::size_t count) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  const std::size_t rules = (count - 1) * static_cast<std::size_t>(kRule);
+  if (width < rules + count) {
+    throw InputError(text("a picture ", width, " pixels wide has no room for ", count, " panels"));
+  }
+  return {static_cast<int>((width - rules) / count), picture.height};
+}
+
+View best_view(std::span<const Subject> subjects, PictureSize panel) {
   constexpr double kPixels = 25000;
-  const double shrink = std::sqrt(kPixels / (static_cast<double>(size.width) * size.height));
-  const PictureSize small{std::max(1, static_cast<int>(shrink * size.width)),
-                          std::max(1, static_cast<int>(shrink * size.height))};
+  const double shrink = std::sqrt(kPixels / (static_cast<double>(panel.width) * panel.height));
+  const PictureSize small{std::max(1, static_cast<int>(shrink * panel.width)),
+                          std::max(1, static_cast<int>(shrink * panel.height))};
   View best;
   double most = -1;
   for (int azimuth = 30; azimuth < 360; azimuth += 30) {
     if (azimuth % 90 == 0) continue;  // along an axis much of a volume lies edge on
     const View view{static_cast<double>(azimuth), 25};
-    const double area = area_seen(mesh, fit_camera(mesh, view, 1, small, clip), clip);
+    const Camera camera = fit_camera(subjects, view, {}, small);
+    double area = 0;
+    for (const Subject& subject : subjects) area += area_seen(subject, camera);
     if (area > most) {
       most = area;
       best = view;
@@ -84,35 +126,29 @@ View best_view(const TriMesh& mesh, PictureSize size, const std::optional<ClipPl
   return best;
 }
 
-Image render(const TriMesh& mesh, const RenderOptions& options) {
+Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   const PictureSize size = options.size;
+  DELISO_CHECK(!subjects.empty());
   DELISO_CHECK(1 <= std::min(size.width, size.height));
   DELISO_CHECK(std::max(size.width, size.height) <= kLargestSide);
-  DELISO_CHECK(0 < options.zoom && options.zoom <= kLargestZoom);
+  DELISO_CHECK(0 < options.aim.zoom && options.aim.zoom <= kLargestZoom);
 
-  const View view = options.view ? *options.view : best_view(mesh, size, options.clip);
-  const Camera camera = fit_camera(mesh, view, options.zoom, size, options.clip);
-  const ProjectedMesh projected = project(mesh, camera, kSamplesPerSide, options.clip);
-  const bool edges = options.edges == Edges::drawn || (options.edges == Edges::automatic &&
-                                                       mean_edge(mesh, camera) >= kShortestEdge);
-  const Shader shader(mesh, projected, camera, options.shading,
-                      edges ? kEdgeWidth * kSamplesPerSide : 0, options.palette);
+  const PictureSize panel = panel_size(size, subjects.size());
+  const View view = options.view ? *options.view : best_view(subjects, panel);
+  const Camera camera = fit_camera(subjects, view, options.aim, panel);
 
-  Image image(size.width, size.height);
-  const std::size_t samples_per_line =
-      static_cast<std::size_t>(projected.columns) * kSamplesPerSide;
-  const int lines_at_once =
-      static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / samples_per_line));
-  for (int begin = 0; begin < size.height; begin += lines_at_once) {
-    const int end = std::min(size.height, begin + lines_at_once);
-    const std::vector<FaceId> faces =
-        visible_faces(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide);
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        image.at(x, y) = pixel_color(shader, options.palette.background, faces, projected.columns,
-                                     begin * kSamplesPerSide, x, y);
+  const Vec3& background = options.palette.background;
+  Image image(size.width, size.height,
+              {to_byte(background.x), to_byte(background.y), to_byte(background.z)});
+  int left = 0;
+  for (const Subject& subject : subjects) {
+    if (left > 0) {
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = left - kRule; x < left; ++x) image.at(x, y) = kRuleColor;
       }
     }
+    draw_panel(subject, camera, options, image, left);
+    left += panel.width + kRule;
   }
   return image;
 }

@@ -126,6 +126,7 @@ refuses '10' builtin:fuel --max-vertices 10 -o $o
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >none.off
 printf 'OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n' >huge.off
+: >one.stl
 p=out/picture.png
 refuses 'no picture' render one.off
 refuses 'out/picture.gif' render one.off -o out/picture.gif
@@ -135,6 +136,10 @@ refuses 'huge.off.*too large' render huge.off -o $p
 refuses 'one.off.*clipped' render one.off -o $p --clip 0,0,1,-1
 refuses 'view' render one.off -o $p --view 30
 refuses 'no meaning' render one.off -o $p --iso 1
+refuses 'read from .ply, .off and .obj' render one.off one.stl -o $p
+refuses 'no room for 3 panels' render one.off one.off one.off -o $p --size 6x6
+refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9
+refuses 'one for each mesh' render one.off one.off -o $p --clip off/off/off
 refuses 'no/such/p.png' render one.off -o no/such/p.png
 
 # Output that cannot be written.

@@ -142,6 +142,10 @@ head -c 4 ply.png >begin
 holds "PNG" cmp -s signature begin
 "$deliso" render drawn.ply -q -o clipped.png --size 200x150 --clip x:0.5
 holds "a clipped picture is another" differ clipped.png ply.png
+"$deliso" render drawn.ply - -o pair.png --size 402x150 --clip off/x:0.5 <drawn.off >stdout
+holds "several meshes, one picture" \
+  grep -q '^[0-9,]* triangles | [0-9,]* triangles drawn from --view' stdout
+holds "of the size asked for" [ "$(od -An -tu1 -j16 -N8 pair.png | tr -s ' ')" = " 0 0 1 146 0 0 0 150" ]
 
 # A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
 # The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.

@@ -178,29 +178,52 @@ TEST_CASE("every option reaches its field") {
 }
 
 TEST_CASE("every option of pictures reaches its field") {
-  const CommandLine line =
-      parse({"render", "m.off", "-o", "m.png", "--view", "-30.5,20", "--zoom", "1.5", "--size",
-             "640x480", "--shading", "flat", "--edges", "off", "--clip", "-y:0.25", "-q"});
+  const CommandLine line = parse({"render", "m.off", "-o", "m.png", "--view", "-30.5,20", "--zoom",
+                                  "1.5", "--size", "640x480", "--shading", "flat", "--edges", "off",
+                                  "--clip", "-y:0.25", "--look-at", "1,-2.5,0", "-q"});
   CHECK(line.command == Command::render);
-  CHECK(line.input == "m.off");
+  CHECK(line.meshes == std::vector<std::string>{"m.off"});
   CHECK(line.output == "m.png");
   CHECK(line.render.view == View{-30.5, 20});
-  CHECK(line.render.zoom == 1.5);
+  CHECK(line.render.aim.zoom == 1.5);
   CHECK(line.render.size == PictureSize{640, 480});
   CHECK(line.render.shading == Shading::flat);
   CHECK(line.render.edges == Edges::hidden);
-  REQUIRE(line.clip.has_value());
-  CHECK_FALSE(line.clip->plane.has_value());
-  CHECK(line.clip->axis == 1);
-  CHECK(line.clip->fraction == 0.25);
-  CHECK(line.clip->keep_above);
+  CHECK(line.render.aim.look_at == Vec3{1, -2.5, 0});
+  REQUIRE(line.clips.size() == 1);
+  REQUIRE(line.clips[0].has_value());
+  CHECK_FALSE(line.clips[0]->plane.has_value());
+  CHECK(line.clips[0]->axis == 1);
+  CHECK(line.clips[0]->fraction == 0.25);
+  CHECK(line.clips[0]->keep_above);
   CHECK(line.quiet);
   const CommandLine plane = parse({"render", "m.off", "-o", "-", "--clip", "1,-2,0.5,7"});
-  REQUIRE(plane.clip.has_value());
-  REQUIRE(plane.clip->plane.has_value());
-  CHECK(plane.clip->plane->normal == Vec3{1, -2, 0.5});
-  CHECK(plane.clip->plane->offset == 7);
-  CHECK_FALSE(parse({"render", "m.off", "-o", "-"}).render.view.has_value());
+  REQUIRE(plane.clips.size() == 1);
+  REQUIRE(plane.clips[0].has_value());
+  REQUIRE(plane.clips[0]->plane.has_value());
+  CHECK(plane.clips[0]->plane->normal == Vec3{1, -2, 0.5});
+  CHECK(plane.clips[0]->plane->offset == 7);
+  const CommandLine bare = parse({"render", "m.off", "-o", "-"});
+  CHECK_FALSE(bare.render.view.has_value());
+  CHECK_FALSE(bare.render.aim.look_at.has_value());
+  CHECK(bare.clips.empty());
+}
+
+TEST_CASE("render takes any number of meshes, and one plane or as many as meshes") {
+  const CommandLine line =
+      parse({"render", "a.ply", "-", "c.off", "-o", "m.png", "--clip", "off/x:0.5/1,0,0,2"});
+  CHECK(line.meshes == std::vector<std::string>{"a.ply", "-", "c.off"});
+  REQUIRE(line.clips.size() == 3);
+  CHECK_FALSE(line.clips[0].has_value());
+  REQUIRE(line.clips[1].has_value());
+  CHECK(line.clips[1]->axis == 0);
+  REQUIRE(line.clips[2].has_value());
+  CHECK(line.clips[2]->plane.has_value());
+  CHECK(parse({"render", "a", "b", "c", "-o", "m.png", "--clip", "x:0.5"}).clips.size() == 1);
+  CHECK(refusal({"render", "a", "b", "c", "-o", "m.png", "--clip", "off/off"})
+            .starts_with("--clip wants one plane, or one for each mesh"));
+  CHECK(refusal({"render", "-", "a", "-", "-o", "m.png"}).starts_with("only one mesh"));
+  CHECK(refusal({"render", "a", "", "-o", "m.png"}) != "");
 }
 
 TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quotes it") {
@@ -208,7 +231,9 @@ TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quo
       {"--view", {"1", "1,2,3", "1,", ",1", "1,91", "361,0", "nan,0", "a,b", "1;2"}},
       {"--size", {"1", "0x5", "5x0", "-5x5", "5x5x5", "9000x5", "5.5x5", "x", "5X5"}},
       {"--zoom", {"0", "-1", "65", "inf", "x"}},
-      {"--clip", {"x", "x:", "w:0.5", "x:2", "x:-1", "--x:0.5", "1,2,3", "0,0,0,1", "x:nan", "-"}},
+      {"--clip",
+       {"x", "x:", "w:0.5", "x:2", "x:-1", "--x:0.5", "1,2,3", "0,0,0,1", "x:nan", "-", "OFF"}},
+      {"--look-at", {"1", "1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3"}},
       {"--shading", {"round", "SMOOTH"}},
       {"--edges", {"yes", "1"}}};
   for (const auto& refused : never) {
@@ -248,7 +273,7 @@ TEST_CASE("help and version win over everything after them, and need no input") 
 TEST_CASE("check takes a mesh and a volume") {
   const CommandLine line = parse({"check", "a.ply", "b.nrrd", "--iso", "3", "--restricted", "0.5"});
   CHECK(line.command == Command::check);
-  CHECK(line.mesh == "a.ply");
+  CHECK(line.meshes == std::vector<std::string>{"a.ply"});
   CHECK(line.input == "b.nrrd");
   CHECK(line.restricted_share == 0.5);
   CHECK(refusal({"check", "a.ply", "b.nrrd"}).find("no isovalue given") == 0);

@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/check.h"
@@ -62,6 +64,20 @@ RenderOptions small_picture() {
   return options;
 }
 
+using Clip = std::optional<ClipPlane>;
+
+Image render(const TriMesh& mesh, const RenderOptions& options, const Clip& clip = {}) {
+  return deliso::render(std::array{Subject{&mesh, clip}}, options);
+}
+
+View view_of(const TriMesh& mesh, PictureSize size, const Clip& clip) {
+  return best_view(std::array{Subject{&mesh, clip}}, size);
+}
+
+Camera camera_on(const TriMesh& mesh, const View& view, PictureSize size, const Clip& clip) {
+  return fit_camera(std::array{Subject{&mesh, clip}}, view, {}, size);
+}
+
 struct Tally {
   int background = 0, outside = 0, inside = 0, dark = 0;
 };
@@ -90,7 +106,7 @@ TEST_CASE("the silhouette of a sphere is a disk of its radius, from everywhere")
     CAPTURE(seed);
     Random random(seed);
     const View view{random.uniform(-360, 360), random.uniform(-90, 90)};
-    const Camera camera = fit_camera(mesh, view, 1, {400, 300}, {});
+    const Camera camera = camera_on(mesh, view, {400, 300}, {});
     const ProjectedMesh projected = project(mesh, camera, 1, {});
     const std::vector<FaceId> seen = visible_faces(mesh, projected, 0, projected.rows);
     int covered = 0;
@@ -118,7 +134,7 @@ TEST_CASE("the camera's axes are orthonormal and see +z upwards") {
     CAPTURE(seed);
     Random random(seed);
     const View view{random.uniform(-360, 360), random.uniform(-89, 89)};
-    const Camera camera = fit_camera(mesh, view, 1, {100, 100}, {});
+    const Camera camera = camera_on(mesh, view, {100, 100}, {});
     CHECK(length(camera.right) == doctest::Approx(1));
     CHECK(length(camera.up) == doctest::Approx(1));
     CHECK(length(cross(camera.right, camera.up) - camera.back) < 1e-12);
@@ -147,19 +163,19 @@ TEST_CASE("the outside has one color and the inside the other") {
 TEST_CASE("clipped in halves, a sphere shows its inside to one eye and its outside to the other") {
   const TriMesh mesh = sphere(4);
   RenderOptions options = small_picture();
-  options.clip = ClipPlane{{1, 0, 0}, kCenter.x};
+  const ClipPlane clip{{1, 0, 0}, kCenter.x};
   options.view = View{0, 0};
-  const Tally open = tally(render(mesh, options));
+  const Tally open = tally(render(mesh, options, clip));
   CHECK(open.inside > 5000);
   CHECK(open.outside == 0);
   options.view = View{180, 0};
-  const Tally closed = tally(render(mesh, options));
+  const Tally closed = tally(render(mesh, options, clip));
   CHECK(closed.outside > 5000);
   CHECK(closed.inside == 0);
   // From the side it is half a disk, which is fitted into the picture.
   options.view = View{90, 0};
-  const Camera camera = fit_camera(mesh, *options.view, 1, {400, 300}, options.clip);
-  const ProjectedMesh projected = project(mesh, camera, 1, options.clip);
+  const Camera camera = camera_on(mesh, *options.view, {400, 300}, clip);
+  const ProjectedMesh projected = project(mesh, camera, 1, clip);
   int covered = 0;
   for (const FaceId f : visible_faces(mesh, projected, 0, projected.rows)) covered += f != kNoId;
   CHECK(covered / (camera.scale * camera.scale) ==
@@ -185,11 +201,11 @@ TEST_CASE("the same mesh gives the same picture; a view that is not given is the
   RenderOptions options = small_picture();
   options.edges = Edges::drawn;
   CHECK(render(mesh, options).pixels == render(mesh, options).pixels);
-  options.clip = ClipPlane{{0, 1, 0}, kCenter.y};
+  const ClipPlane clip{{0, 1, 0}, kCenter.y};
   options.view.reset();
-  const Image chosen = render(mesh, options);
-  options.view = best_view(mesh, options.size, options.clip);
-  CHECK(render(mesh, options).pixels == chosen.pixels);
+  const Image chosen = render(mesh, options, clip);
+  options.view = view_of(mesh, options.size, clip);
+  CHECK(render(mesh, options, clip).pixels == chosen.pixels);
 }
 
 TEST_CASE("the best view of a plate is the one nearest to face on") {
@@ -199,7 +215,7 @@ TEST_CASE("the best view of a plate is the one nearest to face on") {
     const Vec3 along{-s, c, 0}, up{0, 0, 1};
     const TriMesh plate =
         make_tri_mesh({Vec3{}, along, along + up, up}, Triangles{{0, 1, 2}, {0, 2, 3}});
-    const View view = best_view(plate, {160, 120}, {});
+    const View view = view_of(plate, {160, 120}, {});
     const double turn = (view.azimuth - angle) * std::numbers::pi / 180;
     CHECK(std::abs(std::cos(turn)) > 0.8);
   }
@@ -207,9 +223,7 @@ TEST_CASE("the best view of a plate is the one nearest to face on") {
 
 TEST_CASE("nothing to draw is said, not drawn") {
   CHECK_THROWS_AS(render(TriMesh{}, small_picture()), InputError);
-  RenderOptions options = small_picture();
-  options.clip = ClipPlane{{0, 0, 1}, -100};
-  CHECK_THROWS_AS(render(sphere(1), options), InputError);
+  CHECK_THROWS_AS(render(sphere(1), small_picture(), ClipPlane{{0, 0, 1}, -100}), InputError);
   TriMesh huge = sphere(1);
   for (Vec3& p : huge.points) p = 1e300 * p;
   CHECK_THROWS_AS(render(huge, small_picture()), InputError);
@@ -221,5 +235,112 @@ TEST_CASE("a point, a line and facets seen edge on are drawn as nothing, without
   RenderOptions options = small_picture();
   for (const TriMesh* mesh : {&point, &line}) {
     CHECK(tally(render(*mesh, options)).background == 160 * 120);
+  }
+}
+
+namespace {
+
+// Every pixel of the picture's columns from `left` on, `width` of them.
+Image columns_of(const Image& image, int left, int width) {
+  Image part(width, image.height);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < width; ++x) part.at(x, y) = image.at(left + x, y);
+  }
+  return part;
+}
+
+}  // namespace
+
+TEST_CASE("panels show each subject as alone, by one camera, with a rule between them") {
+  const TriMesh whole = sphere(4);
+  const Clip lower = ClipPlane{{0, 0, 1}, kCenter.z};
+  for (const int panels : {1, 2, 3, 5}) {
+    for (int width = 301; width < 301 + panels; ++width) {
+      CAPTURE(panels);
+      CAPTURE(width);
+      RenderOptions options = small_picture();
+      options.size = {width, 90};
+      std::vector<Subject> subjects(static_cast<std::size_t>(panels), {&whole, {}});
+      if (panels > 1) subjects[1].clip = lower;
+      const PictureSize panel = panel_size(options.size, subjects.size());
+      const int gap = panels == 1 ? 0 : 2;
+      CHECK(panel.height == 90);
+      CHECK(panels * panel.width + (panels - 1) * gap <= width);
+      CHECK(panels * (panel.width + 1) + (panels - 1) * gap > width);
+
+      const Image image = render(subjects, options);
+      REQUIRE(image.width == width);
+      REQUIRE(image.height == 90);
+      RenderOptions alone = options;
+      alone.size = panel;
+      const Image first = render(whole, alone);
+      for (int n = 0; n < panels; ++n) {
+        const Image part = columns_of(image, n * (panel.width + gap), panel.width);
+        if (n != 1) {
+          CHECK(part.pixels == first.pixels);
+          continue;
+        }
+        // Half a sphere at the very place of the whole one: the lowest rows agree.
+        const Tally half = tally(part), all = tally(first);
+        // The opening is an ellipse, flat by the sine of the elevation.
+        const double sine = std::sin(options.view->elevation * std::numbers::pi / 180);
+        CHECK(half.inside == doctest::Approx(sine * all.outside).epsilon(0.05));
+        CHECK(half.outside == doctest::Approx(0.5 * (1 - sine) * all.outside).epsilon(0.05));
+        CHECK(half.background > all.background);
+        int differing = 0;
+        for (int y = 75; y < 90; ++y) {
+          for (int x = 0; x < panel.width; ++x) {
+            differing += !(part.at(x, y) == first.at(x, y));
+          }
+        }
+        CHECK(differing == 0);
+      }
+      if (panels > 1) {
+        const Image rule = columns_of(image, panel.width, gap);
+        for (const Rgb& p : rule.pixels) REQUIRE(p == rule.pixels.front());
+        CHECK_FALSE(rule.pixels.front() == Rgb{255, 255, 255});
+      }
+    }
+  }
+}
+
+TEST_CASE("a small mesh beside a large one stays small: the camera fits all of them") {
+  const TriMesh large = sphere(4);
+  TriMesh small = large;
+  for (Vec3& p : small.points) p = kCenter + 0.25 * (p - kCenter);
+  RenderOptions options = small_picture();
+  options.size = {322, 160};
+  const Image image = render(std::array{Subject{&large, {}}, Subject{&small, {}}}, options);
+  const auto covered = [&](int left) {
+    return 160 * 160 - tally(columns_of(image, left, 160)).background;
+  };
+  CHECK(covered(0) / 16.0 == doctest::Approx(covered(162)).epsilon(0.1));
+}
+
+TEST_CASE("a picture too narrow for its panels is refused") {
+  CHECK(panel_size({8, 5}, 3).width == 1);
+  CHECK(panel_size({7, 5}, 3).width == 1);
+  CHECK_THROWS_AS(panel_size({6, 5}, 3), InputError);
+  CHECK(panel_size({1, 1}, 1).width == 1);
+}
+
+TEST_CASE("what is looked at is in the middle, at any zoom; what is beside all is refused") {
+  const TriMesh mesh = sphere(4);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const View view{random.uniform(-360, 360), random.uniform(-89, 89)};
+    Aim aim;
+    aim.zoom = random.uniform(0.1, kLargestZoom);
+    aim.look_at = mesh.points[random.below(static_cast<std::uint32_t>(mesh.points.size()))];
+    const std::array subject{Subject{&mesh, {}}};
+    const Camera camera = fit_camera(subject, view, aim, {400, 300});
+    CHECK(camera.project(*aim.look_at).x == doctest::Approx(200));
+    CHECK(camera.project(*aim.look_at).y == doctest::Approx(150));
+    CHECK(camera.scale == doctest::Approx(aim.zoom * camera_on(mesh, view, {400, 300}, {}).scale));
+    aim.look_at = kCenter + 1.01 * kRadius * camera.up;
+    CHECK_THROWS_AS(fit_camera(subject, view, aim, {400, 300}), InputError);
+    aim.look_at = kCenter + 100 * kRadius * camera.back;  // in front of it: only depth differs
+    CHECK(fit_camera(subject, view, aim, {400, 300}).project(kCenter).x == doctest::Approx(200));
   }
 }
