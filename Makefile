@@ -1,7 +1,7 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX; for `make fuzz`:
 # FUZZ_SECONDS (of each target), FUZZ (the targets, e.g. "nrrd ply"), FUZZ_CLANG;
-# for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets` and
-# `make tables`: DATA (folder of volumes).
+# for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
+# `make tables` and `make figures`: DATA (folder of volumes).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
@@ -37,10 +37,11 @@ test: doctest
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-# The pictures of docs/figures, by the commands that the README gives.
-figures: all
-	$(BUILD)/deliso builtin:fuel -q -o $(BUILD)/fuel.ply
-	$(BUILD)/deliso render $(BUILD)/fuel.ply -o docs/figures/fuel.png --size 520x380
+# docs/figures: the paper's figures, on the volumes in DATA.
+figures:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets
+	@sh bench/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:

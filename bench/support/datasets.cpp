@@ -147,7 +147,7 @@ OpenedDataset open_dataset(const Dataset& dataset, const std::string& folder) {
           true,
           dataset.analogue,
           {text(dataset.name, " is not at hand (", fault, "): ", dataset.analogue, " at ",
-                field->isovalue, " stands in for it, without ratios.")}};
+                field->isovalue, " stands in for it.")}};
 }
 
 }  // namespace deliso
