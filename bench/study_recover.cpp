@@ -41,14 +41,20 @@ double microseconds_of_largest(const Nanoseconds& bins) {
   return NAN;
 }
 
+// From the first to the last bin that would be seen, with the empty ones between: a line over them
+// would show insertions where there are none.
 Series time_series(const std::string& name, const Nanoseconds& bins) {
   Series series{name, {}};
   const double all = static_cast<double>(total(bins));
+  std::size_t shown = 0;
   for (std::size_t n = 0; n < bins.size(); ++n) {
     const double center = std::sqrt(bin_begin(n) * bin_begin(n + 1));
     const double share = 100 * static_cast<double>(bins[n]) / all;
-    if (share >= 0.05) series.points.emplace_back(1e-3 * center, share);
+    if (share < 0.05 && shown == 0) continue;
+    series.points.emplace_back(1e-3 * center, share);
+    if (share >= 0.05) shown = series.points.size();
   }
+  series.points.resize(shown);
   return series;
 }
 

@@ -47,17 +47,26 @@ double chart_epsilon(double epsilon) {
   return epsilon == kInfinity ? 0.8 : epsilon;
 }
 
+Axis epsilon_axis() {
+  Axis axis{"epsilon of ApproximateGeom", true};
+  for (const double epsilon : kEpsilons) {
+    axis.ticks.emplace_back(chart_epsilon(epsilon),
+                            epsilon == kInfinity ? "none" : fixed_cell(epsilon, 1));
+  }
+  return axis;
+}
+
 int work(const BenchArguments& arguments) {
   Table table("How early can one switch?",
               {"data set", "data", "Stage 1", "topology", "components", "exact", "Euler number",
                "exact", "put back", "n_RC", "n_RF", "vertices", "seconds", "r/l over", "h/r over"},
               4);
   LineChart time_chart{"Total time by the bound of ApproximateGeom (paper's way)",
-                       {"epsilon (0.8 stands for: no ApproximateGeom)", true},
+                       epsilon_axis(),
                        {"seconds over those at epsilon 0.2"},
                        {}};
   LineChart share_chart{"Points inserted before the switch (paper's way)",
-                        {"epsilon (0.8 stands for: no ApproximateGeom)", true},
+                        epsilon_axis(),
                         {"n_RC, % of all vertices"},
                         {}};
   for (const Dataset& dataset : arguments.datasets) {

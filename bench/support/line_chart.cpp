@@ -86,7 +86,7 @@ Extent extent_of(const std::vector<Series>& series, const Axis& axis, bool of_x)
   return e;
 }
 
-std::string tick_label(double value) {
+std::string round_label(double value) {
   std::string label;
   const double size = std::fabs(value);
   if (size >= 1e6) {
@@ -97,6 +97,19 @@ std::string tick_label(double value) {
     append(label, "%g", value);
   }
   return label;
+}
+
+// Where an axis that shows `e` has ticks, and what is written there.
+std::vector<std::pair<double, std::string>> ticks_of(const Axis& axis, const Extent& e) {
+  std::vector<std::pair<double, std::string>> ticks;
+  for (const auto& tick : axis.ticks) {
+    if (tick.first >= e.lo && tick.first <= e.hi) ticks.push_back(tick);
+  }
+  if (!axis.ticks.empty()) return ticks;
+  for (const double at : axis_ticks(e.lo, e.hi, axis.logarithmic)) {
+    ticks.emplace_back(at, round_label(at));
+  }
+  return ticks;
 }
 
 }  // namespace
@@ -136,17 +149,17 @@ std::string LineChart::svg() const {
   append(out, "<rect width=\"%g\" height=\"%g\" fill=\"#ffffff\"/>\n", kWidth, kHeight);
   append(out, "<text x=\"%g\" y=\"26\" font-size=\"15\" font-weight=\"bold\">%s</text>\n", kLeft,
          escaped(title).c_str());
-  for (const double tick : axis_ticks(ex.lo, ex.hi, x.logarithmic)) {
-    const double at = to_x(tick);
+  for (const auto& [value, label] : ticks_of(x, ex)) {
+    const double at = to_x(value);
     append(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#dddddd\"/>\n", at, bottom, kTop);
     append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", at, bottom + 19,
-           tick_label(tick).c_str());
+           escaped(label).c_str());
   }
-  for (const double tick : axis_ticks(ey.lo, ey.hi, y.logarithmic)) {
-    const double at = to_y(tick);
+  for (const auto& [value, label] : ticks_of(y, ey)) {
+    const double at = to_y(value);
     append(out, "<path d=\"M%.2f %.2fH%.2f\" stroke=\"#dddddd\"/>\n", kLeft, at, right);
     append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"end\">%s</text>\n", kLeft - 8, at + 4.5,
-           tick_label(tick).c_str());
+           escaped(label).c_str());
   }
   append(out, "<path d=\"M%.2f %.2fV%.2fH%.2f\" fill=\"none\" stroke=\"#333333\"/>\n", kLeft, kTop,
          bottom, right);

@@ -12,7 +12,8 @@ namespace deliso {
 
 struct Axis {
   std::string label;
-  bool logarithmic = false;  // then only positive values are drawn
+  bool logarithmic = false;                             // then only positive values are drawn
+  std::vector<std::pair<double, std::string>> ticks{};  // those shown; none: round numbers
 };
 
 struct Series {

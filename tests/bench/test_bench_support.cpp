@@ -192,3 +192,13 @@ TEST_CASE("a chart draws every point inside its frame and leaves out what it can
   CHECK(circles == 3);
   CHECK(svg.ends_with("</svg>\n"));
 }
+
+TEST_CASE("an axis with ticks of its own shows these, those within, and no others") {
+  LineChart chart{"t", {"x", true, {{1, "one"}, {4, "<four>"}, {500, "beyond"}}}, {"y"}, {}};
+  chart.series.push_back({"s", {{1, 1}, {4, 4}, {10, 2}}});
+  const std::string svg = chart.svg();
+  CHECK(svg.find(">one<") != std::string::npos);
+  CHECK(svg.find(">&lt;four><") != std::string::npos);
+  CHECK(svg.find("beyond") == std::string::npos);
+  CHECK(svg.find(">10<") == std::string::npos);  // a round number that y does not reach
+}
