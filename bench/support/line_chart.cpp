@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 
+#include "base/append_format.h"
 #include "base/atomic_file.h"
 #include "base/check.h"
 
@@ -20,15 +19,6 @@ constexpr double kLeft = 78, kRight = 178, kTop = 46, kBottom = 56;  // margins;
 // Okabe and Ito 2008: told apart by colour-blind readers too.
 constexpr std::array<const char*, LineChart::kMostSeries> kColors{
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c00"};
-
-[[gnu::format(printf, 2, 3)]] void append(std::string& text, const char* format, ...) {
-  char line[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  text += line;
-}
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -90,11 +80,11 @@ std::string round_label(double value) {
   std::string label;
   const double size = std::fabs(value);
   if (size >= 1e6) {
-    append(label, "%gM", value / 1e6);
+    append_format(label, "%gM", value / 1e6);
   } else if (size >= 1e4) {
-    append(label, "%gk", value / 1e3);
+    append_format(label, "%gk", value / 1e3);
   } else {
-    append(label, "%g", value);
+    append_format(label, "%g", value);
   }
   return label;
 }
@@ -142,53 +132,54 @@ std::string LineChart::svg() const {
   const Scale to_x(x, ex.lo, ex.hi, kLeft, right), to_y(y, ey.lo, ey.hi, bottom, kTop);
 
   std::string out;
-  append(out,
-         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g "
-         "%g\" font-family=\"sans-serif\" font-size=\"13\">\n",
-         kWidth, kHeight, kWidth, kHeight);
-  append(out, "<rect width=\"%g\" height=\"%g\" fill=\"#ffffff\"/>\n", kWidth, kHeight);
-  append(out, "<text x=\"%g\" y=\"26\" font-size=\"15\" font-weight=\"bold\">%s</text>\n", kLeft,
-         escaped(title).c_str());
+  append_format(
+      out,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g "
+      "%g\" font-family=\"sans-serif\" font-size=\"13\">\n",
+      kWidth, kHeight, kWidth, kHeight);
+  append_format(out, "<rect width=\"%g\" height=\"%g\" fill=\"#ffffff\"/>\n", kWidth, kHeight);
+  append_format(out, "<text x=\"%g\" y=\"26\" font-size=\"15\" font-weight=\"bold\">%s</text>\n",
+                kLeft, escaped(title).c_str());
   for (const auto& [value, label] : ticks_of(x, ex)) {
     const double at = to_x(value);
-    append(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#dddddd\"/>\n", at, bottom, kTop);
-    append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", at, bottom + 19,
-           escaped(label).c_str());
+    append_format(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#dddddd\"/>\n", at, bottom, kTop);
+    append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", at,
+                  bottom + 19, escaped(label).c_str());
   }
   for (const auto& [value, label] : ticks_of(y, ey)) {
     const double at = to_y(value);
-    append(out, "<path d=\"M%.2f %.2fH%.2f\" stroke=\"#dddddd\"/>\n", kLeft, at, right);
-    append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"end\">%s</text>\n", kLeft - 8, at + 4.5,
-           escaped(label).c_str());
+    append_format(out, "<path d=\"M%.2f %.2fH%.2f\" stroke=\"#dddddd\"/>\n", kLeft, at, right);
+    append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"end\">%s</text>\n", kLeft - 8,
+                  at + 4.5, escaped(label).c_str());
   }
-  append(out, "<path d=\"M%.2f %.2fV%.2fH%.2f\" fill=\"none\" stroke=\"#333333\"/>\n", kLeft, kTop,
-         bottom, right);
-  append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n",
-         0.5 * (kLeft + right), kHeight - 14, escaped(x.label).c_str());
-  append(out,
-         "<text transform=\"translate(20 %.2f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
-         0.5 * (kTop + bottom), escaped(y.label).c_str());
+  append_format(out, "<path d=\"M%.2f %.2fV%.2fH%.2f\" fill=\"none\" stroke=\"#333333\"/>\n", kLeft,
+                kTop, bottom, right);
+  append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n",
+                0.5 * (kLeft + right), kHeight - 14, escaped(x.label).c_str());
+  append_format(
+      out, "<text transform=\"translate(20 %.2f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
+      0.5 * (kTop + bottom), escaped(y.label).c_str());
 
   for (std::size_t n = 0; n < series.size(); ++n) {
     std::string line, dots;
     for (const auto& [px, py] : series[n].points) {
       if (!std::isfinite(px) || !std::isfinite(py)) continue;
       if ((x.logarithmic && !(px > 0)) || (y.logarithmic && !(py > 0))) continue;
-      append(line, "%s%.2f %.2f", line.empty() ? "M" : "L", to_x(px), to_y(py));
+      append_format(line, "%s%.2f %.2f", line.empty() ? "M" : "L", to_x(px), to_y(py));
       if (markers) {
-        append(dots, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"3.2\" fill=\"%s\"/>\n", to_x(px),
-               to_y(py), kColors[n]);
+        append_format(dots, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"3.2\" fill=\"%s\"/>\n", to_x(px),
+                      to_y(py), kColors[n]);
       }
     }
     if (line.empty()) continue;
     out.append("<path d=\"").append(line);
-    append(out, "\" fill=\"none\" stroke=\"%s\" stroke-width=\"2\"/>\n", kColors[n]);
+    append_format(out, "\" fill=\"none\" stroke=\"%s\" stroke-width=\"2\"/>\n", kColors[n]);
     out.append(dots);
     const double at = kTop + 12 + 22 * static_cast<double>(n);
-    append(out, "<path d=\"M%.2f %.2fh22\" stroke=\"%s\" stroke-width=\"3\"/>\n", right + 14, at,
-           kColors[n]);
-    append(out, "<text x=\"%.2f\" y=\"%.2f\">%s</text>\n", right + 42, at + 4.5,
-           escaped(series[n].name).c_str());
+    append_format(out, "<path d=\"M%.2f %.2fh22\" stroke=\"%s\" stroke-width=\"3\"/>\n", right + 14,
+                  at, kColors[n]);
+    append_format(out, "<text x=\"%.2f\" y=\"%.2f\">%s</text>\n", right + 42, at + 4.5,
+                  escaped(series[n].name).c_str());
   }
   return out + "</svg>\n";
 }

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdarg>
 #include <cstdio>
 
 #include "app/check_report.h"
 #include "app/mesh_run.h"
 #include "app/solid.h"
 #include "app/text.h"
+#include "base/append_format.h"
 
 namespace deliso {
 namespace {
-
-[[gnu::format(printf, 2, 3)]] void append(std::string& text, const char* format, ...) {
-  char line[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  text += line;
-}
 
 // A share that may have nothing to be shared by.
 std::string ratio(double a, double b, int digits) {
@@ -29,32 +20,33 @@ std::string ratio(double a, double b, int digits) {
 }
 
 void append_step(std::string& text, const char* name, double seconds) {
-  if (seconds > 0) append(text, "  %-14s %9.3f\n", name, seconds);
+  if (seconds > 0) append_format(text, "  %-14s %9.3f\n", name, seconds);
 }
 
 void append_stage(std::string& text, const char* name, double seconds, std::uint64_t points,
                   const SearchCounters& searches) {
   const auto inserted = static_cast<double>(points);
   const auto asked = static_cast<double>(searches.searches);
-  append(text, "  %-14s %9.3f %11s %10s %10s %7s %7s\n", name, seconds, grouped(points).c_str(),
-         ratio(1e6 * seconds, inserted, 2).c_str(), ratio(asked, inserted, 1).c_str(),
-         ratio(static_cast<double>(searches.computations), asked, 2).c_str(),
-         ratio(static_cast<double>(searches.computations_with_hit),
-               static_cast<double>(searches.searches_with_hit), 2)
-             .c_str());
+  append_format(text, "  %-14s %9.3f %11s %10s %10s %7s %7s\n", name, seconds,
+                grouped(points).c_str(), ratio(1e6 * seconds, inserted, 2).c_str(),
+                ratio(asked, inserted, 1).c_str(),
+                ratio(static_cast<double>(searches.computations), asked, 2).c_str(),
+                ratio(static_cast<double>(searches.computations_with_hit),
+                      static_cast<double>(searches.searches_with_hit), 2)
+                    .c_str());
 }
 
 void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min) {
-  append(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
-         quality.max_angle);
-  append(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n", quality.max_r_over_l,
-         number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
-  append(text, "          %s above r_min with r/l > %s\n",
-         counted(quality.over_lambda, "triangle", "triangles").c_str(),
-         number_text(lambda).c_str());
+  append_format(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
+                quality.max_angle);
+  append_format(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n",
+                quality.max_r_over_l, number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
+  append_format(text, "          %s above r_min with r/l > %s\n",
+                counted(quality.over_lambda, "triangle", "triangles").c_str(),
+                number_text(lambda).c_str());
   if (quality.degenerate_faces > 0) {
-    append(text, "          %s without area\n",
-           counted(quality.degenerate_faces, "triangle", "triangles").c_str());
+    append_format(text, "          %s without area\n",
+                  counted(quality.degenerate_faces, "triangle", "triangles").c_str());
   }
 }
 
@@ -73,8 +65,8 @@ std::string report_text(const MeshRun& run) {
   append_step(text, "read", run.input.seconds);
   append_step(text, "kd-tree", report.seconds_tree);
   append_step(text, "exact contour", report.seconds_contour);
-  append(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
-         grouped(report.points_initial).c_str());
+  append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
+                grouped(report.points_initial).c_str());
   append_step(text, "labels", report.seconds_labels);
   append_stage(text, "recover", report.seconds_recover, report.insertions_recover,
                report.searches_recover);
@@ -85,7 +77,7 @@ std::string report_text(const MeshRun& run) {
   append_step(text, "cap", report.seconds_cap);
   append_step(text, "check", run.seconds_check);
   append_step(text, "write", run.seconds_write);
-  append(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
+  append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 
   if (report.turns > 0) {
     text += "turns     " + counted(report.turns, "turn", "turns") + " of the stages; left: " +
@@ -114,12 +106,12 @@ std::string report_text(const MeshRun& run) {
   const std::size_t before = text.size();
   for (std::size_t n = 0; n < kCounterCount; ++n) {
     if (report.counters[n] == 0) continue;
-    append(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
-           std::string(name_of(static_cast<Counter>(n))).c_str(),
-           grouped(report.counters[n]).c_str());
+    append_format(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
+                  std::string(name_of(static_cast<Counter>(n))).c_str(),
+                  grouped(report.counters[n]).c_str());
   }
   if (text.size() == before) text += "counters  nothing refused or unresolved\n";
-  append(text, "memory    %.1f MiB at most\n", static_cast<double>(run.peak_bytes) / 0x1p20);
+  append_format(text, "memory    %.1f MiB at most\n", static_cast<double>(run.peak_bytes) / 0x1p20);
   return text;
 }
 

@@ -3,23 +3,12 @@
 # What the program gives when all is well: files, standard output, exit status, the same bytes every
 # time. Usage: results.sh PROGRAM
 set -eu
+. "$(dirname "$0")/../holds.sh"
 deliso=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-checks=0
-faults=0
-# holds MESSAGE COMMAND...: the command must succeed.
-holds() {
-  message=$1
-  shift
-  checks=$((checks + 1))
-  if ! "$@"; then
-    echo "FAULT: $message"
-    faults=$((faults + 1))
-  fi
-}
 empty() {
   for file in "$@"; do [ ! -s "$file" ] || return 1; done
 }
@@ -162,5 +151,4 @@ holds "the whole as --roi gives the file's mesh" cmp -s file.ply roi.ply
 
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-echo "$checks checks, $faults faults"
-[ "$checks" -ge 30 ] && [ "$faults" -eq 0 ]
+all_hold 30

@@ -3,23 +3,13 @@
 # bench/fetch_datasets.sh against a list of files on this disk: what is right is kept, what is not is
 # named and not kept, and nothing else is left behind. Usage: fetch_datasets.sh SOURCE PROGRAM
 set -eu
+. "$(dirname "$0")/../holds.sh"
 fetch=$1/bench/fetch_datasets.sh
 deliso=$2
 command -v curl >/dev/null || exit 77
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-checks=0
-faults=0
-holds() {
-  message=$1
-  shift
-  checks=$((checks + 1))
-  if ! "$@"; then
-    echo "FAULT: $message"
-    faults=$((faults + 1))
-  fi
-}
 sum() {
   sha256sum "$1" | cut -d ' ' -f 1
 }
@@ -77,5 +67,4 @@ status=0
 sh "$fetch" "$work/nothing" "$work/data" >"$work/out" 2>"$work/err" || status=$?
 holds "no list is a fault" [ "$status" -ne 0 ]
 
-echo "$checks checks, $faults faults"
-[ "$faults" -eq 0 ]
+all_hold 16
