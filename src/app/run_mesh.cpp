@@ -75,13 +75,25 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   run.seconds_check = watch.seconds();
 }
 
+std::string_view short_name_of(AnatomicalSpace space) {
+  switch (space) {
+    case AnatomicalSpace::ras:
+      return "RAS";
+    case AnatomicalSpace::lps:
+      return "LPS";
+    case AnatomicalSpace::unknown:
+      break;
+  }
+  return {};
+}
+
 void write_results(const TriMesh& mesh, const Orientation& orientation, MeshRun& run) {
   const CommandLine& line = run.line;
   const DeferSignals defer;
   const Stopwatch watch;
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
-    options.frame = {orientation.origin, orientation.axes};
+    options.frame = {orientation.origin, orientation.axes, short_name_of(orientation.space)};
     write_mesh(mesh, line.output, options);
   }
   run.seconds_write = watch.seconds();

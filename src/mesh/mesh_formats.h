@@ -24,6 +24,11 @@ class WorldMesh {
   std::size_t vertex_count() const { return mesh_.points.size(); }
   std::size_t face_count() const { return mesh_.faces.size(); }
   Vec3 point(std::size_t v) const { return frame_.to_world(mesh_.points[v]); }
+  std::string_view space() const { return frame_.space; }
+  // To go behind a comment; empty where the space is not known.
+  std::string space_note() const {
+    return frame_.space.empty() ? "" : " SPACE=" + std::string(frame_.space);
+  }
   Triangle triangle(std::size_t f) const {
     const Triangle& v = mesh_.faces[f].v;
     return mirrored_ ? Triangle{v[0], v[2], v[1]} : v;

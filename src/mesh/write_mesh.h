@@ -34,6 +34,9 @@ MeshFormat mesh_format_of(std::string_view path);
 struct WorldFrame {
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  // Whose x, y, z these are: "RAS" (towards right, anterior, superior), "LPS" or, not known, empty.
+  // Written as SPACE=..., in VTP as field data, where 3D Slicer looks for it; not in OFF.
+  std::string_view space{};
 
   Vec3 to_world(const Vec3& p) const {
     return origin + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];

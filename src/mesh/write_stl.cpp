@@ -31,7 +31,7 @@ void write_stl(AtomicFile& out, const WorldMesh& mesh) {
         text("cannot write '", out.path(), "': STL holds no ", mesh.face_count(), " facets"));
   }
   // Readers take a file that opens with "solid" for the ASCII kind.
-  std::string header = "binary STL by DelIso";
+  std::string header = "binary STL by DelIso" + mesh.space_note();
   header.resize(80, ' ');
   out.write(header);
   put_binary(out, static_cast<std::uint32_t>(mesh.face_count()));

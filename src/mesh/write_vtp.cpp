@@ -26,6 +26,13 @@ void write_vtp(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <PolyData>
 )");
+  if (!mesh.space().empty()) {
+    // Text is an array of character codes that ends with 0.
+    out.write(R"(    <FieldData>
+      <Array type="String" Name="SPACE" NumberOfTuples="1" format="ascii">)");
+    for (const char c : mesh.space()) out.write(text(static_cast<int>(c), " "));
+    out.write("0</Array>\n    </FieldData>\n");
+  }
   out.write(text(R"(    <Piece NumberOfPoints=")", mesh.vertex_count(),
                  R"(" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")",
                  mesh.face_count(), "\">\n      <Points>\n"));

@@ -95,6 +95,7 @@ for name in turned mirrored; do
       "$deliso" check $name.ply $name.nrrd --iso 150.3 -q --restricted 0.9
   done
 done
+holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
 "$deliso" info mirrored.nrrd >facts
 "$deliso" info turned.nrrd >>facts
 holds "one of the two is left-handed" [ "$(grep -c left-handed facts)" -eq 1 ]

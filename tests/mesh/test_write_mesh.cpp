@@ -199,6 +199,29 @@ TEST_CASE("VTP: the arrays lie where the XML says, each behind its size") {
   }
 }
 
+TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and changes no more") {
+  const TriMesh mesh = random_sphere(3);
+  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
+      {MeshFormat::ply, {"comment DelIso", "comment DelIso SPACE=LPS"}},
+      {MeshFormat::obj, {"# DelIso", "# DelIso SPACE=LPS"}},
+      {MeshFormat::stl, {"DelIso          ", "DelIso SPACE=LPS"}},
+      {MeshFormat::vtp,
+       {"<PolyData>\n",
+        "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
+        "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n"}},
+      {MeshFormat::off, {"OFF", "OFF"}}};
+  for (const auto& [format, change] : heads) {
+    CAPTURE(change.second);
+    MeshWriteOptions options{.format = format};
+    std::string expected = written(mesh, options);
+    const std::size_t at = expected.find(change.first);
+    REQUIRE(at != std::string::npos);
+    expected.replace(at, change.first.size(), change.second);
+    options.frame.space = "LPS";
+    CHECK(written(mesh, options) == expected);
+  }
+}
+
 TEST_CASE("an empty mesh is a valid file of every format") {
   for (const MeshFormat format : kFormats) {
     const std::string bytes = written(TriMesh{}, {.format = format});
