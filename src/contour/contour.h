@@ -112,6 +112,14 @@ constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
   return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
 }
 
+// The voxel of that number.
+constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
+  const auto nx = static_cast<std::uint64_t>(dims.i - 1),
+             ny = static_cast<std::uint64_t>(dims.j - 1);
+  return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+          static_cast<int>(number / nx / ny)};
+}
+
 // T, finer where `split` says. It keeps I1-I6 and the topology of the plain T, component by
 // component: the two have equal summaries, which count crossings and pieces of the voxels, not of
 // their cells. The plain T's crossings of grid edges are vertices here too, in the same places and

@@ -76,10 +76,7 @@ SplitVoxels choose_split_voxels(const Volume& volume, double kappa, const Contou
   for (const std::uint64_t number : split.voxels) {
     if (number == previous) continue;
     previous = number;
-    const auto nx = static_cast<std::uint64_t>(dims.i - 1),
-               ny = static_cast<std::uint64_t>(dims.j - 1);
-    const Index3 voxel{static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
-                       static_cast<int>(number / nx / ny)};
+    const Index3 voxel = numbered_voxel(dims, number);
     Corners c = volume.corners(voxel);
     for (double& value : c) value -= kappa;
     const int mask = mask_of(c);

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "contour/block_order.h"
+#include "deliso/embedded_contour.h"
 #include "deliso/recover_certified.h"
 #include "deliso/refine.h"
 #include "deliso/step_timer.h"
@@ -79,13 +80,13 @@ Handover take_stage1(const Isosurface& surface, ContourMesh& contour, const Cont
 // What Stage 2 makes of it, and what is said of that in the report.
 struct Refined {
   Recovered recovered;
+  std::vector<std::uint64_t> guarded;  // voxels
   Trouble trouble;
   Report report;
 };
 
 Refined take_stage2(const Isosurface& surface, const Handover& handover,
-                    std::span<const std::uint64_t> guarded_voxels, const Options& options,
-                    Report& report) {
+                    std::vector<std::uint64_t> guarded, const Options& options, Report& report) {
   const Criteria criteria = refine_criteria(options, report.r_min);
   report.counters = handover.counters;
   report.points_recovered = handover.recovered.mesh.points.size();
@@ -93,14 +94,14 @@ Refined take_stage2(const Isosurface& surface, const Handover& handover,
   {
     const StepTimer timer(report.seconds_refine);
     const std::size_t before = report.insertions_refine;
-    refine_geom(refined, surface, handover.curves, criteria, guarded_voxels, options, report);
+    refine_geom(refined, surface, handover.curves, criteria, guarded, options, report);
     report.points_refined = report.insertions_refine - before;
   }
   const StepTimer timer(report.seconds_trouble);
   Trouble trouble = find_trouble(refined, criteria, surface.volume());
   report.troubled_facets = trouble.bad_facets;
   report.crossing_pairs = trouble.crossing_pairs;
-  return {std::move(refined), std::move(trouble), report};
+  return {std::move(refined), std::move(guarded), std::move(trouble), report};
 }
 
 std::vector<std::uint64_t> united(const std::vector<std::uint64_t>& a,
@@ -110,12 +111,15 @@ std::vector<std::uint64_t> united(const std::vector<std::uint64_t>& a,
   return out;
 }
 
-// Stage 2 again, guarded where facets crossed, and where they do then, as often as needed.
+// Stage 2 again, guarded also where facets crossed, and where they do then, while there is more to
+// guard.
 void part_crossings(const Isosurface& surface, const Handover& handover, const Options& options,
                     Refined& best, Report& report) {
-  std::vector<std::uint64_t> guarded, crossing = best.trouble.crossing_voxels;
+  std::vector<std::uint64_t> guarded = best.guarded, crossing = best.trouble.crossing_voxels;
   for (int pass = 0; pass < kGuardedPasses && !crossing.empty(); ++pass) {
-    guarded = united(guarded, crossing);
+    std::vector<std::uint64_t> more = united(guarded, crossing);
+    if (more.size() == guarded.size()) return;
+    guarded = std::move(more);
     Refined again = take_stage2(surface, handover, guarded, options, report);
     crossing = again.trouble.crossing_voxels;
     if (again.trouble.crossing_pairs < best.trouble.crossing_pairs) best = std::move(again);
@@ -141,6 +145,8 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
   const std::size_t plain_vertices = contour.points.size();
   ContourSplit split;
   std::vector<Vec3> sites;
+  std::vector<std::uint64_t>
+      crossed;  // voxels, in any turn: facets are likely to cross there again
   std::optional<Handover> handover;
   std::optional<Refined> best;
   for (int number = 1;; ++number) {
@@ -148,7 +154,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     std::optional<Refined> refined;
     try {
       next.emplace(take_stage1(surface, contour, split, sites, options, report));
-      refined.emplace(take_stage2(surface, *next, {}, options, report));
+      refined.emplace(take_stage2(surface, *next, crossed, options, report));
     } catch (const InputError&) {
       // A better mesh than the one there is would take more than --max-vertices.
       if (number == 1) throw;
@@ -157,6 +163,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     report.turns = static_cast<std::size_t>(number);
     if (report.stopped_at_max_vertices && number > 1) break;
 
+    crossed = united(crossed, refined->trouble.crossing_voxels);
     std::vector<std::uint64_t> voxels = united(split.voxels, refined->trouble.voxels);
     const bool enough = number == options.turns || refined->trouble.is_slight() ||
                         report.stopped_at_max_vertices || voxels.size() == split.voxels.size();
@@ -169,7 +176,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     split.voxels = std::move(voxels);
     split.factor =
         cells_per_voxel(volume.spacing(), report.r_min, split.voxels.size(), plain_vertices);
-    contour = build_contour(volume, surface.kappa(), split);
+    contour = build_embedded_contour(volume, surface.kappa(), split);
   }
   if (!best->report.stopped_at_max_vertices && !options.stop_after_recover) {
     part_crossings(surface, *handover, options, *best, report);

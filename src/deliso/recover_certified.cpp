@@ -15,6 +15,7 @@
 #include "deliso/poles.h"
 #include "deliso/step_timer.h"
 #include "deliso/surface_point.h"
+#include "embedding/self_intersections.h"
 
 namespace deliso {
 namespace {
@@ -67,6 +68,9 @@ class CertifiedRecovery {
   void satisfy_certificate();
   std::size_t cut_fingers();
   std::size_t make_ready();
+  // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
+  std::size_t part_crossings();
+  VertexId further(VertexId best, VertexId v) const;
   std::optional<Vec3> find_surface_point(const DualFacet& facet);
   // Finds its surface point, or is too small for Stage 2 to look at.
   bool is_ready(const DualFacet& facet);
@@ -112,7 +116,7 @@ Recovered CertifiedRecovery::run() {
     const StepTimer timer(report_.seconds_recover);
     do {
       satisfy_certificate();
-    } while (cut_fingers() > 0 || make_ready() > 0);
+    } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0);
     for (const std::uint8_t state : unready_) {
       report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
     }
@@ -299,11 +303,35 @@ std::size_t CertifiedRecovery::make_ready() {
     for (const DualFacet& facet : facets_[s]) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;
       if (is_ready(facet) && !is_coarse(facet)) continue;
-      for (const VertexId v : facet.witness) {
-        const double d2 = labels_.distance2_to_site(v);
-        if (d2 > 0 && (worst == kNoId || d2 > labels_.distance2_to_site(worst))) worst = v;
-      }
+      for (const VertexId v : facet.witness) worst = further(worst, v);
     }
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+VertexId CertifiedRecovery::further(VertexId best, VertexId v) const {
+  const double d2 = labels_.distance2_to_site(v);
+  return d2 > 0 && (best == kNoId || d2 > labels_.distance2_to_site(best)) ? v : best;
+}
+
+std::size_t CertifiedRecovery::part_crossings() {
+  std::vector<Vec3> points(facets_.size());
+  std::vector<Triangle> triangles, witnesses;
+  for (VertexId s = 1; s < facets_.size(); ++s) {
+    points[s] = triangulation_.point(s);
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;
+      triangles.push_back(facet.sites);
+      witnesses.push_back(facet.witness);
+    }
+  }
+  const TriangleTree tree(points, triangles);
+  std::size_t added = 0;
+  for (const auto& [f, g] : self_intersections(points, triangles, tree)) {
+    VertexId worst = kNoId;
+    for (const VertexId v : witnesses[f]) worst = further(worst, v);
+    for (const VertexId v : witnesses[g]) worst = further(worst, v);
     if (worst != kNoId && add_site(worst)) ++added;
   }
   return added;

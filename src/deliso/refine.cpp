@@ -26,8 +26,9 @@ namespace {
 // A point nearer than this share of r_min to a vertex of its rim would make needles.
 constexpr double kTooClose = 0.25;
 
-// Flips allowed, per facet handed over. On a surface they need not come to an end by themselves.
-constexpr std::size_t kFlipsPerFacet = 4;
+// By so much of it must a flip lower the sum of the two surface balls' radii. In the plane Delaunay
+// flips do (Musin 1997); on a surface they need not, and would then go round in circles.
+constexpr double kLower = 1e-9;
 
 class Refiner {
  public:
@@ -40,7 +41,7 @@ class Refiner {
         chain_(recovered.chain),
         surface_(surface),
         finder_(surface),
-        guard_(surface.volume(), recovered.mesh, guarded_voxels),
+        guard_(surface.volume(), recovered.mesh, guarded_voxels, 2 * criteria.r_min),
         curves_(curves),
         criteria_(criteria),
         options_(options),
@@ -72,8 +73,8 @@ class Refiner {
   bool leaves_curve(EdgeRef edge) const;
   // Flips the edge of f opposite its corner i when it is not Delaunay and its flip is.
   bool flip_if_not_delaunay(FaceId f, int i);
-  // Flips edges of `faces`, and then around what changed, until all are Delaunay or cannot be.
-  void legalize(std::vector<FaceId> faces);
+  // Flips edges, and then around what changed, until all are Delaunay or cannot be; how many.
+  std::size_t legalize_all();
   // The longest boundary edge of the encroached disk or next to it whose diametral ball holds p.
   std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
   bool cone_would_cross(const Vec3& p, std::optional<std::size_t> opened);
@@ -93,7 +94,7 @@ class Refiner {
   Report& report_;
 
   WorstFirst queue_;
-  std::size_t flips_left_ = 0, steps_ = 0;
+  std::size_t steps_ = 0;
   double share_ = 0;
   std::vector<FaceId> refused_;
   std::vector<FaceId> ends_;  // facets whose boundary edges are to be looked at
@@ -107,16 +108,13 @@ class Refiner {
 
 void Refiner::run() {
   marks_.assign(mesh_.faces.size(), 0);
-  flips_left_ = kFlipsPerFacet * mesh_.faces.size();
-  std::vector<FaceId> all(mesh_.faces.size());
-  std::iota(all.begin(), all.end(), 0);
-  legalize(std::move(all));
+  legalize_all();
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
   follow_curves();
   // What was refused is tried again once its surroundings have changed, while that helps.
-  std::size_t points_before;
+  std::size_t points_before, flips = 0;
   do {
     points_before = mesh_.points.size();
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
@@ -132,7 +130,9 @@ void Refiner::run() {
       return;
     }
     for (const FaceId f : std::exchange(refused_, {})) judge(f);
-  } while (mesh_.points.size() != points_before);
+    // New facets are Delaunay with each other, but need not be with those beyond their rim.
+    flips = mesh_.points.size() == points_before ? legalize_all() : 0;
+  } while (mesh_.points.size() != points_before || flips > 0);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
       ++report_[Counter::unrefined_facets];
@@ -292,7 +292,7 @@ bool Refiner::is_small_and_turned_out(const Vec3& a, const Vec3& b, const Vec3& 
 }
 
 bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
-  if (flips_left_ == 0 || mesh_.faces[f].n[i] == kNoId) return false;
+  if (mesh_.faces[f].n[i] == kNoId) return false;
   const Quad q = quad_at(mesh_, f, i);
   const Vec3 &a = mesh_.points[q.a], &b = mesh_.points[q.b], &c = mesh_.points[q.c],
              &d = mesh_.points[q.d];
@@ -302,6 +302,9 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
   const auto y = x ? finder_.find(d, c, a, report_.searches_refine) : std::nullopt;
   if (!y) return false;
   if (distance2(*x, c) < distance2(*x, a) || distance2(*y, b) < distance2(*y, a)) return false;
+  const double radii =
+      distance(mesh_.surface_points[q.f], a) + distance(mesh_.surface_points[q.g], d);
+  if (!(distance(*x, a) + distance(*y, a) < (1 - kLower) * radii)) return false;
   const Vec3 n1 = area_normal(a, b, c), n2 = area_normal(d, c, b), m1 = area_normal(a, b, d),
              m2 = area_normal(d, c, a);
   const auto cosine = [](const Vec3& u, const Vec3& v) {
@@ -311,7 +314,6 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
   const std::array<Triangle, 2> flipped = {Triangle{q.a, q.b, q.d}, Triangle{q.d, q.c, q.a}};
   const std::array<FaceId, 2> before = {q.f, q.g};
   if (guard_.is_on() && guard_.would_cross(flipped, before)) return false;
-  --flips_left_;
   flip_edge(mesh_, q);
   mesh_.surface_points[q.f] = *x;
   mesh_.surface_points[q.g] = *y;
@@ -325,18 +327,23 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
   return true;
 }
 
-void Refiner::legalize(std::vector<FaceId> faces) {
+std::size_t Refiner::legalize_all() {
+  std::vector<FaceId> faces(mesh_.faces.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  std::size_t flips = 0;
   while (!faces.empty()) {
     const FaceId f = faces.back();
     faces.pop_back();
     for (int i = 0; i < 3; ++i) {
       const FaceId g = mesh_.faces[f].n[i];
       if (!flip_if_not_delaunay(f, i)) continue;
+      ++flips;
       faces.push_back(g);
       faces.push_back(f);
       break;
     }
   }
+  return flips;
 }
 
 std::optional<Refiner::EdgeRef> Refiner::encroached_boundary(const Vec3& p) const {

@@ -43,7 +43,7 @@ TEST_CASE("in guarded voxels the guard answers what all pairs give") {
     const std::size_t known = 30;
     const std::vector<Face> faces = mesh.faces;
     mesh.faces.resize(known);
-    CrossingGuard guard(volume, mesh, all);
+    CrossingGuard guard(volume, mesh, all, seed % 2 == 0 ? 1 : 0.2);
     REQUIRE(guard.is_on());
     for (std::size_t t = known; t < faces.size(); ++t) {
       const std::vector<Triangle> created = {faces[t].v};
@@ -68,12 +68,12 @@ TEST_CASE("a guard of no voxels lets everything pass") {
   TriMesh mesh;
   mesh.points = {{1, 1, 1}, {3, 1, 1}, {1, 3, 1}, {2, 2, 0}, {2, 2, 2}, {1, 1, 2}};
   mesh.faces.push_back({{0, 1, 2}, {kNoId, kNoId, kNoId}});
-  CHECK_FALSE(CrossingGuard(volume, mesh, {}).is_on());
+  CHECK_FALSE(CrossingGuard(volume, mesh, {}, 1).is_on());
   const std::vector<std::uint64_t> there = {
       voxel_number(volume.dims(), volume.voxel_at(mesh.points[0]))};
   const std::vector<Triangle> through = {{3, 4, 5}};
-  CHECK(CrossingGuard(volume, mesh, there).would_cross(through, {}));
-  CHECK_FALSE(CrossingGuard(volume, mesh, {}).would_cross(through, {}));
+  CHECK(CrossingGuard(volume, mesh, there, 1).would_cross(through, {}));
+  CHECK_FALSE(CrossingGuard(volume, mesh, {}, 1).would_cross(through, {}));
 }
 
 TEST_CASE("noise: what is left of crossing facets is what the report says, and turns help") {
