@@ -17,13 +17,15 @@ double voxel_of(const Volume& volume) {
 }
 
 std::string place_text(const Vec3& p) {
-  return text("(", p.x, " ", p.y, " ", p.z, ")");
+  constexpr int kDigits = 7;
+  return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
+              ")");
 }
 
 std::string distances_text(const char* name, const Distances& d, double voxel,
                            const Volume& volume) {
   if (d.points == 0) return text(name, "not measured\n");
-  const auto in_voxels = [&](double length) { return std::to_string(length / voxel); };
+  const auto in_voxels = [&](double length) { return rounded(length / voxel); };
   std::string line =
       text(name, "max ", in_voxels(d.max), ", mean ", in_voxels(d.mean), ", rms ", in_voxels(d.rms),
            ", 99.9 % ", in_voxels(d.quantile_999), " voxels, furthest at ",
@@ -36,11 +38,11 @@ std::string distances_text(const char* name, const Distances& d, double voxel,
 
 std::string boundary_text(const BoundaryQuality& b, double voxel) {
   return text("boundary  of ", b.edges, " edges on the box ", b.over_h_over_r,
-              " above r_min pass h/r; h at most ", b.max_h / voxel, " voxels, largest h/r ",
-              b.max_h_over_r, ", ", b.without_curve, " without curve\n          of ", b.triangles,
-              " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
-              " have an angle below ", kSliver, "; largest r/l ", b.max_r_over_l,
-              ", smallest angle ", b.min_angle, " degrees\n");
+              " above r_min pass h/r; h at most ", rounded(b.max_h / voxel),
+              " voxels, largest h/r ", rounded(b.max_h_over_r), ", ", b.without_curve,
+              " without curve\n          of ", b.triangles, " triangles along it ", b.over_lambda,
+              " pass r/l, ", b.slivers, " have an angle below ", kSliver, "; largest r/l ",
+              rounded(b.max_r_over_l), ", smallest angle ", rounded(b.min_angle), " degrees\n");
 }
 
 void add_boundary(JsonWriter& json, const BoundaryQuality& b, double voxel) {
@@ -108,19 +110,21 @@ std::string verification_text(const Verification& v, const Volume& volume) {
     out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
                                        world_volume(v.solid->volume, volume.orientation()),
                                        v.solid->quality);
-    out += text("\n          caps are at most ", v.solid->off_box / voxel, " voxels off the box, ",
-                v.solid->self_intersections, " self-intersections with them");
+    out +=
+        text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
+             " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
   }
   out += text("\ndelaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
-              d.restricted, " restricted ones (", 100 * d.share(), " %)\n          ", d.missing,
-              " restricted facets are missing, ", d.multiple,
+              d.restricted, " restricted ones (", rounded(100 * d.share(), 5), " %)\n          ",
+              d.missing, " restricted facets are missing, ", d.multiple,
               " Voronoi edges meet the surface twice or more\n          ", d.occupied,
               " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
   out += distances_text("mesh->    ", v.to_surface, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, voxel, volume);
   out += text("criteria  of ", v.triangles_above_r_min, " triangles above r_min ", v.over_h_over_r,
               " exceed h/r, ", v.quality.over_lambda, " exceed r/l; largest h/r ",
-              v.max_h_over_r_above_r_min, ", smallest angle ", v.quality.min_angle, " degrees\n");
+              rounded(v.max_h_over_r_above_r_min), ", smallest angle ",
+              rounded(v.quality.min_angle), " degrees\n");
   if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
   bool any = false;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {

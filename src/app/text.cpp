@@ -11,6 +11,13 @@ std::string number_text(double value) {
   return std::string(digits, end);
 }
 
+std::string rounded(double value, int digits) {
+  char text[48];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+  return std::string(text, end);
+}
+
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');

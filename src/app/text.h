@@ -9,7 +9,8 @@
 namespace deliso {
 
 std::string number_text(double value);  // the shortest digits that read back as the same number
-std::string grouped(std::uint64_t n);   // 1234567 -> "1,234,567"
+std::string rounded(double value, int digits = 4);  // to so many significant digits
+std::string grouped(std::uint64_t n);               // 1234567 -> "1,234,567"
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many);  // "1 vertex"
 
 }  // namespace deliso
