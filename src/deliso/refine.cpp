@@ -302,9 +302,12 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
   const auto y = x ? finder_.find(d, c, a, report_.searches_refine) : std::nullopt;
   if (!y) return false;
   if (distance2(*x, c) < distance2(*x, a) || distance2(*y, b) < distance2(*y, a)) return false;
+  const auto radius = [](const Vec3& center, const Vec3& u, const Vec3& v, const Vec3& w) {
+    return std::sqrt(std::max({distance2(center, u), distance2(center, v), distance2(center, w)}));
+  };
   const double radii =
-      distance(mesh_.surface_points[q.f], a) + distance(mesh_.surface_points[q.g], d);
-  if (!(distance(*x, a) + distance(*y, a) < (1 - kLower) * radii)) return false;
+      radius(mesh_.surface_points[q.f], a, b, c) + radius(mesh_.surface_points[q.g], d, c, b);
+  if (!(radius(*x, a, b, d) + radius(*y, d, c, a) < (1 - kLower) * radii)) return false;
   const Vec3 n1 = area_normal(a, b, c), n2 = area_normal(d, c, b), m1 = area_normal(a, b, d),
              m2 = area_normal(d, c, a);
   const auto cosine = [](const Vec3& u, const Vec3& v) {
