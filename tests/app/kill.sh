@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # kill -9 at random moments while a mesh is made and written: the target is never damaged. It is
-# absent, or holds its old bytes, or is complete. A temporary file beside it, if the file system
-# wants one to have a name, may be left; without, nothing is.
+# absent, or holds its old bytes, or is complete. A temporary file may be left beside it: between
+# its getting a name and the target's, or at any time where the file system gives all files names.
 # Usage: kill.sh PROGRAM [KILLS [SEED]]     (20 kills, seed 1)
 set -eu
 deliso=$1
