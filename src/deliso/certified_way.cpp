@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "deliso/refine.h"
 #include "deliso/step_timer.h"
 #include "deliso/trouble.h"
+#include "deliso/voxel_lists.h"
 
 namespace deliso {
 namespace {
@@ -102,13 +102,6 @@ Refined take_stage2(const Isosurface& surface, const Handover& handover,
   report.troubled_facets = trouble.bad_facets;
   report.crossing_pairs = trouble.crossing_pairs;
   return {std::move(refined), std::move(guarded), std::move(trouble), report};
-}
-
-std::vector<std::uint64_t> united(const std::vector<std::uint64_t>& a,
-                                  const std::vector<std::uint64_t>& b) {
-  std::vector<std::uint64_t> out;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
 }
 
 // Stage 2 again, guarded also where facets crossed, and where they do then, while there is more to

@@ -5,15 +5,11 @@
 #include <iterator>
 #include <vector>
 
+#include "deliso/voxel_lists.h"
 #include "embedding/self_intersections.h"
 
 namespace deliso {
 namespace {
-
-void sort_out(std::vector<std::uint64_t>& voxels) {
-  std::sort(voxels.begin(), voxels.end());
-  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
-}
 
 // The voxels that share a face with a listed one and are not listed themselves.
 std::vector<std::uint64_t> beside(const Volume& volume, const std::vector<std::uint64_t>& voxels) {
@@ -65,8 +61,7 @@ ContourMesh build_embedded_contour(const Volume& volume, double kappa, ContourSp
     ContourMesh contour = build_contour(volume, kappa, split);
     const std::vector<std::uint64_t> more = crossed(volume, contour, beside(volume, split.voxels));
     if (more.empty()) return contour;
-    split.voxels.insert(split.voxels.end(), more.begin(), more.end());
-    std::sort(split.voxels.begin(), split.voxels.end());
+    split.voxels = united(split.voxels, more);
   }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/trouble.h"
 
-#include <algorithm>
-
+#include "deliso/voxel_lists.h"
 #include "embedding/self_intersections.h"
 
 namespace deliso {
@@ -17,10 +16,6 @@ Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const V
   Trouble trouble;
   const auto voxel_of = [&](const Vec3& p) {
     return voxel_number(volume.dims(), volume.voxel_at(p));
-  };
-  const auto sort_out = [](std::vector<std::uint64_t>& voxels) {
-    std::sort(voxels.begin(), voxels.end());
-    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   };
 
   std::vector<Triangle> triangles;
