@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "contour/block_order.h"
+#include "deliso/delaunay_patches.h"
 #include "deliso/embedded_contour.h"
 #include "deliso/recover_certified.h"
 #include "deliso/refine.h"
@@ -27,6 +28,9 @@ constexpr double kGrowth = 4, kLittle = 5e5;
 
 // How often Stage 2 is run again to part facets that cross.
 constexpr int kGuardedPasses = 4;
+
+// How often patches are mended and what is new there is refined.
+constexpr int kMendingPasses = 2, kMendingAttempts = 2;
 
 // Cells about as large as the smallest facet that the criteria care for, or larger where T would
 // grow beyond bounds.
@@ -85,6 +89,15 @@ struct Refined {
   Report report;
 };
 
+Refined judged(Recovered&& refined, std::vector<std::uint64_t>&& guarded, const Criteria& criteria,
+               const Volume& volume, Report& report) {
+  const StepTimer timer(report.seconds_trouble);
+  Trouble trouble = find_trouble(refined, criteria, volume);
+  report.troubled_facets = trouble.bad_facets;
+  report.crossing_pairs = trouble.crossing_pairs;
+  return {std::move(refined), std::move(guarded), std::move(trouble), report};
+}
+
 Refined take_stage2(const Isosurface& surface, const Handover& handover,
                     std::vector<std::uint64_t> guarded, const Options& options, Report& report) {
   const Criteria criteria = refine_criteria(options, report.r_min);
@@ -97,11 +110,7 @@ Refined take_stage2(const Isosurface& surface, const Handover& handover,
     refine_geom(refined, surface, handover.curves, criteria, guarded, options, report);
     report.points_refined = report.insertions_refine - before;
   }
-  const StepTimer timer(report.seconds_trouble);
-  Trouble trouble = find_trouble(refined, criteria, surface.volume());
-  report.troubled_facets = trouble.bad_facets;
-  report.crossing_pairs = trouble.crossing_pairs;
-  return {std::move(refined), std::move(guarded), std::move(trouble), report};
+  return judged(std::move(refined), std::move(guarded), criteria, surface.volume(), report);
 }
 
 // Stage 2 again, guarded also where facets crossed, and where they do then, while there is more to
@@ -128,6 +137,36 @@ void report_of(const Refined& kept, Report& report) {
   report.crossing_pairs = kept.report.crossing_pairs;
   report.stopped_at_max_vertices = kept.report.stopped_at_max_vertices;
   report.counters = kept.report.counters;
+}
+
+// Mends patches that are not Delaunay and refines what is new there, once more where facets come to
+// cross by it, guarded. The mesh stays as it was when more cross even so.
+void mend_patches(const Isosurface& surface, const BoundaryCurves& curves, const Options& options,
+                  Refined& best, Report& report) {
+  const Criteria criteria = refine_criteria(options, report.r_min);
+  std::vector<std::uint64_t> guarded = best.guarded;
+  for (int attempt = 0; attempt < kMendingAttempts; ++attempt) {
+    report_of(best, report);
+    Recovered mended = best.recovered;
+    {
+      const StepTimer timer(report.seconds_refine);
+      const std::size_t before = report.insertions_refine;
+      for (int pass = 0; pass < kMendingPasses; ++pass) {
+        if (make_patches_delaunay(mended, surface, criteria, guarded, report) == 0) break;
+        report[Counter::unrefined_facets] = 0;
+        refine_geom(mended, surface, curves, criteria, guarded, options, report);
+      }
+      report.points_refined += report.insertions_refine - before;
+    }
+    if (report.stopped_at_max_vertices) return;
+    Refined again =
+        judged(std::move(mended), std::move(guarded), criteria, surface.volume(), report);
+    if (again.trouble.crossing_pairs <= best.trouble.crossing_pairs) {
+      best = std::move(again);
+      return;
+    }
+    guarded = united(again.guarded, again.trouble.crossing_voxels);
+  }
 }
 
 }  // namespace
@@ -173,6 +212,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
   }
   if (!best->report.stopped_at_max_vertices && !options.stop_after_recover) {
     part_crossings(surface, *handover, options, *best, report);
+    mend_patches(surface, handover->curves, options, *best, report);
   }
   report_of(*best, report);
   return {std::move(options.stop_after_recover ? handover->recovered : best->recovered),

@@ -26,6 +26,10 @@ namespace {
 // A point nearer than this share of r_min to a vertex of its rim would make needles.
 constexpr double kTooClose = 0.25;
 
+// Facets that no flip makes Delaunay are refined though they are small, down to this share of
+// r_min.
+constexpr double kSmallest = 0.25;
+
 // By so much of it must a flip lower the sum of the two surface balls' radii. In the plane Delaunay
 // flips do (Musin 1997); on a surface they need not, and would then go round in circles.
 constexpr double kLower = 1e-9;
@@ -58,6 +62,7 @@ class Refiner {
   // h of a facet without surface point is r: the most there is.
   FacetShape shape(FaceId f) const;
   void judge(FaceId f);
+  void queue_not_delaunay();
   void refine(FaceId f);
   void show_progress();
   // Points to insert when the surface point of f is refused or there is none: where the steepest
@@ -113,10 +118,8 @@ void Refiner::run() {
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
   follow_curves();
-  // What was refused is tried again once its surroundings have changed, while that helps.
-  std::size_t points_before, flips = 0;
-  do {
-    points_before = mesh_.points.size();
+  for (bool small_too = false;;) {
+    const std::size_t points_before = mesh_.points.size();
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       refine(f);
       follow_curves();
@@ -129,10 +132,15 @@ void Refiner::run() {
       report_.stopped_at_max_vertices = true;
       return;
     }
+    // What was refused is tried again once its surroundings have changed, while that helps.
     for (const FaceId f : std::exchange(refused_, {})) judge(f);
+    if (mesh_.points.size() != points_before) continue;
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
-    flips = mesh_.points.size() == points_before ? legalize_all() : 0;
-  } while (mesh_.points.size() != points_before || flips > 0);
+    if (legalize_all() > 0) continue;
+    if (small_too) break;
+    small_too = true;
+    queue_not_delaunay();
+  }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
       ++report_[Counter::unrefined_facets];
@@ -146,6 +154,21 @@ FacetShape Refiner::shape(FaceId f) const {
       measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.surface_points[f]);
   if (unhit_[f]) s.h = s.r;
   return s;
+}
+
+// Facets too small for the criteria, but with a surface ball that is not empty or without one.
+void Refiner::queue_not_delaunay() {
+  constexpr double kPassed = 1.5;
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (!(shape(f).r > kSmallest * criteria_.r_min)) continue;
+    const std::array<FaceId, 3>& n = mesh_.faces[f].n;
+    const bool is_delaunay = !unhit_[f] && std::none_of(n.begin(), n.end(), [&](FaceId g) {
+      return g != kNoId &&
+             is_encroached(mesh_, f,
+                           mesh_.points[mesh_.faces[g].v[neighbor_index(mesh_.faces[g], f)]]);
+    });
+    if (!is_delaunay) queue_.set(f, kPassed);
+  }
 }
 
 void Refiner::judge(FaceId f) {

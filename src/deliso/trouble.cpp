@@ -5,11 +5,6 @@
 #include "embedding/self_intersections.h"
 
 namespace deliso {
-namespace {
-
-constexpr double kTolerated = 3;
-
-}  // namespace
 
 Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const Volume& volume) {
   const TriMesh& mesh = refined.mesh;
@@ -27,8 +22,7 @@ Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const V
     const FacetShape s = measure(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], x);
     if (!(s.r > criteria.r_min)) continue;
     ++trouble.facets_above_r_min;
-    if (!refined.unhit[f] && s.r <= criteria.lambda * s.l &&
-        s.h <= kTolerated * criteria.h_over_r * s.r) {
+    if (!refined.unhit[f] && s.r <= criteria.lambda * s.l && s.h <= criteria.h_over_r * s.r) {
       continue;
     }
     ++trouble.bad_facets;

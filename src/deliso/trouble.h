@@ -17,16 +17,15 @@ namespace deliso {
 struct Trouble {
   std::vector<std::uint64_t> crossing_voxels;  // of the facets that cross others
   std::vector<std::uint64_t> voxels;           // voxel_number()s, ascending
-  std::size_t bad_facets = 0;      // above r_min, of a shape or flatness far from what is asked
-  std::size_t crossing_pairs = 0;  // of facets, by exact predicates
+  std::size_t bad_facets = 0;                  // above r_min, with r/l or h/r over its limit
+  std::size_t crossing_pairs = 0;              // of facets, by exact predicates
   std::size_t facets_above_r_min = 0;
   std::size_t weight() const { return bad_facets + crossing_pairs; }
   // No crossing, and so few bad facets that creases of Sigma may well be all of their cause.
-  bool is_slight() const { return crossing_pairs == 0 && 5000 * bad_facets <= facets_above_r_min; }
+  bool is_slight() const { return crossing_pairs == 0 && 3000 * bad_facets <= facets_above_r_min; }
 };
 
-// Only r/l and h/r are looked at (h/r from kTolerated times its limit on, since creases of Sigma at
-// voxel faces keep some facets just above it): the other criteria never want for vertices of T.
+// Only r/l and h/r are looked at: the other criteria never want for vertices of T.
 Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const Volume& volume);
 
 }  // namespace deliso
