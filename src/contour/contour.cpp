@@ -80,12 +80,12 @@ ContourMesh build_contour(const Volume& volume, double kappa) {
 }
 
 ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split) {
-  const SplitVoxels voxels = choose_split_voxels(volume, kappa, split);
-  if (voxels.size() == 0) return build_contour(volume, kappa);
+  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
+  if (chosen.size() == 0) return build_contour(volume, kappa);
   ContourMesh mesh;
-  SplitMesher mesher(mesh, volume, voxels, split.factor);
+  SplitMesher mesher(mesh, volume, chosen, split);
   finish(mesh, stream(volume, kappa, mesher));
-  mesh.split_voxels = voxels.size();
+  mesh.split_voxels = chosen.size();
   return mesh;
 }
 

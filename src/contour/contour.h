@@ -98,12 +98,14 @@ struct ContourMesh {
 // Throws InputError when T would have 2^32 - 1 vertices or more.
 ContourMesh build_contour(const Volume& volume, double kappa);
 
-// Where T is to be finer. Each listed voxel that is active is cut into factor.i x factor.j x
-// factor.k cells, whose corners have the interpolant's own values, and becomes what the cells hold.
+// Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
+// interpolant's own values, and becomes what the cells hold.
 struct ContourSplit {
   std::vector<std::uint64_t> voxels;  // voxel_number()s, ascending; inactive ones are passed over
-  Index3 factor{4, 4, 4};             // each >= 1
-  bool all = false;                   // every active voxel, whatever is listed
+  Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
+  // Cells of every other active voxel, >= 1, but for those that share a face with a split voxel of
+  // the list: these stay whole, so that cells of two sizes never meet.
+  Index3 elsewhere{1, 1, 1};
 };
 
 // Voxels counted in scan order; `dims` are the volume's, in samples.

@@ -2,6 +2,7 @@
 #include "contour/split_voxels.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace deliso {
 namespace {
@@ -27,11 +28,54 @@ class SplitChooser {
   FineVoxel fine_;
 };
 
+// The voxel across face f.
+Index3 beyond(Index3 voxel, int f) {
+  voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
+  return voxel;
+}
+
 // Faces of the voxel that are crossed by Sigma.
 int crossed_faces(const VoxelLoops& loops) {
   int faces = 0;
   for (int n = 0; n < loops.first[loops.count]; ++n) faces |= 1 << loops.face[n];
   return faces;
+}
+
+SplitVoxels choose_listed(const Volume& volume, double kappa, const ContourSplit& split) {
+  const Index3 dims = volume.dims();
+  if (split.voxels.empty()) return SplitVoxels(dims, {});
+  DELISO_CHECK(std::is_sorted(split.voxels.begin(), split.voxels.end()));
+  DELISO_CHECK(split.voxels.back() <= voxel_number(dims, {dims.i - 2, dims.j - 2, dims.k - 2}));
+  SplitChooser chooser(dims, split.factor);
+  std::uint64_t previous = ~std::uint64_t{0};
+  for (const std::uint64_t number : split.voxels) {
+    if (number == previous) continue;
+    previous = number;
+    const Index3 voxel = numbered_voxel(dims, number);
+    Corners c = volume.corners(voxel);
+    for (double& value : c) value -= kappa;
+    const int mask = mask_of(c);
+    if (mask == 0 || mask == 255) continue;
+    VoxelLoops scratch;
+    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
+    chooser.consider(voxel, c, loops, find_tube(mask, c, loops));
+  }
+  return SplitVoxels(dims, chooser.numbers);
+}
+
+SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
+                             const SplitVoxels& listed) {
+  const Index3 dims = volume.dims();
+  if (factor == Index3{1, 1, 1}) return SplitVoxels(dims, {});
+  SplitChooser chooser(dims, factor);
+  volume.visit([&](const auto* samples) { ContourStream(volume, samples, kappa, chooser).run(); });
+  std::erase_if(chooser.numbers, [&](std::uint64_t number) {
+    const Index3 voxel = numbered_voxel(dims, number);
+    bool taken = listed.contains(voxel);
+    for (int f = 0; f < 6; ++f) taken |= listed.contains(beyond(voxel, f));
+    return taken;
+  });
+  return SplitVoxels(dims, chooser.numbers);
 }
 
 }  // namespace
@@ -61,67 +105,64 @@ bool SplitVoxels::contains(Index3 voxel) const {
                             begin + static_cast<std::ptrdiff_t>(row_[r + 1]), voxel.i);
 }
 
-SplitVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split) {
-  const Index3 dims = volume.dims();
-  SplitChooser chooser(dims, split.factor);
-  if (split.all) {
-    volume.visit(
-        [&](const auto* samples) { ContourStream(volume, samples, kappa, chooser).run(); });
-    return SplitVoxels(dims, chooser.numbers);
-  }
-  if (split.voxels.empty()) return SplitVoxels(dims, {});
-  DELISO_CHECK(std::is_sorted(split.voxels.begin(), split.voxels.end()));
-  DELISO_CHECK(split.voxels.back() <= voxel_number(dims, {dims.i - 2, dims.j - 2, dims.k - 2}));
-  std::uint64_t previous = ~std::uint64_t{0};
-  for (const std::uint64_t number : split.voxels) {
-    if (number == previous) continue;
-    previous = number;
-    const Index3 voxel = numbered_voxel(dims, number);
-    Corners c = volume.corners(voxel);
-    for (double& value : c) value -= kappa;
-    const int mask = mask_of(c);
-    if (mask == 0 || mask == 255) continue;
-    VoxelLoops scratch;
-    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
-    chooser.consider(voxel, c, loops, find_tube(mask, c, loops));
-  }
-  return SplitVoxels(dims, chooser.numbers);
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split) {
+  SplitVoxels listed = choose_listed(volume, kappa, split);
+  SplitVoxels elsewhere = choose_elsewhere(volume, kappa, split.elsewhere, listed);
+  return {std::move(listed), std::move(elsewhere)};
 }
 
-SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const SplitVoxels& split,
-                         Index3 factor)
+SplitMesher::Size::Size(const SplitVoxels& split, Index3 factor)
+    : voxels(split),
+      cells_of_layer(static_cast<std::size_t>(
+          (factor.i * factor.j + factor.j * factor.k + factor.k * factor.i) / 3)),
+      fine(factor),
+      vertex(fine.slots()),
+      label(fine.slots()) {}
+
+SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
+                         const ContourSplit& split)
     : mesher_(mesh, volume.spacing()),
-      split_(split),
-      fine_(factor),
-      voxels_(volume.voxels()),
-      cells_of_layer_((factor.i * factor.j + factor.j * factor.k + factor.k * factor.i) / 3) {
-  vertex_.resize(fine_.slots());
-  label_.resize(fine_.slots());
+      sizes_{Size(chosen.listed, split.factor), Size(chosen.elsewhere, split.elsewhere)},
+      voxels_(volume.voxels()) {
   first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
   first_across_z_.resize(first_across_y_.size() * static_cast<std::size_t>(voxels_.j), kNoId);
 }
 
-void SplitMesher::voxel(const VoxelPieces& p) {
-  const bool split = split_.contains(p.voxel);
-  int faces = 0;
-  for (int f = 0; f < 6; ++f) {
-    Index3 neighbour = p.voxel;
-    neighbour[f >> 1] += (f & 1) != 0 ? 1 : -1;
-    if (split || split_.contains(neighbour)) faces |= 1 << f;
+SplitMesher::Size* SplitMesher::size_of(Index3 voxel) {
+  for (Size& size : sizes_) {
+    if (size.voxels.contains(voxel)) return &size;
   }
-  faces &= crossed_faces(p.loops);
-  if (faces == 0) {
+  return nullptr;
+}
+
+void SplitMesher::voxel(const VoxelPieces& p) {
+  Size* const own = size_of(p.voxel);
+  const int crossed = crossed_faces(p.loops);
+  FacesBySize faces{};
+  for (int f = 0; f < 6; ++f) {
+    if ((crossed >> f & 1) == 0) continue;
+    const Size* const size = own != nullptr ? own : size_of(beyond(p.voxel, f));
+    if (size != nullptr) faces[static_cast<std::size_t>(size - sizes_.data())] |= 1 << f;
+  }
+  if (faces == FacesBySize{}) {
     mesher_.voxel(p);
     return;
   }
-  fine_.load(p.corners);
-  for (int n = 0; n < p.loops.first[p.loops.count]; ++n) {
-    vertex_[fine_.crossed_part(p.loops.edge[n])] = p.vertex[n];
+  for (std::size_t s = 0; s < sizes_.size(); ++s) {
+    if (faces[s] == 0) continue;
+    Size& size = sizes_[s];
+    size.fine.load(p.corners);
+    for (int n = 0; n < p.loops.first[p.loops.count]; ++n) {
+      size.vertex[size.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
+    }
   }
+  // Face by face: the low one along x takes the id that the high one leaves for the next voxel.
   for (int f = 0; f < 6; ++f) {
-    if ((faces >> f & 1) != 0) name_face(p.voxel, f);
+    for (std::size_t s = 0; s < sizes_.size(); ++s) {
+      if ((faces[s] >> f & 1) != 0) name_face(sizes_[s], p.voxel, f);
+    }
   }
-  split ? mesh_cells(p) : mesh_beside(p, faces);
+  own != nullptr ? mesh_cells(*own, p) : mesh_beside(p, faces);
 }
 
 // The first id on the face between `low_voxel` and the next one along the axis.
@@ -131,48 +172,51 @@ VertexId& SplitMesher::first_on_face(int axis, Index3 low_voxel) {
   return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
 }
 
-void SplitMesher::name_face(Index3 voxel, int f) {
+void SplitMesher::name_face(Size& size, Index3 voxel, int f) {
   const int axis = f >> 1;
   const bool high = (f & 1) != 0, on_box = voxel[axis] == (high ? voxels_[axis] - 1 : 0);
-  const auto slots = fine_.crossed_on_face(f);
+  const auto slots = size.fine.crossed_on_face(f);
   if (!high && !on_box) {
     VertexId id = first_on_face(axis, voxel);
-    for (const auto slot : slots) vertex_[slot] = id++;
+    for (const auto slot : slots) size.vertex[slot] = id++;
     return;
   }
-  for (const auto slot : slots) vertex_[slot] = add_crossing(voxel, slot, on_box ? 1 << f : 0);
-  if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : vertex_[slots[0]];
+  for (const auto slot : slots)
+    size.vertex[slot] = add_crossing(size, voxel, slot, on_box ? 1 << f : 0);
+  if (!on_box) first_on_face(axis, voxel) = slots.empty() ? kNoId : size.vertex[slots[0]];
 }
 
-VertexId SplitMesher::add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces) {
-  const Vec3 u = fine_.crossing(slot);
+VertexId SplitMesher::add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot,
+                                   int box_faces) {
+  const Vec3 u = size.fine.crossing(slot);
   return mesher_.add_at(to_vec3(voxel) + u, static_cast<std::uint8_t>(box_faces));
 }
 
-void SplitMesher::mesh_cells(const VoxelPieces& p) {
-  for (const auto slot : fine_.crossed_inside()) vertex_[slot] = add_crossing(p.voxel, slot, 0);
-  fine_.trace();
+void SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
+  for (const auto slot : size.fine.crossed_inside())
+    size.vertex[slot] = add_crossing(size, p.voxel, slot, 0);
+  size.fine.trace();
   for (int l = 0; l < p.loops.count; ++l) {
-    label_[fine_.piece(fine_.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
+    size.label[size.fine.piece(size.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
   }
-  for (const FineVoxel::Cell& cell : fine_.cells()) {
-    CellFrame frame = fine_.frame(cell);
+  for (const FineVoxel::Cell& cell : size.fine.cells()) {
+    CellFrame frame = size.fine.frame(cell);
     frame.low = frame.low + to_vec3(p.voxel);
     const VoxelLoops& loops = cell.loops;
     VoxelPieces pieces(p.voxel, cell.corners, loops, cell.tube);
     for (int n = 0; n < loops.first[loops.count]; ++n) {
-      pieces.vertex[n] = vertex_[fine_.slot(cell, loops.edge[n])];
+      pieces.vertex[n] = size.vertex[size.fine.slot(cell, loops.edge[n])];
     }
     for (int l = 0; l < loops.count; ++l) {
-      pieces.label[l] = label_[fine_.piece(fine_.slot(cell, loops.edges(l)[0]))];
+      pieces.label[l] = size.label[size.fine.piece(size.fine.slot(cell, loops.edges(l)[0]))];
     }
     mesher_.cell(frame, pieces);
   }
-  add_boundary(p);
+  add_boundary(size, p);
 }
 
 // Only split voxels have cells on the box, so only they call for this.
-void SplitMesher::add_boundary(const VoxelPieces& p) {
+void SplitMesher::add_boundary(const Size& size, const VoxelPieces& p) {
   for (int l = 0; l < p.loops.count; ++l) {
     for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
       const std::uint8_t face = p.loops.face[n];
@@ -180,28 +224,35 @@ void SplitMesher::add_boundary(const VoxelPieces& p) {
       if (p.voxel[axis] != ((face & 1) != 0 ? voxels_[axis] - 1 : 0)) continue;
       replaced_.push_back(p.vertex[n]);
       const int following = n + 1 < p.loops.first[l + 1] ? n + 1 : p.loops.first[l];
-      for (auto slot = fine_.crossed_part(p.loops.edge[n]); vertex_[slot] != p.vertex[following];) {
-        const auto next = fine_.next(slot);
-        boundary_.push_back({vertex_[slot], vertex_[next], p.label[l], face});
+      for (auto slot = size.fine.crossed_part(p.loops.edge[n]);
+           size.vertex[slot] != p.vertex[following];) {
+        const auto next = size.fine.next(slot);
+        boundary_.push_back({size.vertex[slot], size.vertex[next], p.label[l], face});
         slot = next;
       }
     }
   }
 }
 
-void SplitMesher::mesh_beside(const VoxelPieces& p, int faces) {
+void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
+  std::array<Size*, 6> size_at{};
   for (int f = 0; f < 6; ++f) {
-    if ((faces >> f & 1) != 0) fine_.trace_face(f);
+    for (std::size_t s = 0; s < sizes_.size(); ++s) {
+      if ((faces[s] >> f & 1) == 0) continue;
+      size_at[f] = &sizes_[s];
+      sizes_[s].fine.trace_face(f);
+    }
   }
   std::array<std::vector<VertexId>, kMaxLoops> loop;
   for (int l = 0; l < p.loops.count; ++l) {
     for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
       loop[l].push_back(p.vertex[n]);
-      if ((faces >> p.loops.face[n] & 1) == 0) continue;
+      const Size* const size = size_at[p.loops.face[n]];
+      if (size == nullptr) continue;
       const int following = n + 1 < p.loops.first[l + 1] ? n + 1 : p.loops.first[l];
-      auto slot = fine_.next(fine_.crossed_part(p.loops.edge[n]));
-      for (; vertex_[slot] != p.vertex[following]; slot = fine_.next(slot)) {
-        loop[l].push_back(vertex_[slot]);
+      auto slot = size->fine.next(size->fine.crossed_part(p.loops.edge[n]));
+      for (; size->vertex[slot] != p.vertex[following]; slot = size->fine.next(slot)) {
+        loop[l].push_back(size->vertex[slot]);
       }
     }
   }

@@ -2,12 +2,14 @@
 // T made finer in some voxels. The pass over the voxels stays as it is, and with it components and
 // summary; only what a voxel puts into the mesh changes:
 //   - a split voxel puts in the pieces of its cells (contour/fine_voxel.h);
-//   - a voxel beside a split one follows that one's crossings on the face between them, so its
-//     loops have more vertices, and its stars and bands more triangles.
+//   - a whole voxel beside a split one follows that one's crossings on the face between them, so
+//     its loops have more vertices, and its stars and bands more triangles.
+// Cells have one of two sizes, and between split voxels of unlike cells there is a whole voxel.
 // The voxel that meets a face first names the crossings inside it, in the order both voxels share;
 // the other needs no more than the first of these ids.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,16 +37,24 @@ class SplitVoxels {
 };
 
 // The voxels that are to be split and whose cells agree with them.
-SplitVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split);
+struct ChosenVoxels {
+  SplitVoxels listed, elsewhere;
+
+  std::size_t size() const { return listed.size() + elsewhere.size(); }
+};
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split);
 
 // A sink of ContourStream.
 class SplitMesher {
  public:
-  SplitMesher(ContourMesh& mesh, const Volume& volume, const SplitVoxels& split, Index3 factor);
+  // Keeps a reference to `chosen`.
+  SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
+              const ContourSplit& split);
 
   // A split voxel adds about as many crossings as one layer of its cells has cells.
   void expect(std::size_t crossings) {
-    mesher_.expect(crossings + split_.size() * static_cast<std::size_t>(cells_of_layer_));
+    for (const Size& size : sizes_) crossings += size.voxels.size() * size.cells_of_layer;
+    mesher_.expect(crossings);
   }
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
     return mesher_.crossing(axis, sample, c0, c1, box_faces);
@@ -55,20 +65,31 @@ class SplitMesher {
   void replace_boundary(std::vector<BoundarySegment>& segments) const;
 
  private:
+  // Cells of one size, and the voxel at hand cut into them.
+  struct Size {
+    Size(const SplitVoxels& split, Index3 factor);
+
+    const SplitVoxels& voxels;
+    std::size_t cells_of_layer;
+    FineVoxel fine;
+    std::vector<VertexId> vertex;      // by slot
+    std::vector<std::uint32_t> label;  // by piece
+  };
+  // Faces of a voxel, a bit each, by the size of the cells at them.
+  using FacesBySize = std::array<int, 2>;
+
+  // The size of the voxel's cells; null for whole voxels.
+  Size* size_of(Index3 voxel);
   VertexId& first_on_face(int axis, Index3 low_voxel);
-  void name_face(Index3 voxel, int f);
-  VertexId add_crossing(Index3 voxel, FineVoxel::Slot slot, int box_faces);
-  void mesh_cells(const VoxelPieces& pieces);
-  void mesh_beside(const VoxelPieces& pieces, int faces);
-  void add_boundary(const VoxelPieces& pieces);
+  void name_face(Size& size, Index3 voxel, int f);
+  VertexId add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot, int box_faces);
+  void mesh_cells(Size& size, const VoxelPieces& pieces);
+  void mesh_beside(const VoxelPieces& pieces, const FacesBySize& faces);
+  void add_boundary(const Size& size, const VoxelPieces& pieces);
 
   PieceMesher mesher_;
-  const SplitVoxels& split_;
-  FineVoxel fine_;
+  std::array<Size, 2> sizes_;
   Index3 voxels_;
-  int cells_of_layer_;
-  std::vector<VertexId> vertex_;                           // by slot, of the voxel at hand
-  std::vector<std::uint32_t> label_;                       // by piece, of the voxel at hand
   std::vector<VertexId> first_across_y_, first_across_z_;  // first ids on the faces ahead
   VertexId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;

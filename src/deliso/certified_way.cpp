@@ -2,7 +2,6 @@
 #include "deliso/certified_way.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "base/check.h"
 #include "contour/block_order.h"
+#include "deliso/cell_sizes.h"
 #include "deliso/delaunay_patches.h"
 #include "deliso/embedded_contour.h"
 #include "deliso/recover_certified.h"
@@ -21,41 +21,11 @@
 namespace deliso {
 namespace {
 
-// Spacings far apart would give any number of cells: so many along an axis and in a voxel.
-constexpr int kMostAlongAxis = 32, kMostCells = 4096;
-// How large a split may make T: so many times the plain one, and a little more for small volumes.
-constexpr double kGrowth = 4, kLittle = 5e5;
-
 // How often Stage 2 is run again to part facets that cross.
 constexpr int kGuardedPasses = 4;
 
 // How often patches are mended and what is new there is refined.
 constexpr int kMendingPasses = 2, kMendingAttempts = 2;
-
-// Cells about as large as the smallest facet that the criteria care for, or larger where T would
-// grow beyond bounds.
-Index3 cells_per_voxel(Vec3 spacing, double r_min, std::size_t voxels, std::size_t plain_vertices) {
-  const auto divided = [&](double cell) {
-    Index3 n;
-    for (int axis = 0; axis < 3; ++axis) {
-      n[axis] = std::clamp(static_cast<int>(std::lround(spacing[axis] / cell)), 1, kMostAlongAxis);
-    }
-    return n;
-  };
-  const double limit = kGrowth * static_cast<double>(plain_vertices) + kLittle;
-  // Two cells a side where nothing smaller matters: else the split would be none.
-  const double coarsest = std::min({spacing.x, spacing.y, spacing.z}) / 2;
-  double cell = std::min(r_min, coarsest);
-  // A split voxel holds about two vertices for every cell of one layer.
-  const auto expected = [&](Index3 n) {
-    return 2.0 / 3.0 * (n.i * n.j + n.j * n.k + n.k * n.i) * static_cast<double>(voxels);
-  };
-  const auto too_many = [&](Index3 n) {
-    return n.i * n.j * n.k > kMostCells || expected(n) > limit;
-  };
-  while (cell < coarsest && too_many(divided(cell))) cell *= 1.25;
-  return divided(std::min(cell, coarsest));
-}
 
 // What Stage 1 hands over.
 struct Handover {
@@ -176,6 +146,14 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
   const Volume& volume = surface.volume();
   const std::size_t plain_vertices = contour.points.size();
   ContourSplit split;
+  {
+    const StepTimer timer(report.seconds_contour);
+    split.elsewhere =
+        cells_elsewhere(volume.spacing(), contour.summary.active_voxels, plain_vertices);
+    if (split.elsewhere != Index3{1, 1, 1}) {
+      contour = build_embedded_contour(volume, surface.kappa(), split);
+    }
+  }
   std::vector<Vec3> sites;
   std::vector<std::uint64_t>
       crossed;  // voxels, in any turn: facets are likely to cross there again
@@ -207,12 +185,16 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     const StepTimer timer(report.seconds_contour);
     split.voxels = std::move(voxels);
     split.factor =
-        cells_per_voxel(volume.spacing(), report.r_min, split.voxels.size(), plain_vertices);
+        cells_at_trouble(volume.spacing(), report.r_min, split.voxels.size(), plain_vertices);
     contour = build_embedded_contour(volume, surface.kappa(), split);
   }
   if (!best->report.stopped_at_max_vertices && !options.stop_after_recover) {
-    part_crossings(surface, *handover, options, *best, report);
-    mend_patches(surface, handover->curves, options, *best, report);
+    try {
+      part_crossings(surface, *handover, options, *best, report);
+      mend_patches(surface, handover->curves, options, *best, report);
+    } catch (const InputError&) {
+      // As above.
+    }
   }
   report_of(*best, report);
   return {std::move(options.stop_after_recover ? handover->recovered : best->recovered),

@@ -78,8 +78,9 @@ class Refiner {
   bool leaves_curve(EdgeRef edge) const;
   // Flips the edge of f opposite its corner i when it is not Delaunay and its flip is.
   bool flip_if_not_delaunay(FaceId f, int i);
-  // Flips edges, and then around what changed, until all are Delaunay or cannot be; how many.
-  std::size_t legalize_all();
+  // Flips edges of what changed, and then around that, until all are Delaunay or cannot be; how
+  // many.
+  std::size_t legalize();
   // The longest boundary edge of the encroached disk or next to it whose diametral ball holds p.
   std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
   bool cone_would_cross(const Vec3& p, std::optional<std::size_t> opened);
@@ -102,7 +103,8 @@ class Refiner {
   std::size_t steps_ = 0;
   double share_ = 0;
   std::vector<FaceId> refused_;
-  std::vector<FaceId> ends_;  // facets whose boundary edges are to be looked at
+  std::vector<FaceId> changed_;  // since legalize() last looked at them
+  std::vector<FaceId> ends_;     // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> marks_;
   std::uint32_t stamp_ = 0;
   EncroachedDisk disk_;
@@ -113,7 +115,9 @@ class Refiner {
 
 void Refiner::run() {
   marks_.assign(mesh_.faces.size(), 0);
-  legalize_all();
+  changed_.resize(mesh_.faces.size());
+  std::iota(changed_.begin(), changed_.end(), 0);
+  legalize();
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
@@ -136,7 +140,7 @@ void Refiner::run() {
     for (const FaceId f : std::exchange(refused_, {})) judge(f);
     if (mesh_.points.size() != points_before) continue;
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
-    if (legalize_all() > 0) continue;
+    if (legalize() > 0) continue;
     if (small_too) break;
     small_too = true;
     queue_not_delaunay();
@@ -264,6 +268,7 @@ std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optiona
     if (created_[k] == kNoId) continue;
     unhit_[created_[k]] = !found_[k];
     judge(created_[k]);
+    changed_.push_back(created_[k]);
     if (guard_.is_on()) guard_.add(created_[k]);
   }
   watch.done(report_.searches_refine);
@@ -348,24 +353,21 @@ bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
     guard_.add(q.f);
     guard_.add(q.g);
   }
-  judge(q.f);
-  judge(q.g);
+  for (const FaceId f2 : {q.g, q.f}) {
+    judge(f2);
+    changed_.push_back(f2);
+  }
   return true;
 }
 
-std::size_t Refiner::legalize_all() {
-  std::vector<FaceId> faces(mesh_.faces.size());
-  std::iota(faces.begin(), faces.end(), 0);
+std::size_t Refiner::legalize() {
   std::size_t flips = 0;
-  while (!faces.empty()) {
-    const FaceId f = faces.back();
-    faces.pop_back();
+  while (!changed_.empty()) {
+    const FaceId f = changed_.back();
+    changed_.pop_back();
     for (int i = 0; i < 3; ++i) {
-      const FaceId g = mesh_.faces[f].n[i];
       if (!flip_if_not_delaunay(f, i)) continue;
       ++flips;
-      faces.push_back(g);
-      faces.push_back(f);
       break;
     }
   }

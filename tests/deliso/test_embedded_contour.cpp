@@ -21,7 +21,7 @@ Volume random_volume(Random& random) {
   return Volume::from_samples<float>({kSide, kSide, kSide}, {1, 1, 1}, samples);
 }
 
-// The unsplit voxels in which triangles of the contour cross, all pairs of one voxel looked at.
+// The whole voxels in which triangles of the contour cross, all pairs of one voxel looked at.
 std::vector<std::uint64_t> crossed_voxels(const Volume& volume, const ContourMesh& contour,
                                           const ContourSplit& split) {
   std::vector<std::vector<Triangle>> in_voxel((kSide - 1) * (kSide - 1) * (kSide - 1));
@@ -29,9 +29,24 @@ std::vector<std::uint64_t> crossed_voxels(const Volume& volume, const ContourMes
     const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3.0;
     in_voxel[voxel_number(volume.dims(), volume.voxel_at(middle))].push_back(t);
   }
+  const auto is_listed = [&](std::uint64_t n) {
+    return std::binary_search(split.voxels.begin(), split.voxels.end(), n);
+  };
+  const auto is_beside = [&](std::uint64_t n) {
+    const Index3 voxel = numbered_voxel(volume.dims(), n);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int step : {-1, 1}) {
+        Index3 other = voxel;
+        other[axis] += step;
+        if (other[axis] < 0 || other[axis] >= kSide - 1) continue;
+        if (is_listed(voxel_number(volume.dims(), other))) return true;
+      }
+    }
+    return false;
+  };
   std::vector<std::uint64_t> out;
   for (std::uint64_t n = 0; n < in_voxel.size(); ++n) {
-    if (std::binary_search(split.voxels.begin(), split.voxels.end(), n)) continue;
+    if (is_listed(n) || (split.elsewhere != Index3{1, 1, 1} && !is_beside(n))) continue;
     const TriangleTree tree(contour.points, in_voxel[n]);
     if (!self_intersections(contour.points, in_voxel[n], tree).empty()) out.push_back(n);
   }
@@ -53,6 +68,7 @@ TEST_CASE("voxels beside split ones do not cross themselves") {
     split.voxels.erase(std::unique(split.voxels.begin(), split.voxels.end()), split.voxels.end());
     const int cells = 2 + static_cast<int>(random.below(6));
     split.factor = {cells, cells, cells};
+    if (seed % 2 == 0) split.elsewhere = {1, 2, 3};
     // The plain contour can cross itself, too: what splitting adds is meant here.
     const std::vector<std::uint64_t> plain =
         crossed_voxels(volume, build_contour(volume, kappa), split);
