@@ -5,8 +5,10 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "base/triangle.h"
+#include "deliso/crossing_guard.h"
 #include "deliso/surface_point.h"
 #include "mesh/collapse.h"
 
@@ -27,12 +29,14 @@ double ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
 class NeedleCollapser {
  public:
   NeedleCollapser(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                  const Criteria& criteria, Report& report)
+                  const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+                  Report& report)
       : mesh_(recovered.mesh),
         unhit_(recovered.unhit),
         chain_(recovered.chain),
         box_(surface.volume().box()),
         finder_(surface),
+        guard_(surface.volume(), recovered.mesh, guarded_voxels, 2 * criteria.r_min),
         curves_(curves),
         criteria_(criteria),
         report_(report) {}
@@ -53,12 +57,15 @@ class NeedleCollapser {
     return !chain_.is_boundary(v) || !curves_.is_corner(chain_.place(v));
   }
   bool joins_on_box(VertexId v, VertexId w) const;
+  // Whether a facet that the planned collapse changes comes to cross another.
+  bool would_cross() const;
 
   TriMesh& mesh_;
   std::vector<std::uint8_t>& unhit_;
   BoundaryChain& chain_;
   const Box3 box_;
   SurfacePointFinder finder_;
+  CrossingGuard guard_;
   const BoundaryCurves& curves_;
   const Criteria criteria_;
   Report& report_;
@@ -99,6 +106,15 @@ bool NeedleCollapser::joins_on_box(VertexId v, VertexId w) const {
   return false;
 }
 
+bool NeedleCollapser::would_cross() const {
+  std::vector<Triangle> changed;
+  for (const SurfacePoint& point : surface_points_) {
+    changed.push_back(mesh_.faces[point.facet].v);
+    std::replace(changed.back().begin(), changed.back().end(), plan_.from, plan_.to);
+  }
+  return guard_.would_cross(changed, plan_.star);
+}
+
 bool NeedleCollapser::collapse(FaceId f, int i, VertexId from) {
   if (!may_go(from) || !plan_collapse(mesh_, f, i, from, plan_)) return false;
   const VertexId to = plan_.to;
@@ -131,10 +147,12 @@ bool NeedleCollapser::collapse(FaceId f, int i, VertexId from) {
     surface_points_.push_back({g, x ? *x : center, !x});
   }
   if (worst_before <= criteria_.lambda || worst_after > kWorse * worst_before) return false;
+  if (guard_.is_on() && would_cross()) return false;
   collapse_edge(mesh_, plan_);
   for (const SurfacePoint& point : surface_points_) {
     mesh_.surface_points[point.facet] = point.x;
     unhit_[point.facet] = point.unhit;
+    if (guard_.is_on()) guard_.add(point.facet);
   }
   if (chain_.is_boundary(from)) chain_.remove(from);
   ++report_[Counter::needles_collapsed];
@@ -163,8 +181,9 @@ bool NeedleCollapser::run() {
 }  // namespace
 
 void collapse_needles(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                      const Criteria& criteria, Report& report) {
-  if (!NeedleCollapser(recovered, surface, curves, criteria, report).run()) return;
+                      const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+                      Report& report) {
+  if (!NeedleCollapser(recovered, surface, curves, criteria, guarded_voxels, report).run()) return;
   recovered.source.resize(recovered.mesh.points.size(), kNoId);  // Stage 2 gives none
   std::size_t live = 0;
   for (FaceId f = 0; f < recovered.mesh.faces.size(); ++f) {

@@ -5,6 +5,10 @@
 // r_min may have are collapsed.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
+#include "deliso/boundary.h"
 #include "deliso/criteria.h"
 #include "deliso/recovered.h"
 #include "deliso/report.h"
@@ -13,9 +17,10 @@ namespace deliso {
 
 // Collapses edges at the boundary that are shorter than r_min / lambda and belong to a triangle
 // with r/l > lambda; vertices on edges of the box stay, others of the boundary only go along it.
-// Topology is kept; every changed facet with r > r_min finds its surface point, and no
-// normal turns much.
+// Topology is kept; every changed facet with r > r_min finds its surface point, no normal turns
+// much, and in guarded voxels (voxel_number()s) no changed facet crosses another.
 void collapse_needles(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                      const Criteria& criteria, Report& report);
+                      const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
+                      Report& report);
 
 }  // namespace deliso

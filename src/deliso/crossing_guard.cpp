@@ -7,6 +7,7 @@
 #include "contour/contour.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "mesh/collapse.h"
 
 namespace deliso {
 
@@ -109,6 +110,7 @@ void CrossingGuard::tidy(std::uint64_t cell, List& list) const {
   std::sort(facets.begin(), facets.end());
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
   std::erase_if(facets, [&](FaceId f) {
+    if (is_dead(mesh_.faces[f])) return true;
     bool meets = false;
     for_each_cell(mesh_.faces[f].v, [&](std::uint64_t other) { meets |= other == cell; });
     return !meets;
@@ -136,6 +138,7 @@ bool CrossingGuard::would_cross(std::span<const Triangle> created,
     near.erase(std::unique(near.begin(), near.end()), near.end());
     if (collinear(points[t[0]], points[t[1]], points[t[2]])) return true;
     crosses = std::any_of(near.begin(), near.end(), [&](FaceId f) {
+      if (is_dead(mesh_.faces[f])) return false;
       if (std::find(removed.begin(), removed.end(), f) != removed.end()) return false;
       const Triangle& other = mesh_.faces[f].v;
       if (!boxes_meet(points, t, other)) return false;

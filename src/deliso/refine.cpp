@@ -437,9 +437,9 @@ void Refiner::follow_curves() {
 void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
                  const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
                  const Options& options, Report& report) {
-  collapse_needles(recovered, surface, curves, criteria, report);
+  collapse_needles(recovered, surface, curves, criteria, guarded_voxels, report);
   Refiner(recovered, surface, curves, criteria, guarded_voxels, options, report).run();
-  collapse_needles(recovered, surface, curves, criteria, report);
+  collapse_needles(recovered, surface, curves, criteria, guarded_voxels, report);
 }
 
 }  // namespace deliso
