@@ -200,7 +200,7 @@ bool PatchMender::fill_from(std::size_t from) {
     surface_points_.push_back(*x);
     for (const DirectedEdge& e : edges) {
       used_.insert(e);
-      if (!rim_.contains(e)) front_.push_back({e.second, e.first});
+      if (!rim_.contains(e)) front_.emplace_back(e.second, e.first);
     }
     if (fill_from(from + 1)) return true;
     for (const DirectedEdge& e : edges) used_.erase(e);
