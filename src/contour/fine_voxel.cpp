@@ -9,10 +9,6 @@ namespace {
 // Share of a part by which lattice planes stand off the even parts: no simple fraction (F3).
 constexpr double kOffset = 0.0618;
 
-// Crossings keep this distance, in cells, from lattice points, so that none can round onto the
-// volume's box or onto another.
-constexpr double kMargin = 1e-11;
-
 }  // namespace
 
 FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {

@@ -3,6 +3,7 @@
 // The cells are voxels, or parts of voxels with the lattice values at their own corners.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "contour/contour.h"
@@ -19,6 +20,10 @@ struct CellFrame {
 inline Vec3 to_vec3(Index3 n) {
   return {static_cast<double>(n.i), static_cast<double>(n.j), static_cast<double>(n.k)};
 }
+
+// Crossings keep this share of an edge away from its ends: where samples are next to kappa they
+// would round onto the sample, and so onto each other or onto the volume's box.
+constexpr double kMargin = 1e-11;
 
 // Makes T: positions of crossings, stars over loops, bands over tubes.
 class PieceMesher {
@@ -37,7 +42,7 @@ class PieceMesher {
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
     Vec3 p = to_vec3(sample);
-    p[axis] += c0 / (c0 - c1);
+    p[axis] += std::clamp(c0 / (c0 - c1), kMargin, 1 - kMargin);
     return add_at(p, box_faces);
   }
 
