@@ -13,6 +13,7 @@
 #include "base/triangle.h"
 #include "deliso/collapse_needles.h"
 #include "deliso/crossing_guard.h"
+#include "deliso/delaunay_flip.h"
 #include "deliso/poles.h"
 #include "deliso/profile.h"
 #include "deliso/surface_point.h"
@@ -29,10 +30,6 @@ constexpr double kTooClose = 0.25;
 // Facets that no flip makes Delaunay are refined though they are small, down to this share of
 // r_min.
 constexpr double kSmallest = 0.25;
-
-// By so much of it must a flip lower the sum of the two surface balls' radii. In the plane Delaunay
-// flips do (Musin 1997); on a surface they need not, and would then go round in circles.
-constexpr double kLower = 1e-9;
 
 class Refiner {
  public:
@@ -322,40 +319,22 @@ bool Refiner::is_small_and_turned_out(const Vec3& a, const Vec3& b, const Vec3& 
 bool Refiner::flip_if_not_delaunay(FaceId f, int i) {
   if (mesh_.faces[f].n[i] == kNoId) return false;
   const Quad q = quad_at(mesh_, f, i);
-  const Vec3 &a = mesh_.points[q.a], &b = mesh_.points[q.b], &c = mesh_.points[q.c],
-             &d = mesh_.points[q.d];
-  if (!is_encroached(mesh_, q.f, d) && !is_encroached(mesh_, q.g, a)) return false;
-  if (has_diagonal(mesh_, q)) return false;
-  const auto x = finder_.find(a, b, d, report_.searches_refine);
-  const auto y = x ? finder_.find(d, c, a, report_.searches_refine) : std::nullopt;
-  if (!y) return false;
-  if (distance2(*x, c) < distance2(*x, a) || distance2(*y, b) < distance2(*y, a)) return false;
-  const auto radius = [](const Vec3& center, const Vec3& u, const Vec3& v, const Vec3& w) {
-    return std::sqrt(std::max({distance2(center, u), distance2(center, v), distance2(center, w)}));
-  };
-  const double radii =
-      radius(mesh_.surface_points[q.f], a, b, c) + radius(mesh_.surface_points[q.g], d, c, b);
-  if (!(radius(*x, a, b, d) + radius(*y, d, c, a) < (1 - kLower) * radii)) return false;
-  const Vec3 n1 = area_normal(a, b, c), n2 = area_normal(d, c, b), m1 = area_normal(a, b, d),
-             m2 = area_normal(d, c, a);
-  const auto cosine = [](const Vec3& u, const Vec3& v) {
-    return dot(u, v) / std::sqrt(length2(u) * length2(v));
-  };
-  if (cosine(m1, m2) < std::min(0.5, cosine(n1, n2))) return false;
+  const auto found = delaunay_flip(mesh_, q, finder_, report_.searches_refine);
+  if (!found) return false;
   const std::array<Triangle, 2> flipped = {Triangle{q.a, q.b, q.d}, Triangle{q.d, q.c, q.a}};
   const std::array<FaceId, 2> before = {q.f, q.g};
   if (guard_.is_on() && guard_.would_cross(flipped, before)) return false;
   flip_edge(mesh_, q);
-  mesh_.surface_points[q.f] = *x;
-  mesh_.surface_points[q.g] = *y;
+  mesh_.surface_points[q.f] = (*found)[0];
+  mesh_.surface_points[q.g] = (*found)[1];
   unhit_[q.f] = unhit_[q.g] = 0;
   if (guard_.is_on()) {
     guard_.add(q.f);
     guard_.add(q.g);
   }
-  for (const FaceId f2 : {q.g, q.f}) {
-    judge(f2);
-    changed_.push_back(f2);
+  for (const FaceId flipped_facet : {q.g, q.f}) {
+    judge(flipped_facet);
+    changed_.push_back(flipped_facet);
   }
   return true;
 }
