@@ -158,8 +158,7 @@ panel_of LEG leg.ply
 figure 07-leg LEG '--view 30,20' --size 800x600 --edges on <<'END'
 
 The voxels are four times as high as wide; the surface is cut by the box at the top, where the inside
-is seen. Specks at the left belong to the data. Patches of the left panel that are evenly dense are
-those where the certified way took over all vertices of the exact contour.
+is seen. Specks at the left belong to the data. Look, on the left, for triangles as wide as high.
 END
 
 section 'Figure 8: TOOTH after Recover | at the end, clipped' TOOTH
