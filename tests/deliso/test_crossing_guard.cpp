@@ -83,6 +83,7 @@ TEST_CASE("noise: what is left of crossing facets is what the report says, and t
     for (const int turns : {1, 4}) {
       Options options;
       options.turns = turns;
+      options.r_min = {0.1, true};
       Report report;
       const TriMesh mesh = mesh_isosurface(volume, 127.5, options, report);
       const std::vector<Triangle> triangles = triangles_of(mesh);

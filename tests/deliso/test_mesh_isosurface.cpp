@@ -136,7 +136,7 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
     const ContourSummary exact = summarize_contour(volume, settled_isovalue(volume, isovalue));
     Options options;
     options.recover = RecoverWay::certified;
-    options.r_min = {0.2, true};
+    options.r_min = {0.35, true};
     options.seed = seed;
     const Run out = run(volume, isovalue, options);
     components += static_cast<int>(exact.components.size());
