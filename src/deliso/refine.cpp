@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -119,9 +120,13 @@ void Refiner::run() {
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
   follow_curves();
-  for (bool small_too = false;;) {
+  bool small_too = false;
+  std::size_t most_points = std::numeric_limits<std::size_t>::max();
+  while (mesh_.points.size() < most_points) {
     const std::size_t points_before = mesh_.points.size();
-    for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
+    while (mesh_.points.size() < most_points) {
+      const FaceId f = queue_.pop();
+      if (f == kNoId) break;
       refine(f);
       follow_curves();
       show_progress();
@@ -140,7 +145,9 @@ void Refiner::run() {
     if (legalize() > 0) continue;
     if (small_too) break;
     small_too = true;
+    // Between sheets that all but touch, what is new there would go on wanting more.
     queue_not_delaunay();
+    most_points = mesh_.points.size() + queue_.size();
   }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
