@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
 #include "mesh/check_mesh.h"
@@ -45,8 +46,7 @@ class LoneComponents {
       const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(middle));
       entries_.emplace_back(voxel, contour.component[t[0]]);
     }
-    std::sort(entries_.begin(), entries_.end());
-    entries_.erase(std::unique(entries_.begin(), entries_.end()), entries_.end());
+    sort_out(entries_);
   }
 
   // kNoId near the voxel's faces, too, where p could be a neighbour's.

@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/sorted_list.h"
 #include "base/text.h"
 #include "delaunay/predicates.h"
 
@@ -192,8 +193,7 @@ void check_vertices(CleanMesh& mesh, Faults& faults) {
     for (; j < sides.size() && sides[j].at == sides[i].at; ++j) {
       around.insert(around.end(), {sides[j].a, sides[j].b});
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    sort_out(around);
     parent.resize(around.size());
     std::iota(parent.begin(), parent.end(), 0u);
     std::size_t fans = around.size();

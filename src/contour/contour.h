@@ -122,6 +122,12 @@ constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
           static_cast<int>(number / nx / ny)};
 }
 
+// The voxel across face f of one; it may lie outside the volume.
+inline Index3 beyond(Index3 voxel, int f) {
+  voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
+  return voxel;
+}
+
 // T, finer where `split` says. It keeps I1-I6 and the topology of the plain T, component by
 // component: the two have equal summaries, which count crossings and pieces of the voxels, not of
 // their cells. The plain T's crossings of grid edges are vertices here too, in the same places and

@@ -109,7 +109,7 @@ Vec3 FineVoxel::crossing(Slot slot) const {
                                   low / stride_[2]};
   Vec3 p{plane_[0][index[0]], plane_[1][index[1]], plane_[2][index[2]]};
   const double c0 = values_[low], c1 = values_[low + stride_[axis]];
-  const double t = std::clamp(c0 / (c0 - c1), kMargin, 1 - kMargin);
+  const double t = std::clamp(c0 / (c0 - c1), kCrossingMargin, 1 - kCrossingMargin);
   p[axis] += t * (plane_[axis][index[axis] + 1] - p[axis]);
   return p;
 }

@@ -23,7 +23,7 @@ inline Vec3 to_vec3(Index3 n) {
 
 // Crossings keep this share of an edge away from its ends: where samples are next to kappa they
 // would round onto the sample, and so onto each other or onto the volume's box.
-constexpr double kMargin = 1e-11;
+constexpr double kCrossingMargin = 1e-11;
 
 // Makes T: positions of crossings, stars over loops, bands over tubes.
 class PieceMesher {
@@ -42,7 +42,7 @@ class PieceMesher {
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
     Vec3 p = to_vec3(sample);
-    p[axis] += std::clamp(c0 / (c0 - c1), kMargin, 1 - kMargin);
+    p[axis] += std::clamp(c0 / (c0 - c1), kCrossingMargin, 1 - kCrossingMargin);
     return add_at(p, box_faces);
   }
 

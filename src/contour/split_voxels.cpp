@@ -28,12 +28,6 @@ class SplitChooser {
   FineVoxel fine_;
 };
 
-// The voxel across face f.
-Index3 beyond(Index3 voxel, int f) {
-  voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
-  return voxel;
-}
-
 // Faces of the voxel that are crossed by Sigma.
 int crossed_faces(const VoxelLoops& loops) {
   int faces = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -48,8 +49,7 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   // Three ends at least, so that no two edges of the chain join the same two vertices.
   if (keep.size() < 3) {
     for (std::size_t third = 0; third < 3 && n >= 3; ++third) keep.push_back(third * n / 3);
-    std::sort(keep.begin(), keep.end());
-    keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+    sort_out(keep);
   }
 
   std::vector<CurvePlace> chain;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "base/text.h"
 #include "delaunay/hilbert.h"
 
@@ -43,8 +44,7 @@ BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>
     cap.v = 3 - cap.across - cap.u;
     triangulate(cap);
   }
-  std::sort(crossing_.begin(), crossing_.end());
-  crossing_.erase(std::unique(crossing_.begin(), crossing_.end()), crossing_.end());
+  sort_out(crossing_);
   if (!possible()) return;
   number_corners();
   check_sides();

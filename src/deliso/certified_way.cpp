@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "contour/block_order.h"
 #include "deliso/cell_sizes.h"
 #include "deliso/delaunay_patches.h"
@@ -16,7 +17,6 @@
 #include "deliso/refine.h"
 #include "deliso/step_timer.h"
 #include "deliso/trouble.h"
-#include "deliso/voxel_lists.h"
 
 namespace deliso {
 namespace {
@@ -193,7 +193,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
       part_crossings(surface, *handover, options, *best, report);
       mend_patches(surface, handover->curves, options, *best, report);
     } catch (const InputError&) {
-      // As above.
+      // What they would make better takes more than --max-vertices: it stays as it is.
     }
   }
   report_of(*best, report);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
 #include "deliso/box_caps.h"
@@ -184,8 +185,7 @@ bool MeshPreparer::split(const std::vector<BoxCaps::EdgeRef>& edges) {
 void MeshPreparer::part(const std::vector<std::pair<VertexId, VertexId>>& coincident) {
   std::vector<VertexId> vertices;
   for (const auto& [a, b] : coincident) vertices.insert(vertices.end(), {a, b});
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_out(vertices);
   std::vector<Vec3> into(vertices.size());
   for (const Face& face : mesh_.faces) {
     for (int i = 0; i < 3; ++i) {

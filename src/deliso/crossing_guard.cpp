@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sorted_list.h"
 #include "contour/contour.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
@@ -107,8 +108,7 @@ void CrossingGuard::add(FaceId f) {
 
 void CrossingGuard::tidy(std::uint64_t cell, List& list) const {
   std::vector<FaceId>& facets = list.facets;
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  sort_out(facets);
   std::erase_if(facets, [&](FaceId f) {
     if (is_dead(mesh_.faces[f])) return true;
     bool meets = false;
@@ -134,8 +134,7 @@ bool CrossingGuard::would_cross(std::span<const Triangle> created,
     });
     tests_left_ -= std::min(tests_left_, near.size());
     if (near.empty()) continue;
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    sort_out(near);
     if (collinear(points[t[0]], points[t[1]], points[t[2]])) return true;
     crosses = std::any_of(near.begin(), near.end(), [&](FaceId f) {
       if (is_dead(mesh_.faces[f])) return false;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sorted_list.h"
 #include "deliso/crossing_guard.h"
 #include "deliso/surface_point.h"
 #include "mesh/collapse.h"
@@ -29,11 +30,6 @@ using DirectedEdge = std::pair<VertexId, VertexId>;
 
 bool has(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
-}
-
-void keep_one_of_each(std::vector<VertexId>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
 class PatchMender {
@@ -149,7 +145,7 @@ bool PatchMender::take_rim() {
       if (!next.emplace(from, to).second) return false;
     }
   }
-  keep_one_of_each(vertices_);
+  sort_out(vertices_);
   const std::size_t edges = (3 * patch_.size() + rim_.size()) / 2;
   if (next.empty() || vertices_.size() + patch_.size() != edges + 1) return false;
   std::size_t length = 1;
@@ -173,7 +169,7 @@ const std::optional<Vec3>& PatchMender::empty_ball(const Triangle& v) {
 bool PatchMender::fill() {
   near_.clear();
   for (const FaceId f : patch_) add_vertices_around(f, near_);
-  keep_one_of_each(near_);
+  sort_out(near_);
   filling_.clear();
   surface_points_.clear();
   used_.clear();

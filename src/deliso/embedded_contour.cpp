@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "deliso/voxel_lists.h"
+#include "base/sorted_list.h"
 #include "embedding/self_intersections.h"
 
 namespace deliso {
@@ -16,13 +16,10 @@ std::vector<std::uint64_t> beside(const Volume& volume, const std::vector<std::u
   const Index3 count = volume.voxels();
   std::vector<std::uint64_t> all, out;
   for (const std::uint64_t n : voxels) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int step : {-1, 1}) {
-        Index3 next = numbered_voxel(volume.dims(), n);
-        next[axis] += step;
-        if (next[axis] < 0 || next[axis] >= count[axis]) continue;
-        all.push_back(voxel_number(volume.dims(), next));
-      }
+    for (int f = 0; f < 6; ++f) {
+      const Index3 next = beyond(numbered_voxel(volume.dims(), n), f);
+      if (next[f >> 1] < 0 || next[f >> 1] >= count[f >> 1]) continue;
+      all.push_back(voxel_number(volume.dims(), next));
     }
   }
   sort_out(all);

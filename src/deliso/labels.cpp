@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/sorted_list.h"
+
 namespace deliso {
 namespace {
 
@@ -23,8 +25,7 @@ struct SiteGraph {
         }
       }
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_out(edges);
     for (const std::uint64_t e : edges) {
       ++first[(e >> 32) + 1];
       neighbors.push_back(static_cast<VertexId>(e));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "deliso/poles.h"
 
 namespace deliso {
@@ -134,8 +135,7 @@ bool Recovery::split_edge(VertexId a) {
     ++report_[Counter::boundary_splits_recover];
     any = true;
     // The two halves may hold older vertices; edges near by may hold the new one.
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    sort_out(near);
     for (const VertexId w : near) {
       for (const VertexId b : {w, chain_.previous(w)}) {
         if (in_diametral_ball(t.point(b), t.point(chain_.next(b)), middle->point)) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "base/triangle.h"
 #include "deliso/certificate.h"
 #include "deliso/criteria.h"
@@ -194,8 +195,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
       if (n != s && n != Triangulation::kInfinite) neighbors_.push_back(n);
     }
   }
-  std::sort(neighbors_.begin(), neighbors_.end());
-  neighbors_.erase(std::unique(neighbors_.begin(), neighbors_.end()), neighbors_.end());
+  sort_out(neighbors_);
   changed_.clear();
   labels_.add_site(s, p, neighbors_, changed_);
   queue_site(s);

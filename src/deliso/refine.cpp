@@ -169,12 +169,11 @@ void Refiner::queue_not_delaunay() {
   constexpr double kPassed = 1.5;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (!(shape(f).r > kSmallest * criteria_.r_min)) continue;
-    const std::array<FaceId, 3>& n = mesh_.faces[f].n;
-    const bool is_delaunay = !unhit_[f] && std::none_of(n.begin(), n.end(), [&](FaceId g) {
-      return g != kNoId &&
-             is_encroached(mesh_, f,
-                           mesh_.points[mesh_.faces[g].v[neighbor_index(mesh_.faces[g], f)]]);
-    });
+    bool is_delaunay = !unhit_[f];
+    for (int i = 0; i < 3; ++i) {
+      if (mesh_.faces[f].n[i] == kNoId) continue;
+      is_delaunay &= !is_encroached(mesh_, f, mesh_.points[quad_at(mesh_, f, i).d]);
+    }
     if (!is_delaunay) queue_.set(f, kPassed);
   }
 }

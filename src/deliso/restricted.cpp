@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "delaunay/tet_tables.h"
 
 namespace deliso {
@@ -136,8 +137,7 @@ std::span<const VertexId> RestrictedDelaunay::neighbors(VertexId q) const {
       if (v != q && v != Triangulation::kInfinite) neighbors_.push_back(v);
     }
   }
-  std::sort(neighbors_.begin(), neighbors_.end());
-  neighbors_.erase(std::unique(neighbors_.begin(), neighbors_.end()), neighbors_.end());
+  sort_out(neighbors_);
   return neighbors_;
 }
 

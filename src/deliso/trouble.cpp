@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/trouble.h"
 
-#include "deliso/voxel_lists.h"
+#include "base/sorted_list.h"
 #include "embedding/self_intersections.h"
 
 namespace deliso {

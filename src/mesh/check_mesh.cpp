@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/sorted_list.h"
 #include "base/text.h"
 
 namespace deliso {
@@ -172,8 +173,7 @@ std::string check_link(std::span<const CornerLink> corners) {
     around.push_back(c.a);
     around.push_back(c.b);
   }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
+  sort_out(around);
   const auto local = [&](VertexId v) {
     return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) -
                                       around.begin());

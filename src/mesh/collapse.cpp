@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/sorted_list.h"
+
 namespace deliso {
 namespace {
 
@@ -30,8 +32,7 @@ std::vector<VertexId> neighbors_of(const TriMesh& mesh, std::span<const FaceId> 
       if (w != v) neighbors.push_back(w);
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  sort_out(neighbors);
   return neighbors;
 }
 

@@ -34,13 +34,10 @@ std::vector<std::uint64_t> crossed_voxels(const Volume& volume, const ContourMes
   };
   const auto is_beside = [&](std::uint64_t n) {
     const Index3 voxel = numbered_voxel(volume.dims(), n);
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int step : {-1, 1}) {
-        Index3 other = voxel;
-        other[axis] += step;
-        if (other[axis] < 0 || other[axis] >= kSide - 1) continue;
-        if (is_listed(voxel_number(volume.dims(), other))) return true;
-      }
+    for (int f = 0; f < 6; ++f) {
+      const Index3 other = beyond(voxel, f);
+      if (other[f >> 1] < 0 || other[f >> 1] >= kSide - 1) continue;
+      if (is_listed(voxel_number(volume.dims(), other))) return true;
     }
     return false;
   };

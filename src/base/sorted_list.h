@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Sets as plain vectors: ascending and without repeats.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace deliso {
+
+// Makes such a list of any.
+template <class T>
+void sort_out(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+template <class T>
+std::vector<T> united(const std::vector<T>& a, const std::vector<T>& b) {
+  std::vector<T> out;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+}  // namespace deliso
