@@ -13,6 +13,7 @@
 #include "deliso/cell_sizes.h"
 #include "deliso/delaunay_patches.h"
 #include "deliso/embedded_contour.h"
+#include "deliso/move_vertices.h"
 #include "deliso/recover_certified.h"
 #include "deliso/refine.h"
 #include "deliso/step_timer.h"
@@ -24,8 +25,7 @@ namespace {
 // How often Stage 2 is run again to part facets that cross.
 constexpr int kGuardedPasses = 4;
 
-// How often patches are mended and what is new there is refined.
-constexpr int kMendingPasses = 2, kMendingAttempts = 2;
+constexpr int kMendingAttempts = 2;
 
 // What Stage 1 hands over.
 struct Handover {
@@ -109,26 +109,19 @@ void report_of(const Refined& kept, Report& report) {
   report.counters = kept.report.counters;
 }
 
-// Mends patches that are not Delaunay and refines what is new there, once more where facets come to
-// cross by it, guarded. The mesh stays as it was when more cross even so.
-void mend_patches(const Isosurface& surface, const BoundaryCurves& curves, const Options& options,
-                  Refined& best, Report& report) {
+// What refinement cannot better, better vertices and better facets can; once more where facets come
+// to cross by it, guarded. The mesh stays as it was when more cross even so.
+void mend(const Isosurface& surface, const Options& options, Refined& best, Report& report) {
   const Criteria criteria = refine_criteria(options, report.r_min);
-  std::vector<std::uint64_t> guarded = best.guarded;
+  std::vector<std::uint64_t> guarded = united(best.guarded, best.trouble.crossing_voxels);
   for (int attempt = 0; attempt < kMendingAttempts; ++attempt) {
     report_of(best, report);
     Recovered mended = best.recovered;
     {
       const StepTimer timer(report.seconds_refine);
-      const std::size_t before = report.insertions_refine;
-      for (int pass = 0; pass < kMendingPasses; ++pass) {
-        if (make_patches_delaunay(mended, surface, criteria, guarded, report) == 0) break;
-        report[Counter::unrefined_facets] = 0;
-        refine_geom(mended, surface, curves, criteria, guarded, options, report);
-      }
-      report.points_refined += report.insertions_refine - before;
+      make_patches_delaunay(mended, surface, criteria, guarded, report);
+      move_vertices(mended, surface, criteria, guarded, report);
     }
-    if (report.stopped_at_max_vertices) return;
     Refined again =
         judged(std::move(mended), std::move(guarded), criteria, surface.volume(), report);
     if (again.trouble.crossing_pairs <= best.trouble.crossing_pairs) {
@@ -155,8 +148,7 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
     }
   }
   std::vector<Vec3> sites;
-  std::vector<std::uint64_t>
-      crossed;  // voxels, in any turn: facets are likely to cross there again
+  std::vector<std::uint64_t> crossed;  // voxels, in any turn: facets may well cross there again
   std::optional<Handover> handover;
   std::optional<Refined> best;
   for (int number = 1;; ++number) {
@@ -191,10 +183,10 @@ CertifiedMesh mesh_certified(const Isosurface& surface, ContourMesh&& contour,
   if (!best->report.stopped_at_max_vertices && !options.stop_after_recover) {
     try {
       part_crossings(surface, *handover, options, *best, report);
-      mend_patches(surface, handover->curves, options, *best, report);
     } catch (const InputError&) {
-      // What they would make better takes more than --max-vertices: it stays as it is.
+      // What it would make better takes more than --max-vertices: it stays as it is.
     }
+    mend(surface, options, *best, report);
   }
   report_of(*best, report);
   return {std::move(options.stop_after_recover ? handover->recovered : best->recovered),

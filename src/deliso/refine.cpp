@@ -28,10 +28,6 @@ namespace {
 // A point nearer than this share of r_min to a vertex of its rim would make needles.
 constexpr double kTooClose = 0.25;
 
-// Facets that no flip makes Delaunay are refined though they are small, down to this share of
-// r_min.
-constexpr double kSmallest = 0.25;
-
 class Refiner {
  public:
   Refiner(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
@@ -60,13 +56,11 @@ class Refiner {
   // h of a facet without surface point is r: the most there is.
   FacetShape shape(FaceId f) const;
   void judge(FaceId f);
-  void queue_not_delaunay();
   void refine(FaceId f);
   void show_progress();
   // Points to insert when the surface point of f is refused or there is none: where the steepest
   // lines through its circumcenter and through the middle of its longest edge meet Sigma.
   std::array<std::optional<Vec3>, 2> other_points(FaceId f);
-  std::optional<Vec3> foot(const Vec3& from, double limit, const Vec3& normal);
   // Inserts p, which is to take `start` away; on the boundary edge `opened` when given.
   // Returns the reason when it must not be.
   std::optional<Counter> insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
@@ -120,13 +114,9 @@ void Refiner::run() {
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
   follow_curves();
-  bool small_too = false;
-  std::size_t most_points = std::numeric_limits<std::size_t>::max();
-  while (mesh_.points.size() < most_points) {
+  while (true) {
     const std::size_t points_before = mesh_.points.size();
-    while (mesh_.points.size() < most_points) {
-      const FaceId f = queue_.pop();
-      if (f == kNoId) break;
+    for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       refine(f);
       follow_curves();
       show_progress();
@@ -142,12 +132,7 @@ void Refiner::run() {
     for (const FaceId f : std::exchange(refused_, {})) judge(f);
     if (mesh_.points.size() != points_before) continue;
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
-    if (legalize() > 0) continue;
-    if (small_too) break;
-    small_too = true;
-    // Between sheets that all but touch, what is new there would go on wanting more.
-    queue_not_delaunay();
-    most_points = mesh_.points.size() + queue_.size();
+    if (legalize() == 0) break;
   }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
@@ -162,20 +147,6 @@ FacetShape Refiner::shape(FaceId f) const {
       measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], mesh_.surface_points[f]);
   if (unhit_[f]) s.h = s.r;
   return s;
-}
-
-// Facets too small for the criteria, but with a surface ball that is not empty or without one.
-void Refiner::queue_not_delaunay() {
-  constexpr double kPassed = 1.5;
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (!(shape(f).r > kSmallest * criteria_.r_min)) continue;
-    bool is_delaunay = !unhit_[f];
-    for (int i = 0; i < 3; ++i) {
-      if (mesh_.faces[f].n[i] == kNoId) continue;
-      is_delaunay &= !is_encroached(mesh_, f, mesh_.points[quad_at(mesh_, f, i).d]);
-    }
-    if (!is_delaunay) queue_.set(f, kPassed);
-  }
 }
 
 void Refiner::judge(FaceId f) {
@@ -226,16 +197,9 @@ std::array<std::optional<Vec3>, 2> Refiner::other_points(FaceId f) {
     if (length2_opposite(k) > length2_opposite(i)) i = k;
   }
   const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
-  return {foot(center, distance(center, p[0]), normal),
-          foot(middle, 0.5 * std::sqrt(length2_opposite(i)), normal)};
-}
-
-std::optional<Vec3> Refiner::foot(const Vec3& from, double limit, const Vec3& normal) {
-  const Vec3 gradient = surface_.gradient(from);
-  const double steepness = length(gradient);
-  if (!(steepness > 0)) return std::nullopt;
-  const auto x = finder_.nearest(from, (-1 / steepness) * gradient, limit, report_.searches_refine);
-  return x && dot(surface_.gradient(*x), normal) <= 0 ? x : std::nullopt;
+  SearchCounters& counters = report_.searches_refine;
+  return {finder_.foot(center, normal, distance(center, p[0]), counters),
+          finder_.foot(middle, normal, 0.5 * std::sqrt(length2_opposite(i)), counters)};
 }
 
 std::optional<Counter> Refiner::insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened) {

@@ -30,14 +30,16 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   if (!x || distance(*x, center) <= kUndoubted * distance(center, a)) return x;
   // Far from the circumcenter it may lie on another sheet that faces the same way. Between the two
   // there is one that faces the other way.
-  for (const Vec3& v : {a, b, c}) {
-    surface_.intersect({v, *x}, hits_, counters);
-    for (const Hit& hit : hits_) {
-      const bool at_an_end = hit.t < kEnd || hit.t > 1 - kEnd;
-      if (!at_an_end && !faces_along(hit.point, normal)) return std::nullopt;
-    }
-  }
-  return x;
+  const auto sees = [&](const Vec3& v) { return on_one_sheet(v, *x, normal, counters); };
+  return sees(a) && sees(b) && sees(c) ? x : std::nullopt;
+}
+
+bool SurfacePointFinder::on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal,
+                                      SearchCounters& counters) {
+  surface_.intersect({p, q}, hits_, counters);
+  return std::none_of(hits_.begin(), hits_.end(), [&](const Hit& hit) {
+    return hit.t >= kEnd && hit.t <= 1 - kEnd && !faces_along(hit.point, normal);
+  });
 }
 
 std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& normal,
@@ -54,6 +56,15 @@ std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& 
     if (!best || std::abs(hit.t - 0.5) < std::abs(best->t - 0.5)) best = &hit;
   }
   return best ? std::optional(best->point) : std::nullopt;
+}
+
+std::optional<Vec3> SurfacePointFinder::foot(const Vec3& from, const Vec3& normal, double limit,
+                                             SearchCounters& counters) {
+  const Vec3 gradient = surface_.gradient(from);
+  const double steepness = length(gradient);
+  if (!(steepness > 0)) return std::nullopt;
+  const auto x = this->nearest(from, (-1 / steepness) * gradient, limit, counters);
+  return x && faces_along(*x, normal) ? x : std::nullopt;
 }
 
 }  // namespace deliso

@@ -25,6 +25,13 @@ class SurfacePointFinder {
   std::optional<Vec3> nearest(const Vec3& center, const Vec3& normal, double limit,
                               SearchCounters& counters);
 
+  // Where the steepest line through `from` meets Sigma within `limit`, turned as `normal` is.
+  std::optional<Vec3> foot(const Vec3& from, const Vec3& normal, double limit,
+                           SearchCounters& counters);
+
+  // Whether no sheet that is turned away from `normal` lies between p and q, two points of Sigma.
+  bool on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
+
  private:
   bool faces_along(const Vec3& x, const Vec3& normal) const {
     return dot(surface_.gradient(x), normal) <= 0;
