@@ -109,8 +109,8 @@ void report_of(const Refined& kept, Report& report) {
   report.counters = kept.report.counters;
 }
 
-// What refinement cannot better, better vertices and better facets can; once more where facets come
-// to cross by it, guarded. The mesh stays as it was when more cross even so.
+// What refinement cannot better, other facets and other places for vertices can; once more where
+// facets come to cross by it, guarded. The mesh stays as it was when more cross even so.
 void mend(const Isosurface& surface, const Options& options, Refined& best, Report& report) {
   const Criteria criteria = refine_criteria(options, report.r_min);
   std::vector<std::uint64_t> guarded = united(best.guarded, best.trouble.crossing_voxels);
@@ -121,6 +121,7 @@ void mend(const Isosurface& surface, const Options& options, Refined& best, Repo
       const StepTimer timer(report.seconds_refine);
       make_patches_delaunay(mended, surface, criteria, guarded, report);
       move_vertices(mended, surface, criteria, guarded, report);
+      report[Counter::unrefined_facets] = count_unrefined(mended, criteria);
     }
     Refined again =
         judged(std::move(mended), std::move(guarded), criteria, surface.volume(), report);

@@ -2,7 +2,9 @@
 // Both stages by turns, the certified way: Stage 1 on the exact contour, Stage 2 on what it hands
 // over, and where Stage 2 leaves trouble (trouble.h) the contour is made finer and the turn begins
 // again, with all sites that are still vertices of T. No voxel is split twice, so it ends; options
-// limit the turns. The least troubled mesh of all turns is the result.
+// limit the turns. The least troubled mesh of all turns is the result, once its patches are
+// Delaunay where they can be (delaunay_patches.h) and its vertices stand where they do best
+// (move_vertices.h).
 #pragma once
 
 #include "contour/contour.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -18,6 +17,7 @@
 #include "deliso/poles.h"
 #include "deliso/profile.h"
 #include "deliso/surface_point.h"
+#include "deliso/trouble.h"
 #include "deliso/worst_first.h"
 #include "mesh/encroach.h"
 #include "mesh/flip.h"
@@ -133,11 +133,6 @@ void Refiner::run() {
     if (mesh_.points.size() != points_before) continue;
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
     if (legalize() == 0) break;
-  }
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (is_bad(shape(f), facet_pole(poles_, mesh_.faces[f].v), criteria_)) {
-      ++report_[Counter::unrefined_facets];
-    }
   }
 }
 
@@ -389,6 +384,7 @@ void refine_geom(Recovered& recovered, const Isosurface& surface, const Boundary
   collapse_needles(recovered, surface, curves, criteria, guarded_voxels, report);
   Refiner(recovered, surface, curves, criteria, guarded_voxels, options, report).run();
   collapse_needles(recovered, surface, curves, criteria, guarded_voxels, report);
+  report[Counter::unrefined_facets] = count_unrefined(recovered, criteria);
 }
 
 }  // namespace deliso

@@ -18,8 +18,7 @@
 namespace deliso {
 
 // Refines `recovered` in place. In the guarded voxels (voxel_number()s) no facet is made that
-// crosses another. Throws InputError at options.max_vertices unless
-// options.keep_partial.
+// crosses another. Throws InputError at options.max_vertices unless options.keep_partial.
 void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
                  const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
                  const Options& options, Report& report);

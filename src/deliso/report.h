@@ -31,7 +31,6 @@ enum class Counter : std::uint8_t {
   // Stage 2, refused insertions by reason
   refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
   refused_no_surface_point,  // a new facet's dual line misses Sigma
-  refused_folded,            // a new facet's normal runs against the gradient
   refused_too_close,         // the point is too near to a vertex of the rim
   refused_boundary,          // a boundary edge encroached upon that cannot be split
   refused_crossing,          // a new facet would cross another (crossing_guard.h)

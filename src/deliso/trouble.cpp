@@ -2,9 +2,23 @@
 #include "deliso/trouble.h"
 
 #include "base/sorted_list.h"
+#include "deliso/poles.h"
 #include "embedding/self_intersections.h"
 
 namespace deliso {
+
+std::size_t count_unrefined(const Recovered& refined, const Criteria& criteria) {
+  const TriMesh& mesh = refined.mesh;
+  std::size_t count = 0;
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle& v = mesh.faces[f].v;
+    FacetShape s =
+        measure(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.surface_points[f]);
+    if (refined.unhit[f]) s.h = s.r;
+    count += is_bad(s, facet_pole(refined.pole_heights, v), criteria);
+  }
+  return count;
+}
 
 Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const Volume& volume) {
   const TriMesh& mesh = refined.mesh;

@@ -25,6 +25,9 @@ struct Trouble {
   bool is_slight() const { return crossing_pairs == 0 && 3000 * bad_facets <= facets_above_r_min; }
 };
 
+// How many facets above r_min break any criterion.
+std::size_t count_unrefined(const Recovered& refined, const Criteria& criteria);
+
 // Only r/l and h/r are looked at: the other criteria never want for vertices of T.
 Trouble find_trouble(const Recovered& refined, const Criteria& criteria, const Volume& volume);
 
