@@ -65,9 +65,9 @@ while [ "$n" -lt "$kills" ]; do
   elif [ $((n % 4)) -ge 2 ]; then
     fault "the old file is gone"
   fi
-  for file in out/.deliso-*.tmp; do
-    [ ! -e "$file" ] || left=$((left + 1))
-  done
+done
+for file in out/.deliso-*.tmp; do
+  [ ! -e "$file" ] || left=$((left + 1))
 done
 
 # The next run is not hindered by what is there.
@@ -76,5 +76,5 @@ done
 cmp -s out/mesh.ply whole.ply || fault "no complete file afterwards"
 
 echo "$kills kills: $killed hit a running program, $writing while it wrote, $complete complete" \
-  "files, $left times a temporary beside it, $faults faults"
+  "files, $left temporary files left, $faults faults"
 [ "$killed" -gt 0 ] && [ "$faults" -eq 0 ]
