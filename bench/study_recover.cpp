@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "deliso/profile.h"
+#include "surface/profile.h"
 #include "support/line_chart.h"
 #include "support/runs.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "deliso/criteria.h"
+#include "surface/criteria.h"
 #include "mesh/check_mesh.h"
 
 namespace deliso {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deliso/options.h"
+#include "surface/options.h"
 #include "mesh/write_mesh.h"
 #include "render/render.h"
 #include "volume/read_volume.h"

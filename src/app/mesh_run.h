@@ -12,7 +12,7 @@
 #include "app/input.h"
 #include "app/topology.h"
 #include "check/verify.h"
-#include "deliso/report.h"
+#include "surface/report.h"
 #include "mesh/quality.h"
 
 namespace deliso {

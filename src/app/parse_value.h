@@ -10,7 +10,7 @@
 
 #include "app/command_line.h"
 #include "base/vec3.h"
-#include "deliso/options.h"
+#include "surface/options.h"
 
 namespace deliso {
 

@@ -10,14 +10,14 @@
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "contour/block_order.h"
-#include "deliso/cell_sizes.h"
-#include "deliso/delaunay_patches.h"
-#include "deliso/embedded_contour.h"
-#include "deliso/move_vertices.h"
-#include "deliso/recover_certified.h"
-#include "deliso/refine.h"
-#include "deliso/step_timer.h"
-#include "deliso/trouble.h"
+#include "recover/cell_sizes.h"
+#include "refine/delaunay_patches.h"
+#include "recover/embedded_contour.h"
+#include "refine/move_vertices.h"
+#include "recover/recover_certified.h"
+#include "refine/refine.h"
+#include "surface/step_timer.h"
+#include "refine/trouble.h"
 
 namespace deliso {
 namespace {

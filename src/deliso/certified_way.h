@@ -8,10 +8,10 @@
 #pragma once
 
 #include "contour/contour.h"
-#include "deliso/boundary.h"
-#include "deliso/options.h"
-#include "deliso/recovered.h"
-#include "deliso/report.h"
+#include "surface/boundary.h"
+#include "surface/options.h"
+#include "surface/surface_mesh.h"
+#include "surface/report.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {

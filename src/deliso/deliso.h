@@ -2,8 +2,8 @@
 // DelIso(f, kappa) of paper Figure 4: a Delaunay mesh of the isosurface, in two stages.
 #pragma once
 
-#include "deliso/options.h"
-#include "deliso/report.h"
+#include "surface/options.h"
+#include "surface/report.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "contour/contour.h"
-#include "deliso/report.h"
+#include "surface/report.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 #include "volume/builtin_fields.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/triangle.h"
-#include "deliso/criteria.h"
+#include "surface/criteria.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "mesh/check_mesh.h"

@@ -13,10 +13,15 @@ allowed() {
     kdtree | contour) echo "base volume $1" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface deliso" ;;
+    surface) echo "base roots mesh embedding volume contour isosurface surface" ;;
+    recover) echo "base roots delaunay mesh embedding volume contour isosurface surface recover refine" ;;
+    refine) echo "base roots delaunay mesh embedding volume contour isosurface surface recover refine" ;;
+    cap) echo "base roots planar mesh volume isosurface surface cap" ;;
+    baseline) echo "base mesh volume baseline" ;;
+    deliso) echo "base mesh volume kdtree contour isosurface surface recover refine cap baseline deliso embedding" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
-    app) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface deliso check" \
-      "render app" ;;
+    app) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface recover refine" \
+      "cap baseline deliso check render app" ;;
     *) return 1 ;;
   esac
 }

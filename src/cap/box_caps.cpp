@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "cap/box_caps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "base/check.h"
+#include "base/sorted_list.h"
+#include "base/text.h"
+#include "delaunay/hilbert.h"
+
+namespace deliso {
+
+unsigned box_faces_at(const Vec3& p, const Box3& box) {
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] == box.lo[axis]) faces |= 1u << (2 * axis);
+    if (p[axis] == box.hi[axis]) faces |= 2u << (2 * axis);
+  }
+  return faces;
+}
+
+namespace {
+
+// Faces beyond one that two points have in common: the other face of an edge of the box.
+unsigned other_faces(const Vec3& p, const Vec3& q, const Box3& box, int face) {
+  return box_faces_at(p, box) & box_faces_at(q, box) & ~(1u << face);
+}
+
+}  // namespace
+
+BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>& corner_inside)
+    : mesh_(mesh), box_(box), corner_inside_(corner_inside) {
+  collect_boundary();
+  if (!failure_.empty()) return;
+  for (int f = 0; f < 6; ++f) {
+    FaceCap& cap = caps_[static_cast<std::size_t>(f)];
+    cap.number = f;
+    cap.across = f / 2;
+    // Counter-clockwise in (u, v) is counter-clockwise seen from outside the box.
+    cap.u = (cap.across + (f % 2 == 0 ? 2 : 1)) % 3;
+    cap.v = 3 - cap.across - cap.u;
+    triangulate(cap);
+  }
+  sort_out(crossing_);
+  if (!possible()) return;
+  number_corners();
+  check_sides();
+}
+
+void BoxCaps::collect_boundary() {
+  double shortest2 = std::numeric_limits<double>::infinity();
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      if (mesh_.faces[f].n[i] != kNoId) continue;
+      const VertexId a = mesh_.faces[f].v[(i + 1) % 3], b = mesh_.faces[f].v[(i + 2) % 3];
+      const Vec3 &p = mesh_.points[a], &q = mesh_.points[b];
+      if ((box_faces_at(p, box_) & box_faces_at(q, box_)) == 0) {
+        failure_ = text("the edge ", a, "-", b, " of the boundary does not lie on the box");
+      }
+      edges_.push_back({f, i});
+      edge_at_.insert(edge_at_.end(), {{a, {f, i}}, {b, {f, i}}});
+      shortest2 = std::min(shortest2, distance2(p, q));
+    }
+  }
+  std::sort(edge_at_.begin(), edge_at_.end());
+  if (!edges_.empty()) shortest_ = std::sqrt(shortest2);
+}
+
+void BoxCaps::obstruct(VertexId v) {
+  for (auto at = std::lower_bound(edge_at_.begin(), edge_at_.end(), std::pair{v, EdgeRef{0, 0}});
+       at != edge_at_.end() && at->first == v; ++at) {
+    crossing_.push_back(at->second);
+  }
+}
+
+void BoxCaps::triangulate(FaceCap& cap) {
+  const auto drop = [&](const Vec3& p) { return Vec2{p[cap.u], p[cap.v]}; };
+  cap.plane = std::make_unique<ConstrainedTriangulation>(drop(box_.lo), drop(box_.hi));
+  cap.global.assign(4, kNoId);
+  std::vector<VertexId> vertices;
+  for (const auto& [v, edge] : edge_at_) {
+    const bool here = (box_faces_at(mesh_.points[v], box_) >> cap.number & 1) != 0;
+    if (here && (vertices.empty() || vertices.back() != v)) vertices.push_back(v);
+  }
+  std::vector<Vec3> places;
+  places.reserve(vertices.size());
+  for (const VertexId v : vertices)
+    places.push_back({drop(mesh_.points[v]).x, drop(mesh_.points[v]).y, 0});
+  std::vector<VertexId> local(vertices.size());
+  for (const std::uint32_t n : biased_hilbert_order(places)) {
+    const VertexId v = vertices[n], at = cap.plane->insert({places[n].x, places[n].y});
+    if (at == cap.global.size()) cap.global.push_back(kNoId);
+    if (cap.global[at] != kNoId) {
+      coincident_.emplace_back(cap.global[at], v);
+    } else {
+      cap.global[at] = v;
+    }
+    local[n] = at;
+  }
+  if (!coincident_.empty()) return;
+
+  const auto local_of = [&](VertexId v) {
+    return local[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                          vertices.begin())];
+  };
+  const std::size_t before = crossing_.size();
+  for (const EdgeRef& edge : edges_) {
+    const Face& face = mesh_.faces[edge.f];
+    const VertexId a = face.v[(edge.i + 1) % 3], b = face.v[(edge.i + 2) % 3];
+    const unsigned common =
+        box_faces_at(mesh_.points[a], box_) & box_faces_at(mesh_.points[b], box_);
+    if ((common >> cap.number & 1) == 0) continue;
+    // The cap runs the other way along the edge.
+    const VertexId from = local_of(b), to = local_of(a);
+    const auto obstacle = cap.plane->constrain(from, to, Side::inside, Side::outside);
+    if (!obstacle) continue;
+    crossing_.push_back(edge);
+    const VertexId c = cap.global[obstacle->c];
+    if (c != kNoId && obstacle->d == kNoId) obstruct(c);
+    if (obstacle->d == kNoId) continue;
+    const VertexId d = cap.global[obstacle->d];
+    for (const EdgeRef& other : edges_) {
+      const auto& v = mesh_.faces[other.f].v;
+      const VertexId p = v[(other.i + 1) % 3], q = v[(other.i + 2) % 3];
+      if ((p == c && q == d) || (p == d && q == c)) crossing_.push_back(other);
+    }
+  }
+  if (crossing_.size() > before) return;
+  unsigned corner = 0;  // vertex 0 of the plane
+  if (cap.number % 2 != 0) corner |= 1u << cap.across;
+  if (!mark_inside(*cap.plane, corner_inside_[corner])) {
+    failure_ = text("the boundary of the mesh does not part inside from outside on face ",
+                    cap.number, " of the box");
+  }
+}
+
+// Ids for the corners of the box that are inside, the same on all their faces.
+void BoxCaps::number_corners() {
+  std::array<VertexId, 8> id;
+  id.fill(kNoId);
+  for (FaceCap& cap : caps_) {
+    std::array<bool, 4> used{};
+    for (const PlaneTriangle& t : cap.plane->triangles()) {
+      for (const VertexId v : t.v) {
+        if (t.inside && v < 4) used[v] = true;
+      }
+    }
+    for (VertexId v = 0; v < 4; ++v) {
+      if (!used[v] || cap.global[v] != kNoId) continue;
+      unsigned corner = 0;
+      if (cap.number % 2 != 0) corner |= 1u << cap.across;
+      if (v == 1 || v == 2) corner |= 1u << cap.u;
+      if (v == 2 || v == 3) corner |= 1u << cap.v;
+      if (id[corner] == kNoId) {
+        id[corner] = static_cast<VertexId>(mesh_.points.size() + new_points_.size());
+        Vec3 p = box_.lo;
+        for (int axis = 0; axis < 3; ++axis) {
+          if ((corner >> axis & 1) != 0) p[axis] = box_.hi[axis];
+        }
+        new_points_.push_back(p);
+      }
+      cap.global[v] = id[corner];
+    }
+    for (VertexId v = 0; v < cap.global.size(); ++v) {
+      if (cap.global[v] == kNoId) continue;
+      const unsigned faces = box_faces_at(point(cap.global[v]), box_) & ~(1u << cap.number);
+      if (faces != 0) cap.on_sides[cap.global[v]] = v;
+    }
+  }
+}
+
+// Two faces must agree about the edge of the box between them: where one is inside, so is the
+// other, or else a boundary edge of the mesh runs there.
+void BoxCaps::check_sides() {
+  for (const FaceCap& cap : caps_) {
+    for (FaceId t = 0; t < cap.plane->triangles().size(); ++t) {
+      const PlaneTriangle& at = cap.plane->triangle(t);
+      for (int i = 0; at.inside && i < 3; ++i) {
+        if (at.n[i] != kNoId || at.side[i] != Side::none) continue;
+        const VertexId a = cap.global[at.v[(i + 1) % 3]], b = cap.global[at.v[(i + 2) % 3]];
+        const unsigned others = other_faces(point(a), point(b), box_, cap.number);
+        bool agreed = false;
+        for (const FaceCap& other : caps_) {
+          if ((others >> other.number & 1) == 0) continue;
+          const auto from = other.on_sides.find(b), to = other.on_sides.find(a);
+          if (from == other.on_sides.end() || to == other.on_sides.end()) continue;
+          const PlaneEdge e = other.plane->find_edge(from->second, to->second);
+          agreed |= e.t != kNoId && other.plane->triangle(e.t).inside;
+        }
+        if (agreed) continue;
+        failure_ =
+            text("faces of the box do not agree what is inside between vertices ", a, " and ", b);
+        return;
+      }
+    }
+  }
+}
+
+void BoxCaps::split_side(FaceCap& cap, VertexId a, VertexId b) {
+  const Vec3 p = point(a), q = point(b);
+  const Vec3 middle = 0.5 * (p + q);
+  FaceCap* other = nullptr;
+  for (FaceCap& candidate : caps_) {
+    if ((other_faces(p, q, box_, cap.number) >> candidate.number & 1) != 0) other = &candidate;
+  }
+  DELISO_CHECK(other != nullptr);
+  const VertexId a1 = cap.on_sides.at(a), b1 = cap.on_sides.at(b);
+  const VertexId a2 = other->on_sides.at(a), b2 = other->on_sides.at(b);
+  if (distance2(p, q) < shortest_ * shortest_ || middle == p || middle == q) {
+    cap.refiner->refuse_side(a1, b1);
+    other->refiner->refuse_side(b2, a2);
+    return;
+  }
+  const auto v = static_cast<VertexId>(mesh_.points.size() + new_points_.size());
+  new_points_.push_back(middle);
+  for (const auto& [at, from, to] : {std::tuple{&cap, a1, b1}, std::tuple{other, b2, a2}}) {
+    const PlaneEdge e = at->plane->find_edge(from, to);
+    const VertexId m = at->plane->split_edge(e, {middle[at->u], middle[at->v]});
+    at->global.resize(m + 1, kNoId);
+    at->global[m] = v;
+    at->on_sides[v] = m;
+    at->refiner->was_split(m);
+  }
+}
+
+void BoxCaps::refine(double lambda) {
+  for (FaceCap& cap : caps_) cap.refiner = std::make_unique<RegionRefiner>(*cap.plane, lambda);
+  bool again = true;
+  while (again) {
+    again = false;
+    for (FaceCap& cap : caps_) {
+      std::vector<std::pair<VertexId, VertexId>> sides;
+      cap.refiner->run(sides);
+      for (auto v = static_cast<VertexId>(cap.global.size()); v < cap.plane->points().size(); ++v) {
+        const Vec2& p = cap.plane->point(v);
+        Vec3 q;
+        q[cap.across] = cap.number % 2 == 0 ? box_.lo[cap.across] : box_.hi[cap.across];
+        q[cap.u] = p.x;
+        q[cap.v] = p.y;
+        cap.global.push_back(static_cast<VertexId>(mesh_.points.size() + new_points_.size()));
+        new_points_.push_back(q);
+      }
+      for (const auto& [a, b] : sides) split_side(cap, cap.global[a], cap.global[b]);
+      again |= !sides.empty();
+    }
+  }
+}
+
+std::size_t BoxCaps::refused() const {
+  std::size_t sum = 0;
+  for (const FaceCap& cap : caps_) sum += cap.refiner ? cap.refiner->refused() : 0;
+  return sum;
+}
+
+std::vector<Triangle> BoxCaps::triangles() const {
+  std::vector<Triangle> triangles;
+  for (const FaceCap& cap : caps_) {
+    for (const PlaneTriangle& t : cap.plane->triangles()) {
+      if (t.inside)
+        triangles.push_back({cap.global[t.v[0]], cap.global[t.v[1]], cap.global[t.v[2]]});
+    }
+  }
+  return triangles;
+}
+
+}  // namespace deliso

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "base/triangle.h"
+#include "surface/surface_mesh.h"
+
+namespace deliso {
+namespace {
+
+// For every facet and corner i, the facet across the edge opposite it, whichever way round the two
+// are; kNoId where the edge has not exactly two facets.
+std::vector<std::array<FaceId, 3>> undirected_neighbors(std::span<const Triangle> triangles) {
+  struct Side {
+    VertexId low, high;
+    FaceId face;
+    int index;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = triangles[f][(i + 1) % 3], b = triangles[f][(i + 2) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), f, i});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    return std::tie(s.low, s.high, s.face) < std::tie(t.low, t.high, t.face);
+  });
+  std::vector<std::array<FaceId, 3>> neighbors(triangles.size(), {kNoId, kNoId, kNoId});
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].low == sides[begin].low &&
+           sides[end].high == sides[begin].high) {
+      ++end;
+    }
+    if (end - begin != 2) continue;
+    const Side &s = sides[begin], &t = sides[begin + 1];
+    neighbors[s.face][s.index] = t.face;
+    neighbors[t.face][t.index] = s.face;
+  }
+  return neighbors;
+}
+
+// Turns the facets of every component the same way round, by a walk over its adjacency, and the
+// whole of it so that most of its area has normals against the gradient: next to a crease of the
+// surface a single facet's gradient can mislead.
+void orient(const std::vector<Vec3>& points, const std::vector<Vec3>& surface_points,
+            const Isosurface& surface, std::span<Triangle> triangles) {
+  const auto neighbors = undirected_neighbors(triangles);
+  const auto runs_along = [](const Triangle& v, VertexId from, VertexId to) {
+    return (v[0] == from && v[1] == to) || (v[1] == from && v[2] == to) ||
+           (v[2] == from && v[0] == to);
+  };
+  std::vector<std::uint8_t> seen(triangles.size(), 0);
+  std::vector<FaceId> component;
+  for (FaceId start = 0; start < triangles.size(); ++start) {
+    if (seen[start]) continue;
+    seen[start] = 1;
+    component.assign(1, start);
+    double along = 0;
+    for (std::size_t next = 0; next < component.size(); ++next) {
+      const FaceId f = component[next];
+      const Triangle v = triangles[f];
+      along += dot(area_normal(points[v[0]], points[v[1]], points[v[2]]),
+                   surface.gradient(surface_points[f]));
+      for (const FaceId g : neighbors[f]) {
+        if (g == kNoId || seen[g]) continue;
+        seen[g] = 1;
+        component.push_back(g);
+        for (int i = 0; i < 3; ++i) {
+          if (!runs_along(triangles[g], v[i], v[(i + 1) % 3])) continue;
+          std::swap(triangles[g][0], triangles[g][1]);
+          break;
+        }
+      }
+    }
+    if (along <= 0) continue;
+    for (const FaceId f : component) std::swap(triangles[f][0], triangles[f][1]);
+  }
+}
+
+using Edge = std::pair<VertexId, VertexId>;  // smaller vertex first
+
+Edge edge_of(VertexId a, VertexId b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Where the surface is cut sharply by the box, a wedge can be too thin for a Voronoi edge to tell
+// its two sides apart, and the mesh stops one facet short of the chain: either a vertex of the
+// chain has no facet and its neighbours are joined past it, or an edge of the chain is missing and
+// its ends have open edges to one vertex. That facet is put back.
+void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
+                    std::vector<VertexId>& new_id, std::vector<Triangle>& triangles, Report& report,
+                    Recovered& out) {
+  const auto neighbors = undirected_neighbors(triangles);
+  std::vector<Edge> open;  // edges of one facet
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (neighbors[f][i] != kNoId) continue;
+      open.push_back(edge_of(triangles[f][(i + 1) % 3], triangles[f][(i + 2) % 3]));
+    }
+  }
+  std::sort(open.begin(), open.end());
+  const auto is_open = [&](VertexId a, VertexId b) {
+    return std::binary_search(open.begin(), open.end(), edge_of(a, b));
+  };
+  const auto put_back = [&](VertexId a, VertexId b, VertexId c, const Vec3& x) {
+    triangles.push_back({a, b, c});
+    out.mesh.surface_points.push_back(x);
+    ++report[Counter::facets_closed];
+  };
+  for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
+    if (!chain.is_boundary(v)) continue;
+    const VertexId a = new_id[chain.previous(v)], b = new_id[chain.next(v)];
+    if (new_id[v] == kNoId) {
+      if (a == kNoId || b == kNoId || !is_open(a, b)) continue;
+      new_id[v] = static_cast<VertexId>(out.mesh.points.size());
+      out.mesh.points.push_back(t.point(v));
+      out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
+      out.source.push_back(v);
+      put_back(a, new_id[v], b, t.point(v));
+    } else if (b != kNoId && !is_open(new_id[v], b)) {
+      for (const auto& [low, high] : open) {
+        if (low != b && high != b) continue;
+        const VertexId middle = low == b ? high : low;
+        if (middle == new_id[v] || !is_open(middle, new_id[v])) continue;
+        put_back(new_id[v], b, middle, t.point(v));
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
+                         const std::vector<double>& poles) {
+  const RestrictedDelaunay restricted = std::move(handed_over);
+  const Triangulation& t = restricted.triangulation();
+
+  struct Corner {
+    Triangle v;
+    Vec3 x;
+  };
+  std::vector<Corner> facets;
+  for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
+    if (!restricted.is_live(r) || !restricted.is_restricted(r)) continue;
+    facets.push_back({restricted.triangle(r), restricted.surface_point(r)});
+  }
+
+  std::vector<VertexId> new_id(t.vertex_capacity(), kNoId);
+  Recovered out;
+  std::vector<Triangle> triangles;
+  for (const Corner& facet : facets) {
+    Triangle v = facet.v;
+    for (VertexId& q : v) {
+      if (new_id[q] == kNoId) {
+        new_id[q] = static_cast<VertexId>(out.mesh.points.size());
+        out.mesh.points.push_back(t.point(q));
+        out.pole_heights.push_back(poles[q]);
+        out.source.push_back(q);
+      }
+      q = new_id[q];
+    }
+    triangles.push_back(v);
+    out.mesh.surface_points.push_back(facet.x);
+  }
+  close_at_chain(t, chain, new_id, triangles, restricted.report(), out);
+  orient(out.mesh.points, out.mesh.surface_points, restricted.surface(), triangles);
+  std::vector<Vec3> surface_points = std::move(out.mesh.surface_points);
+  out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
+  out.mesh.surface_points = std::move(surface_points);
+  out.unhit.assign(out.mesh.faces.size(), 0);
+  out.chain = chain.renumbered(new_id);
+  return out;
+}
+
+}  // namespace deliso

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "recover/certificate.h"
+
+namespace deliso {
+
+Certificate::Interface& Certificate::interface_with(VertexId site) {
+  for (Interface& i : interfaces_) {
+    if (i.site == site) return i;
+  }
+  interfaces_.push_back({site});
+  return interfaces_.back();
+}
+
+VertexId Certificate::further(VertexId best, VertexId v) const {
+  const double d2 = labels_.distance2_to_site(v);
+  if (d2 == 0) return best;
+  if (best == kNoId) return v;
+  const double best2 = labels_.distance2_to_site(best);
+  return d2 > best2 || (d2 == best2 && v < best) ? v : best;
+}
+
+Verdict Certificate::check(VertexId a, VertexId at) {
+  interfaces_.clear();
+  facets_.clear();
+  ++stamp_;
+  long directed = 0, thrice_faces = 0;
+  long boundary_vertices = 0, boundary_edges = 0;
+  VertexId furthest = kNoId, furthest_boundary = kNoId;
+
+  // One pass over what is connected to the site's own vertex.
+  reached_.assign(1, at);
+  visited_[at] = stamp_;
+  for (std::size_t k = 0; k < reached_.size(); ++k) {
+    const VertexId v = reached_[k];
+    furthest = further(furthest, v);
+    for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
+      const VertexId x = labels_.label(w.next), y = labels_.label(w.previous);
+      // The directed edge v -> next: an inner edge turns up from both its ends.
+      if (x == a) {
+        ++directed;
+      } else {
+        Interface& i = interface_with(x);
+        ++i.edges;
+        i.furthest = further(further(i.furthest, v), w.next);
+      }
+      for (const VertexId u : {w.next, w.previous}) {
+        if (labels_.label(u) != a || visited_[u] == stamp_) continue;
+        visited_[u] = stamp_;
+        reached_.push_back(u);
+      }
+      // The triangle: seen once from each of its vertices labelled a.
+      if (x == a && y == a) {
+        ++thrice_faces;
+      } else if (x == a || y == a) {
+        interface_with(x == a ? y : x).twice_faces += 1;
+      } else if (x == y) {
+        interface_with(x).twice_faces += 2;
+      } else {
+        facets_.push_back({{a, x, y}, {v, w.next, w.previous}});
+      }
+    }
+    const VertexId next = graph_.chain_next(v);
+    if (next == kNoId) continue;
+    ++boundary_vertices;
+    furthest_boundary = further(furthest_boundary, v);
+    // A boundary edge runs one way only, from the vertex before.
+    const VertexId before = graph_.chain_previous(v);
+    if (labels_.label(before) == a) {
+      ++boundary_edges;
+    } else {
+      Interface& i = interface_with(labels_.label(before));
+      ++i.edges;
+      ++i.boundary_edges;
+      i.furthest = further(further(i.furthest, v), before);
+    }
+    if (labels_.label(next) != a) ++interface_with(labels_.label(next)).boundary_edges;
+  }
+
+  const std::span<const VertexId> region = labels_.region(a);
+  if (reached_.size() != region.size()) {
+    VertexId stray = kNoId;
+    for (const VertexId v : region) {
+      if (visited_[v] != stamp_) stray = further(stray, v);
+    }
+    return {Violation::region, stray};
+  }
+  const long vertices = static_cast<long>(region.size());
+  const long edges = (directed + boundary_edges) / 2;
+  if (vertices - edges + thrice_faces / 3 != 1) return {Violation::region, furthest};
+  if (boundary_vertices > 0) {
+    const bool boundary_site = graph_.chain_next(at) != kNoId;
+    if (!boundary_site || boundary_vertices - boundary_edges != 1) {
+      return {Violation::boundary, furthest_boundary};
+    }
+  }
+  for (const Interface& i : interfaces_) {
+    if (i.boundary_edges > 1) return {Violation::boundary, i.furthest};
+    if (2 * i.edges - i.twice_faces != 2) return {Violation::interface, i.furthest};
+  }
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    for (std::size_t j = i + 1; j < facets_.size(); ++j) {
+      const auto &s = facets_[i].sites, &t = facets_[j].sites;
+      const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
+      if (!same) continue;
+      VertexId best = kNoId;
+      for (const VertexId v : facets_[i].witness) best = further(best, v);
+      for (const VertexId v : facets_[j].witness) best = further(best, v);
+      return {Violation::triple, best};
+    }
+  }
+  return {};
+}
+
+}  // namespace deliso

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The discrete restricted Voronoi diagram: every vertex of the exact contour T labelled with its
+// nearest site, kept exact under insertion. A new site can only take vertices from its Delaunay
+// neighbours (its Voronoi cell lies within the union of their old ones), so an insertion looks at
+// their lists and at nothing else.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contour/contour.h"
+#include "delaunay/triangulation.h"
+#include "surface/boundary.h"
+
+namespace deliso {
+
+// T's adjacency, and where its boundary chains run.
+class ContourGraph {
+ public:
+  explicit ContourGraph(const ContourMesh& contour);
+
+  // A triangle (v, next, previous) of T, seen from its vertex v.
+  struct Wedge {
+    VertexId next, previous;
+  };
+  std::span<const Wedge> wedges(VertexId v) const {
+    return std::span(wedges_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+  // Along the boundary chain, as the triangles run; kNoId for inner vertices.
+  VertexId chain_next(VertexId v) const { return slot_[v] == kNoId ? kNoId : next_[slot_[v]]; }
+  VertexId chain_previous(VertexId v) const {
+    return slot_[v] == kNoId ? kNoId : previous_[slot_[v]];
+  }
+  // pre: v lies on a boundary chain.
+  CurvePlace chain_place(VertexId v) const { return place_[slot_[v]]; }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<Wedge> wedges_;
+  std::vector<std::uint32_t> slot_;  // per vertex, into the next three; kNoId for inner ones
+  std::vector<VertexId> next_, previous_;
+  std::vector<CurvePlace> place_;
+};
+
+class Labels {
+ public:
+  // Labels every vertex of T with its nearest site: a walk over Delaunay neighbours, begun at the
+  // label of a neighbour in T. Sites are the finite vertices of `triangulation`. Components with
+  // kept[c] == 0 stay without labels.
+  Labels(const ContourMesh& contour, const ContourGraph& graph, const Triangulation& triangulation,
+         std::span<const std::uint8_t> kept);
+
+  VertexId label(VertexId v) const { return label_[v]; }
+  double distance2_to_site(VertexId v) const { return distance2_[v]; }
+  // The vertices of T nearest to `site`.
+  std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
+
+  // The vertex v of T has been moved a little, its site's position is `site`.
+  void moved(VertexId v, const Vec3& site) { distance2_[v] = distance2(contour_.points[v], site); }
+
+  // Takes what belongs to the new `site` from its Delaunay neighbours; appends those that lost
+  // vertices to `changed`.
+  void add_site(VertexId site, const Vec3& point, std::span<const VertexId> neighbors,
+                std::vector<VertexId>& changed);
+
+ private:
+  const ContourMesh& contour_;
+  std::vector<VertexId> label_;
+  std::vector<double> distance2_;
+  std::vector<std::vector<VertexId>> regions_;
+};
+
+}  // namespace deliso

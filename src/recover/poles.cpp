@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "recover/poles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delaunay/voronoi.h"
+
+namespace deliso {
+
+std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface,
+                                  PoleSide side) {
+  const std::size_t count = t.vertex_capacity();
+  std::vector<Vec3> gradient(count);
+  for (VertexId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));
+
+  // Squared distance to the furthest Voronoi vertex, on the side of falling and of rising g.
+  std::vector<std::array<double, 2>> furthest2(count, {0, 0});
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    if (!t.is_live(c) || t.is_infinite(c)) continue;
+    const Vec3 center = circumsphere(t, c).center;
+    for (const VertexId q : t.vertices(c)) {
+      const Vec3 direction = center - t.point(q);
+      double& furthest = furthest2[q][dot(direction, gradient[q]) > 0];
+      furthest = std::max(furthest, length2(direction));
+    }
+  }
+  std::vector<double> height(count);
+  for (VertexId q = 0; q < count; ++q) {
+    const auto [falling, rising] = furthest2[q];
+    height[q] =
+        std::sqrt(side == PoleSide::nearer ? std::min(falling, rising) : std::max(falling, rising));
+  }
+  return height;
+}
+
+}  // namespace deliso

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+#include "recover/recover_certified.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "base/check.h"
+#include "base/sorted_list.h"
+#include "base/triangle.h"
+#include "recover/certificate.h"
+#include "surface/criteria.h"
+#include "recover/sample.h"
+#include "recover/poles.h"
+#include "surface/step_timer.h"
+#include "surface/surface_point.h"
+#include "embedding/self_intersections.h"
+
+namespace deliso {
+namespace {
+
+// How far coincident vertices of T are moved apart, in voxels: well within what a vertex may be off
+// Sigma.
+constexpr double kHair = 1e-7;
+
+// Strict readiness: h/r, the cosine between the facet's normal and the surface's at its corners,
+// and from how many cells of T on a circumradius is held to them.
+constexpr double kStrictFlatness = 0.4, kStrictCosine = 0.5, kFewCells = 2;
+
+class CertifiedRecovery {
+ public:
+  CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
+                    const ContourSplit& split, const Options& options, Report& report)
+      : surface_(surface),
+        finder_(surface),
+        contour_(contour),
+        split_(split),
+        options_(options),
+        report_(report),
+        triangulation_(std::move(initial.triangulation)),
+        chain_(std::move(initial.chain)),
+        contour_vertex_(std::move(initial.contour_vertex)),
+        site_(contour.points.size(), kNoId),
+        graph_(contour),
+        labels_(contour, graph_, triangulation_, kept_components(contour, options)),
+        certificate_(contour, graph_, labels_) {
+    const Vec3 spacing = surface.volume().spacing();
+    for (int axis = 0; axis < 3; ++axis) {
+      cell_ = std::max(cell_, spacing[axis] / split.factor[axis]);
+    }
+    for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
+      if (contour_vertex_[s] == kNoId) continue;
+      site_[contour_vertex_[s]] = s;
+      queue_site(s);
+    }
+  }
+
+  Recovered run();
+
+ private:
+  void queue_site(VertexId s);
+  // Makes the vertex v of T a site; false when it coincides with one.
+  bool add_site(VertexId v);
+  // Where samples are such that vertices of T coincide, several have one site at distance 0, and
+  // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
+  bool part_coincident(VertexId s);
+  void satisfy_certificate();
+  std::size_t cut_fingers();
+  std::size_t make_ready();
+  // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
+  std::size_t part_crossings();
+  VertexId further(VertexId best, VertexId v) const;
+  std::optional<Vec3> find_surface_point(const DualFacet& facet);
+  // Finds its surface point, or is too small for Stage 2 to look at.
+  bool is_ready(const DualFacet& facet);
+  // Fails the certified way's own ApproximateGeom (options.certified_epsilon).
+  bool is_coarse(const DualFacet& facet);
+  bool is_in_split_voxel(const DualFacet& facet) const;
+  Recovered dual();
+  // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
+  // that is `enough` or less.
+  double distance2_to_dual(VertexId v, double enough) const;
+
+  const Isosurface& surface_;
+  SurfacePointFinder finder_;
+  ContourMesh& contour_;
+  const ContourSplit& split_;
+  const Options& options_;
+  Report& report_;
+  Triangulation triangulation_;
+  BoundaryChain chain_;
+  std::vector<VertexId> contour_vertex_;  // of every site
+  std::vector<VertexId> site_;            // of every vertex of T; kNoId: it is none
+  ContourGraph graph_;
+  Labels labels_;
+  Certificate certificate_;
+  double cell_ = 0;  // the longest side of a split voxel's cells
+
+  std::deque<VertexId> queue_;
+  std::vector<std::uint8_t> queued_;
+  // Per site, which of the two practical tests its facets have not passed since they changed, and
+  // whether it broke the certificate with nothing left to insert when it was last looked at.
+  static constexpr std::uint8_t kFingers = 1, kReadiness = 2, kUncertified = 4;
+  std::vector<std::uint8_t> unready_;
+  // K's facets at every site, begun there.
+  std::vector<std::vector<DualFacet>> facets_;
+
+  ConflictZone zone_;
+  std::vector<CellId> created_;
+  std::vector<VertexId> neighbors_, changed_;
+};
+
+Recovered CertifiedRecovery::run() {
+  {
+    const StepTimer timer(report_.seconds_recover);
+    do {
+      satisfy_certificate();
+    } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0);
+    for (const std::uint8_t state : unready_) {
+      report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
+    }
+  }
+  return dual();
+}
+
+Recovered CertifiedRecovery::dual() {
+  std::vector<double> poles;
+  {
+    const StepTimer timer(report_.seconds_poles);
+    poles = compute_poles(triangulation_, surface_);
+  }
+  const StepTimer timer(report_.seconds_recover);
+  Recovered out;
+  std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> surface_points;
+  for (VertexId s = 1; s < facets_.size(); ++s) {
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
+      const auto& [a, b, c] = facet.sites;
+      std::optional<Vec3> x = find_surface_point(facet);
+      out.unhit.push_back(!x);
+      if (!x) {
+        x = circumcenter(triangulation_.point(a), triangulation_.point(b), triangulation_.point(c));
+        ++report_[Counter::unready_facets];
+      }
+      surface_points.push_back(*x);
+      Triangle v = facet.sites;
+      for (VertexId& q : v) {
+        if (new_id[q] == kNoId) {
+          new_id[q] = static_cast<VertexId>(out.mesh.points.size());
+          out.mesh.points.push_back(triangulation_.point(q));
+          out.pole_heights.push_back(poles[q]);
+          out.source.push_back(q);
+        }
+        q = new_id[q];
+      }
+      triangles.push_back(v);
+    }
+  }
+  out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
+  out.mesh.surface_points = std::move(surface_points);
+  out.chain = chain_.renumbered(new_id);
+  return out;
+}
+
+void CertifiedRecovery::queue_site(VertexId s) {
+  if (s >= queued_.size()) {
+    queued_.resize(s + 1, 0);
+    unready_.resize(s + 1, 0);
+    facets_.resize(s + 1);
+  }
+  if (queued_[s] || contour_vertex_[s] == kNoId) return;
+  queued_[s] = 1;
+  queue_.push_back(s);
+}
+
+bool CertifiedRecovery::add_site(VertexId v) {
+  const Vec3& p = contour_.points[v];
+  triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
+  if (zone_.duplicate != kNoId) return false;
+  const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
+  if (triangulation_.vertex_capacity() > options_.max_vertices) {
+    throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+                     " vertices needed before the surface is recovered");
+  }
+  site_[v] = s;
+  contour_vertex_.push_back(v);
+  DELISO_ASSERT(contour_vertex_.size() == s + 1);
+  neighbors_.clear();
+  for (const CellId c : created_) {
+    for (const VertexId n : triangulation_.vertices(c)) {
+      if (n != s && n != Triangulation::kInfinite) neighbors_.push_back(n);
+    }
+  }
+  sort_out(neighbors_);
+  changed_.clear();
+  labels_.add_site(s, p, neighbors_, changed_);
+  queue_site(s);
+  for (const VertexId n : changed_) queue_site(n);
+  // Whoever borders on what changed hands sees another neighbour there now.
+  for (const VertexId u : labels_.region(s)) {
+    for (const ContourGraph::Wedge& w : graph_.wedges(u)) {
+      queue_site(labels_.label(w.next));
+      queue_site(labels_.label(w.previous));
+    }
+  }
+  if (contour_.on_boundary(v)) {
+    VertexId before = graph_.chain_previous(v);
+    while (site_[before] == kNoId) before = graph_.chain_previous(before);
+    chain_.insert_after(site_[before], s, graph_.chain_place(v));
+    ++report_[Counter::boundary_splits_recover];
+  }
+  return true;
+}
+
+bool CertifiedRecovery::part_coincident(VertexId s) {
+  for (const VertexId v : labels_.region(s)) {
+    if (v == contour_vertex_[s] || labels_.distance2_to_site(v) > 0) continue;
+    // Vertices on the box move along their chain, so that they stay there.
+    Vec3 along;
+    if (contour_.on_boundary(v)) {
+      along = contour_.points[graph_.chain_next(v)] - contour_.points[v];
+    } else {
+      for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
+        along = along + (contour_.points[w.next] - contour_.points[v]);
+      }
+    }
+    const double size = length(along);
+    const Vec3 spacing = surface_.volume().spacing();
+    if (!(size > 0)) continue;
+    const double hair = kHair * std::min({spacing.x, spacing.y, spacing.z});
+    contour_.points[v] = contour_.points[v] + (hair / size) * along;
+    labels_.moved(v, triangulation_.point(s));
+    return add_site(v);
+  }
+  return false;
+}
+
+void CertifiedRecovery::satisfy_certificate() {
+  constexpr std::size_t kEvery = 1024;
+  for (std::size_t done = 1; !queue_.empty(); ++done) {
+    if (options_.progress && done % kEvery == 0) {
+      const double left = static_cast<double>(queue_.size());
+      options_.progress("recover", static_cast<double>(done) / (static_cast<double>(done) + left));
+    }
+    const VertexId s = queue_.front();
+    queue_.pop_front();
+    queued_[s] = 0;
+    const Verdict verdict = certificate_.check(s, contour_vertex_[s]);
+    facets_[s].assign(certificate_.facets().begin(), certificate_.facets().end());
+    unready_[s] = kFingers | kReadiness;
+    if (verdict.violation == Violation::none) continue;
+    if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
+      queue_site(s);
+    } else {
+      unready_[s] |= kUncertified;
+    }
+  }
+}
+
+std::size_t CertifiedRecovery::cut_fingers() {
+  const Vec3 spacing = surface_.volume().spacing();
+  const double limit = options_.fingers * std::min({spacing.x, spacing.y, spacing.z});
+  std::size_t added = 0;
+  for (VertexId s = 1; s < unready_.size(); ++s) {
+    if (!(unready_[s] & kFingers)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~kFingers);
+    VertexId worst = kNoId;
+    double worst2 = limit * limit;
+    for (const VertexId v : labels_.region(s)) {
+      if (labels_.distance2_to_site(v) <= worst2) continue;
+      const double d2 = distance2_to_dual(v, worst2);
+      if (d2 <= worst2) continue;
+      worst = v;
+      worst2 = d2;
+    }
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+double CertifiedRecovery::distance2_to_dual(VertexId v, double enough) const {
+  double nearest2 = labels_.distance2_to_site(v);
+  for (const DualFacet& f : facets_[labels_.label(v)]) {
+    if (nearest2 <= enough) break;
+    const double d2 =
+        distance2_to_triangle(contour_.points[v], triangulation_.point(f.sites[0]),
+                              triangulation_.point(f.sites[1]), triangulation_.point(f.sites[2]));
+    nearest2 = std::min(nearest2, d2);
+  }
+  return nearest2;
+}
+
+std::size_t CertifiedRecovery::make_ready() {
+  std::size_t added = 0;
+  for (VertexId s = 1; s < unready_.size(); ++s) {
+    if (!(unready_[s] & kReadiness)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
+    VertexId worst = kNoId;
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;
+      if (is_ready(facet) && !is_coarse(facet)) continue;
+      for (const VertexId v : facet.witness) worst = further(worst, v);
+    }
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+VertexId CertifiedRecovery::further(VertexId best, VertexId v) const {
+  const double d2 = labels_.distance2_to_site(v);
+  return d2 > 0 && (best == kNoId || d2 > labels_.distance2_to_site(best)) ? v : best;
+}
+
+std::size_t CertifiedRecovery::part_crossings() {
+  std::vector<Vec3> points(facets_.size());
+  std::vector<Triangle> triangles, witnesses;
+  for (VertexId s = 1; s < facets_.size(); ++s) {
+    points[s] = triangulation_.point(s);
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;
+      triangles.push_back(facet.sites);
+      witnesses.push_back(facet.witness);
+    }
+  }
+  const TriangleTree tree(points, triangles);
+  std::size_t added = 0;
+  for (const auto& [f, g] : self_intersections(points, triangles, tree)) {
+    VertexId worst = kNoId;
+    for (const VertexId v : witnesses[f]) worst = further(worst, v);
+    for (const VertexId v : witnesses[g]) worst = further(worst, v);
+    if (worst != kNoId && add_site(worst)) ++added;
+  }
+  return added;
+}
+
+bool CertifiedRecovery::is_in_split_voxel(const DualFacet& facet) const {
+  if (split_.voxels.empty()) return false;
+  const Volume& volume = surface_.volume();
+  return std::any_of(facet.witness.begin(), facet.witness.end(), [&](VertexId v) {
+    const Index3 voxel = volume.voxel_at(contour_.points[v]);
+    return std::binary_search(split_.voxels.begin(), split_.voxels.end(),
+                              voxel_number(volume.dims(), voxel));
+  });
+}
+
+bool CertifiedRecovery::is_ready(const DualFacet& facet) {
+  const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
+             &c = triangulation_.point(facet.sites[2]);
+  const Vec3 center = circumcenter(a, b, c);
+  const double r = distance(center, a);
+  if (r <= report_.r_min) return true;
+  const auto x = find_surface_point(facet);
+  // Facets as small as the cells of T cannot be asked for more: sites as dense as T's vertices
+  // spoil the labels.
+  if (!x || r <= kFewCells * cell_ || !is_in_split_voxel(facet)) return x.has_value();
+  if (distance(*x, center) > kStrictFlatness * r) return false;
+  const Vec3 normal = area_normal(a, b, c);
+  return std::all_of(facet.sites.begin(), facet.sites.end(), [&](VertexId s) {
+    const Vec3 gradient = surface_.gradient(triangulation_.point(s));
+    return -dot(gradient, normal) >= kStrictCosine * std::sqrt(length2(gradient) * length2(normal));
+  });
+}
+
+bool CertifiedRecovery::is_coarse(const DualFacet& facet) {
+  if (!std::isfinite(options_.certified_epsilon)) return false;
+  const auto x = find_surface_point(facet);
+  if (!x) return false;
+  const FacetShape shape =
+      measure(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
+              triangulation_.point(facet.sites[2]), *x);
+  // Sites as dense as T's vertices would spoil the labels.
+  const Vec3 spacing = surface_.volume().spacing();
+  return shape.r > std::max({spacing.x, spacing.y, spacing.z}) &&
+         shape.h > options_.certified_epsilon * shape.r;
+}
+
+std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
+  return finder_.find(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
+                      triangulation_.point(facet.sites[2]), report_.searches_recover);
+}
+
+}  // namespace
+
+Recovered recover_certified(const Isosurface& surface, ContourMesh& contour,
+                            const BoundaryCurves& curves, const ContourSplit& split,
+                            std::vector<Vec3> earlier_sites, const Options& options,
+                            Report& report) {
+  std::optional<CertifiedRecovery> recovery;
+  {
+    const StepTimer timer(report.seconds_labels);
+    InitialSites sites =
+        init_sites(contour, curves, surface.volume(), options, std::move(earlier_sites), report);
+    recovery.emplace(surface, contour, std::move(sites), split, options, report);
+  }
+  return recovery->run();
+}
+
+}  // namespace deliso

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "recover/recover_paper.h"
+
+#include <algorithm>
+#include <queue>
+#include <string>
+
+#include "base/check.h"
+#include "base/sorted_list.h"
+#include "recover/poles.h"
+
+namespace deliso {
+namespace {
+
+// Balls below this share of r_min are left alone: without a floor, sheets of pure noise that come
+// arbitrarily close would be refined for ever.
+constexpr double kFloor = 0.01;
+
+// A hit is real only if no vertex lies deeper in its ball than rounding explains.
+constexpr double kBallTolerance = 0.999;
+
+}  // namespace
+
+Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
+                   BoundaryChain& chain, const Options& options, double r_min)
+    : restricted_(restricted),
+      curves_(curves),
+      chain_(chain),
+      options_(options),
+      report_(restricted.report()),
+      r_min_(r_min),
+      floor_(kFloor * r_min) {
+  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
+    if (!restricted_.is_auxiliary(v)) queue_vertex(v);
+  }
+}
+
+void Recovery::queue_vertex(VertexId v) {
+  if (v >= vertex_queued_.size()) vertex_queued_.resize(v + 1, 0);
+  if (vertex_queued_[v]) return;
+  vertex_queued_[v] = 1;
+  vertex_queue_.push_back(v);
+}
+
+void Recovery::after_insertion() {
+  for (const VertexId v : restricted_.touched()) queue_vertex(v);
+  check_room();
+}
+
+void Recovery::check_room() const {
+  if (restricted_.triangulation().vertex_capacity() > options_.max_vertices) {
+    throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+                     " vertices needed before the surface is recovered");
+  }
+}
+
+std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
+                                                  std::span<const CellId> cells) const {
+  const Triangulation& t = restricted_.triangulation();
+  std::optional<VertexId> worst;
+  double worst_length2 = 0;
+  const auto consider = [&](VertexId a) {
+    const Vec3 &pa = t.point(a), &pb = t.point(chain_.next(a));
+    const double length2 = distance2(pa, pb);
+    const bool longer =
+        length2 > worst_length2 || (length2 == worst_length2 && worst && a < *worst);
+    if (longer && in_diametral_ball(pa, pb, p)) {
+      worst = a;
+      worst_length2 = length2;
+    }
+  };
+  for (const CellId c : cells) {
+    for (const VertexId v : t.vertices(c)) {
+      if (!chain_.is_boundary(v)) continue;
+      consider(v);
+      consider(chain_.previous(v));
+    }
+  }
+  return worst;
+}
+
+Recovery::Outcome Recovery::insert(RecordId r, const Vec3& x) {
+  const Triangulation& t = restricted_.triangulation();
+  const double radius = distance(x, t.point(restricted_.triangle(r)[0]));
+  if (radius < floor_) {
+    ++report_[Counter::capped_insertions];
+    return Outcome::refused;
+  }
+  const ConflictZone& zone = restricted_.prepare(x, restricted_.facet(r).cell);
+  if (zone.duplicate != kNoId || restricted_.distance_to_vertices(x) < kBallTolerance * radius) {
+    for (const VertexId v : restricted_.triangle(r)) queue_vertex(v);
+    restricted_.forget(r);
+    return Outcome::forgotten;
+  }
+  if (const auto edge = encroached_edge(x, zone.cells)) {
+    return split_edge(*edge) ? Outcome::split : Outcome::refused;
+  }
+  restricted_.insert_prepared(x);
+  after_insertion();
+  return Outcome::inserted;
+}
+
+bool Recovery::split_edge(VertexId a) {
+  const Triangulation& t = restricted_.triangulation();
+  bool any = false;
+  std::vector<VertexId> pending{a};
+  while (!pending.empty()) {
+    const VertexId from = pending.back(), to = chain_.next(from);
+    pending.pop_back();
+    const Vec3 pa = t.point(from), pb = t.point(to);
+    if (any && !edge_holds_a_vertex(from)) continue;
+    const auto middle = distance(pa, pb) < kShortestBoundaryEdge * r_min_
+                            ? std::nullopt
+                            : curves_.split(chain_.place(from), pa, chain_.place(to), pb);
+    if (!middle) {
+      ++report_[Counter::refused_boundary];
+      continue;
+    }
+    const ConflictZone& zone = restricted_.prepare(middle->point, t.incident_cell(from));
+    if (zone.duplicate != kNoId) {
+      ++report_[Counter::refused_boundary];
+      continue;
+    }
+    std::vector<VertexId> near;
+    for (const CellId c : zone.cells) {
+      for (const VertexId v : t.vertices(c)) {
+        if (chain_.is_boundary(v)) near.push_back(v);
+      }
+    }
+    const VertexId v = restricted_.insert_prepared(middle->point);
+    chain_.insert_after(from, v, middle->place);
+    queue_vertex(from);
+    queue_vertex(to);
+    after_insertion();
+    ++report_[Counter::boundary_splits_recover];
+    any = true;
+    // The two halves may hold older vertices; edges near by may hold the new one.
+    sort_out(near);
+    for (const VertexId w : near) {
+      for (const VertexId b : {w, chain_.previous(w)}) {
+        if (in_diametral_ball(t.point(b), t.point(chain_.next(b)), middle->point)) {
+          pending.push_back(b);
+        }
+      }
+    }
+    pending.push_back(v);
+    pending.push_back(from);
+  }
+  return any;
+}
+
+bool Recovery::edge_holds_a_vertex(VertexId a) {
+  const Triangulation& t = restricted_.triangulation();
+  const VertexId b = chain_.next(a);
+  // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end.
+  // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
+  // ball however short the edges are; the edge is Delaunay all the same.
+  for (const VertexId v : restricted_.neighbors(a)) {
+    if (v == b || v == chain_.next(b) || v == chain_.previous(a)) continue;
+    if (in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
+  }
+  const auto around = restricted_.neighbors(a);
+  return std::find(around.begin(), around.end(), b) == around.end();
+}
+
+void Recovery::protect_boundary() {
+  const std::size_t count = restricted_.triangulation().vertex_capacity();
+  for (VertexId v = 1; v < count; ++v) {
+    while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
+      if (!split_edge(v)) break;
+    }
+  }
+}
+
+void Recovery::multi_intersect() {
+  std::deque<std::pair<RecordId, std::uint32_t>> queue;
+  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
+    queue.emplace_back(r, restricted_.generation(r));
+  }
+  const Triangulation& t = restricted_.triangulation();
+  while (!queue.empty()) {
+    const auto [r, generation] = queue.front();
+    queue.pop_front();
+    if (!restricted_.is_live(r) || restricted_.generation(r) != generation) continue;
+    const std::span<const Vec3> hits = restricted_.effective_hits(r);
+    if (hits.size() < 2) continue;
+    const Vec3& a = t.point(restricted_.triangle(r)[0]);
+    const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
+      return distance2(p, a) < distance2(q, a);
+    });
+    const Outcome outcome = insert(r, x);
+    if (outcome == Outcome::inserted || outcome == Outcome::split) {
+      for (const RecordId n : restricted_.created())
+        queue.emplace_back(n, restricted_.generation(n));
+      if (outcome == Outcome::split) queue.emplace_back(r, restricted_.generation(r));
+    }
+  }
+}
+
+bool Recovery::is_manifold_at(VertexId q) {
+  restricted_.star(q, star_);
+  triangles_.clear();
+  for (const RecordId r : star_) triangles_.push_back(restricted_.triangle(r));
+  const Star star = classify_star(q, triangles_);
+  if (!chain_.is_boundary(q)) return star == Star::disk;
+  if (star != Star::half_disk) return false;
+  // The fan must end on the chain: an end's vertex lies on one triangle of the star only.
+  for (const VertexId end : {chain_.next(q), chain_.previous(q)}) {
+    const auto holds = [end](const Triangle& v) {
+      return v[0] == end || v[1] == end || v[2] == end;
+    };
+    if (std::count_if(triangles_.begin(), triangles_.end(), holds) != 1) return false;
+  }
+  return true;
+}
+
+void Recovery::extract_manifold() {
+  const Triangulation& t = restricted_.triangulation();
+  Profile* const profile = restricted_.profile();
+  while (!vertex_queue_.empty()) {
+    const VertexId q = vertex_queue_.front();
+    vertex_queue_.pop_front();
+    vertex_queued_[q] = 0;
+    bool is_manifold = false;
+    {
+      const ProfiledTime time(profile ? &profile->seconds_disk_tests : nullptr);
+      is_manifold = is_manifold_at(q);
+    }
+    if (is_manifold) continue;
+
+    // The surface point of D_q furthest from q.
+    RecordId furthest = kNoId;
+    Vec3 x;
+    double furthest2 = 0;
+    for (const RecordId r : star_) {
+      for (const Vec3& hit : restricted_.effective_hits(r)) {
+        const double d2 = distance2(hit, t.point(q));
+        if (furthest != kNoId && d2 <= furthest2) continue;
+        furthest = r;
+        furthest2 = d2;
+        x = hit;
+      }
+    }
+    if (furthest != kNoId) {
+      if (insert(furthest, x) != Outcome::refused) queue_vertex(q);
+    } else if (chain_.is_boundary(q)) {
+      const VertexId before = chain_.previous(q), after = chain_.next(q);
+      const bool longer =
+          distance2(t.point(before), t.point(q)) > distance2(t.point(q), t.point(after));
+      split_edge(longer ? before : q);
+    }
+  }
+}
+
+void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& poles) {
+  struct Item {
+    double violation;
+    RecordId record;
+    std::uint32_t generation;
+    // Worst first; equal ones by record, so that the order is the same in every run.
+    bool operator<(const Item& o) const {
+      return violation != o.violation ? violation < o.violation : record > o.record;
+    }
+  };
+  const Triangulation& t = restricted_.triangulation();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::priority_queue<Item> queue;
+  const auto judge = [&](RecordId r) {
+    if (!restricted_.is_live(r) || !restricted_.is_restricted(r)) return;
+    const Triangle v = restricted_.triangle(r);
+    const FacetShape shape =
+        measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
+    const double pole = poles.empty() ? infinity : (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
+    if (is_bad(shape, pole, criteria)) {
+      queue.push({violation(shape, pole, criteria), r, restricted_.generation(r)});
+    }
+  };
+  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
+  while (!queue.empty()) {
+    const Item item = queue.top();
+    queue.pop();
+    const RecordId r = item.record;
+    if (!restricted_.is_live(r) || restricted_.generation(r) != item.generation) continue;
+    if (!restricted_.is_restricted(r)) continue;
+    const std::size_t before = t.vertex_capacity();
+    const Outcome outcome = insert(r, restricted_.surface_point(r));
+    if (!poles.empty()) {
+      for (VertexId v = static_cast<VertexId>(before); v < t.vertex_capacity(); ++v) {
+        estimate_pole(v, poles);
+      }
+    }
+    if (outcome == Outcome::inserted || outcome == Outcome::split) {
+      for (const RecordId n : restricted_.created()) judge(n);
+      if (outcome == Outcome::split) judge(r);
+    }
+  }
+}
+
+void Recovery::estimate_pole(VertexId v, std::vector<double>& poles) {
+  restricted_.star(v, star_);
+  double sum = 0;
+  std::size_t count = 0;
+  for (const RecordId r : star_) {
+    for (const VertexId w : restricted_.triangle(r)) {
+      if (w >= v) continue;
+      sum += poles[w];
+      ++count;
+    }
+  }
+  poles.push_back(count > 0 ? sum / static_cast<double>(count)
+                            : std::numeric_limits<double>::infinity());
+}
+
+void Recovery::count_unresolved() {
+  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
+    if (!restricted_.is_live(r)) continue;
+    report_[Counter::cancelled_pairs] += restricted_.cancelled_pairs(r);
+    if (restricted_.effective_hits(r).size() > 1) ++report_[Counter::unresolved_facets];
+  }
+  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
+    if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
+  }
+}
+
+}  // namespace deliso

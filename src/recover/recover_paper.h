@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Stage 1, Recover(Del S) of paper Figure 5: points are added until Del S|Sigma is a manifold of
+// facets that follow the surface roughly.
+//
+// Differs from the paper in: worklists instead of sweeps; an insertion that encroaches upon an edge
+// of the boundary chain splits that edge instead; what cannot be resolved is counted, not looped
+// on.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "surface/boundary.h"
+#include "surface/criteria.h"
+#include "recover/restricted.h"
+
+namespace deliso {
+
+// Everything Stage 1 works on, and its one way of adding points.
+class Recovery {
+ public:
+  // `chain` names vertices of `restricted`.
+  Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, BoundaryChain& chain,
+           const Options& options, double r_min);
+
+  // Splits edges of the boundary chain until none has a vertex in its diametral ball.
+  void protect_boundary();
+  // Inserts points until no Voronoi edge meets Sigma more than once (the furthest hit first).
+  void multi_intersect();
+  // Inserts points until D_q is a disk, or a half disk on the boundary, for every vertex q.
+  void extract_manifold();
+  // Inserts surface points until every facet with r > r_min passes the criteria. `poles` (per
+  // vertex; empty: not used) grows with the vertices, each new one the mean of its neighbours'.
+  void approximate_geom(const Criteria& criteria, std::vector<double>& poles);
+  // Counts what the tests would still object to.
+  void count_unresolved();
+
+ private:
+  enum class Outcome { inserted, split, forgotten, refused };
+
+  // Inserts x, an effective hit of r, or splits the boundary edge it encroaches upon; forgets r's
+  // hits when x's ball holds a vertex.
+  Outcome insert(RecordId r, const Vec3& x);
+  // Splits the chain's edge from a to its next; then those that the new vertex encroaches upon.
+  bool split_edge(VertexId a);
+  // The longest edge of the chain, by its first vertex, whose ball holds p. The zone of p must be
+  // the prepared one.
+  std::optional<VertexId> encroached_edge(const Vec3& p, std::span<const CellId> cells) const;
+  bool edge_holds_a_vertex(VertexId a);
+  void after_insertion();
+  bool is_manifold_at(VertexId q);
+  // The mean pole height over v's neighbours in Del S|Sigma, appended to poles.
+  void estimate_pole(VertexId v, std::vector<double>& poles);
+  void queue_vertex(VertexId v);
+  void check_room() const;
+
+  RestrictedDelaunay& restricted_;
+  const BoundaryCurves& curves_;
+  BoundaryChain& chain_;
+  const Options& options_;
+  Report& report_;
+  double r_min_;
+  double floor_;  // no ball and no boundary edge smaller than this is worked on
+
+  std::deque<VertexId> vertex_queue_;
+  std::vector<std::uint8_t> vertex_queued_;
+  std::vector<RecordId> star_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace deliso

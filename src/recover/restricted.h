@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Del S|Sigma inside Del S: the facets whose Voronoi edges meet Sigma, kept true under insertion.
+//
+// Each such facet has a record with its surface points V_sigma cap Sigma in order along the Voronoi
+// edge. What an insertion can change is little (paper §3.2 says 80-85 % of Recover went here):
+// Voronoi faces only shrink, so a facet that survives keeps those of its points that are still no
+// nearer to the new vertex than to its own; only facets at the new vertex are searched.
+//
+// Two hits of one Voronoi edge closer than `delta` cancel each other: they are a ridge of the C0
+// trilinear surface or a sheet thinner than can matter, and refining there would never end. Parity
+// is kept, so the sides of Sigma are. hits() keeps them, effective hits leave them out.
+//
+// Invariants:
+//   R1  a live facet without infinite vertex has a record iff its clipped Voronoi edge meets Sigma;
+//   R2  both sides of a facet name the same record, and the record names one of the two.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "delaunay/triangulation.h"
+#include "delaunay/voronoi.h"
+#include "recover/sample.h"
+#include "surface/profile.h"
+#include "surface/report.h"
+#include "isosurface/isosurface.h"
+#include "mesh/star.h"
+
+namespace deliso {
+
+using RecordId = std::uint32_t;
+
+class RestrictedDelaunay {
+ public:
+  // Searches every facet of `triangulation`, which it takes over. The surface must outlive it, and
+  // so must `profile`, if given.
+  RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation, double delta,
+                     Report& report, Profile* profile = nullptr);
+
+  const Triangulation& triangulation() const { return triangulation_; }
+  const Isosurface& surface() const { return surface_; }
+  Report& report() const { return report_; }
+  Profile* profile() const { return profile_; }
+
+  bool is_auxiliary(VertexId v) const {
+    return deliso::is_auxiliary(triangulation_.point(v), box_);
+  }
+
+  std::size_t record_capacity() const { return records_.size(); }
+  bool is_live(RecordId r) const { return !records_[r].hits.empty(); }
+  // Changes whenever the record starts to stand for another facet.
+  std::uint32_t generation(RecordId r) const { return records_[r].generation; }
+  Facet facet(RecordId r) const { return records_[r].facet; }
+  RecordId record(Facet f) const { return record_of_[4 * f.cell + static_cast<CellId>(f.index)]; }
+  Triangle triangle(RecordId r) const;
+
+  // The surface points left when close pairs have cancelled, in order along the Voronoi edge.
+  // Valid until the next call.
+  std::span<const Vec3> effective_hits(RecordId r) const;
+  // How many pairs of hits have cancelled.
+  std::size_t cancelled_pairs(RecordId r) const {
+    return (records_[r].hits.size() - effective_hits(r).size()) / 2;
+  }
+  // The facet is in Del S|Sigma: an effective hit is left.
+  bool is_restricted(RecordId r) const { return !effective_hits(r).empty(); }
+  // The effective hit nearest to the facet's circumcenter. pre: is_restricted(r).
+  Vec3 surface_point(RecordId r) const;
+
+  // D_q: the records of the restricted facets at q.
+  void star(VertexId q, std::vector<RecordId>& star) const;
+
+  // The Delaunay neighbours of q, finite ones only, each once. Valid until the next call.
+  std::span<const VertexId> neighbors(VertexId q) const;
+
+  // Before p is inserted: the conflict zone, to be looked at. The next insertion must use it.
+  const ConflictZone& prepare(const Vec3& p, CellId hint);
+  // Distance from p to the nearest vertex of the prepared zone, which is its nearest vertex of all.
+  double distance_to_vertices(const Vec3& p);
+  // Inserts p into the prepared zone. pre: the zone has cells.
+  VertexId insert_prepared(const Vec3& p);
+  // What the last insertion touched: vertices of facets that came, went, or lost hits (each once),
+  // the new vertex first; and the records that came.
+  std::span<const VertexId> touched() const { return touched_; }
+  std::span<const RecordId> created() const { return created_records_; }
+
+  // The facet's hits are the work of a garbage Voronoi edge (an almost flat cell): forget them.
+  void forget(RecordId r);
+
+ private:
+  struct Record {
+    Facet facet;
+    std::uint32_t generation = 0;
+    std::vector<Vec3> hits;
+  };
+
+  RecordId& record_slot(Facet f) { return record_of_[4 * f.cell + static_cast<CellId>(f.index)]; }
+  void gather_cells(VertexId q) const;
+  void search(Facet f);
+  void release(RecordId r);
+  void touch(VertexId v);
+  void touch_facet(Facet f);
+
+  const Isosurface& surface_;
+  Triangulation triangulation_;
+  double delta_;
+  Report& report_;
+  Profile* profile_;
+  InsertionWatch watch_;
+  Box3 box_;
+
+  std::vector<RecordId> record_of_;  // per cell and index; kNoId where Sigma is not met
+  std::vector<Record> records_;
+  std::vector<RecordId> free_records_;
+
+  std::vector<VertexId> touched_;
+  std::vector<RecordId> created_records_;
+  std::vector<std::uint32_t> vertex_stamp_;
+  std::uint32_t stamp_ = 0;
+
+  ConflictZone zone_;
+  std::vector<CellId> created_cells_;
+  std::vector<RecordId> surviving_;
+  std::vector<VertexId> gone_;
+  std::vector<Hit> found_;
+  mutable std::vector<Vec3> effective_;
+  mutable std::vector<CellId> around_;
+  mutable std::vector<std::uint32_t> cell_stamp_;
+  mutable std::uint32_t around_stamp_ = 0;
+  mutable std::vector<VertexId> neighbors_;
+};
+
+}  // namespace deliso

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "surface/boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/sorted_list.h"
+
+namespace deliso {
+namespace {
+
+double distance_to_chord2(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2_ab = length2(ab);
+  const double t = length2_ab > 0 ? std::clamp(dot(p - a, ab) / length2_ab, 0.0, 1.0) : 0.0;
+  return distance2(p, a + t * ab);
+}
+
+}  // namespace
+
+BoundaryCurves::BoundaryCurves(const Isosurface& surface, const ContourMesh& contour)
+    : surface_(surface), loops_(contour.boundary.size()) {
+  for (std::size_t c = 0; c < loops_.size(); ++c) {
+    for (std::uint32_t k = contour.boundary.first[c]; k < contour.boundary.first[c + 1]; ++k) {
+      loops_[c].points.push_back(contour.points[contour.boundary.vertices[k]]);
+      loops_[c].corners.push_back(contour.boundary.on_box_edge[k]);
+      loops_[c].faces.push_back(contour.boundary.face[k]);
+    }
+  }
+}
+
+const Vec3& BoundaryCurves::point(CurvePlace place) const {
+  return loops_[place.loop].points[static_cast<std::size_t>(place.s)];
+}
+
+bool BoundaryCurves::is_corner(CurvePlace place) const {
+  return place.s == std::floor(place.s) &&
+         loops_[place.loop].corners[static_cast<std::size_t>(place.s)] != 0;
+}
+
+std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double sagitta) const {
+  const std::vector<Vec3>& points = loops_[loop].points;
+  const std::size_t n = points.size();
+  std::vector<std::size_t> keep;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (loops_[loop].corners[i]) keep.push_back(i);
+  }
+  // Three ends at least, so that no two edges of the chain join the same two vertices.
+  if (keep.size() < 3) {
+    for (std::size_t third = 0; third < 3 && n >= 3; ++third) keep.push_back(third * n / 3);
+    sort_out(keep);
+  }
+
+  std::vector<CurvePlace> chain;
+  std::vector<std::size_t> ends;  // pending ends of arcs, nearest on top
+  for (std::size_t k = 0; k < keep.size(); ++k) {
+    std::size_t from = keep[k];
+    ends.assign(1, k + 1 < keep.size() ? keep[k + 1] : keep[0] + n);
+    while (!ends.empty()) {
+      const std::size_t to = ends.back();
+      const Vec3 &a = points[from % n], &b = points[to % n];
+      double worst = 0;
+      for (std::size_t i = from + 1; i < to; ++i) {
+        worst = std::max(worst, distance_to_chord2(points[i % n], a, b));
+      }
+      if (worst > sagitta * sagitta * distance2(a, b)) {
+        ends.push_back((from + to) / 2);
+        continue;
+      }
+      chain.push_back({loop, static_cast<double>(from % n)});
+      from = to;
+      ends.pop_back();
+    }
+  }
+  return chain;
+}
+
+std::vector<BoundaryCurves::ArcPoint> BoundaryCurves::arc(CurvePlace a, const Vec3& pa,
+                                                          CurvePlace b, const Vec3& pb) const {
+  const BoundaryLoop& loop = loops_[a.loop];
+  const std::size_t n = loop.points.size();
+  const double end = b.s > a.s ? b.s : b.s + static_cast<double>(n);
+  std::vector<ArcPoint> points{{a.s, pa}};
+  for (auto i = static_cast<std::size_t>(a.s) + 1; static_cast<double>(i) < end; ++i) {
+    points.push_back({static_cast<double>(i), loop.points[i % n]});
+  }
+  points.push_back({end, pb});
+  return points;
+}
+
+std::optional<Vec3> BoundaryCurves::middle(std::uint32_t loop, const ArcPoint& from,
+                                           const ArcPoint& to) const {
+  const std::vector<BoxFace>& faces = loops_[loop].faces;
+  const BoxFace face = faces[static_cast<std::size_t>(from.s) % faces.size()];
+  return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.p, to.p);
+}
+
+std::optional<BoundaryCurves::Split> BoundaryCurves::split(CurvePlace a, const Vec3& pa,
+                                                           CurvePlace b, const Vec3& pb) const {
+  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+  double total = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) total += distance(points[i - 1].p, points[i].p);
+
+  std::optional<ArcPoint> best;
+  double best_gap = total;
+  const auto consider = [&](const ArcPoint& at, double from_start) {
+    const double gap = std::abs(from_start - total / 2);
+    if (gap >= best_gap || at.p == pa || at.p == pb) return;
+    best_gap = gap;
+    best = at;
+  };
+  double so_far = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const ArcPoint &from = points[i - 1], &to = points[i];
+    const double size = distance(from.p, to.p), s = from.s + 0.5 * (to.s - from.s);
+    if (so_far <= total / 2 && total / 2 <= so_far + size && from.s < s && s < to.s) {
+      if (const auto p = middle(a.loop, from, to)) consider({s, *p}, so_far + size / 2);
+    }
+    so_far += size;
+    if (i + 1 < points.size()) consider(to, so_far);
+  }
+  if (!best) return std::nullopt;
+  const auto length = static_cast<double>(loops_[a.loop].points.size());
+  return Split{{a.loop, best->s < length ? best->s : best->s - length}, best->p};
+}
+
+double BoundaryCurves::sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const {
+  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+  double worst2 = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    worst2 = std::max(worst2, distance_to_chord2(points[i].p, pa, pb));
+    const auto p = middle(a.loop, points[i - 1], points[i]);
+    if (p) worst2 = std::max(worst2, distance_to_chord2(*p, pa, pb));
+  }
+  return std::sqrt(worst2);
+}
+
+BoundaryChain::Link& BoundaryChain::link(VertexId v) {
+  if (v >= links_.size()) links_.resize(v + 1);
+  return links_[v];
+}
+
+void BoundaryChain::add_loop(std::span<const VertexId> vertices,
+                             std::span<const CurvePlace> places) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    link(vertices[i]) = {vertices[(i + 1) % n], vertices[(i + n - 1) % n], places[i]};
+  }
+}
+
+void BoundaryChain::insert_after(VertexId a, VertexId v, CurvePlace place) {
+  const VertexId b = links_[a].next;
+  link(v) = {b, a, place};
+  links_[a].next = v;
+  links_[b].previous = v;
+}
+
+void BoundaryChain::remove(VertexId v) {
+  const Link gone = links_[v];
+  links_[gone.previous].next = gone.next;
+  links_[gone.next].previous = gone.previous;
+  links_[v] = {};
+}
+
+BoundaryChain BoundaryChain::renumbered(std::span<const VertexId> new_id) const {
+  BoundaryChain chain;
+  for (VertexId v = 0; v < links_.size(); ++v) {
+    if (!is_boundary(v) || new_id[v] == kNoId) continue;
+    VertexId after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
+    while (new_id[after] == kNoId) after = links_[after].next;
+    while (new_id[before] == kNoId) before = links_[before].previous;
+    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
+  }
+  return chain;
+}
+
+}  // namespace deliso

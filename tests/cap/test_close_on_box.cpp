@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// --cap: the mesh and its caps are the closed boundary of {f >= kappa} within the box. Held against
+// what every solid must be, against the samples on the box, and against volumes found by sampling.
+#include "cap/close_on_box.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cap/box_caps.h"
+#include "deliso/deliso.h"
+#include "deliso/fields.h"
+#include "mesh/check_mesh.h"
+#include "mesh/quality.h"
+#include "planar/plane_predicates.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Solid {
+  TriMesh mesh;
+  Report report;
+};
+
+Solid solid_of(const Volume& volume, double kappa, Options options = {}) {
+  Solid solid;
+  options.cap = true;
+  solid.mesh = mesh_isosurface(volume, kappa, options, solid.report);
+  return solid;
+}
+
+// The face of the box that a cap triangle lies on; -1 when it lies on none.
+int face_of(const TriMesh& mesh, const Face& face, const Box3& box) {
+  unsigned common = 63;
+  for (const VertexId v : face.v) common &= box_faces_at(mesh.points[v], box);
+  for (int f = 0; f < 6; ++f) {
+    if ((common >> f & 1) != 0) return f;
+  }
+  return -1;
+}
+
+// Closed, manifold, oriented; caps on the box, facing out of it, and the surface nowhere flat on
+// it.
+void check_solid(const Solid& solid, const Box3& box) {
+  CHECK(solid.report.cap.failure == "");
+  CHECK(check_mesh(solid.mesh) == "");
+  CHECK(mesh_topology(solid.mesh).boundary_edges == 0);
+  CHECK(enclosed_volume(solid.mesh) > 0);
+  int unparted = 0, turned = 0;
+  for (FaceId f = 0; f < solid.mesh.faces.size(); ++f) {
+    const Face& face = solid.mesh.faces[f];
+    const int on = face_of(solid.mesh, face, box);
+    unparted += (on >= 0) != (f >= solid.report.cap.surface_triangles);
+    if (on < 0) continue;
+    const int u = (on / 2 + 1) % 3, v = (on / 2 + 2) % 3;
+    const auto drop = [&](int i) {
+      const Vec3& p = solid.mesh.points[face.v[i]];
+      return Vec2{p[u], p[v]};
+    };
+    turned += orient2d(drop(0), drop(1), drop(2)) != (on % 2 == 0 ? -1 : 1);
+  }
+  CHECK(unparted == 0);
+  CHECK(turned == 0);
+}
+
+// How many samples on the box are inside and not on a cap, or the other way round, and further than
+// about half a voxel from the curve that the caps end at.
+int misplaced_samples(const Solid& solid, const Volume& volume, double kappa) {
+  const Box3 box = volume.box();
+  int misplaced = 0;
+  for (int f = 0; f < 6; ++f) {
+    const int across = f / 2, u = (across + 1) % 3, v = (across + 2) % 3;
+    std::vector<std::array<Vec2, 3>> caps;
+    for (std::size_t n = solid.report.cap.surface_triangles; n < solid.mesh.faces.size(); ++n) {
+      const Face& face = solid.mesh.faces[n];
+      if (face_of(solid.mesh, face, box) != f) continue;
+      std::array<Vec2, 3> t;
+      for (int i = 0; i < 3; ++i) {
+        t[i] = {solid.mesh.points[face.v[i]][u], solid.mesh.points[face.v[i]][v]};
+      }
+      if (f % 2 == 0) std::swap(t[1], t[2]);
+      caps.push_back(t);
+    }
+    Index3 at;
+    at[across] = f % 2 == 0 ? 0 : volume.dims()[across] - 1;
+    for (at[u] = 0; at[u] < volume.dims()[u]; ++at[u]) {
+      for (at[v] = 0; at[v] < volume.dims()[v]; ++at[v]) {
+        const Vec2 p{at[u] * volume.spacing()[u], at[v] * volume.spacing()[v]};
+        const bool covered = std::any_of(caps.begin(), caps.end(), [&](const auto& t) {
+          return orient2d(t[0], t[1], p) >= 0 && orient2d(t[1], t[2], p) >= 0 &&
+                 orient2d(t[2], t[0], p) >= 0;
+        });
+        const double value = volume.sample(at.i, at.j, at.k) - kappa;
+        if (covered == (value >= 0)) continue;
+        Vec3 corner;
+        for (int axis = 0; axis < 3; ++axis) corner[axis] = at[axis] * volume.spacing()[axis];
+        misplaced += std::abs(value) > 0.5 * length(volume.gradient(corner));
+      }
+    }
+  }
+  return misplaced;
+}
+
+// The volume of {f >= kappa} by a fine regular sampling.
+double sampled_volume(const Volume& volume, double kappa, int per_voxel) {
+  const Vec3 s = volume.spacing();
+  const Index3 n = volume.voxels();
+  std::size_t inside = 0, all = 0;
+  for (int k = 0; k < n.k * per_voxel; ++k) {
+    for (int j = 0; j < n.j * per_voxel; ++j) {
+      for (int i = 0; i < n.i * per_voxel; ++i) {
+        const Vec3 p{(i + 0.5) / per_voxel * s.x, (j + 0.5) / per_voxel * s.y,
+                     (k + 0.5) / per_voxel * s.z};
+        inside += volume.value(p) >= kappa;
+        ++all;
+      }
+    }
+  }
+  const Vec3 size = volume.box().size();
+  return size.x * size.y * size.z * static_cast<double>(inside) / static_cast<double>(all);
+}
+
+// Pure noise of a few values, so that some samples equal the isovalue in every other one.
+Volume noise(std::uint64_t seed, Vec3 spacing) {
+  Random random(seed);
+  const Index3 dims{2 + static_cast<int>(random.below(5)), 2 + static_cast<int>(random.below(5)),
+                    2 + static_cast<int>(random.below(5))};
+  std::vector<std::uint8_t> samples(static_cast<std::size_t>(dims.i * dims.j * dims.k));
+  for (auto& s : samples) s = static_cast<std::uint8_t>(random.below(seed % 4 == 0 ? 3 : 200));
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+}  // namespace
+
+TEST_CASE("tiny volumes of noise become closed solids, whatever runs over edges and corners") {
+  int capped = 0;
+  for (std::uint64_t seed = 1; seed <= 240; ++seed) {
+    CAPTURE(seed);
+    const Volume volume = noise(seed, {1, 1, seed % 5 == 0 ? 4.0 : 1.0});
+    const double kappa = seed % 4 == 0 ? 1 : seed % 2 == 0 ? 100 : 60.3;
+    if (!(value_range(volume).min < kappa && kappa <= value_range(volume).max)) continue;
+    Options options;
+    options.seed = seed;
+    options.r_min = {0.25, true};
+    if (seed % 8 == 7) options.method = Method::marching_cubes;
+    const Solid solid = solid_of(volume, kappa, options);
+    check_solid(solid, volume.box());
+    capped += solid.mesh.faces.size() > solid.report.cap.surface_triangles;
+  }
+  CHECK(capped > 200);
+}
+
+TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the volume is right") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    const Scene scene = wave_scene(seed, 12, {1, 1, seed % 3 == 0 ? 2.5 : 1.0});
+    Options options;
+    options.r_min = {0.1, true};
+    const Solid solid = solid_of(scene.volume, 0.3, options);
+    check_solid(solid, scene.volume.box());
+    CHECK(misplaced_samples(solid, scene.volume, scene.surface.kappa()) == 0);
+    const double expected = sampled_volume(scene.volume, scene.surface.kappa(), 4);
+    CHECK(enclosed_volume(solid.mesh) == doctest::Approx(expected).epsilon(0.02));
+  }
+}
+
+TEST_CASE("both ways through Recover, and Marching Cubes, close the gyroid, which fills one half") {
+  const Scene scene = builtin_scene("gyroid", 32);
+  const Vec3 size = scene.volume.box().size();
+  for (const bool paper : {false, true}) {
+    for (const bool cubes : {false, true}) {
+      Options options;
+      if (paper) options.recover = RecoverWay::paper;
+      if (cubes) options.method = Method::marching_cubes;
+      const Solid solid = solid_of(scene.volume, 0, options);
+      check_solid(solid, scene.volume.box());
+      CHECK(misplaced_samples(solid, scene.volume, scene.surface.kappa()) == 0);
+      CHECK(enclosed_volume(solid.mesh) ==
+            doctest::Approx(0.5 * size.x * size.y * size.z).epsilon(0.005));
+    }
+  }
+}
+
+TEST_CASE("what has no boundary: a ball alone, a bubble in a full box, a full box, an empty one") {
+  const Scene ball = builtin_scene("sphere", 20);
+  Solid solid = solid_of(ball.volume, 0);
+  check_solid(solid, ball.volume.box());
+  CHECK(solid.mesh.faces.size() == solid.report.cap.surface_triangles);
+
+  const Vec3 size = ball.volume.box().size();
+  const double full = size.x * size.y * size.z, of_ball = enclosed_volume(solid.mesh);
+  std::vector<float> turned;
+  for (int k = 0; k < 20; ++k) {
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 20; ++i) {
+        turned.push_back(static_cast<float>(-ball.volume.sample(i, j, k)));
+      }
+    }
+  }
+  const Volume bubble = Volume::from_samples({20, 20, 20}, ball.volume.spacing(), turned);
+  solid = solid_of(bubble, 0);
+  check_solid(solid, bubble.box());
+  CHECK(mesh_topology(solid.mesh).components.size() == 2);
+  CHECK(enclosed_volume(solid.mesh) == doctest::Approx(full - of_ball).epsilon(0.01));
+
+  const Solid box = solid_of(bubble, -10);
+  check_solid(box, bubble.box());
+  CHECK(box.mesh.points.size() == 8);
+  CHECK(box.mesh.faces.size() == 12);
+  CHECK(enclosed_volume(box.mesh) == doctest::Approx(full).epsilon(1e-12));
+
+  const Solid nothing = solid_of(bubble, 10);
+  CHECK(nothing.mesh.faces.empty());
+  CHECK(nothing.report.cap.failure == "");
+}
+
+TEST_CASE("boundary edges that cross are told, and so are meshes that do not part the box") {
+  const Box3 box{{0, 0, 0}, {8, 8, 8}};
+  const std::array<bool, 8> outside{};
+  // Two tents on the face z = 0, their feet overlapping, wound as an inside below asks for.
+  const auto tent = [](double x, VertexId first, std::vector<Vec3>& points,
+                       std::vector<Triangle>& triangles) {
+    points.insert(points.end(), {{x, 2, 0}, {x + 3, 2, 0}, {x + 1.5, 5, 0}, {x + 1.5, 3, 2}});
+    for (VertexId n = 0; n < 3; ++n) {
+      triangles.push_back({first + n, first + (n + 1) % 3, first + 3});
+    }
+  };
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  tent(1, 0, points, triangles);
+  {
+    const TriMesh mesh = make_tri_mesh(points, triangles);
+    BoxCaps caps(mesh, box, outside);
+    REQUIRE(caps.possible());
+    caps.refine(2);
+    CHECK(caps.new_points().empty());
+    CHECK(caps.triangles().size() == 1);
+    const BoxCaps wrong(make_tri_mesh(points, triangles), box, {true, true, true, true});
+    CHECK_FALSE(wrong.failure().empty());
+  }
+  tent(2, 4, points, triangles);
+  const TriMesh crossing = make_tri_mesh(points, triangles);
+  const BoxCaps caps(crossing, box, outside);
+  CHECK_FALSE(caps.possible());
+  CHECK(caps.crossing_edges().size() >= 2);
+
+  std::vector<Triangle> open{triangles[0], triangles[1]};
+  const BoxCaps hole(make_tri_mesh(points, open), box, outside);
+  CHECK_FALSE(hole.failure().empty());
+}

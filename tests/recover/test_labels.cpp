@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Labels against the nearest of all sites, and what the certificate promises.
+#include "recover/labels.h"
+
+#include <doctest/doctest.h>
+
+#include "recover/certificate.h"
+#include "deliso/fields.h"
+#include "recover/sample.h"
+#include "mesh/check_mesh.h"
+
+using namespace deliso;
+
+namespace {
+
+std::vector<VertexId> neighbors_of(const Triangulation& t, VertexId s) {
+  std::vector<VertexId> neighbors;
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    if (!t.is_live(c)) continue;
+    const auto& v = t.vertices(c);
+    if (std::find(v.begin(), v.end(), s) == v.end()) continue;
+    for (const VertexId n : v) {
+      if (n != s && n != Triangulation::kInfinite) neighbors.push_back(n);
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  return neighbors;
+}
+
+void check_nearest(const ContourMesh& contour, const Labels& labels, const Triangulation& t) {
+  std::size_t in_regions = 0;
+  for (VertexId s = 1; s < t.vertex_capacity(); ++s) {
+    in_regions += labels.region(s).size();
+    for (const VertexId v : labels.region(s)) REQUIRE(labels.label(v) == s);
+  }
+  CHECK(in_regions == contour.points.size());
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    double nearest2 = std::numeric_limits<double>::infinity();
+    for (VertexId s = 1; s < t.vertex_capacity(); ++s) {
+      nearest2 = std::min(nearest2, distance2(contour.points[v], t.point(s)));
+    }
+    REQUIRE(labels.distance2_to_site(v) == nearest2);
+    REQUIRE(distance2(contour.points[v], t.point(labels.label(v))) == nearest2);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every vertex of T has its nearest site, at first and after every insertion") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    CAPTURE(seed);
+    const Scene scene = wave_scene(seed, 14);
+    const BoundaryCurves curves(scene.surface, scene.contour);
+    Report report;
+    Options options;
+    options.seed = seed;
+    InitialSites sites = init_sites(scene.contour, curves, scene.volume, options, {}, report);
+    Triangulation& t = sites.triangulation;
+    const ContourGraph graph(scene.contour);
+    const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);
+    Labels labels(scene.contour, graph, t, kept);
+    check_nearest(scene.contour, labels, t);
+    Random random(seed);
+    ConflictZone zone;
+    std::vector<CellId> created;
+    for (int n = 0; n < 30; ++n) {
+      const Vec3 p =
+          scene.contour
+              .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
+      t.find_conflicts(p, kNoId, zone);
+      if (zone.duplicate != kNoId) continue;
+      const VertexId s = t.insert_in_zone(p, zone, created);
+      std::vector<VertexId> changed;
+      labels.add_site(s, p, neighbors_of(t, s), changed);
+    }
+    check_nearest(scene.contour, labels, t);
+  }
+}
+
+// With every vertex of T a site, the dual is T itself: each triangle is a triple, each region one
+// vertex; the certificate must hold, or closed-ball conditions were miscounted.
+TEST_CASE("the certificate holds when every vertex of T is a site, and the dual is T") {
+  for (const char* name : {"torus", "linked_tori", "gyroid"}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 16);
+    const ContourMesh& contour = scene.contour;
+    std::vector<Vec3> points = contour.points;
+    for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+      points.push_back(1000 * corner);
+    }
+    Triangulation t;
+    std::vector<VertexId> ids;
+    REQUIRE(t.build(points, ids));
+    const ContourGraph graph(contour);
+    const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
+    const Labels labels(contour, graph, t, kept);
+    Certificate certificate(contour, graph, labels);
+    std::vector<Triangle> dual;
+    for (VertexId v = 0; v < contour.points.size(); ++v) {
+      const Verdict verdict = certificate.check(ids[v], v);
+      REQUIRE(verdict.violation == Violation::none);
+      for (const DualFacet& f : certificate.facets()) {
+        if (f.sites[0] < f.sites[1] && f.sites[0] < f.sites[2]) dual.push_back(f.sites);
+      }
+    }
+    CHECK(dual.size() == contour.triangles.size());
+  }
+}
+
+TEST_CASE("a region with a hole, and one in two pieces, are told") {
+  // One site for a whole torus: the region is closed, its Euler number 0.
+  const Scene scene = builtin_scene("torus", 16);
+  std::vector<Vec3> points = {scene.contour.points[0]};
+  for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+    points.push_back(1000 * corner);
+  }
+  Triangulation t;
+  std::vector<VertexId> ids;
+  REQUIRE(t.build(points, ids));
+  const ContourGraph graph(scene.contour);
+  const std::vector<std::uint8_t> kept(1, 1);
+  const Labels labels(scene.contour, graph, t, kept);
+  Certificate certificate(scene.contour, graph, labels);
+  const Verdict verdict = certificate.check(ids[0], 0);
+  CHECK(verdict.violation == Violation::region);
+  REQUIRE(verdict.insert != kNoId);
+  for (const Vec3& p : scene.contour.points) {
+    CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "surface/criteria.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "base/random.h"
+#include "refine/worst_first.h"
+
+using namespace deliso;
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Criteria kLoose{kInfinity, kInfinity, kInfinity, 0, kInfinity, kInfinity};
+}  // namespace
+
+TEST_CASE("a facet's measures") {
+  // A right triangle: circumcenter in the middle of its longest side.
+  const FacetShape s = measure({0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {1.5, 2, 0.75});
+  CHECK(s.r == doctest::Approx(2.5));
+  CHECK(s.h == doctest::Approx(0.75));
+  CHECK(s.l == doctest::Approx(3));
+}
+
+TEST_CASE("each condition alone makes a facet bad, and r_min excuses it") {
+  const FacetShape s{2, 0.5, 0.8};  // h/r = 0.25, r/l = 2.5
+  CHECK_FALSE(is_bad(s, 10, kLoose));
+  struct Case {
+    Criteria passes, fails;
+  };
+  const auto with = [](auto change) {
+    Criteria k = kLoose;
+    change(k);
+    return k;
+  };
+  const Case cases[] = {
+      {with([](Criteria& k) { k.h_over_r = 0.26; }), with([](Criteria& k) { k.h_over_r = 0.24; })},
+      {with([](Criteria& k) { k.r_over_pole = 0.21; }),
+       with([](Criteria& k) { k.r_over_pole = 0.19; })},
+      {with([](Criteria& k) { k.lambda = 2.6; }), with([](Criteria& k) { k.lambda = 2.4; })},
+      {with([](Criteria& k) { k.max_distance = 0.6; }),
+       with([](Criteria& k) { k.max_distance = 0.4; })},
+      {with([](Criteria& k) { k.max_radius = 2.1; }),
+       with([](Criteria& k) { k.max_radius = 1.9; })}};
+  for (const Case& c : cases) {
+    CHECK_FALSE(is_bad(s, 10, c.passes));
+    CHECK(is_bad(s, 10, c.fails));
+    Criteria small = c.fails;
+    small.r_min = 2;
+    CHECK_FALSE(is_bad(s, 10, small));
+  }
+}
+
+TEST_CASE("the queue gives out each octave before the next, and only what was set last") {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    WorstFirst queue;
+    std::vector<double> violation(200, 0);
+    for (int n = 0; n < 1000; ++n) {
+      const FaceId f = random.below(200);
+      violation[f] = std::exp2(random.uniform(-2, 6));
+      queue.set(f, violation[f]);
+    }
+    std::size_t expected = 0, got = 0;
+    for (const double v : violation) expected += v > 1;
+    CHECK(queue.size() == expected);
+    int octave = 100;
+    for (FaceId f = queue.pop(); f != kNoId; f = queue.pop()) {
+      ++got;
+      REQUIRE(violation[f] > 1);
+      const int of_f = std::ilogb(violation[f]);
+      CHECK(of_f <= octave);
+      octave = of_f;
+      violation[f] = 0;  // given out once
+    }
+    CHECK(got == expected);
+    CHECK(queue.size() == 0);
+  }
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What only benchmarks ask for must not change what is built, and must add up: the profile, and the
+// readings of the paper's criteria.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "surface/profile.h"
+#include "mesh/check_mesh.h"
+#include "volume/builtin_fields.h"
+#include "volume/read_volume.h"
+
+using namespace deliso;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Run {
+  TriMesh mesh;
+  Report report;
+};
+
+Run mesh_builtin(const std::string& input, const Options& options) {
+  Run run;
+  run.mesh =
+      mesh_isosurface(read_volume(input), find_builtin_field(input)->isovalue, options, run.report);
+  return run;
+}
+
+template <class Bins>
+std::uint64_t total(const Bins& bins) {
+  return std::accumulate(bins.begin(), bins.end(), std::uint64_t{0});
+}
+
+bool same(const TriMesh& a, const TriMesh& b) {
+  if (a.points != b.points || a.faces.size() != b.faces.size()) return false;
+  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+    if (a.faces[f].v != b.faces[f].v) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a profile counts every insertion, stays within the stage's time and changes nothing") {
+  for (const std::string input : {"builtin:fuel:48", "builtin:linked_tori:48"}) {
+    CAPTURE(input);
+    Profile profile;
+    Options options;
+    options.recover = RecoverWay::paper;
+    const Run plain = mesh_builtin(input, options);
+    options.profile = &profile;
+    const Run run = mesh_builtin(input, options);
+    CHECK(same(plain.mesh, run.mesh));
+    const Report& r = run.report;
+    const std::uint64_t by_recover = r.points_recovered - r.points_initial;
+    CHECK(total(profile.recover.searches) == by_recover);
+    CHECK(total(profile.recover.nanoseconds) == by_recover);
+    CHECK(total(profile.refine.nanoseconds) == r.points_refined);
+    CHECK(profile.recover.searches[0] == 0);
+    CHECK(profile.refine.searches[0] == 0);
+    CHECK(profile.seconds_search > 0);
+    CHECK(profile.seconds_triangulation > 0);
+    CHECK(profile.seconds_disk_tests > 0);
+    CHECK(profile.seconds_search + profile.seconds_triangulation + profile.seconds_disk_tests <
+          r.seconds_recover);
+  }
+}
+
+TEST_CASE("bins of the insertion histograms") {
+  InsertionHistograms h;
+  h.add(0, 3);
+  h.add(1, 3);
+  h.add(2, 1000);
+  h.add(1e30, 0);
+  CHECK(h.nanoseconds[0] == 2);
+  CHECK(h.nanoseconds[InsertionHistograms::kPerOctave] == 1);
+  CHECK(h.nanoseconds.back() == 1);
+  CHECK(h.searches[3] == 2);
+  CHECK(h.searches.back() == 1);
+  CHECK(h.searches[0] == 1);
+}
+
+TEST_CASE(
+    "the further pole asks for fewer points, and no ApproximateGeom for fewer at the switch") {
+  Options options;
+  options.recover = RecoverWay::paper;
+  const Run stated = mesh_builtin("builtin:orbital:64", options);
+  options.pole_side = PoleSide::further;
+  const Run further = mesh_builtin("builtin:orbital:64", options);
+  CHECK(further.report.points_recovered == stated.report.points_recovered);
+  CHECK(further.report.points_refined < stated.report.points_refined);
+  CHECK(check_mesh(further.mesh).empty());
+  options.pole_side = PoleSide::nearer;
+  options.epsilon = kInfinity;
+  const Run none = mesh_builtin("builtin:orbital:64", options);
+  CHECK(none.report.points_recovered < stated.report.points_recovered);
+  CHECK(check_mesh(none.mesh).empty());
+}
+
+TEST_CASE("the certified way's ApproximateGeom adds points and keeps the topology") {
+  for (const std::string input : {"builtin:fuel:64", "builtin:gyroid:48", "builtin:machine:48"}) {
+    CAPTURE(input);
+    Options options;
+    const Run plain = mesh_builtin(input, options);
+    options.certified_epsilon = 0.1;
+    const Run run = mesh_builtin(input, options);
+    CHECK(run.report.points_recovered > plain.report.points_recovered);
+    CHECK(check_mesh(run.mesh).empty());
+    const Volume volume = read_volume(input);
+    const ContourSummary exact = summarize_contour(volume, run.report.kappa_effective);
+    const MeshTopology topology = mesh_topology(run.mesh);
+    CHECK(topology.components.size() == exact.components.size());
+    CHECK(topology.euler() == exact.euler());
+    CHECK(topology.boundary_loops == exact.boundary_loops());
+  }
+}
