@@ -90,9 +90,8 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume) {
   VerifyOptions options;
   options.min_component = line.options.min_component;
   options.restricted_share = line.restricted_share;
-  options.max_distance = line.options.max_distance;
-  options.r_min = line.options.r_min.value *
-                  (line.options.r_min.in_voxels ? voxel_of(volume) : volume.box().smallest_side());
+  options.max_distance = line.options.max_distance.in(volume);
+  options.r_min = line.options.r_min.in(volume);
   options.lambda = line.options.lambda;
   options.h_over_r = line.options.epsilon1;
   options.solid = line.options.cap;

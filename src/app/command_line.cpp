@@ -132,22 +132,37 @@ constexpr OptionSpec kOptions[] = {
      "only these samples; the ones at X1, Y1, Z1 are left out",
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
 
-    {"--eps", 0, "X", kMeshOnly, "stage 1: largest h/r (default 0.2)",
-     [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
-    {"--eps1", 0, "X", kMeshAndCheck, "stage 2: largest h/r (default 0.1)",
-     [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); }},
-    {"--eps2", 0, "X", kMeshOnly, "stage 2: largest r over pole height (default 0.2)",
-     [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
-    {"--lambda", 0, "X", kMeshAndCheck, "largest r over shortest edge (default 2)",
-     [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
+    {"--max-distance", 0, "D|Dvox", kMeshAndCheck,
+     "no point of the mesh further than D from the surface and none of the surface further from "
+     "the mesh, as far as --rmin allows: world units, or voxels (default 0.1vox)",
+     [](Line& l, Text o, Text v) {
+       l.options.max_distance = parse_length(o, v, Length::Unit::world);
+     }},
     {"--rmin", 0, "X|Xvox", kMeshAndCheck,
-     "triangles of smaller r are left as they are: a share of the "
-     "box's smallest side (default 0.001), or voxels as in 0.5vox",
-     [](Line& l, Text o, Text v) { l.options.r_min = parse_relative_length(o, v); }},
-    {"--max-distance", 0, "D", kMeshAndCheck, "largest h, in world units (default: none)",
-     [](Line& l, Text o, Text v) { l.options.max_distance = parse_positive(o, v); }},
+     "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
+     "the box's smallest side",
+     [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); }},
+    {"--lambda", 0, "X", kMeshAndCheck,
+     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
+     [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
+    {"--vertices", 0, "N", kMeshOnly,
+     "the best mesh of about N vertices: worst first, down to the distance that N allows",
+     [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
+    {"--triangles", 0, "N", kMeshOnly, "the same, of about N triangles",
+     [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
+    {"--eps1", 0, "X", kMeshAndCheck,
+     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
+     [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); }},
+    {"--eps2", 0, "X", kMeshOnly,
+     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
+     [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
     {"--max-radius", 0, "R", kMeshOnly, "largest r, in world units (default: none)",
      [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
+    {"--paper", 0, "", kMeshAndCheck,
+     "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001",
+     [](Line& l, Text, Text) { l.paper = true; }},
+    {"--eps", 0, "X", kMeshOnly, "stage 1 of --recover paper: largest h/r (default 0.2)",
+     [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
     {"--min-component", 0, "N", kMeshAndCheck,
      "leave out components smaller than N voxels (default 0)",
      [](Line& l, Text o, Text v) {
@@ -174,15 +189,10 @@ constexpr OptionSpec kOptions[] = {
                                   std::to_array<Choice>({{"certified", RecoverWay::certified},
                                                          {"paper", RecoverWay::paper}}));
      }},
-    {"--fingers", 0, "X", kMeshOnly,
-     "certified: no point of the exact contour further than X voxels from the mesh at the end of "
-     "stage 1 (default 1)",
-     [](Line& l, Text o, Text v) { l.options.fingers = parse_positive(o, v); }},
-    {"--turns", 0, "N", kMeshOnly,
-     "certified: how often the two stages take turns, at most, where sheets are close (default 4)",
-     [](Line& l, Text o, Text v) {
-       l.options.turns = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
-     }},
+    {"--fingers", 0, "X|Xvox", kMeshOnly,
+     "certified: no point of the exact contour further than X from the mesh at the end of stage 1 "
+     "(default 4vox)",
+     [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
     {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {
        require(o, v, "recover");
@@ -367,6 +377,21 @@ void check_combination(CommandLine& line) {
   }
 }
 
+// What --paper stands for, where options do not say otherwise; and the criteria of the paper turn the
+// bound on the distance off.
+template <class Given>
+void take_paper(Options& options, bool everything, const Given& given) {
+  const Options paper = Options::paper();
+  if (everything) {
+    if (!given("--recover")) options.recover = paper.recover;
+    if (!given("--eps1")) options.epsilon1 = paper.epsilon1;
+    if (!given("--eps2")) options.epsilon2 = paper.epsilon2;
+    if (!given("--rmin")) options.r_min = paper.r_min;
+  }
+  const bool by_distance = !everything && !given("--eps1") && !given("--eps2");
+  if (!by_distance && !given("--max-distance")) options.max_distance = paper.max_distance;
+}
+
 // Appends `words` to a line that has reached `column`, broken into lines that begin there.
 void append_wrapped(std::string& text, std::string_view words, std::size_t column) {
   constexpr std::size_t kWidth = 92;
@@ -441,6 +466,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     if (line.command == Command::help || line.command == Command::version) return line;
   }
   line.command = command;
+  take_paper(line.options, line.paper, given);
   if (given("--float") && given("--double")) {
     throw InputError("--float and --double exclude each other");
   }

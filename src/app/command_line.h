@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "surface/options.h"
+#include "deliso/options.h"
 #include "mesh/write_mesh.h"
 #include "render/render.h"
 #include "volume/read_volume.h"
@@ -39,6 +39,7 @@ struct CommandLine {
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
+  bool paper = false;  // the options are the paper's, but for those given
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0.999;  // the least that a check lets pass

@@ -88,12 +88,12 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
   return *value;
 }
 
-RelativeLength parse_relative_length(std::string_view option, std::string_view text) {
+Length parse_length(std::string_view option, std::string_view text, Length::Unit unit) {
   constexpr std::string_view kUnit = "vox";
   const bool in_voxels = text.ends_with(kUnit);
   const auto value = read_finite(in_voxels ? text.substr(0, text.size() - kUnit.size()) : text);
-  if (!value || *value <= 0) refuse(option, text, "a fraction above 0 or voxels as in '0.5vox'");
-  return {*value, in_voxels};
+  if (!value || *value <= 0) refuse(option, text, "a number above 0, or voxels as in '0.5vox'");
+  return {*value, in_voxels ? Length::Unit::voxel : unit};
 }
 
 Vec3 parse_spacing(std::string_view option, std::string_view text) {

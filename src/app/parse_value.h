@@ -10,14 +10,15 @@
 
 #include "app/command_line.h"
 #include "base/vec3.h"
-#include "surface/options.h"
+#include "deliso/options.h"
 
 namespace deliso {
 
 double parse_number(std::string_view option, std::string_view text);  // finite
 double parse_positive(std::string_view option, std::string_view text);
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least = 0);
-RelativeLength parse_relative_length(std::string_view option, std::string_view text);  // 0.5vox
+// 0.5vox, or a plain number in `unit`.
+Length parse_length(std::string_view option, std::string_view text, Length::Unit unit);
 Vec3 parse_spacing(std::string_view option, std::string_view text);                    // 1,1,2.5
 Vec3 parse_point(std::string_view option, std::string_view text);                      // 1,-2,2.5
 View parse_view(std::string_view option, std::string_view text);                       // 30,25

@@ -18,18 +18,25 @@ void add_searches(JsonWriter& json, std::string_view key, const SearchCounters& 
   json.close();
 }
 
+// An object: its value, and in what.
+void add_length(JsonWriter& json, std::string_view key, const Length& length) {
+  constexpr std::string_view kUnits[] = {"world", "box", "voxel"};
+  json.open(key);
+  json.add("value", length.value);
+  json.add("unit", kUnits[static_cast<std::size_t>(length.unit)]);
+  json.close();
+}
+
 void add_options(JsonWriter& json, const Options& options) {
   json.open("options");
   json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
-  json.add("fingers", options.fingers);
-  json.add("turns", options.turns);
+  add_length(json, "fingers", options.fingers);
   json.add("eps", options.epsilon);
   json.add("eps1", options.epsilon1);
   json.add("eps2", options.epsilon2);
   json.add("lambda", options.lambda);
-  json.add("rmin", options.r_min.value);
-  json.add("rmin_in_voxels", options.r_min.in_voxels);
-  json.add("max_distance", options.max_distance);
+  add_length(json, "rmin", options.r_min);
+  add_length(json, "max_distance", options.max_distance);
   json.add("max_radius", options.max_radius);
   json.add("seed", options.seed);
   json.add("samples", options.samples);
@@ -90,7 +97,6 @@ std::string report_json(const MeshRun& run) {
   json.add("recover", report.seconds_recover);
   json.add("poles", report.seconds_poles);
   json.add("refine", report.seconds_refine);
-  json.add("trouble", report.seconds_trouble);
   json.add("meshing", report.seconds_total);
   json.add("check", run.seconds_check);
   json.add("cap", report.seconds_cap);
@@ -100,17 +106,23 @@ std::string report_json(const MeshRun& run) {
   json.open("points");
   json.add("initial", report.points_initial);
   json.add("recovered", report.points_recovered);
-  json.add("refined", report.points_refined);
   json.add("insertions_recover", report.insertions_recover);
   json.add("insertions_refine", report.insertions_refine);
   json.close();
-  json.open("turns");
-  json.add("taken", report.turns);
-  json.add("troubled_facets", report.troubled_facets);
-  json.add("crossing_pairs", report.crossing_pairs);
-  json.close();
   add_searches(json, "searches_recover", report.searches_recover);
   add_searches(json, "searches_refine", report.searches_refine);
+  json.add("largest_h", report.largest_h);
+  json.open("rungs");
+  for (std::size_t r = 0; r < kRungs; ++r) {
+    const RungCounts& counts = report.rungs[r];
+    json.open(name_of(static_cast<Rung>(r)));
+    json.add("done", counts.done);
+    for (std::size_t n = 0; n < kRefusals; ++n) {
+      json.add(name_of(static_cast<Refusal>(n)), counts.refused[n]);
+    }
+    json.close();
+  }
+  json.close();
   json.open("counters");
   for (std::size_t n = 0; n < kCounterCount; ++n) {
     json.add(name_of(static_cast<Counter>(n)), report.counters[n]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/check_report.h"
 #include "app/mesh_run.h"
@@ -50,6 +51,24 @@ void append_quality(std::string& text, const MeshQuality& quality, double lambda
   }
 }
 
+// What Stage 2 did, and what was refused for which reasons.
+void append_rungs(std::string& text, const Report& report) {
+  const char* heading = "rungs";
+  for (std::size_t r = 0; r < kRungs; ++r) {
+    const RungCounts& counts = report.rungs[r];
+    std::string refused;
+    for (std::size_t n = 0; n < kRefusals; ++n) {
+      if (counts.refused[n] == 0) continue;
+      refused.append(refused.empty() ? "; refused: " : ", ");
+      refused.append(name_of(static_cast<Refusal>(n))).append(" ").append(grouped(counts.refused[n]));
+    }
+    if (counts.done == 0 && refused.empty()) continue;
+    append_format(text, "%-9s %s: %s%s\n", std::exchange(heading, ""),
+                  std::string(name_of(static_cast<Rung>(r))).c_str(), grouped(counts.done).c_str(),
+                  refused.c_str());
+  }
+}
+
 }  // namespace
 
 std::string report_text(const MeshRun& run) {
@@ -73,17 +92,11 @@ std::string report_text(const MeshRun& run) {
   append_step(text, "poles", report.seconds_poles);
   append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
                report.searches_refine);
-  append_step(text, "trouble", report.seconds_trouble);
   append_step(text, "cap", report.seconds_cap);
   append_step(text, "check", run.seconds_check);
   append_step(text, "write", run.seconds_write);
   append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 
-  if (report.turns > 0) {
-    text += "turns     " + counted(report.turns, "turn", "turns") + " of the stages; left: " +
-            counted(report.troubled_facets, "troubled facet", "troubled facets") + ", " +
-            counted(report.crossing_pairs, "crossing pair", "crossing pairs") + "\n";
-  }
   text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
           counted(run.triangles, "triangle", "triangles");
   if (!run.line.output.empty()) text += " -> " + run.line.output;
@@ -110,6 +123,7 @@ std::string report_text(const MeshRun& run) {
                   std::string(name_of(static_cast<Counter>(n))).c_str(),
                   grouped(report.counters[n]).c_str());
   }
+  append_rungs(text, report);
   if (text.size() == before) text += "counters  nothing refused or unresolved\n";
   append_format(text, "memory    %.1f MiB at most\n", static_cast<double>(run.peak_bytes) / 0x1p20);
   return text;

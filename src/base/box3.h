@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "base/vec3.h"
@@ -40,6 +41,12 @@ inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const 
     range.hi = std::min(range.hi, t1);
   }
   return range;
+}
+
+// A face of the box, 2 * axis + (0 at the low end, 1 at the high end).
+using BoxFace = std::uint8_t;
+constexpr int axis_of(BoxFace face) {
+  return face >> 1;
 }
 
 }  // namespace deliso

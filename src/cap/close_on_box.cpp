@@ -226,6 +226,7 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
 
 void close_on_box(TriMesh& mesh, const Volume& volume, double kappa, double lambda,
                   const BoundaryAid* aid, Report& report) {
+  const StepTimer timer(report.seconds_cap);
   CapReport& result = report.cap;
   const auto open = [&] {
     result.surface_vertices = mesh.points.size();
@@ -234,7 +235,6 @@ void close_on_box(TriMesh& mesh, const Volume& volume, double kappa, double lamb
   open();
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
-  mesh.surface_points.clear();
   const std::array<bool, 8> inside = corners_inside(volume, kappa);
   MeshPreparer preparer(mesh, volume, aid, report);
   preparer.move_off_box();

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "isosurface/boundary_midpoint.h"
 #include "base/triangle.h"
 #include "contour/contour.h"
 

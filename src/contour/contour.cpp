@@ -74,7 +74,7 @@ std::uint64_t ContourSummary::boundary_loops() const {
 
 ContourMesh build_contour(const Volume& volume, double kappa) {
   ContourMesh mesh;
-  PieceMesher mesher(mesh, volume.spacing());
+  PieceMesher mesher(mesh, volume);
   finish(mesh, stream(volume, kappa, mesher));
   return mesh;
 }
@@ -98,6 +98,14 @@ double settled_isovalue(const Volume& volume, double kappa) {
   const double effective = effective_isovalue(volume, kappa);
   return summarize_contour(volume, effective).tied_saddles > 0 ? lowered_isovalue(volume, effective)
                                                                : effective;
+}
+
+ContourMesh build_settled_contour(const Volume& volume, double& kappa) {
+  kappa = effective_isovalue(volume, kappa);
+  ContourMesh contour = build_contour(volume, kappa);
+  if (contour.summary.tied_saddles == 0) return contour;
+  kappa = lowered_isovalue(volume, kappa);
+  return build_contour(volume, kappa);
 }
 
 }  // namespace deliso

@@ -27,10 +27,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "base/box3.h"
 #include "base/ids.h"
 #include "base/vec3.h"
 #include "volume/volume.h"
@@ -59,12 +59,6 @@ struct ContourSummary {
   friend bool operator==(const ContourSummary&, const ContourSummary&) = default;
 };
 
-// A face of the box, 2 * axis + (0 at the low end, 1 at the high end).
-using BoxFace = std::uint8_t;
-constexpr int axis_of(BoxFace face) {
-  return face >> 1;
-}
-
 // The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
 // closed from the last to the first; consecutive vertices are crossings of grid edges (or of those
 // of a split voxel's cells) on one pixel of one box face. Chains run as the triangles of T do, so
@@ -90,6 +84,13 @@ struct ContourMesh {
   BoundaryChains boundary;
   ContourSummary summary;
   std::uint64_t split_voxels = 0;  // voxels that were split
+  // The voxels whose triangles might cross, since they are made of several pieces or follow the
+  // cells of a voxel beside them; in scan order, as all triangles are.
+  struct VoxelTriangles {
+    std::uint64_t voxel;  // voxel_number()
+    std::size_t first, end;
+  };
+  std::vector<VoxelTriangles> crowded;
 
   bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
 };
@@ -145,13 +146,7 @@ ContourSummary summarize_contour(const Volume& volume, double kappa);
 // are tied. Sigma meets itself there (a checkerboard at its mean is nothing but that); a tied
 // saddle counts as inside, so lowering kappa keeps the topology and parts what touches.
 double settled_isovalue(const Volume& volume, double kappa);
-
-// The point of Sigma on box face `face` halfway between two of its points a and b there: where the
-// in-face normal line of the chord ab, through its midpoint, meets Sigma nearest to the midpoint,
-// at most half the chord's length away. Its coordinate across the face is the box's to the last
-// bit. Between two points of one arc within a pixel there always is one: the arc is a convex,
-// monotone piece of a hyperbola. Points are in the scaled frame.
-std::optional<Vec3> boundary_midpoint(const Volume& volume, double kappa, BoxFace face,
-                                      const Vec3& a, const Vec3& b);
+// T at that isovalue, which kappa becomes.
+ContourMesh build_settled_contour(const Volume& volume, double& kappa);
 
 }  // namespace deliso

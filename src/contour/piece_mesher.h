@@ -28,7 +28,8 @@ constexpr double kCrossingMargin = 1e-11;
 // Makes T: positions of crossings, stars over loops, bands over tubes.
 class PieceMesher {
  public:
-  PieceMesher(ContourMesh& mesh, Vec3 spacing) : mesh_(mesh), spacing_(spacing) {}
+  PieceMesher(ContourMesh& mesh, const Volume& volume)
+      : mesh_(mesh), spacing_(volume.spacing()), dims_(volume.dims()) {}
 
   // Room for T, so that it need not move while it grows: 1.9 vertices per crossing, two triangles
   // per vertex.
@@ -46,7 +47,20 @@ class PieceMesher {
     return add_at(p, box_faces);
   }
 
-  void voxel(const VoxelPieces& pieces) { cell({to_vec3(pieces.voxel), {1, 1, 1}}, pieces); }
+  void voxel(const VoxelPieces& pieces) {
+    begin_voxel();
+    cell({to_vec3(pieces.voxel), {1, 1, 1}}, pieces);
+    end_voxel(pieces.voxel, is_crowded(pieces.loops));
+  }
+
+  // Around all cells of a voxel. `crowded`: its triangles might cross.
+  void begin_voxel() { first_ = mesh_.triangles.size(); }
+  void end_voxel(Index3 voxel, bool crowded) {
+    if (!crowded) return;
+    mesh_.crowded.push_back({voxel_number(dims_, voxel), first_, mesh_.triangles.size()});
+  }
+  // Several pieces, or one whose star bends far.
+  static bool is_crowded(const VoxelLoops& loops) { return loops.count > 1 || loops.first[1] > 6; }
 
   // As voxel(), for pieces of a cell. pre: the vertices lie on the cell's surface.
   void cell(const CellFrame& frame, const VoxelPieces& pieces) {
@@ -157,6 +171,8 @@ class PieceMesher {
 
   ContourMesh& mesh_;
   Vec3 spacing_;
+  Index3 dims_;
+  std::size_t first_ = 0;
 };
 
 }  // namespace deliso

@@ -115,7 +115,7 @@ SplitMesher::Size::Size(const SplitVoxels& split, Index3 factor)
 
 SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
                          const ContourSplit& split)
-    : mesher_(mesh, volume.spacing()),
+    : mesher_(mesh, volume),
       sizes_{Size(chosen.listed, split.factor), Size(chosen.elsewhere, split.elsewhere)},
       voxels_(volume.voxels()) {
   first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
@@ -156,7 +156,14 @@ void SplitMesher::voxel(const VoxelPieces& p) {
       if ((faces[s] >> f & 1) != 0) name_face(sizes_[s], p.voxel, f);
     }
   }
-  own != nullptr ? mesh_cells(*own, p) : mesh_beside(p, faces);
+  mesher_.begin_voxel();
+  bool crowded = true;
+  if (own != nullptr) {
+    crowded = mesh_cells(*own, p);
+  } else {
+    mesh_beside(p, faces);
+  }
+  mesher_.end_voxel(p.voxel, crowded);
 }
 
 // The first id on the face between `low_voxel` and the next one along the axis.
@@ -186,13 +193,14 @@ VertexId SplitMesher::add_crossing(const Size& size, Index3 voxel, FineVoxel::Sl
   return mesher_.add_at(to_vec3(voxel) + u, static_cast<std::uint8_t>(box_faces));
 }
 
-void SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
+bool SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
   for (const auto slot : size.fine.crossed_inside())
     size.vertex[slot] = add_crossing(size, p.voxel, slot, 0);
   size.fine.trace();
   for (int l = 0; l < p.loops.count; ++l) {
     size.label[size.fine.piece(size.fine.crossed_part(p.loops.edges(l)[0]))] = p.label[l];
   }
+  bool crowded = false;
   for (const FineVoxel::Cell& cell : size.fine.cells()) {
     CellFrame frame = size.fine.frame(cell);
     frame.low = frame.low + to_vec3(p.voxel);
@@ -205,8 +213,10 @@ void SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
       pieces.label[l] = size.label[size.fine.piece(size.fine.slot(cell, loops.edges(l)[0]))];
     }
     mesher_.cell(frame, pieces);
+    crowded |= PieceMesher::is_crowded(loops);
   }
   add_boundary(size, p);
+  return crowded;
 }
 
 // Only split voxels have cells on the box, so only they call for this.

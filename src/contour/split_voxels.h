@@ -83,7 +83,7 @@ class SplitMesher {
   VertexId& first_on_face(int axis, Index3 low_voxel);
   void name_face(Size& size, Index3 voxel, int f);
   VertexId add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot, int box_faces);
-  void mesh_cells(Size& size, const VoxelPieces& pieces);
+  bool mesh_cells(Size& size, const VoxelPieces& pieces);  // whether triangles there might cross
   void mesh_beside(const VoxelPieces& pieces, const FacesBySize& faces);
   void add_boundary(const Size& size, const VoxelPieces& pieces);
 

@@ -2,7 +2,7 @@
 // DelIso(f, kappa) of paper Figure 4: a Delaunay mesh of the isosurface, in two stages.
 #pragma once
 
-#include "surface/options.h"
+#include "deliso/options.h"
 #include "surface/report.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"

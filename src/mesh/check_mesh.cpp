@@ -226,16 +226,6 @@ std::string check_geometry(const TriMesh& mesh) {
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (!finite(mesh.points[v])) return text("I6: ", describe_vertex(mesh, v), " is not finite");
   }
-  if (!mesh.surface_points.empty() && mesh.surface_points.size() != mesh.faces.size()) {
-    return text("I6: ", mesh.surface_points.size(), " surface points for ", mesh.faces.size(),
-                " facets");
-  }
-  for (FaceId f = 0; f < mesh.surface_points.size(); ++f) {
-    if (!finite(mesh.surface_points[f])) {
-      return text("I6: the surface point ", describe(mesh.surface_points[f]), " of ",
-                  describe_face(mesh, f), " is not finite");
-    }
-  }
   return {};
 }
 

@@ -6,10 +6,6 @@
 namespace deliso {
 namespace {
 
-int corner_index(const Face& face, VertexId v) {
-  return face.v[0] == v ? 0 : face.v[1] == v ? 1 : 2;
-}
-
 void replace_neighbor(TriMesh& mesh, FaceId face, FaceId from, FaceId to) {
   if (face == kNoId) return;
   for (FaceId& n : mesh.faces[face].n) {

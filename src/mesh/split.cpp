@@ -5,7 +5,6 @@ namespace deliso {
 namespace {
 
 VertexId add_point(TriMesh& mesh, const Vec3& p) {
-  mesh.surface_points.clear();
   mesh.points.push_back(p);
   return static_cast<VertexId>(mesh.points.size() - 1);
 }

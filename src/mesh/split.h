@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A new vertex on an edge or in a facet of the plain mesh, with no regard to shape or to surface
-// balls. Both keep I1..I5 of tri_mesh.h; surface points are dropped, as they are no longer true.
+// A new vertex on an edge or in a facet of the plain mesh, with no regard to shape.
+// Both keep I1..I5 of tri_mesh.h.
 #pragma once
 
 #include "mesh/tri_mesh.h"

@@ -39,6 +39,17 @@ void link_edge(TriMesh& mesh, std::span<const std::uint64_t> edge, LinkResult& r
 
 }  // namespace
 
+void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star) {
+  star.assign(1, f);
+  for (std::size_t n = 0; n < star.size(); ++n) {
+    const Face& face = mesh.faces[star[n]];
+    const int i = corner_index(face, v);
+    for (const FaceId g : {face.n[(i + 1) % 3], face.n[(i + 2) % 3]}) {
+      if (g != kNoId && std::find(star.begin(), star.end(), g) == star.end()) star.push_back(g);
+    }
+  }
+}
+
 LinkResult link_faces(TriMesh& mesh) {
   DELISO_CHECK(mesh.faces.size() <= kNoId / 3);
   const std::size_t half_edges = 3 * mesh.faces.size();

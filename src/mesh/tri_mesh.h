@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plain triangle mesh of Stage 2 (the T_S of paper §3.2): vertices, facets, and for each facet
-// its three neighbours. It knows neither tetrahedra nor voxels.
+// A plain triangle mesh: vertices, facets, and for each facet its three neighbours. It knows
+// neither tetrahedra nor voxels.
 //
 // Invariants (check_mesh tests them by these numbers):
 //   I1  every facet has three different vertices, all below vertex count;
@@ -8,7 +8,7 @@
 //   I3  orientation is consistent: f and g run along their common edge in opposite directions;
 //   I4  an edge belongs to at most two facets (n[i] == kNoId where it belongs to one);
 //   I5  the facets at a vertex form one disk or one half disk (vertex-manifold);
-//   I6  all points are finite; surface points are absent or one per facet, and finite.
+//   I6  all points are finite.
 // Facets are counter-clockwise seen from the side where f < kappa.
 #pragma once
 
@@ -32,15 +32,25 @@ using Triangle = std::array<VertexId, 3>;
 struct TriMesh {
   std::vector<Vec3> points;
   std::vector<Face> faces;
-  // One per facet once Stage 1 has handed over: x = the point of Sigma on the facet's dual line,
-  // the center of its surface ball. Empty for meshes read from a file.
-  std::vector<Vec3> surface_points;
 };
 
 // Index of the corner of f opposite its neighbour g, i.e. f.n[i] == g. pre: they are neighbours.
 inline int neighbor_index(const Face& f, FaceId g) {
   return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
 }
+
+// Index of the corner v of f. pre: it is one.
+inline int corner_index(const Face& f, VertexId v) {
+  return f.v[0] == v ? 0 : f.v[1] == v ? 1 : 2;
+}
+
+inline bool has_corner(const Triangle& t, VertexId v) {
+  return t[0] == v || t[1] == v || t[2] == v;
+}
+
+// The facets at the corner v of facet f, walking from there over neighbours; f comes first. [O(n^2)
+// in their number]
+void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);
 
 // Fills the neighbours from the corners, in O(V + F) but for vertices of huge degree. An edge of
 // more than two facets, or of two that run along it in the same direction, is left without

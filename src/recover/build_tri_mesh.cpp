@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "recover/build_tri_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <tuple>
 #include <utility>
 
 #include "base/triangle.h"
-#include "surface/surface_mesh.h"
 
 namespace deliso {
 namespace {
@@ -46,7 +47,7 @@ std::vector<std::array<FaceId, 3>> undirected_neighbors(std::span<const Triangle
 // Turns the facets of every component the same way round, by a walk over its adjacency, and the
 // whole of it so that most of its area has normals against the gradient: next to a crease of the
 // surface a single facet's gradient can mislead.
-void orient(const std::vector<Vec3>& points, const std::vector<Vec3>& surface_points,
+void orient(const std::vector<Vec3>& points, const std::vector<Dual>& duals,
             const Isosurface& surface, std::span<Triangle> triangles) {
   const auto neighbors = undirected_neighbors(triangles);
   const auto runs_along = [](const Triangle& v, VertexId from, VertexId to) {
@@ -64,7 +65,7 @@ void orient(const std::vector<Vec3>& points, const std::vector<Vec3>& surface_po
       const FaceId f = component[next];
       const Triangle v = triangles[f];
       along += dot(area_normal(points[v[0]], points[v[1]], points[v[2]]),
-                   surface.gradient(surface_points[f]));
+                   surface.gradient(duals[f].center));
       for (const FaceId g : neighbors[f]) {
         if (g == kNoId || seen[g]) continue;
         seen[g] = 1;
@@ -93,7 +94,7 @@ Edge edge_of(VertexId a, VertexId b) {
 // its ends have open edges to one vertex. That facet is put back.
 void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
                     std::vector<VertexId>& new_id, std::vector<Triangle>& triangles, Report& report,
-                    Recovered& out) {
+                    SurfaceMesh& out, std::vector<VertexId>& source) {
   const auto neighbors = undirected_neighbors(triangles);
   std::vector<Edge> open;  // edges of one facet
   for (FaceId f = 0; f < triangles.size(); ++f) {
@@ -107,8 +108,9 @@ void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
     return std::binary_search(open.begin(), open.end(), edge_of(a, b));
   };
   const auto put_back = [&](VertexId a, VertexId b, VertexId c, const Vec3& x) {
+    const std::vector<Vec3>& points = out.mesh.points;
     triangles.push_back({a, b, c});
-    out.mesh.surface_points.push_back(x);
+    out.duals.push_back(dual_at(points[a], points[b], points[c], x));
     ++report[Counter::facets_closed];
   };
   for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
@@ -118,8 +120,10 @@ void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
       if (a == kNoId || b == kNoId || !is_open(a, b)) continue;
       new_id[v] = static_cast<VertexId>(out.mesh.points.size());
       out.mesh.points.push_back(t.point(v));
-      out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
-      out.source.push_back(v);
+      if (!out.pole_heights.empty()) {
+        out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
+      }
+      source.push_back(v);
       put_back(a, new_id[v], b, t.point(v));
     } else if (b != kNoId && !is_open(new_id[v], b)) {
       for (const auto& [low, high] : open) {
@@ -135,44 +139,33 @@ void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
 
 }  // namespace
 
-Recovered build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
-                         const std::vector<double>& poles) {
+SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
+                           const std::vector<double>& poles, std::vector<VertexId>& source) {
   const RestrictedDelaunay restricted = std::move(handed_over);
   const Triangulation& t = restricted.triangulation();
-
-  struct Corner {
-    Triangle v;
-    Vec3 x;
-  };
-  std::vector<Corner> facets;
+  std::vector<VertexId> new_id(t.vertex_capacity(), kNoId);
+  SurfaceMesh out;
+  std::vector<Triangle> triangles;
+  source.clear();
   for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
     if (!restricted.is_live(r) || !restricted.is_restricted(r)) continue;
-    facets.push_back({restricted.triangle(r), restricted.surface_point(r)});
-  }
-
-  std::vector<VertexId> new_id(t.vertex_capacity(), kNoId);
-  Recovered out;
-  std::vector<Triangle> triangles;
-  for (const Corner& facet : facets) {
-    Triangle v = facet.v;
+    Triangle v = restricted.triangle(r);
+    out.duals.push_back(
+        dual_at(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted.surface_point(r)));
     for (VertexId& q : v) {
       if (new_id[q] == kNoId) {
         new_id[q] = static_cast<VertexId>(out.mesh.points.size());
         out.mesh.points.push_back(t.point(q));
-        out.pole_heights.push_back(poles[q]);
-        out.source.push_back(q);
+        if (!poles.empty()) out.pole_heights.push_back(poles[q]);
+        source.push_back(q);
       }
       q = new_id[q];
     }
     triangles.push_back(v);
-    out.mesh.surface_points.push_back(facet.x);
   }
-  close_at_chain(t, chain, new_id, triangles, restricted.report(), out);
-  orient(out.mesh.points, out.mesh.surface_points, restricted.surface(), triangles);
-  std::vector<Vec3> surface_points = std::move(out.mesh.surface_points);
+  close_at_chain(t, chain, new_id, triangles, restricted.report(), out, source);
+  orient(out.mesh.points, out.duals, restricted.surface(), triangles);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
-  out.mesh.surface_points = std::move(surface_points);
-  out.unhit.assign(out.mesh.faces.size(), 0);
   out.chain = chain.renumbered(new_id);
   return out;
 }

@@ -11,14 +11,6 @@ Certificate::Interface& Certificate::interface_with(VertexId site) {
   return interfaces_.back();
 }
 
-VertexId Certificate::further(VertexId best, VertexId v) const {
-  const double d2 = labels_.distance2_to_site(v);
-  if (d2 == 0) return best;
-  if (best == kNoId) return v;
-  const double best2 = labels_.distance2_to_site(best);
-  return d2 > best2 || (d2 == best2 && v < best) ? v : best;
-}
-
 Verdict Certificate::check(VertexId a, VertexId at) {
   interfaces_.clear();
   facets_.clear();
@@ -32,7 +24,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
   visited_[at] = stamp_;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     const VertexId v = reached_[k];
-    furthest = further(furthest, v);
+    furthest = labels_.further(furthest, v);
     for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
       const VertexId x = labels_.label(w.next), y = labels_.label(w.previous);
       // The directed edge v -> next: an inner edge turns up from both its ends.
@@ -41,7 +33,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
       } else {
         Interface& i = interface_with(x);
         ++i.edges;
-        i.furthest = further(further(i.furthest, v), w.next);
+        i.furthest = labels_.further(labels_.further(i.furthest, v), w.next);
       }
       for (const VertexId u : {w.next, w.previous}) {
         if (labels_.label(u) != a || visited_[u] == stamp_) continue;
@@ -62,7 +54,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
     const VertexId next = graph_.chain_next(v);
     if (next == kNoId) continue;
     ++boundary_vertices;
-    furthest_boundary = further(furthest_boundary, v);
+    furthest_boundary = labels_.further(furthest_boundary, v);
     // A boundary edge runs one way only, from the vertex before.
     const VertexId before = graph_.chain_previous(v);
     if (labels_.label(before) == a) {
@@ -71,7 +63,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
       Interface& i = interface_with(labels_.label(before));
       ++i.edges;
       ++i.boundary_edges;
-      i.furthest = further(further(i.furthest, v), before);
+      i.furthest = labels_.further(labels_.further(i.furthest, v), before);
     }
     if (labels_.label(next) != a) ++interface_with(labels_.label(next)).boundary_edges;
   }
@@ -80,7 +72,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
   if (reached_.size() != region.size()) {
     VertexId stray = kNoId;
     for (const VertexId v : region) {
-      if (visited_[v] != stamp_) stray = further(stray, v);
+      if (visited_[v] != stamp_) stray = labels_.further(stray, v);
     }
     return {Violation::region, stray};
   }
@@ -103,8 +95,8 @@ Verdict Certificate::check(VertexId a, VertexId at) {
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
       VertexId best = kNoId;
-      for (const VertexId v : facets_[i].witness) best = further(best, v);
-      for (const VertexId v : facets_[j].witness) best = further(best, v);
+      for (const VertexId v : facets_[i].witness) best = labels_.further(best, v);
+      for (const VertexId v : facets_[j].witness) best = labels_.further(best, v);
       return {Violation::triple, best};
     }
   }

@@ -52,8 +52,6 @@ class Certificate {
     VertexId furthest = kNoId;
   };
   Interface& interface_with(VertexId site);
-  // The further of two vertices of T from its site; sites themselves (distance 0) never win.
-  VertexId further(VertexId best, VertexId v) const;
 
   const ContourGraph& graph_;
   const Labels& labels_;

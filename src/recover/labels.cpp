@@ -107,6 +107,13 @@ Labels::Labels(const ContourMesh& contour, const ContourGraph& graph, const Tria
   }
 }
 
+VertexId Labels::further(VertexId best, VertexId v) const {
+  const double d2 = distance2_[v];
+  if (d2 == 0) return best;
+  if (best == kNoId) return v;
+  return d2 > distance2_[best] || (d2 == distance2_[best] && v < best) ? v : best;
+}
+
 void Labels::add_site(VertexId site, const Vec3& point, std::span<const VertexId> neighbors,
                       std::vector<VertexId>& changed) {
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));

@@ -52,6 +52,9 @@ class Labels {
 
   VertexId label(VertexId v) const { return label_[v]; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
+  // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
+  // never win. kNoId: none.
+  VertexId further(VertexId best, VertexId v) const;
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
 

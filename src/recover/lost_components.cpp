@@ -13,10 +13,9 @@ namespace deliso {
 namespace {
 
 // Marks the component of T that each component of the mesh stands for.
-std::vector<std::uint8_t> components_found(const Recovered& recovered,
+std::vector<std::uint8_t> components_found(const TriMesh& mesh, const std::vector<VertexId>& source,
                                            const std::vector<std::uint32_t>& contour_component,
                                            std::size_t count) {
-  const TriMesh& mesh = recovered.mesh;
   std::vector<std::uint8_t> found(count, 0), seen(mesh.faces.size(), 0);
   std::vector<FaceId> pending;
   for (FaceId start = 0; start < mesh.faces.size(); ++start) {
@@ -27,9 +26,9 @@ std::vector<std::uint8_t> components_found(const Recovered& recovered,
       const Face& face = mesh.faces[pending.back()];
       pending.pop_back();
       for (int i = 0; i < 3; ++i) {
-        const VertexId source = recovered.source[face.v[i]];
-        if (source < contour_component.size() && contour_component[source] != kNoId) {
-          ++votes[contour_component[source]];
+        const VertexId v = source[face.v[i]];
+        if (v < contour_component.size() && contour_component[v] != kNoId) {
+          ++votes[contour_component[v]];
         }
         const FaceId g = face.n[i];
         if (g == kNoId || seen[g]) continue;
@@ -47,12 +46,13 @@ std::vector<std::uint8_t> components_found(const Recovered& recovered,
 
 }  // namespace
 
-void put_back_lost_components(Recovered& recovered, const ContourMesh& contour,
+void put_back_lost_components(SurfaceMesh& recovered, const std::vector<VertexId>& source,
+                              const ContourMesh& contour,
                               const std::vector<std::uint32_t>& contour_component,
                               const std::vector<std::uint8_t>& kept, const Isosurface& surface,
                               Report& report) {
   const std::size_t count = contour.summary.components.size();
-  std::vector<std::uint8_t> lost = components_found(recovered, contour_component, count);
+  std::vector<std::uint8_t> lost = components_found(recovered.mesh, source, contour_component, count);
   for (std::size_t c = 0; c < count; ++c) lost[c] = !lost[c] && kept[c];
   const auto number = std::count(lost.begin(), lost.end(), 1);
   if (number == 0) return;
@@ -71,6 +71,7 @@ void put_back_lost_components(Recovered& recovered, const ContourMesh& contour,
   }
 
   TriMesh& mesh = recovered.mesh;
+  const bool has_poles = !recovered.pole_heights.empty();
   std::vector<Triangle> triangles;
   for (const Face& face : mesh.faces) triangles.push_back(face.v);
   std::vector<VertexId> new_id(contour.points.size(), kNoId);
@@ -83,21 +84,16 @@ void put_back_lost_components(Recovered& recovered, const ContourMesh& contour,
       if (new_id[q] == kNoId) {
         new_id[q] = static_cast<VertexId>(mesh.points.size());
         mesh.points.push_back(contour.points[q]);
-        recovered.pole_heights.push_back(0.5 * boxes[component].smallest_side());
-        recovered.source.push_back(kNoId);
+        if (has_poles) recovered.pole_heights.push_back(0.5 * boxes[component].smallest_side());
       }
       q = new_id[q];
     }
     triangles.push_back(v);
     const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]];
-    const auto x = finder.find(a, b, c, report.searches_recover);
-    if (!x) ++report[Counter::unready_facets];
-    recovered.unhit.push_back(!x);
-    mesh.surface_points.push_back(x ? *x : circumcenter(a, b, c));
+    recovered.duals.push_back(finder.dual(a, b, c, report.searches_recover));
+    report[Counter::unready_facets] += !recovered.duals.back().on_surface;
   }
-  std::vector<Vec3> surface_points = std::move(mesh.surface_points);
   mesh = make_tri_mesh(std::move(mesh.points), triangles);
-  mesh.surface_points = std::move(surface_points);
 
   for (std::uint32_t loop = 0; loop < contour.boundary.size(); ++loop) {
     if (!lost[contour.boundary.component[loop]]) continue;

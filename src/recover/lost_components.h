@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contour/contour.h"
+#include "surface/report.h"
 #include "surface/surface_mesh.h"
 #include "isosurface/isosurface.h"
 
@@ -12,9 +13,10 @@ namespace deliso {
 
 // Adds the pieces of T for every kept component that no component of the mesh stands for, and
 // counts them. A mesh component stands for the component that most of its vertices were seeded
-// from. contour_component: per vertex of the triangulation, the component it was seeded from; kNoId
+// from. source: per vertex of the mesh, the one of the triangulation. contour_component: per vertex of the triangulation, the component it was seeded from; kNoId
 // for points of other origin. kept: per component of T.
-void put_back_lost_components(Recovered& recovered, const ContourMesh& contour,
+void put_back_lost_components(SurfaceMesh& recovered, const std::vector<VertexId>& source,
+                              const ContourMesh& contour,
                               const std::vector<std::uint32_t>& contour_component,
                               const std::vector<std::uint8_t>& kept, const Isosurface& surface,
                               Report& report);

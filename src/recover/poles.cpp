@@ -2,14 +2,16 @@
 #include "recover/poles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "delaunay/voronoi.h"
 
 namespace deliso {
 
-std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface,
+std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface, Report& report,
                                   PoleSide side) {
+  const StepTimer timer(report.seconds_poles);
   const std::size_t count = t.vertex_capacity();
   std::vector<Vec3> gradient(count);
   for (VertexId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));

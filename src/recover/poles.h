@@ -3,24 +3,18 @@
 // the furthest Voronoi vertex of V_q on the nearer of the surface's two sides.
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
 
 #include "delaunay/triangulation.h"
-#include "surface/options.h"
 #include "isosurface/isosurface.h"
+#include "surface/parameters.h"
+#include "surface/report.h"
 
 namespace deliso {
 
 // One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
-// their own; the auxiliary vertices (init_triangulation.h) keep those of the surface off it.
+// their own; the auxiliary vertices (recover/sample.h) keep those of the surface off it.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
-                                  PoleSide side = PoleSide::nearer);
-
-// h_sigma: the mean over the facet's vertices.
-inline double facet_pole(std::span<const double> poles, const std::array<VertexId, 3>& v) {
-  return (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-}
+                                  Report& report, PoleSide side = PoleSide::nearer);
 
 }  // namespace deliso

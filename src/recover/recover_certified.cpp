@@ -10,13 +10,13 @@
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "base/triangle.h"
-#include "recover/certificate.h"
-#include "surface/criteria.h"
-#include "recover/sample.h"
-#include "recover/poles.h"
-#include "surface/step_timer.h"
-#include "surface/surface_point.h"
+#include "contour/block_order.h"
 #include "embedding/self_intersections.h"
+#include "recover/certificate.h"
+#include "recover/fine_contour.h"
+#include "recover/poles.h"
+#include "recover/sample.h"
+#include "surface/surface_point.h"
 
 namespace deliso {
 namespace {
@@ -25,31 +25,22 @@ namespace {
 // Sigma.
 constexpr double kHair = 1e-7;
 
-// Strict readiness: h/r, the cosine between the facet's normal and the surface's at its corners,
-// and from how many cells of T on a circumradius is held to them.
-constexpr double kStrictFlatness = 0.4, kStrictCosine = 0.5, kFewCells = 2;
-
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
-                    const ContourSplit& split, const Options& options, Report& report)
+                    const Parameters& parameters, Report& report)
       : surface_(surface),
         finder_(surface),
         contour_(contour),
-        split_(split),
-        options_(options),
+        parameters_(parameters),
         report_(report),
         triangulation_(std::move(initial.triangulation)),
         chain_(std::move(initial.chain)),
         contour_vertex_(std::move(initial.contour_vertex)),
         site_(contour.points.size(), kNoId),
         graph_(contour),
-        labels_(contour, graph_, triangulation_, kept_components(contour, options)),
+        labels_(contour, graph_, triangulation_, kept_components(contour, parameters)),
         certificate_(contour, graph_, labels_) {
-    const Vec3 spacing = surface.volume().spacing();
-    for (int axis = 0; axis < 3; ++axis) {
-      cell_ = std::max(cell_, spacing[axis] / split.factor[axis]);
-    }
     for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
       if (contour_vertex_[s] == kNoId) continue;
       site_[contour_vertex_[s]] = s;
@@ -57,7 +48,7 @@ class CertifiedRecovery {
     }
   }
 
-  Recovered run();
+  SurfaceMesh run();
 
  private:
   void queue_site(VertexId s);
@@ -71,14 +62,10 @@ class CertifiedRecovery {
   std::size_t make_ready();
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
   std::size_t part_crossings();
-  VertexId further(VertexId best, VertexId v) const;
-  std::optional<Vec3> find_surface_point(const DualFacet& facet);
+  Dual dual_of(const DualFacet& facet);
   // Finds its surface point, or is too small for Stage 2 to look at.
   bool is_ready(const DualFacet& facet);
-  // Fails the certified way's own ApproximateGeom (options.certified_epsilon).
-  bool is_coarse(const DualFacet& facet);
-  bool is_in_split_voxel(const DualFacet& facet) const;
-  Recovered dual();
+  SurfaceMesh dual();
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
   // that is `enough` or less.
   double distance2_to_dual(VertexId v, double enough) const;
@@ -86,8 +73,7 @@ class CertifiedRecovery {
   const Isosurface& surface_;
   SurfacePointFinder finder_;
   ContourMesh& contour_;
-  const ContourSplit& split_;
-  const Options& options_;
+  const Parameters& parameters_;
   Report& report_;
   Triangulation triangulation_;
   BoundaryChain chain_;
@@ -96,7 +82,6 @@ class CertifiedRecovery {
   ContourGraph graph_;
   Labels labels_;
   Certificate certificate_;
-  double cell_ = 0;  // the longest side of a split voxel's cells
 
   std::deque<VertexId> queue_;
   std::vector<std::uint8_t> queued_;
@@ -112,48 +97,34 @@ class CertifiedRecovery {
   std::vector<VertexId> neighbors_, changed_;
 };
 
-Recovered CertifiedRecovery::run() {
-  {
-    const StepTimer timer(report_.seconds_recover);
-    do {
-      satisfy_certificate();
-    } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0);
-    for (const std::uint8_t state : unready_) {
-      report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
-    }
+SurfaceMesh CertifiedRecovery::run() {
+  const StepTimer timer(report_.seconds_recover);
+  do {
+    satisfy_certificate();
+  } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0);
+  for (const std::uint8_t state : unready_) {
+    report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
   }
   return dual();
 }
 
-Recovered CertifiedRecovery::dual() {
+SurfaceMesh CertifiedRecovery::dual() {
   std::vector<double> poles;
-  {
-    const StepTimer timer(report_.seconds_poles);
-    poles = compute_poles(triangulation_, surface_);
-  }
-  const StepTimer timer(report_.seconds_recover);
-  Recovered out;
+  if (parameters_.asks_for_poles()) poles = compute_poles(triangulation_, surface_, report_);
+  SurfaceMesh out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
   std::vector<Triangle> triangles;
-  std::vector<Vec3> surface_points;
   for (VertexId s = 1; s < facets_.size(); ++s) {
     for (const DualFacet& facet : facets_[s]) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
-      const auto& [a, b, c] = facet.sites;
-      std::optional<Vec3> x = find_surface_point(facet);
-      out.unhit.push_back(!x);
-      if (!x) {
-        x = circumcenter(triangulation_.point(a), triangulation_.point(b), triangulation_.point(c));
-        ++report_[Counter::unready_facets];
-      }
-      surface_points.push_back(*x);
+      out.duals.push_back(dual_of(facet));
+      report_[Counter::unready_facets] += !out.duals.back().on_surface;
       Triangle v = facet.sites;
       for (VertexId& q : v) {
         if (new_id[q] == kNoId) {
           new_id[q] = static_cast<VertexId>(out.mesh.points.size());
           out.mesh.points.push_back(triangulation_.point(q));
-          out.pole_heights.push_back(poles[q]);
-          out.source.push_back(q);
+          if (!poles.empty()) out.pole_heights.push_back(poles[q]);
         }
         q = new_id[q];
       }
@@ -161,7 +132,6 @@ Recovered CertifiedRecovery::dual() {
     }
   }
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
-  out.mesh.surface_points = std::move(surface_points);
   out.chain = chain_.renumbered(new_id);
   return out;
 }
@@ -182,8 +152,8 @@ bool CertifiedRecovery::add_site(VertexId v) {
   triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
   if (zone_.duplicate != kNoId) return false;
   const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
-  if (triangulation_.vertex_capacity() > options_.max_vertices) {
-    throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+  if (triangulation_.vertex_capacity() > parameters_.max_vertices) {
+    throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
                      " vertices needed before the surface is recovered");
   }
   site_[v] = s;
@@ -229,9 +199,8 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
       }
     }
     const double size = length(along);
-    const Vec3 spacing = surface_.volume().spacing();
     if (!(size > 0)) continue;
-    const double hair = kHair * std::min({spacing.x, spacing.y, spacing.z});
+    const double hair = kHair * parameters_.voxel;
     contour_.points[v] = contour_.points[v] + (hair / size) * along;
     labels_.moved(v, triangulation_.point(s));
     return add_site(v);
@@ -242,9 +211,9 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
 void CertifiedRecovery::satisfy_certificate() {
   constexpr std::size_t kEvery = 1024;
   for (std::size_t done = 1; !queue_.empty(); ++done) {
-    if (options_.progress && done % kEvery == 0) {
+    if (parameters_.progress && done % kEvery == 0) {
       const double left = static_cast<double>(queue_.size());
-      options_.progress("recover", static_cast<double>(done) / (static_cast<double>(done) + left));
+      parameters_.progress("recover", static_cast<double>(done) / (static_cast<double>(done) + left));
     }
     const VertexId s = queue_.front();
     queue_.pop_front();
@@ -262,8 +231,7 @@ void CertifiedRecovery::satisfy_certificate() {
 }
 
 std::size_t CertifiedRecovery::cut_fingers() {
-  const Vec3 spacing = surface_.volume().spacing();
-  const double limit = options_.fingers * std::min({spacing.x, spacing.y, spacing.z});
+  const double limit = parameters_.fingers;
   std::size_t added = 0;
   for (VertexId s = 1; s < unready_.size(); ++s) {
     if (!(unready_[s] & kFingers)) continue;
@@ -302,17 +270,12 @@ std::size_t CertifiedRecovery::make_ready() {
     VertexId worst = kNoId;
     for (const DualFacet& facet : facets_[s]) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;
-      if (is_ready(facet) && !is_coarse(facet)) continue;
-      for (const VertexId v : facet.witness) worst = further(worst, v);
+      if (is_ready(facet)) continue;
+      for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
     }
     if (worst != kNoId && add_site(worst)) ++added;
   }
   return added;
-}
-
-VertexId CertifiedRecovery::further(VertexId best, VertexId v) const {
-  const double d2 = labels_.distance2_to_site(v);
-  return d2 > 0 && (best == kNoId || d2 > labels_.distance2_to_site(best)) ? v : best;
 }
 
 std::size_t CertifiedRecovery::part_crossings() {
@@ -330,73 +293,41 @@ std::size_t CertifiedRecovery::part_crossings() {
   std::size_t added = 0;
   for (const auto& [f, g] : self_intersections(points, triangles, tree)) {
     VertexId worst = kNoId;
-    for (const VertexId v : witnesses[f]) worst = further(worst, v);
-    for (const VertexId v : witnesses[g]) worst = further(worst, v);
+    for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
+    for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);
     if (worst != kNoId && add_site(worst)) ++added;
   }
   return added;
 }
 
-bool CertifiedRecovery::is_in_split_voxel(const DualFacet& facet) const {
-  if (split_.voxels.empty()) return false;
-  const Volume& volume = surface_.volume();
-  return std::any_of(facet.witness.begin(), facet.witness.end(), [&](VertexId v) {
-    const Index3 voxel = volume.voxel_at(contour_.points[v]);
-    return std::binary_search(split_.voxels.begin(), split_.voxels.end(),
-                              voxel_number(volume.dims(), voxel));
-  });
-}
-
 bool CertifiedRecovery::is_ready(const DualFacet& facet) {
-  const Vec3 &a = triangulation_.point(facet.sites[0]), &b = triangulation_.point(facet.sites[1]),
-             &c = triangulation_.point(facet.sites[2]);
-  const Vec3 center = circumcenter(a, b, c);
-  const double r = distance(center, a);
-  if (r <= report_.r_min) return true;
-  const auto x = find_surface_point(facet);
-  // Facets as small as the cells of T cannot be asked for more: sites as dense as T's vertices
-  // spoil the labels.
-  if (!x || r <= kFewCells * cell_ || !is_in_split_voxel(facet)) return x.has_value();
-  if (distance(*x, center) > kStrictFlatness * r) return false;
-  const Vec3 normal = area_normal(a, b, c);
-  return std::all_of(facet.sites.begin(), facet.sites.end(), [&](VertexId s) {
-    const Vec3 gradient = surface_.gradient(triangulation_.point(s));
-    return -dot(gradient, normal) >= kStrictCosine * std::sqrt(length2(gradient) * length2(normal));
-  });
+  const Dual dual = dual_of(facet);
+  return dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min;
 }
 
-bool CertifiedRecovery::is_coarse(const DualFacet& facet) {
-  if (!std::isfinite(options_.certified_epsilon)) return false;
-  const auto x = find_surface_point(facet);
-  if (!x) return false;
-  const FacetShape shape =
-      measure(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
-              triangulation_.point(facet.sites[2]), *x);
-  // Sites as dense as T's vertices would spoil the labels.
-  const Vec3 spacing = surface_.volume().spacing();
-  return shape.r > std::max({spacing.x, spacing.y, spacing.z}) &&
-         shape.h > options_.certified_epsilon * shape.r;
-}
-
-std::optional<Vec3> CertifiedRecovery::find_surface_point(const DualFacet& facet) {
-  return finder_.find(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
+Dual CertifiedRecovery::dual_of(const DualFacet& facet) {
+  return finder_.dual(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
                       triangulation_.point(facet.sites[2]), report_.searches_recover);
 }
 
 }  // namespace
 
-Recovered recover_certified(const Isosurface& surface, ContourMesh& contour,
-                            const BoundaryCurves& curves, const ContourSplit& split,
-                            std::vector<Vec3> earlier_sites, const Options& options,
-                            Report& report) {
-  std::optional<CertifiedRecovery> recovery;
-  {
-    const StepTimer timer(report.seconds_labels);
-    InitialSites sites =
-        init_sites(contour, curves, surface.volume(), options, std::move(earlier_sites), report);
-    recovery.emplace(surface, contour, std::move(sites), split, options, report);
-  }
-  return recovery->run();
+Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
+                            const Parameters& parameters, Report& report) {
+  std::optional<StepTimer> timer(report.seconds_contour);
+  ContourMesh contour = fine_contour(std::move(plain), surface.volume(), surface.kappa(), report);
+  order_by_blocks(contour, surface.volume());
+  BoundaryCurves curves = boundary_curves(surface, contour);
+  timer.emplace(report.seconds_labels);
+  CertifiedRecovery recovery(surface, contour,
+                             init_sites(contour, curves, surface.volume(), parameters, report),
+                             parameters, report);
+  timer.reset();
+  SurfaceMesh mesh = recovery.run();
+  report.points_recovered = mesh.mesh.points.size();
+  report.insertions_recover =
+      report.points_recovered - std::min(report.points_recovered, report.points_initial);
+  return {std::move(mesh), std::move(curves), std::move(contour.points)};
 }
 
 }  // namespace deliso

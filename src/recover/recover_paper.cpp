@@ -2,12 +2,16 @@
 #include "recover/recover_paper.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <string>
 
 #include "base/check.h"
 #include "base/sorted_list.h"
+#include "recover/build_tri_mesh.h"
+#include "recover/lost_components.h"
 #include "recover/poles.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 namespace {
@@ -22,17 +26,26 @@ constexpr double kBallTolerance = 0.999;
 }  // namespace
 
 Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
-                   BoundaryChain& chain, const Options& options, double r_min)
+                   BoundaryChain& chain, const Parameters& parameters)
     : restricted_(restricted),
       curves_(curves),
       chain_(chain),
-      options_(options),
+      parameters_(parameters),
       report_(restricted.report()),
-      r_min_(r_min),
-      floor_(kFloor * r_min) {
+      floor_(kFloor * parameters.r_min) {
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v)) queue_vertex(v);
   }
+}
+
+void Recovery::recover() {
+  protect_boundary();
+  multi_intersect();
+  extract_manifold();
+  if (!std::isfinite(parameters_.recovery.h_over_r)) return;
+  std::vector<double> no_poles;
+  approximate_geom(parameters_.recovery, no_poles);
+  extract_manifold();
 }
 
 void Recovery::queue_vertex(VertexId v) {
@@ -48,8 +61,8 @@ void Recovery::after_insertion() {
 }
 
 void Recovery::check_room() const {
-  if (restricted_.triangulation().vertex_capacity() > options_.max_vertices) {
-    throw InputError("more than --max-vertices " + std::to_string(options_.max_vertices) +
+  if (restricted_.triangulation().vertex_capacity() > parameters_.max_vertices) {
+    throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
                      " vertices needed before the surface is recovered");
   }
 }
@@ -109,16 +122,16 @@ bool Recovery::split_edge(VertexId a) {
     pending.pop_back();
     const Vec3 pa = t.point(from), pb = t.point(to);
     if (any && !edge_holds_a_vertex(from)) continue;
-    const auto middle = distance(pa, pb) < kShortestBoundaryEdge * r_min_
+    const auto middle = distance(pa, pb) < kShortestBoundaryEdge * parameters_.r_min
                             ? std::nullopt
                             : curves_.split(chain_.place(from), pa, chain_.place(to), pb);
     if (!middle) {
-      ++report_[Counter::refused_boundary];
+      ++report_[Counter::refused_splits];
       continue;
     }
     const ConflictZone& zone = restricted_.prepare(middle->point, t.incident_cell(from));
     if (zone.duplicate != kNoId) {
-      ++report_[Counter::refused_boundary];
+      ++report_[Counter::refused_splits];
       continue;
     }
     std::vector<VertexId> near;
@@ -271,9 +284,8 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     const FacetShape shape =
         measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
     const double pole = poles.empty() ? infinity : (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-    if (is_bad(shape, pole, criteria)) {
-      queue.push({violation(shape, pole, criteria), r, restricted_.generation(r)});
-    }
+    const double worst = violation(shape, pole, criteria);
+    if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
   while (!queue.empty()) {
@@ -320,6 +332,38 @@ void Recovery::count_unresolved() {
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
   }
+}
+
+Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
+                        const Parameters& parameters, bool single_stage, Report& report) {
+  BoundaryCurves curves = boundary_curves(surface, contour);
+  std::optional<StepTimer> timer(report.seconds_init);
+  InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);
+  timer.emplace(report.seconds_recover);
+  RestrictedDelaunay restricted(surface, std::move(initial.triangulation), parameters.r_min, report,
+                                parameters.profile);
+  Recovery recovery(restricted, curves, initial.chain, parameters);
+  recovery.recover();
+  const Triangulation& t = restricted.triangulation();
+  report.points_recovered = t.vertex_capacity() - 1 - kAuxiliaryVertices;
+  report.insertions_recover =
+      report.points_recovered - std::min(report.points_recovered, report.points_initial);
+
+  timer.reset();
+  std::vector<double> poles;
+  if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report, parameters.pole_side);
+  timer.emplace(report.seconds_refine);
+  if (single_stage) {
+    recovery.approximate_geom(parameters.refinement, poles);
+    recovery.extract_manifold();
+    if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
+  }
+  recovery.count_unresolved();
+  std::vector<VertexId> source;
+  SurfaceMesh mesh = build_tri_mesh(std::move(restricted), initial.chain, poles, source);
+  put_back_lost_components(mesh, source, contour, initial.contour_component,
+                           kept_components(contour, parameters), surface, report);
+  return {std::move(mesh), std::move(curves), std::move(contour.points)};
 }
 
 }  // namespace deliso

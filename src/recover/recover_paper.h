@@ -4,15 +4,14 @@
 //
 // Differs from the paper in: worklists instead of sweeps; an insertion that encroaches upon an edge
 // of the boundary chain splits that edge instead; what cannot be resolved is counted, not looped
-// on.
+// on; components that the tests lose are put back (recover/lost_components.h).
 #pragma once
 
 #include <deque>
 #include <optional>
 #include <vector>
 
-#include "surface/boundary.h"
-#include "surface/criteria.h"
+#include "recover/recovered.h"
 #include "recover/restricted.h"
 
 namespace deliso {
@@ -22,7 +21,10 @@ class Recovery {
  public:
   // `chain` names vertices of `restricted`.
   Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, BoundaryChain& chain,
-           const Options& options, double r_min);
+           const Parameters& parameters);
+
+  // Figure 5.
+  void recover();
 
   // Splits edges of the boundary chain until none has a vertex in its diametral ball.
   void protect_boundary();
@@ -58,9 +60,8 @@ class Recovery {
   RestrictedDelaunay& restricted_;
   const BoundaryCurves& curves_;
   BoundaryChain& chain_;
-  const Options& options_;
+  const Parameters& parameters_;
   Report& report_;
-  double r_min_;
   double floor_;  // no ball and no boundary edge smaller than this is worked on
 
   std::deque<VertexId> vertex_queue_;
@@ -68,5 +69,10 @@ class Recovery {
   std::vector<RecordId> star_;
   std::vector<Triangle> triangles_;
 };
+
+// InitTriangulation, Recover and BuildTriMesh of Figure 4 (or, with `single_stage`, all refinement on
+// the triangulation too: the baseline of Table 2). `contour`: build_contour().
+Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
+                        const Parameters& parameters, bool single_stage, Report& report);
 
 }  // namespace deliso

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -78,7 +77,7 @@ class Sample {
   std::unordered_map<std::uint64_t, std::uint32_t> head_;
 };
 
-void add_random_points(const Isosurface& surface, const Options& options, Random& random,
+void add_random_points(const Isosurface& surface, const Parameters& parameters, Random& random,
                        Sample& sample, Report& report) {
   const Box3 box = surface.volume().box();
   const auto random_point = [&] {
@@ -89,11 +88,11 @@ void add_random_points(const Isosurface& surface, const Options& options, Random
   std::size_t found = 0;
   // Segments that miss are many where the surface is small; the contour's seeds do not depend on
   // these points, so there is no harm in giving up.
-  for (std::size_t tries = 0; found < options.samples && tries < 100 * options.samples; ++tries) {
+  for (std::size_t tries = 0; found < parameters.samples && tries < 100 * parameters.samples; ++tries) {
     const Vec3 from = random_point();
     surface.intersect({from, random_point()}, hits, report.searches_recover);
     for (const Hit& hit : hits) {
-      if (found == options.samples) break;
+      if (found == parameters.samples) break;
       if (sample.has_near(hit.point)) continue;
       sample.add(hit.point);
       ++found;
@@ -134,10 +133,10 @@ void choose_block_seeds(const ContourMesh& contour, const Volume& volume, const 
   }
 }
 
-void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Options& options,
+void add_seeds(const Isosurface& surface, const ContourMesh& contour, const Parameters& parameters,
                Random& random, Sample& sample, Report& report) {
   const std::vector<ContourComponent>& components = contour.summary.components;
-  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+  const std::vector<std::uint8_t> kept = kept_components(contour, parameters);
   std::vector<std::uint64_t> vertices(components.size(), 0);
   for (const std::uint32_t c : contour.component) ++vertices[c];
 
@@ -201,11 +200,11 @@ bool is_auxiliary(const Vec3& p, const Box3& box) {
 }
 
 InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& contour,
-                                 const BoundaryCurves& curves, const Options& options, double r_min,
+                                 const BoundaryCurves& curves, const Parameters& parameters,
                                  Report& report) {
-  Random random(options.seed);
-  Sample sample(r_min);
-  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+  Random random(parameters.seed);
+  Sample sample(parameters.r_min);
+  const std::vector<std::uint8_t> kept = kept_components(contour, parameters);
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
 
@@ -220,8 +219,8 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
     chains.push_back(std::move(chain));
   }
   // A random point may fall on a component that is to be left out; the seeds do not need them.
-  if (options.min_component == 0) add_random_points(surface, options, random, sample, report);
-  add_seeds(surface, contour, options, random, sample, report);
+  if (parameters.min_component == 0) add_random_points(surface, parameters, random, sample, report);
+  add_seeds(surface, contour, parameters, random, sample, report);
 
   InitialSample out;
   std::vector<VertexId> ids;
@@ -236,9 +235,8 @@ InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& c
 }
 
 InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves,
-                        const Volume& volume, const Options& options,
-                        std::vector<Vec3> earlier_sites, Report& report) {
-  const std::vector<std::uint8_t> kept = kept_components(contour, options);
+                        const Volume& volume, const Parameters& parameters, Report& report) {
+  const std::vector<std::uint8_t> kept = kept_components(contour, parameters);
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
 
@@ -254,22 +252,13 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
     }
     chains.push_back(std::move(chain));
   }
-  const auto before = [](const Vec3& p, const Vec3& q) {
-    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-  };
-  std::sort(earlier_sites.begin(), earlier_sites.end(), before);
   // Inner vertices only: what lies on the box is the chain's business.
   const auto wanted = [&](VertexId v) {
     return kept[contour.component[v]] && !contour.on_boundary(v);
   };
   choose_block_seeds(contour, volume, wanted, seeds);
-  for (VertexId v = 0; v < contour.points.size() && !earlier_sites.empty(); ++v) {
-    const bool again = wanted(v) && std::binary_search(earlier_sites.begin(), earlier_sites.end(),
-                                                       contour.points[v], before);
-    if (again) seeds.push_back(v);
-  }
-  Random random(options.seed);
-  for (std::size_t i = 0; i < options.samples; ++i) {
+  Random random(parameters.seed);
+  for (std::size_t i = 0; i < parameters.samples; ++i) {
     const VertexId v = random.below(static_cast<std::uint32_t>(contour.points.size()));
     if (wanted(v)) seeds.push_back(v);
   }
@@ -289,10 +278,23 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
   return out;
 }
 
-std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Options& options) {
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour) {
+  const BoundaryChains& chains = contour.boundary;
+  std::vector<BoundaryLoop> loops(chains.size());
+  for (std::size_t c = 0; c < loops.size(); ++c) {
+    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
+      loops[c].points.push_back(contour.points[chains.vertices[k]]);
+      loops[c].corners.push_back(chains.on_box_edge[k]);
+      loops[c].faces.push_back(chains.face[k]);
+    }
+  }
+  return {surface, std::move(loops)};
+}
+
+std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Parameters& parameters) {
   std::vector<std::uint8_t> kept;
   for (const ContourComponent& c : contour.summary.components) {
-    kept.push_back(!(largest_side(c) < options.min_component));
+    kept.push_back(!(largest_side(c) < parameters.min_component));
   }
   return kept;
 }

@@ -13,7 +13,7 @@
 #include "contour/contour.h"
 #include "delaunay/triangulation.h"
 #include "surface/boundary.h"
-#include "surface/options.h"
+#include "surface/parameters.h"
 #include "surface/report.h"
 #include "isosurface/isosurface.h"
 
@@ -23,6 +23,8 @@ inline constexpr std::size_t kAuxiliaryVertices = 4;
 
 // Whether a vertex at p is an auxiliary one.
 bool is_auxiliary(const Vec3& p, const Box3& box);
+
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour);
 
 struct InitialSample {
   Triangulation triangulation;
@@ -39,14 +41,13 @@ struct InitialSites {
   std::vector<VertexId> contour_vertex;
 };
 InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves,
-                        const Volume& volume, const Options& options,
-                        std::vector<Vec3> earlier_sites, Report& report);
+                        const Volume& volume, const Parameters& parameters, Report& report);
 
-// Which components options.min_component leaves in; counts the others.
-std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Options& options);
+// Which components min_component leaves in.
+std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Parameters& parameters);
 
 InitialSample init_triangulation(const Isosurface& surface, const ContourMesh& contour,
-                                 const BoundaryCurves& curves, const Options& options, double r_min,
+                                 const BoundaryCurves& curves, const Parameters& parameters,
                                  Report& report);
 
 }  // namespace deliso

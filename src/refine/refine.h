@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Stage 2, RefineGeom of paper Figure 9: points are added to the plain mesh until every facet with
-// r > r_min has h/r, r/h_sigma and r/l within bounds.
+// Stage 2, Refine and RefineGeom of paper Figures 4 and 9: the mesh that Stage 1 hands over is
+// refined until every facet meets the criteria, by one queue, worst first.
 //
-// An insertion is only done when it keeps the mesh a manifold that follows Sigma: the encroached
-// facets are a disk (mesh/encroach.h), every new facet finds its surface point within its
-// circumradius, and no new normal runs along the gradient there. Otherwise it is refused and
-// counted. Euler number and components stay those of Stage 1.
+// For a facet that does not, what is tried, rung by rung: its surface point inserted; another point
+// of Sigma near it; a boundary edge split; an edge flipped; a short edge collapsed; and where all of
+// that is refused, the patch around it triangulated anew, a corner moved. What none of them mends is
+// left and counted. Each is one replacement of a disk of facets (refine/replace_disk.h), so the mesh
+// stays a manifold of the same topology, embedded, with its vertices on Sigma.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
-#include "surface/criteria.h"
-#include "surface/surface_mesh.h"
+#include "surface/parameters.h"
 #include "surface/report.h"
+#include "surface/surface_mesh.h"
 
 namespace deliso {
 
-// Refines `recovered` in place. In the guarded voxels (voxel_number()s) no facet is made that
-// crosses another. Throws InputError at options.max_vertices unless options.keep_partial.
-void refine_geom(Recovered& recovered, const Isosurface& surface, const BoundaryCurves& curves,
-                 const Criteria& criteria, std::span<const std::uint64_t> guarded_voxels,
-                 const Options& options, Report& report);
+// Refines `mesh` in place. `witnesses`: points of Sigma that are to be no further from the mesh than
+// the criteria say, as far as r_min allows. Throws InputError at max_vertices unless keep_partial.
+void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+            std::span<const Vec3> witnesses, const Parameters& parameters, Report& report);
 
 }  // namespace deliso

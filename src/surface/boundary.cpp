@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/sorted_list.h"
+#include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
 namespace {
@@ -18,17 +19,6 @@ double distance_to_chord2(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 }  // namespace
-
-BoundaryCurves::BoundaryCurves(const Isosurface& surface, const ContourMesh& contour)
-    : surface_(surface), loops_(contour.boundary.size()) {
-  for (std::size_t c = 0; c < loops_.size(); ++c) {
-    for (std::uint32_t k = contour.boundary.first[c]; k < contour.boundary.first[c + 1]; ++k) {
-      loops_[c].points.push_back(contour.points[contour.boundary.vertices[k]]);
-      loops_[c].corners.push_back(contour.boundary.on_box_edge[k]);
-      loops_[c].faces.push_back(contour.boundary.face[k]);
-    }
-  }
-}
 
 const Vec3& BoundaryCurves::point(CurvePlace place) const {
   return loops_[place.loop].points[static_cast<std::size_t>(place.s)];

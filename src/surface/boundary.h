@@ -11,10 +11,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/box3.h"
 #include "base/ids.h"
-#include "contour/contour.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -34,7 +35,8 @@ struct BoundaryLoop {
 class BoundaryCurves {
  public:
   // Keeps a reference to the surface.
-  BoundaryCurves(const Isosurface& surface, const ContourMesh& contour);
+  BoundaryCurves(const Isosurface& surface, std::vector<BoundaryLoop> loops)
+      : surface_(surface), loops_(std::move(loops)) {}
 
   std::size_t loop_count() const { return loops_.size(); }
   // Places of a coarse chain along the loop: its corners, and as many more points as keep every

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a run did: seconds, points, searches, and a counter for everything that was refused or left
-// unresolved. A clean run shows zeros; nothing is dropped without being counted.
+// unresolved. A clean run shows zeros; nothing is dropped without being counted. The stages write
+// it; none reads it.
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -21,21 +23,18 @@ enum class Counter : std::uint8_t {
   cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
   bogus_hits,               // hits whose ball holds a vertex: the Voronoi edge was garbage
   capped_insertions,        // insertions refused by the hard cap
+  refused_splits,           // boundary edges encroached upon that are too short to be split
   unresolved_facets,        // facets that still meet Sigma more than once
   unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
   facets_closed,            // facets put back where a thin wedge meets the box
   components_put_back,      // components the tests lost, taken from the exact contour
+  voxels_cut,               // voxels in which the exact contour was made of cells
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
-  needles_collapsed,        // edges at the box too short for any triangle above r_min
-  // Stage 2, refused insertions by reason
-  refused_not_a_disk,        // the encroached facets are not a disk with all vertices on its rim
-  refused_no_surface_point,  // a new facet's dual line misses Sigma
-  refused_too_close,         // the point is too near to a vertex of the rim
-  refused_boundary,          // a boundary edge encroached upon that cannot be split
-  refused_crossing,          // a new facet would cross another (crossing_guard.h)
-  boundary_splits_refine,
-  unrefined_facets,  // facets that still violate a criterion because their point was refused
+  crossings_handed_over,    // pairs of facets of K that cross
+  // Stage 2
+  unrefined_facets,  // facets left that violate a criterion
+  points_far,        // vertices of T left further from the mesh than asked for
   // --cap
   cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
   cap_lifts_off_surface,  // those of them that found no point of Sigma
@@ -45,6 +44,38 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 std::string_view name_of(Counter counter);  // "cancelled_pairs", ...
+
+// What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/replace_disk.h).
+enum class Rung : std::uint8_t {
+  surface_point,   // inserted
+  foot,            // another point of Sigma near it, inserted
+  boundary_split,  // of an edge on the box
+  flip,
+  patch,      // triangulated anew
+  collapse,   // of a short edge
+  move,       // of a vertex
+  far_point,  // of Sigma, further from the mesh than asked for, inserted
+  count_
+};
+enum class Refusal : std::uint8_t {
+  not_a_disk,        // the facets to go are none, or the new ones were none
+  no_surface_point,  // a new facet's dual line misses Sigma
+  too_close,         // the point is too near to a vertex of the rim
+  boundary,          // a boundary edge encroached upon that cannot be split
+  turned,            // an edge would be too sharp
+  no_gain,           // nothing would be better
+  crossing,          // a new facet would cross another
+  count_
+};
+inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
+inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
+std::string_view name_of(Rung rung);
+std::string_view name_of(Refusal refusal);
+
+struct RungCounts {
+  std::uint64_t done = 0;
+  std::array<std::uint64_t, kRefusals> refused{};
+};
 
 // With --cap: the surface is what comes first in the mesh, the caps follow.
 struct CapReport {
@@ -60,25 +91,45 @@ struct Report {
   double seconds_labels = 0;   // certified: first sites, their triangulation, labels of T
   double seconds_recover = 0;  // the rest of Stage 1
   double seconds_poles = 0, seconds_refine = 0;
-  double seconds_trouble = 0;  // certified: the search for what Stage 2 left
   double seconds_cap = 0, seconds_total = 0;
-  // Certified: how often Stage 1 and Stage 2 took turns. All else here but seconds and searches is
-  // of the turn whose mesh was kept.
-  std::size_t turns = 0;
-  std::size_t troubled_facets = 0, crossing_pairs = 0;  // what was left then (trouble.h)
-  std::size_t points_initial = 0;                       // S_0
-  std::size_t points_recovered = 0;                     // n_RC: all points when Stage 1 ends
-  std::size_t points_refined = 0;                       // n_RF: points inserted by Stage 2
+  std::size_t points_initial = 0;    // S_0
+  std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
   SearchCounters searches_recover, searches_refine;
-  std::size_t insertions_recover = 0, insertions_refine = 0;  // in all turns
+  std::size_t insertions_recover = 0, insertions_refine = 0;
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
-  double r_min = 0;            // scaled frame
+  double r_min = 0;            // scaled frame, as all lengths here
+  double largest_h = 0;        // of facets above r_min, when Stage 2 ended
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
+  std::array<RungCounts, kRungs> rungs{};
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }
   std::uint64_t operator[](Counter c) const { return counters[static_cast<std::size_t>(c)]; }
+  RungCounts& operator[](Rung r) { return rungs[static_cast<std::size_t>(r)]; }
+  const RungCounts& operator[](Rung r) const { return rungs[static_cast<std::size_t>(r)]; }
 };
+
+// Adds the seconds of its own life to a step of the report.
+class StepTimer {
+ public:
+  explicit StepTimer(double& seconds) : seconds_(seconds) {}
+  StepTimer(const StepTimer&) = delete;
+  StepTimer& operator=(const StepTimer&) = delete;
+  ~StepTimer() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// What make() returns, with its time added.
+template <class Make>
+auto timed(double& seconds, Make&& make) {
+  const StepTimer timer(seconds);
+  return make();
+}
 
 }  // namespace deliso

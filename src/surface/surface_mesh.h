@@ -1,32 +1,54 @@
 // SPDX-License-Identifier: MIT
-// What Stage 1 hands to Stage 2: a manifold with surface points, and nothing of the triangulation.
-// Whatever produces one of these is a way through Recover.
+// The mesh that both stages share (the T_S of paper §3.2): triangles, the dual of each facet, the
+// chain of vertices along the box, pole heights where a criterion asks for them. One type, one
+// renumbering.
+//
+// Invariants, beside those of mesh/tri_mesh.h for the live facets:
+//   S1  duals and facets have the same numbers; a facet's ball passes through its corners;
+//   S2  the chain's edges are the mesh's boundary edges;
+//   S3  pole heights are absent, or one per vertex.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "surface/boundary.h"
-#include "recover/restricted.h"
+#include "base/triangle.h"
 #include "mesh/tri_mesh.h"
+#include "surface/boundary.h"
 
 namespace deliso {
 
-struct Recovered {
-  TriMesh mesh;                      // linked, oriented, with surface points
-  std::vector<double> pole_heights;  // one per vertex
-  BoundaryChain chain;               // over the mesh's vertices
-  // One per facet, 1 where the dual line misses Sigma within the circumradius; the circumcenter
-  // stands in for the surface point there.
-  std::vector<std::uint8_t> unhit;
-  std::vector<VertexId> source;  // the vertex of Stage 1 each one was; kNoId: of another origin
+// The dual of a facet: its surface ball B_sigma, centered where the line dual to it meets Sigma.
+// Where that line misses Sigma the circumcenter stands in, and on_surface is false.
+struct Dual {
+  Vec3 center;
+  double radius2 = 0;
+  bool on_surface = false;
+
+  // `p` is nearer to the center than the facet's corners, by more than rounding.
+  bool holds(const Vec3& p) const { return distance2(center, p) < kInside * radius2; }
+  static constexpr double kInside = 1 - 2e-9;
 };
 
-// BuildTriMesh (paper §3.2): Del S|Sigma as a mesh of its own; `poles` are per vertex of the
-// triangulation. Facets are turned so that normals run against the gradient, component by
-// component.
-// The move says what happens to Del S: it is gone when this returns.
-Recovered build_tri_mesh(RestrictedDelaunay&& restricted, const BoundaryChain& chain,
-                         const std::vector<double>& poles);
+struct SurfaceMesh {
+  TriMesh mesh;
+  std::vector<Dual> duals;
+  BoundaryChain chain;
+  std::vector<double> pole_heights;
+
+  // h_sigma, the mean over the facet's corners; infinite without pole heights.
+  double pole(const Triangle& v) const;
+};
+
+// Facets that were taken out stay in place, dead, until remove_dead().
+inline bool is_dead(const Face& face) {
+  return face.v[0] == kNoId;
+}
+
+// The dual of a facet whose line meets Sigma at x, or misses it.
+Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
+Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Takes out dead facets, and vertices that no facet uses. Ids keep their order.
+void remove_dead(SurfaceMesh& surface);
 
 }  // namespace deliso

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "isosurface/isosurface.h"
+#include "surface/surface_mesh.h"
 
 namespace deliso {
 
@@ -20,6 +21,12 @@ class SurfacePointFinder {
   // For the facet a, b, c, counter-clockwise seen from g < kappa. Nothing when there is no such
   // point within the circumradius and the longest edge's length, or the facet has no area.
   std::optional<Vec3> find(const Vec3& a, const Vec3& b, const Vec3& c, SearchCounters& counters);
+
+  // The dual of that facet.
+  Dual dual(const Vec3& a, const Vec3& b, const Vec3& c, SearchCounters& counters) {
+    const auto x = find(a, b, c, counters);
+    return x ? dual_at(a, b, c, *x) : dual_without_surface(a, b, c);
+  }
 
   // The same on any line: center + t * normal, |t| <= limit; normal is a unit vector.
   std::optional<Vec3> nearest(const Vec3& center, const Vec3& normal, double limit,

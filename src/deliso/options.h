@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What a run can be told, as a user says it: the paper's parameters (§3.1, §3.2), and ours.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+#include "roots/cubic.h"
+#include "surface/parameters.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// A length in world units, as a share of b, the smallest side of the box, or in voxels (`0.5vox`,
+// of the shortest side of one).
+struct Length {
+  enum class Unit : std::uint8_t { world, box, voxel };
+  double value = 0;
+  Unit unit = Unit::world;
+
+  // In the scaled frame.
+  double in(const Volume& volume) const;
+};
+
+// How Stage 1 knows that it is done: by the closed-ball conditions on the exact contour, or by the
+// paper's tests on Voronoi edges.
+enum class RecoverWay : std::uint8_t { certified, paper };
+
+// The two stages, or Marching Cubes for comparison (baseline/marching_cubes.h): all other options
+// but `cap` then have no effect.
+enum class Method : std::uint8_t { delaunay, marching_cubes };
+
+struct Options {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  Method method = Method::delaunay;
+  RecoverWay recover = RecoverWay::certified;
+  // No point of the mesh further from Sigma and no point of Sigma further from the mesh.
+  Length max_distance{0.1, Length::Unit::voxel};
+  Length r_min{0.5, Length::Unit::voxel};  // nothing with r <= r_min is refined for geometry
+  double lambda = 2.0;                     // r/l, both stages, at every size
+  double epsilon = 0.2;                    // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
+  double epsilon1 = kNone;                 // Stage 2: h/r
+  double epsilon2 = kNone;                 // Stage 2: r/h_sigma
+  double max_radius = kNone;               // r, world units
+  Length fingers{4, Length::Unit::voxel};  // certified: how far Sigma may be from Stage 1's mesh
+  PoleSide pole_side = PoleSide::nearer;
+
+  std::uint64_t seed = 1;
+  std::size_t samples = 50;  // N0, random points to begin with
+  double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
+  CubicMethod cubic = CubicMethod::isolation;
+  int threads = 1;
+
+  bool single_stage = false;  // Table 2's baseline: all refinement on the 3D triangulation
+  bool stop_after_recover = false;
+  bool cap = false;  // close the mesh on the box (cap/close_on_box.h)
+  // The best mesh of about so many vertices: --max-distance gives way.
+  std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
+  std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
+  // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
+  bool keep_partial = false;
+
+  // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
+  std::function<void(const char* stage, double share)> progress;
+  Profile* profile = nullptr;  // surface/profile.h: filled when given
+
+  // Everything as published: the paper's Recover, epsilon1 0.1, epsilon2 0.2, r_min = 0.001 b.
+  static Options paper();
+};
+
+// All lengths in the scaled frame of the volume.
+Parameters resolve(const Options& options, const Volume& volume);
+
+}  // namespace deliso

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "isosurface/boundary_midpoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace deliso {
+namespace {
+
+// Roots this far outside their pixel, as a share of the chord, count: rounding must not lose one
+// that lies between two pixels.
+constexpr double kSlack = 1e-12;
+
+// Sigma along a line in a box face, pixel by pixel: in each the value is a quadratic.
+class FaceLine {
+ public:
+  FaceLine(const Volume& volume, double kappa, BoxFace face, const Vec3& from,
+           const Vec3& direction)
+      : volume_(volume),
+        kappa_(kappa),
+        across_(axis_of(face)),
+        layer_((face & 1) != 0 ? volume.dims()[across_] - 1 : 0),
+        from_(from),
+        direction_(direction) {}
+
+  // The smallest t in [0, limit] with a root at from + t * direction, walking forwards.
+  std::optional<double> first_root(double limit) const {
+    double t = 0;
+    while (t < limit) {
+      const double next = std::min(limit, next_grid_line(t));
+      if (const auto root = root_between(t, next)) return root;
+      t = next;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  int axis_u() const { return (across_ + 1) % 3; }
+  int axis_v() const { return (across_ + 2) % 3; }
+  double grid(int axis, double t) const {
+    return (from_[axis] + t * direction_[axis]) / volume_.spacing()[axis];
+  }
+
+  double next_grid_line(double t) const {
+    double next = std::numeric_limits<double>::infinity();
+    for (const int axis : {axis_u(), axis_v()}) {
+      const double d = direction_[axis] / volume_.spacing()[axis];
+      if (d == 0) continue;
+      const double at = grid(axis, 0);
+      double line = d > 0 ? std::floor(grid(axis, t)) + 1 : std::ceil(grid(axis, t)) - 1;
+      double candidate = (line - at) / d;
+      while (candidate <= t) {
+        line += d > 0 ? 1 : -1;
+        candidate = (line - at) / d;
+      }
+      next = std::min(next, candidate);
+    }
+    return next;
+  }
+
+  // The first root in [low, high], which lie in one pixel.
+  std::optional<double> root_between(double low, double high) const {
+    const double middle = 0.5 * (low + high);
+    Index3 corner;
+    corner[across_] = layer_;
+    std::array<double, 2> start, slope;
+    int n = 0;
+    for (const int axis : {axis_u(), axis_v()}) {
+      const int last = volume_.dims()[axis] - 2;
+      corner[axis] = std::clamp(static_cast<int>(std::floor(grid(axis, middle))), 0, last);
+      start[n] = grid(axis, low) - corner[axis];
+      slope[n] = direction_[axis] / volume_.spacing()[axis];
+      ++n;
+    }
+    const auto value = [&](int du, int dv) {
+      Index3 s = corner;
+      s[axis_u()] += du;
+      s[axis_v()] += dv;
+      return volume_.sample(s.i, s.j, s.k) - kappa_;
+    };
+    const double v00 = value(0, 0), v10 = value(1, 0), v01 = value(0, 1), v11 = value(1, 1);
+    const double ku = v10 - v00, kv = v01 - v00, kuv = (v11 - v01) - ku;
+    // a s^2 + b s + c with s = t - low.
+    const double a = kuv * slope[0] * slope[1];
+    const double b = (ku + kuv * start[1]) * slope[0] + (kv + kuv * start[0]) * slope[1];
+    const double c = v00 + ku * start[0] + kv * start[1] + kuv * start[0] * start[1];
+    const double length = high - low;
+    double best = std::numeric_limits<double>::infinity();
+    const double discriminant = b * b - 4 * a * c;
+    if (c == 0) return low;
+    if (discriminant < 0) return std::nullopt;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    for (const double s : {q / a, c / q}) {
+      if (s >= -kSlack && s <= length + kSlack) best = std::min(best, std::clamp(s, 0.0, length));
+    }
+    if (best > length) return std::nullopt;
+    return low + best;
+  }
+
+  const Volume& volume_;
+  double kappa_;
+  int across_, layer_;
+  Vec3 from_, direction_;
+};
+
+}  // namespace
+
+std::optional<Vec3> boundary_midpoint(const Volume& volume, double kappa, BoxFace face,
+                                      const Vec3& a, const Vec3& b) {
+  const int across = axis_of(face), u = (across + 1) % 3, v = (across + 2) % 3;
+  const double du = b[u] - a[u], dv = b[v] - a[v];
+  if (du == 0 && dv == 0) return std::nullopt;
+  const Box3 box = volume.box();
+  Vec3 middle, normal;
+  middle[across] = (face & 1) != 0 ? box.hi[across] : box.lo[across];
+  middle[u] = 0.5 * (a[u] + b[u]);
+  middle[v] = 0.5 * (a[v] + b[v]);
+  normal[u] = -dv;
+  normal[v] = du;
+  const auto search = [&](const Vec3& direction) {
+    const double limit = clip(middle, direction, {0, 0.5}, box).hi;
+    return FaceLine(volume, kappa, face, middle, direction).first_root(limit);
+  };
+  const std::optional<double> ahead = search(normal), behind = search(-normal);
+  if (!ahead && !behind) return std::nullopt;
+  Vec3 p = middle + (!behind || (ahead && *ahead <= *behind) ? *ahead * normal : -*behind * normal);
+  p[across] = middle[across];
+  for (const int axis : {u, v}) p[axis] = std::clamp(p[axis], box.lo[axis], box.hi[axis]);
+  return p;
+}
+
+}  // namespace deliso

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "recover/fine_contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/sorted_list.h"
+#include "embedding/self_intersections.h"
+
+namespace deliso {
+namespace {
+
+// Spacings far apart would give any number of cells: so many along an axis and in a voxel.
+constexpr int kMostAlongAxis = 32, kMostCells = 4096;
+// How large cells may make T: so many times the plain one, and a little more for small volumes.
+constexpr double kGrowth = 4, kLittle = 5e5;
+// How often a cell may be longer than wide.
+constexpr double kLongest = 2;
+// Where triangles cross cells are halved so many times, at most.
+constexpr int kHalvings = 5;
+
+// Cells of about the side `cell`, or of up to `coarsest` where those would be too many.
+Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
+                std::size_t plain_vertices) {
+  const auto divided = [&](double side) {
+    Index3 n;
+    for (int axis = 0; axis < 3; ++axis) {
+      n[axis] = std::clamp(static_cast<int>(std::lround(spacing[axis] / side)), 1, kMostAlongAxis);
+    }
+    return n;
+  };
+  const double limit = kGrowth * static_cast<double>(plain_vertices) + kLittle;
+  // A voxel in cells holds about two vertices for every cell of one layer.
+  const auto expected = [&](Index3 n) {
+    return 2.0 / 3.0 * (n.i * n.j + n.j * n.k + n.k * n.i) * static_cast<double>(voxels);
+  };
+  const auto too_many = [&](Index3 n) {
+    return n.i * n.j * n.k > kMostCells || expected(n) > limit;
+  };
+  while (cell < coarsest && too_many(divided(cell))) cell *= 1.25;
+  return divided(std::min(cell, coarsest));
+}
+
+// The voxels in which triangles of T cross.
+std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour) {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint64_t> voxel_of;
+  for (const ContourMesh::VoxelTriangles& crowd : contour.crowded) {
+    for (std::size_t t = crowd.first; t < crowd.end; ++t) {
+      triangles.push_back(contour.triangles[t]);
+      voxel_of.push_back(crowd.voxel);
+    }
+  }
+  const TriangleTree tree(contour.points, triangles);
+  std::vector<std::uint64_t> out;
+  for (const auto& [f, g] : self_intersections(contour.points, triangles, tree)) {
+    out.push_back(voxel_of[f]);
+    out.push_back(voxel_of[g]);
+  }
+  sort_out(out);
+  return out;
+}
+
+}  // namespace
+
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report) {
+  const Vec3 spacing = volume.spacing();
+  const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
+  const std::size_t vertices = plain.points.size();
+  ContourSplit split;
+  split.elsewhere = cells_of(spacing, std::min(kLongest * shortest, longest), longest,
+                             plain.summary.active_voxels, vertices);
+  ContourMesh contour = split.elsewhere == Index3{1, 1, 1}
+                            ? std::move(plain)
+                            : build_contour(volume, kappa, split);
+  double cell = shortest / 2;
+  for (int halvings = 0; halvings <= kHalvings;) {
+    const std::vector<std::uint64_t> crossed = crossed_voxels(contour);
+    if (crossed.empty()) break;
+    std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
+    if (voxels.size() == split.voxels.size()) {
+      cell /= 2;
+      ++halvings;
+    }
+    split.voxels = std::move(voxels);
+    split.factor = cells_of(spacing, cell, shortest / 2, split.voxels.size(), vertices);
+    contour = build_contour(volume, kappa, split);
+  }
+  report[Counter::voxels_cut] += contour.split_voxels;
+  return contour;
+}
+
+}  // namespace deliso

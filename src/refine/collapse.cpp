@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "refine/collapse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace deliso {
+namespace {
+
+// How much worse the worst facet there may become: where three vertices are close to each other,
+// the first of two collapses leaves a needle as bad as the one it takes.
+constexpr double kWorse = 2;
+
+}  // namespace
+
+Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
+                     const BoundaryCurves& curves, const Parameters& parameters, Report& report)
+    : s_(surface_mesh),
+      mesh_(surface_mesh.mesh),
+      replacer_(replacer),
+      box_(surface.volume().box()),
+      curves_(curves),
+      parameters_(parameters),
+      report_(report),
+      of_stage1_(surface_mesh.mesh.points.size()) {}
+
+// Whether the mesh, and the chain, can do without v.
+bool Collapser::may_go(VertexId v) const {
+  if (v >= of_stage1_) return false;
+  if (!s_.chain.is_boundary(v)) return true;
+  return !curves_.is_corner(s_.chain.place(v)) &&
+         s_.chain.next(s_.chain.next(s_.chain.next(v))) != v;  // a loop of three
+}
+
+// Whether v and w would be joined within a face of the box by an edge that is not of its boundary.
+bool Collapser::joins_on_box(VertexId v, VertexId w) const {
+  if (!s_.chain.is_boundary(v) || !s_.chain.is_boundary(w) || s_.chain.is_edge(v, w)) return false;
+  const Vec3 &p = mesh_.points[v], &q = mesh_.points[w];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] == q[axis] && (p[axis] == box_.lo[axis] || p[axis] == box_.hi[axis])) return true;
+  }
+  return false;
+}
+
+double Collapser::worst_ratio(std::span<const Triangle> facets) const {
+  double worst = 0;
+  for (const Triangle& v : facets) {
+    const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
+    worst = std::max(worst, distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c)));
+  }
+  return worst;
+}
+
+bool Collapser::collapse(FaceId f) {
+  const Triangle v = mesh_.faces[f].v;
+  const double limit = parameters_.r_min / parameters_.refinement.lambda;
+  if (worst_ratio({&v, 1}) <= parameters_.refinement.lambda) return false;
+  VertexId a = kNoId, b = kNoId;
+  double shortest2 = limit * limit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double l2 = distance2(mesh_.points[v[i]], mesh_.points[v[(i + 1) % 3]]);
+    if (l2 >= shortest2) continue;
+    shortest2 = l2;
+    a = v[i];
+    b = v[(i + 1) % 3];
+  }
+  if (a == kNoId) return false;
+  // Of a boundary edge either end, of others the inner end.
+  if (s_.chain.is_boundary(a)) std::swap(a, b);
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto refusal = merge(f, from, to);
+    if (!refusal) {
+      ++report_[Rung::collapse].done;
+      return true;
+    }
+    ++report_[Rung::collapse].refused[static_cast<std::size_t>(*refusal)];
+  }
+  return false;
+}
+
+std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to) {
+  if (!may_go(from)) return Refusal::boundary;
+  const bool on_boundary = s_.chain.is_boundary(from);
+  if (on_boundary && !s_.chain.is_edge(from, to)) return Refusal::boundary;
+  facets_around(mesh_, f, from, change_.out);
+  if (!replacer_.take_out(change_)) return Refusal::not_a_disk;
+  change_.in.facets.clear();
+  for (const Triangle& t : change_.was.facets) {
+    if (has_corner(t, to)) continue;
+    Triangle changed = t;
+    for (VertexId& q : changed) {
+      if (q == from) {
+        q = to;
+      } else if (!on_boundary && joins_on_box(to, q)) {
+        return Refusal::boundary;
+      }
+    }
+    change_.in.facets.push_back(changed);
+  }
+  if (change_.in.facets.empty()) return Refusal::not_a_disk;
+  change_.least_cosine = kSharpest;
+  const double before = worst_ratio(change_.was.facets);
+  const auto refusal = replacer_.replace(change_, [&] {
+    return before > parameters_.refinement.lambda && worst_ratio(change_.in.facets) <= kWorse * before;
+  });
+  if (!refusal && on_boundary) s_.chain.remove(from);
+  return refusal;
+}
+
+}  // namespace deliso

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Needles collapsed: Stage 1 may hand over vertices very close to each other (the curve on the box
+// and the surface inside are sampled by different rules, crossings near a sample lie as near each
+// other as they like), and no insertion mends what a short edge makes. One of its ends is merged into
+// the other. Only vertices of Stage 1 go, so there is an end to it.
+#pragma once
+
+#include "refine/replace_disk.h"
+#include "surface/boundary.h"
+
+namespace deliso {
+
+class Collapser {
+ public:
+  // Keeps references. The mesh's vertices at this moment are those of Stage 1.
+  Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
+            const BoundaryCurves& curves, const Parameters& parameters, Report& report);
+
+  // Collapses the shortest edge of f when f has r/l over its limit, the edge is shorter than a facet
+  // of r_min may have, and the facets there become no worse by it.
+  bool collapse(FaceId f);
+  std::span<const FaceId> created() const { return change_.created; }
+
+ private:
+  std::optional<Refusal> merge(FaceId f, VertexId from, VertexId to);
+  bool may_go(VertexId v) const;
+  bool joins_on_box(VertexId v, VertexId w) const;
+  double worst_ratio(std::span<const Triangle> facets) const;
+
+  SurfaceMesh& s_;
+  const TriMesh& mesh_;
+  DiskReplacer& replacer_;
+  const Box3 box_;
+  const BoundaryCurves& curves_;
+  const Parameters& parameters_;
+  Report& report_;
+  std::size_t of_stage1_;
+  Change change_;
+};
+
+}  // namespace deliso

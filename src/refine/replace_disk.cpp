@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include "refine/replace_disk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "delaunay/predicates.h"
+#include "embedding/triangle_pair.h"
+
+namespace deliso {
+namespace {
+
+// Cells of the grid, in r_min: near the size of most facets once all is done.
+constexpr double kCell = 4;
+
+double cosine(const Vec3& u, const Vec3& v) {
+  return dot(u, v) / std::sqrt(length2(u) * length2(v));
+}
+
+}  // namespace
+
+bool Patch::link() {
+  const std::size_t n = facets.size();
+  beyond.assign(n, {kRim, kRim, kRim});
+  rim.clear();
+  corners_.clear();
+  for (const Triangle& t : facets) {
+    for (const VertexId v : t) {
+      if (std::find(corners_.begin(), corners_.end(), v) == corners_.end()) corners_.push_back(v);
+    }
+  }
+  for (std::uint32_t f = 0; f < n; ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId from = facets[f][(i + 1) % 3], to = facets[f][(i + 2) % 3];
+      for (std::uint32_t g = 0; g < n && beyond[f][i] == kRim; ++g) {
+        for (int k = 0; k < 3; ++k) {
+          const VertexId a = facets[g][(k + 1) % 3], b = facets[g][(k + 2) % 3];
+          if (a == from && b == to && (g != f || k != i)) return false;  // run along by two
+          if (a == to && b == from) beyond[f][i] = g;
+        }
+      }
+      if (beyond[f][i] == kRim) rim.push_back({from, to, f, i});
+    }
+  }
+  if (rim.size() < 3 || 2 * corners_.size() != n + rim.size() + 2) return false;
+  // One cycle, through every vertex of the rim once.
+  std::size_t length = 0;
+  for (std::size_t at = 0;;) {
+    const VertexId to = rim[at].to;
+    const auto next =
+        std::find_if(rim.begin(), rim.end(), [&](const RimEdge& e) { return e.from == to; });
+    ++length;
+    if (next == rim.begin() || next == rim.end() || length > rim.size()) break;
+    at = static_cast<std::size_t>(next - rim.begin());
+  }
+  if (length != rim.size()) return false;
+  // One piece: a closed piece beside the disk could make up for a handle.
+  reached_.assign(1, 0);
+  for (std::size_t k = 0; k < reached_.size(); ++k) {
+    for (const std::uint32_t g : beyond[reached_[k]]) {
+      if (g == kRim || std::find(reached_.begin(), reached_.end(), g) != reached_.end()) continue;
+      reached_.push_back(g);
+    }
+  }
+  return reached_.size() == n;
+}
+
+DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
+                           const Parameters& parameters, Report& report)
+    : s_(surface_mesh),
+      mesh_(surface_mesh.mesh),
+      surface_(surface),
+      parameters_(parameters),
+      report_(report),
+      finder_(surface),
+      grid_(surface.volume().box(), kCell * parameters.r_min),
+      marks_(mesh_.faces.size(), 0) {
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
+  }
+}
+
+bool DiskReplacer::take_out(Change& change) {
+  ++stamp_;
+  change.was.facets.clear();
+  for (const FaceId f : change.out) {
+    marks_[f] = stamp_;
+    change.was.facets.push_back(mesh_.faces[f].v);
+  }
+  return change.was.link();
+}
+
+void DiskReplacer::put_in_place(const Change& change) {
+  if (change.what == Change::Vertex::comes) {
+    DELISO_ASSERT(change.vertex == mesh_.points.size());
+    mesh_.points.push_back(change.place);
+  } else if (change.what == Change::Vertex::moves) {
+    moved_from_ = std::exchange(mesh_.points[change.vertex], change.place);
+  }
+}
+
+void DiskReplacer::take_back(const Change& change) {
+  if (change.what == Change::Vertex::comes) mesh_.points.pop_back();
+  if (change.what == Change::Vertex::moves) mesh_.points[change.vertex] = moved_from_;
+}
+
+std::optional<Refusal> DiskReplacer::look_at(Change& change) {
+  if (!keeps_manifold(change)) return Refusal::not_a_disk;
+  if (!find_duals(change)) return Refusal::no_surface_point;
+  if (change.least_cosine > -1 && turns(change)) return Refusal::turned;
+  return std::nullopt;
+}
+
+// G1. The old disk's rim edges with a facet beyond are all on the new one's rim; what else is on
+// either is boundary.
+bool DiskReplacer::keeps_manifold(Change& change) {
+  Patch& in = change.in;
+  if (!in.link()) return false;
+  beyond_.assign(in.rim.size(), kNoId);
+  for (const Patch::RimEdge& old : change.was.rim) {
+    const FaceId g = mesh_.faces[change.out[old.facet]].n[old.side];
+    if (g == kNoId) continue;
+    const auto same = std::find_if(in.rim.begin(), in.rim.end(), [&](const Patch::RimEdge& e) {
+      return e.from == old.from && e.to == old.to;
+    });
+    if (same == in.rim.end()) return false;
+    beyond_[static_cast<std::size_t>(same - in.rim.begin())] = g;
+    // A facet that is there already, seen from behind.
+    const Triangle& t = in.facets[same->facet];
+    const Triangle& there = mesh_.faces[g].v;
+    if (has_corner(there, t[0]) && has_corner(there, t[1]) && has_corner(there, t[2])) return false;
+  }
+  // An edge inside the new disk between two vertices that are joined elsewhere would have four
+  // facets. With a new vertex at its end there can be none.
+  for (std::uint32_t f = 0; f < in.facets.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      if (in.beyond[f][i] == Patch::kRim || in.beyond[f][i] < f) continue;
+      const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
+      if (change.what == Change::Vertex::comes && (a == change.vertex || b == change.vertex)) {
+        continue;
+      }
+      if (is_joined_outside(a, b, change)) return false;
+    }
+  }
+  return true;
+}
+
+bool DiskReplacer::is_joined_outside(VertexId a, VertexId b, const Change& change) {
+  const auto start = std::find_if(change.out.begin(), change.out.end(), [&](FaceId f) {
+    return has_corner(mesh_.faces[f].v, a);
+  });
+  DELISO_ASSERT(start != change.out.end());
+  facets_around(mesh_, *start, a, star_);
+  return std::any_of(star_.begin(), star_.end(), [&](FaceId f) {
+    return !is_out(f) && has_corner(mesh_.faces[f].v, b);
+  });
+}
+
+// G2.
+bool DiskReplacer::find_duals(Change& change) {
+  change.duals.clear();
+  normals_.clear();
+  for (const Triangle& v : change.in.facets) {
+    const Vec3 &a = point(v[0]), &b = point(v[1]), &c = point(v[2]);
+    normals_.push_back(area_normal(a, b, c));
+    change.duals.push_back(finder_.dual(a, b, c, searches()));
+    const Dual& dual = change.duals.back();
+    if (dual.on_surface) continue;
+    const double r_min = parameters_.r_min;
+    if (!(dual.radius2 <= r_min * r_min) || faces_away(v, normals_.back())) return false;
+  }
+  return true;
+}
+
+bool DiskReplacer::faces_away(const Triangle& v, const Vec3& normal) const {
+  return std::all_of(v.begin(), v.end(), [&](VertexId q) {
+    return dot(surface_.gradient(point(q)), normal) < 0;
+  });
+}
+
+// G3.
+bool DiskReplacer::turns(const Change& change) {
+  double before = 1, after = 1;
+  const auto normal_of = [&](FaceId f) {
+    const Triangle& v = mesh_.faces[f].v;
+    return area_normal(point(v[0]), point(v[1]), point(v[2]));
+  };
+  const auto normal_before = [&](FaceId f) {
+    if (change.what != Change::Vertex::moves) return normal_of(f);
+    Triangle v = mesh_.faces[f].v;
+    std::array<Vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = v[i] == change.vertex ? moved_from_ : point(v[i]);
+    return area_normal(p[0], p[1], p[2]);
+  };
+  for (const FaceId f : change.out) {
+    for (const FaceId g : mesh_.faces[f].n) {
+      if (g != kNoId && (g > f || !is_out(g))) {
+        before = std::min(before, cosine(normal_before(f), normal_before(g)));
+      }
+    }
+  }
+  const Patch& in = change.in;
+  for (std::uint32_t f = 0; f < in.facets.size(); ++f) {
+    for (const std::uint32_t g : in.beyond[f]) {
+      if (g != Patch::kRim && g > f) after = std::min(after, cosine(normals_[f], normals_[g]));
+    }
+  }
+  for (std::size_t k = 0; k < in.rim.size(); ++k) {
+    if (beyond_[k] == kNoId) continue;
+    after = std::min(after, cosine(normals_[in.rim[k].facet], normal_of(beyond_[k])));
+  }
+  return !(after >= std::min(change.least_cosine, before));
+}
+
+// G5.
+bool DiskReplacer::crosses(const Change& change) {
+  const std::vector<Triangle>& in = change.in.facets;
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    if (collinear(point(in[f][0]), point(in[f][1]), point(in[f][2]))) return true;
+  }
+  boxes_.clear();
+  for (const Triangle& t : in) boxes_.push_back(grid_.box_of(mesh_.points, t));
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    for (std::size_t g = f + 1; g < in.size(); ++g) {
+      if (FacetGrid::meet(boxes_[f], boxes_[g]) && meet(in[f], normals_[f], in[g])) return true;
+    }
+  }
+  FacetGrid::Box all = boxes_[0];
+  for (const FacetGrid::Box& box : boxes_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
+      all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
+    }
+  }
+  return grid_.any(all, [&](FaceId g) {
+    if (is_out(g)) return false;
+    const Triangle& other = mesh_.faces[g].v;
+    for (std::size_t f = 0; f < in.size(); ++f) {
+      if (FacetGrid::meet(boxes_[f], grid_.box(g)) && meet(in[f], normals_[f], other)) return true;
+    }
+    return false;
+  });
+}
+
+namespace {
+
+// A plane through an edge e0 e1 of one triangle, along its normal, that has it on one side and the
+// other triangle on the other parts the two but for what they share. By a margin that rounding
+// stays far below; the planes that do it exactly are a little way off.
+bool edge_parts(const std::vector<Vec3>& points, const Triangle& s, const Vec3& normal, int i,
+                const Triangle& t) {
+  constexpr double kMargin = 1e-10;
+  const VertexId from = s[(i + 1) % 3], to = s[(i + 2) % 3];
+  const Vec3& origin = points[from];
+  const Vec3 outwards = cross(points[to] - origin, normal);
+  const double size = std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z);
+  const auto beyond = [&](VertexId v, double sign) {
+    const Vec3 w = points[v] - origin;
+    const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
+    return sign * dot(outwards, w) > kMargin * size * reach;
+  };
+  if (!beyond(s[i], -1)) return false;
+  for (const VertexId v : t) {
+    if (v != from && v != to && !beyond(v, 1)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool DiskReplacer::meet(const Triangle& s, const Vec3& normal, const Triangle& t) const {
+  for (int i = 0; i < 3; ++i) {
+    if (edge_parts(mesh_.points, s, normal, i, t)) return false;
+  }
+  const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
+  const Vec3 other_normal = area_normal(a, b, c);
+  for (int i = 0; i < 3; ++i) {
+    if (edge_parts(mesh_.points, t, other_normal, i, s)) return false;
+  }
+  return !collinear(a, b, c) && triangles_intersect(mesh_.points, s, t);
+}
+
+void DiskReplacer::commit(Change& change) {
+  const Patch& in = change.in;
+  for (const FaceId f : change.out) grid_.remove(f);
+  change.created.clear();
+  std::size_t reused = 0;
+  for (std::size_t k = 0; k < in.facets.size(); ++k) {
+    FaceId f;
+    if (reused < change.out.size()) {
+      f = change.out[reused++];
+    } else if (!free_.empty()) {
+      f = free_.back();
+      free_.pop_back();
+    } else {
+      f = static_cast<FaceId>(mesh_.faces.size());
+      mesh_.faces.emplace_back();
+      s_.duals.emplace_back();
+      marks_.push_back(0);
+    }
+    change.created.push_back(f);
+  }
+  for (; reused < change.out.size(); ++reused) {
+    mesh_.faces[change.out[reused]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+    free_.push_back(change.out[reused]);
+  }
+  for (std::size_t k = 0; k < in.facets.size(); ++k) {
+    Face& face = mesh_.faces[change.created[k]];
+    face.v = in.facets[k];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t g = in.beyond[k][i];
+      face.n[i] = g == Patch::kRim ? kNoId : change.created[g];
+    }
+    s_.duals[change.created[k]] = change.duals[k];
+    grid_.add(change.created[k], boxes_[k]);
+  }
+  for (std::size_t k = 0; k < in.rim.size(); ++k) {
+    if (beyond_[k] == kNoId) continue;
+    const Patch::RimEdge& edge = in.rim[k];
+    mesh_.faces[change.created[edge.facet]].n[edge.side] = beyond_[k];
+    Face& outside = mesh_.faces[beyond_[k]];
+    for (int i = 0; i < 3; ++i) {
+      if (outside.v[(i + 1) % 3] == edge.to && outside.v[(i + 2) % 3] == edge.from) {
+        outside.n[i] = change.created[edge.facet];
+      }
+    }
+  }
+  if (!s_.pole_heights.empty() && change.what == Change::Vertex::comes) {
+    double sum = 0;
+    for (const Patch::RimEdge& edge : change.was.rim) sum += s_.pole_heights[edge.from];
+    s_.pole_heights.push_back(sum / static_cast<double>(change.was.rim.size()));
+  }
+}
+
+bool DiskReplacer::holds_vertex(const Triangle& v, const Dual& ball) const {
+  return grid_.any(grid_.box_around(ball.center, std::sqrt(ball.radius2)), [&](FaceId f) {
+    const Triangle& other = mesh_.faces[f].v;
+    return std::any_of(other.begin(), other.end(), [&](VertexId q) {
+      return ball.holds(point(q)) && !has_corner(v, q);
+    });
+  });
+}
+
+}  // namespace deliso

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The one operation of Stage 2: a disk of facets out, another disk over the same rim in. Insertion,
+// flip, triangulating a patch anew, collapse and move are five ways to propose one; at the mesh's
+// boundary the rim may give way, from boundary vertex to boundary vertex.
+//
+// What Stage 1 hands over no replacement can take away, because each passes these gates, from cheap
+// to dear:
+//   G1  both are disks, and nothing of the new one is in the mesh already (the link condition): the
+//       mesh stays a manifold, homeomorphic to what it was;
+//   G2  every new facet above r_min finds its surface point; smaller ones may do without, unless
+//       Sigma's outside lies behind them at all three corners;
+//   G3  no edge turns more sharply than asked for, or than one did before;
+//   G4  what the proposer wants to fall, falls: so there is an end to it;
+//   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "surface/facet_grid.h"
+#include "surface/parameters.h"
+#include "surface/report.h"
+#include "surface/surface_mesh.h"
+#include "surface/surface_point.h"
+
+namespace deliso {
+
+// A disk of facets, each by its corners, and how they hang together. [O(n^2) in their number]
+struct Patch {
+  static constexpr std::uint32_t kRim = 0xffffffff;
+  struct RimEdge {
+    VertexId from, to;       // as the facet runs
+    std::uint32_t facet;     // its number in the patch
+    int side;                // of that facet
+  };
+  std::vector<Triangle> facets;
+  std::vector<std::array<std::uint32_t, 3>> beyond;  // facet across side i; kRim
+  std::vector<RimEdge> rim;
+
+  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1, which
+  // only a disk has.
+  bool link();
+  // Vertices that are not on the rim. pre: a disk.
+  std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
+
+ private:
+  std::vector<VertexId> corners_;
+  std::vector<std::uint32_t> reached_;
+};
+
+// The cosine between the normals at an edge that a rearrangement of facets may leave, unless one was
+// sharper before: 60 degrees.
+inline constexpr double kSharpest = 0.5;
+
+struct Change {
+  std::vector<FaceId> out;
+  Patch was;  // their corners, by take_out()
+  Patch in;
+  // A vertex that comes, or is moved, and to where.
+  enum class Vertex { none, comes, moves } what = Vertex::none;
+  VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
+  Vec3 place;
+  double least_cosine = -1;  // G3: between the normals at an edge; -1: not asked
+  // Found on the way.
+  std::vector<Dual> duals;      // of `in`
+  std::vector<FaceId> created;  // of `in`, once it is done
+};
+
+class DiskReplacer {
+ public:
+  // Keeps references.
+  DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface, const Parameters& parameters,
+               Report& report);
+
+  // Fills change.was; whether change.out is a disk. Comes before replace().
+  bool take_out(Change& change);
+
+  // Does it, or says which gate it did not pass and leaves everything as it was. accept(): G4, asked
+  // when the duals are known and the vertex is in its place. The boundary chain is the caller's.
+  template <class Accept>
+  std::optional<Refusal> replace(Change& change, Accept&& accept) {
+    put_in_place(change);
+    std::optional<Refusal> refusal = look_at(change);
+    if (!refusal && !accept()) refusal = Refusal::no_gain;
+    if (!refusal && crosses(change)) refusal = Refusal::crossing;
+    refusal ? take_back(change) : commit(change);
+    return refusal;
+  }
+
+  // Whether any vertex of the mesh but the corners of v is in the ball.
+  bool holds_vertex(const Triangle& v, const Dual& ball) const;
+  const FacetGrid& grid() const { return grid_; }
+  SurfacePointFinder& finder() { return finder_; }
+  SearchCounters& searches() { return report_.searches_refine; }
+
+ private:
+  void put_in_place(const Change& change);
+  void take_back(const Change& change);
+  void commit(Change& change);
+
+  std::optional<Refusal> look_at(Change& change);  // G1 to G3
+  bool keeps_manifold(Change& change);
+  bool is_joined_outside(VertexId a, VertexId b, const Change& change);
+  bool find_duals(Change& change);
+  bool faces_away(const Triangle& v, const Vec3& normal) const;
+  bool turns(const Change& change);
+  bool crosses(const Change& change);
+  bool meet(const Triangle& s, const Vec3& normal, const Triangle& t) const;
+  bool is_out(FaceId f) const { return marks_[f] == stamp_; }
+  const Vec3& point(VertexId v) const { return mesh_.points[v]; }
+
+  SurfaceMesh& s_;
+  TriMesh& mesh_;
+  const Isosurface& surface_;
+  const Parameters& parameters_;
+  Report& report_;
+  SurfacePointFinder finder_;
+  FacetGrid grid_;
+  std::vector<FaceId> free_;  // dead facets
+
+  // Of the change at hand.
+  std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is to go
+  std::uint32_t stamp_ = 0;
+  Vec3 moved_from_;
+  std::vector<FaceId> beyond_;  // per rim edge of the new disk; kNoId on the boundary
+  std::vector<Vec3> normals_;
+  std::vector<FacetGrid::Box> boxes_;
+  std::vector<FaceId> star_;
+};
+
+}  // namespace deliso

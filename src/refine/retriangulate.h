@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A flip of more than two facets: where no flip of an edge helps, a patch of facets is triangulated
+// anew over the same rim and the same vertices, by facets whose surface balls are empty: a piece of
+// the restricted Delaunay triangulation, found from the balls alone.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "refine/replace_disk.h"
+
+namespace deliso {
+
+class Retriangulator {
+ public:
+  // Keeps references.
+  Retriangulator(SurfaceMesh& surface_mesh, DiskReplacer& replacer, Report& report)
+      : s_(surface_mesh), mesh_(surface_mesh.mesh), replacer_(replacer), report_(report) {}
+
+  // Replaces a patch with f in it, one that has facets with occupied balls and comes to have none.
+  bool retriangulate(FaceId f);
+  std::span<const FaceId> created() const { return change_.created; }
+
+ private:
+  using DirectedEdge = std::pair<VertexId, VertexId>;
+
+  // Whether f has a surface ball without vertices of the mesh.
+  bool is_delaunay(FaceId f) const {
+    return s_.duals[f].on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f]);
+  }
+  void grow();
+  bool in_patch(FaceId f) const;
+  // Fills the patch facet by facet, closing the edges of front_ from number `from` on.
+  bool fill();
+  bool fill_from(std::size_t from);
+  bool is_free(VertexId a, VertexId b) const;
+  bool has_empty_ball(const Triangle& v);
+
+  SurfaceMesh& s_;
+  const TriMesh& mesh_;
+  DiskReplacer& replacer_;
+  Report& report_;
+  Change change_;
+
+  std::vector<VertexId> vertices_;                // of the patch
+  std::vector<DirectedEdge> rim_, used_, front_;  // of the patch; of the filling so far; to be closed
+  std::map<Triangle, bool> empty_;
+  int tried_ = 0;
+  std::vector<FaceId> star_;
+};
+
+}  // namespace deliso

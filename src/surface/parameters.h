@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What the stages are told: every length resolved, in the scaled frame. deliso/options.h has the
+// same as a user gives it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace deliso {
+
+// Which of a vertex's two poles gives its height: §3.2 says the nearer; the other is for studying
+// how the paper's counts came about.
+enum class PoleSide : std::uint8_t { nearer, further };
+
+struct Profile;
+
+// When a facet is to be refined, as limits on its r (circumradius), h (from its circumcenter to its
+// surface point), l (shortest edge) and pole height. Infinity: not asked.
+struct Criteria {
+  double h_over_r;      // epsilon in Stage 1, epsilon1 in Stage 2
+  double r_over_pole;   // epsilon2
+  double lambda;        // r/l
+  double max_distance;  // h
+  double max_radius;    // r
+  double r_min;         // nothing smaller is refined for the above, but for r/l
+  double shape_floor;   // nothing smaller is refined for r/l
+};
+
+struct Parameters {
+  double voxel;  // the shortest side of one
+  double r_min;
+  double fingers;     // Stage 1, certified: how far a vertex of T may be from K
+  Criteria recovery;  // ApproximateGeom, paper §3.1
+  Criteria refinement;
+  PoleSide pole_side = PoleSide::nearer;
+
+  std::uint64_t seed = 1;
+  std::size_t samples = 50;  // N0, random points to begin with
+  double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
+  std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
+  std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
+  // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
+  bool keep_partial = false;
+
+  // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
+  std::function<void(const char* stage, double share)> progress;
+  Profile* profile = nullptr;  // filled when given
+
+  bool asks_for_poles() const {
+    return refinement.r_over_pole < std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace deliso
