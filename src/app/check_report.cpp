@@ -175,6 +175,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   json.add("over_h_over_r", v.over_h_over_r);
   json.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min);
   json.add("over_lambda", v.quality.over_lambda);
+  json.add("over_lambda_above_r_min", v.quality.over_lambda_above_r_min);
   json.add("min_angle_degrees", v.quality.min_angle);
   json.add("max_angle_degrees", v.quality.max_angle);
   json.add("max_r_over_l_above_r_min", v.quality.max_r_over_l_above_r_min);

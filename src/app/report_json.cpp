@@ -67,6 +67,7 @@ void add_quality(JsonWriter& json, const MeshQuality& quality) {
   json.close();
   json.add("max_r_over_l_above_r_min", quality.max_r_over_l_above_r_min);
   json.add("over_lambda", quality.over_lambda);
+  json.add("over_lambda_above_r_min", quality.over_lambda_above_r_min);
   json.add("degenerate_triangles", quality.degenerate_faces);
   json.add("max_radius", quality.max_radius);
   json.add("area", quality.area);

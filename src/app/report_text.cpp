@@ -42,9 +42,9 @@ void append_quality(std::string& text, const MeshQuality& quality, double lambda
                 quality.max_angle);
   append_format(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n",
                 quality.max_r_over_l, number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
-  append_format(text, "          %s above r_min with r/l > %s\n",
+  append_format(text, "          %s with r/l > %s, %s of them above r_min\n",
                 counted(quality.over_lambda, "triangle", "triangles").c_str(),
-                number_text(lambda).c_str());
+                number_text(lambda).c_str(), grouped(quality.over_lambda_above_r_min).c_str());
   if (quality.degenerate_faces > 0) {
     append_format(text, "          %s without area\n",
                   counted(quality.degenerate_faces, "triangle", "triangles").c_str());

@@ -2,6 +2,7 @@
 #include "deliso/options.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace deliso {
 namespace {
@@ -46,7 +47,7 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.fingers = o.fingers.in(volume);
   p.recovery = {o.epsilon, Options::kNone, o.lambda, Options::kNone, Options::kNone, r_min, r_min};
   p.refinement = {o.epsilon1,   o.epsilon2, o.lambda, o.max_distance.in(volume),
-                  o.max_radius, r_min,      std::min(r_min, kShapeFloor * voxel)};
+                  o.max_radius, r_min,      (getenv("FL")?atof(getenv("FL"))*voxel:std::min(r_min, kShapeFloor * voxel))};
   // As published, nothing smaller than r_min is refined at all.
   if (o.recover == RecoverWay::paper) p.refinement.shape_floor = r_min;
   p.pole_side = o.pole_side;

@@ -67,9 +67,10 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
       q.max_r_over_l = s.r_over_l;
       q.max_r_over_l_face = f;
     }
+    q.over_lambda += s.r_over_l > lambda;
     if (s.radius > r_min) {
       q.max_r_over_l_above_r_min = std::max(q.max_r_over_l_above_r_min, s.r_over_l);
-      q.over_lambda += s.r_over_l > lambda;
+      q.over_lambda_above_r_min += s.r_over_l > lambda;
     }
     q.max_radius = std::max(q.max_radius, s.radius);
     q.min_area = std::min(q.min_area, s.area);

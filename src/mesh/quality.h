@@ -27,9 +27,9 @@ struct MeshQuality {
   FaceId max_r_over_l_face = kNoId;
   // r/l at the quantiles kQuantiles: the smallest value that so large a share does not exceed.
   std::array<double, kQuantiles.size()> r_over_l_quantiles{};
-  // The same where the criterion applies: facets with r > r_min.
-  double max_r_over_l_above_r_min = 0;
-  std::size_t over_lambda = 0;  // r/l > lambda and r > r_min
+  double max_r_over_l_above_r_min = 0;  // of facets with r > r_min
+  std::size_t over_lambda = 0;          // r/l > lambda, at any size
+  std::size_t over_lambda_above_r_min = 0;
 
   double max_radius = 0;
   double min_area = 0, area = 0;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sorted_list.h"
+#include "surface/criteria.h"
+
 namespace deliso {
 namespace {
 
@@ -68,7 +71,12 @@ bool Collapser::collapse(FaceId f) {
   // Of a boundary edge either end, of others the inner end.
   if (s_.chain.is_boundary(a)) std::swap(a, b);
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    const auto refusal = merge(f, from, to);
+    const auto gains = [&] {
+      const double before = worst_ratio(change_.was.facets);
+      return before > parameters_.refinement.lambda &&
+             worst_ratio(change_.in.facets) <= kWorse * before;
+    };
+    const auto refusal = merge(f, from, to, gains);
     if (!refusal) {
       ++report_[Rung::collapse].done;
       return true;
@@ -78,7 +86,52 @@ bool Collapser::collapse(FaceId f) {
   return false;
 }
 
-std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to) {
+double Collapser::cost(const Triangle& v, const Dual& dual) const {
+  const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
+  if (!dual.on_surface) return 4;
+  const FacetShape s = measure(a, b, c, dual.center);
+  const Criteria& limit = parameters_.refinement;
+  return (s.r > limit.shape_floor && s.r > limit.lambda * s.l ? 1 : 0) +
+         (replacer_.holds_vertex(v, dual) ? 0.3 : 0);
+}
+
+bool Collapser::take_out_corner(FaceId f) {
+  const Triangle corners = mesh_.faces[f].v;
+  std::vector<FaceId> star;
+  for (const VertexId from : corners) {
+    if (!may_go(from)) continue;
+    facets_around(mesh_, f, from, star);
+    double before = 0;
+    for (const FaceId g : star) before += cost(mesh_.faces[g].v, s_.duals[g]);
+    if (before == 0) continue;
+    std::vector<VertexId> around;
+    for (const FaceId g : star) {
+      for (const VertexId q : mesh_.faces[g].v) {
+        if (q != from) around.push_back(q);
+      }
+    }
+    sort_out(around);
+    for (const VertexId to : around) {
+      const auto gains = [&] {
+        double after = 0;
+        for (std::size_t k = 0; k < change_.duals.size() && after < before; ++k) {
+          after += cost(change_.in.facets[k], change_.duals[k]);
+        }
+        return after < before;
+      };
+      const auto refusal = merge(f, from, to, gains);
+      if (!refusal) {
+        ++report_[Rung::collapse].done;
+        return true;
+      }
+      ++report_[Rung::collapse].refused[static_cast<std::size_t>(*refusal)];
+    }
+  }
+  return false;
+}
+
+template <class Gains>
+std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to, Gains&& gains) {
   if (!may_go(from)) return Refusal::boundary;
   const bool on_boundary = s_.chain.is_boundary(from);
   if (on_boundary && !s_.chain.is_edge(from, to)) return Refusal::boundary;
@@ -99,10 +152,7 @@ std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to) {
   }
   if (change_.in.facets.empty()) return Refusal::not_a_disk;
   change_.least_cosine = kSharpest;
-  const double before = worst_ratio(change_.was.facets);
-  const auto refusal = replacer_.replace(change_, [&] {
-    return before > parameters_.refinement.lambda && worst_ratio(change_.in.facets) <= kWorse * before;
-  });
+  const auto refusal = replacer_.replace(change_, gains);
   if (!refusal && on_boundary) s_.chain.remove(from);
   return refusal;
 }

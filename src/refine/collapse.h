@@ -19,10 +19,16 @@ class Collapser {
   // Collapses the shortest edge of f when f has r/l over its limit, the edge is shorter than a facet
   // of r_min may have, and the facets there become no worse by it.
   bool collapse(FaceId f);
+  // Merges a corner of f into a neighbour, whatever the distance, where that leaves fewer facets
+  // around it that no insertion mends.
+  bool take_out_corner(FaceId f);
   std::span<const FaceId> created() const { return change_.created; }
 
  private:
-  std::optional<Refusal> merge(FaceId f, VertexId from, VertexId to);
+  // `gains()` is asked last, as in DiskReplacer::replace().
+  template <class Gains>
+  std::optional<Refusal> merge(FaceId f, VertexId from, VertexId to, Gains&& gains);
+  double cost(const Triangle& v, const Dual& dual) const;
   bool may_go(VertexId v) const;
   bool joins_on_box(VertexId v, VertexId w) const;
   double worst_ratio(std::span<const Triangle> facets) const;

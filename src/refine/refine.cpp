@@ -2,6 +2,7 @@
 #include "refine/refine.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -68,6 +69,7 @@ class Refiner {
 
   WorstFirst queue_;
   std::vector<FaceId> refused_;
+  std::vector<std::uint8_t> stuck_;  // per facet: every rung refused, and nothing around it has changed
   std::vector<FaceId> changed_;  // since legalize() last looked at them
   std::vector<FaceId> ends_;     // facets whose boundary edges are to be looked at
   std::size_t steps_ = 0;
@@ -89,15 +91,21 @@ double Refiner::judge(FaceId f) {
 }
 
 void Refiner::take(std::span<const FaceId> created) {
+  stuck_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : created) {
     judge(f);
     changed_.push_back(f);
+    stuck_[f] = 0;
+    for (const FaceId g : mesh_.faces[f].n) {
+      if (g != kNoId) stuck_[g] = 0;
+    }
     const Face& face = mesh_.faces[f];
     if (std::find(face.n.begin(), face.n.end(), kNoId) != face.n.end()) ends_.push_back(f);
   }
 }
 
 void Refiner::refine_geom() {
+  stuck_.assign(mesh_.faces.size(), 0);
   changed_.resize(mesh_.faces.size());
   std::iota(changed_.rbegin(), changed_.rend(), 0);
   legalize();
@@ -105,10 +113,17 @@ void Refiner::refine_geom() {
   ends_.resize(mesh_.faces.size());
   std::iota(ends_.rbegin(), ends_.rend(), 0);
   follow_curves();
+  int rounds = 0;
   for (bool dear = false;;) {
     bool any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
-      any |= refine(f) || (dear && rearrange(f));
+      if (is_dead(mesh_.faces[f])) continue;
+      if (refine(f) || (dear && rearrange(f))) {
+        any = true;
+      } else {
+        stuck_[f] = dear;
+        refused_.push_back(f);
+      }
       follow_curves();
       show_progress();
       if (is_full()) return;
@@ -117,9 +132,18 @@ void Refiner::refine_geom() {
     legalize();
     // What was refused is tried again once its surroundings have changed.
     for (const FaceId f : std::exchange(refused_, {})) {
-      if (!is_dead(mesh_.faces[f])) judge(f);
+      if (!is_dead(mesh_.faces[f]) && !stuck_[f]) judge(f);
     }
-    if (!any && dear) break;
+    if (!any && dear) {
+      if (++rounds > (getenv("RD") ? atoi(getenv("RD")) : 2)) break;
+      for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+        if (is_dead(mesh_.faces[f]) || stuck_[f]) continue;
+        if (!s_.duals[f].on_surface || replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f])) {
+          if ((shape(f).r > 0.5 * parameters_.r_min && refine(f)) || rearrange(f)) any = true; else stuck_[f] = 1;
+        }
+      }
+      if (!any) break;
+    }
     dear = !any;
   }
 }
@@ -173,7 +197,6 @@ bool Refiner::refine(FaceId f) {
     take(flipper_.created());
     return true;
   }
-  refused_.push_back(f);
   return false;
 }
 
@@ -181,6 +204,10 @@ bool Refiner::refine(FaceId f) {
 bool Refiner::rearrange(FaceId f) {
   if (retriangulator_.retriangulate(f)) {
     take(retriangulator_.created());
+    return true;
+  }
+  if (collapser_.take_out_corner(f)) {
+    take(collapser_.created());
     return true;
   }
   if (mover_.move_corner(f)) {
@@ -238,6 +265,20 @@ void Refiner::follow_curves() {
 }
 
 void Refiner::count_left() {
+  if (getenv("DBG")) {
+    long n=0, off=0, offsmall=0, rl=0, h=0, occ=0, occsmall=0; long hist[8]={};
+    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+      if (is_dead(mesh_.faces[f])) continue;
+      const FacetShape s = shape(f); const bool small = s.r <= parameters_.r_min; const Dual& d = s_.duals[f];
+      ++n; off += !d.on_surface && !small; offsmall += !d.on_surface && small;
+      const bool o = d.on_surface && replacer_.holds_vertex(mesh_.faces[f].v, d); occ += o && !small; occsmall += o && small;
+      if (s.r > 2 * s.l && s.r > parameters_.refinement.shape_floor) { ++rl; int b = std::clamp(int(std::log2(s.r / parameters_.r_min)) + 4, 0, 7); ++hist[b]; }
+      h += s.h > parameters_.refinement.max_distance && !small;
+    }
+    fprintf(stderr, "facets %ld: no surface point: %ld above r_min, %ld below; occupied ball %ld above, %ld below; r/l %ld (by log2 r/rmin from -4:", n, off, offsmall, occ, occsmall, rl);
+    for (long x : hist) fprintf(stderr, " %ld", x);
+    fprintf(stderr, "); h %ld\n", h);
+  }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     const FacetShape s = shape(f);
@@ -254,6 +295,7 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   (void)witnesses;
   const StepTimer timer(report.seconds_refine);
   Refiner refiner(mesh, surface, curves, parameters, report);
+  if (getenv("DBG")) refiner.count_left();
   refiner.refine_geom();
   refiner.count_left();
   remove_dead(mesh);

@@ -13,7 +13,7 @@ namespace deliso {
 namespace {
 
 // Cells of the grid, in r_min: near the size of most facets once all is done.
-constexpr double kCell = 4;
+constexpr double kCell = 6;
 
 double cosine(const Vec3& u, const Vec3& v) {
   return dot(u, v) / std::sqrt(length2(u) * length2(v));
@@ -31,18 +31,24 @@ bool Patch::link() {
       if (std::find(corners_.begin(), corners_.end(), v) == corners_.end()) corners_.push_back(v);
     }
   }
-  for (std::uint32_t f = 0; f < n; ++f) {
+  edges_.clear();
+  for (const Triangle& t : facets) {
     for (int i = 0; i < 3; ++i) {
-      const VertexId from = facets[f][(i + 1) % 3], to = facets[f][(i + 2) % 3];
-      for (std::uint32_t g = 0; g < n && beyond[f][i] == kRim; ++g) {
-        for (int k = 0; k < 3; ++k) {
-          const VertexId a = facets[g][(k + 1) % 3], b = facets[g][(k + 2) % 3];
-          if (a == from && b == to && (g != f || k != i)) return false;  // run along by two
-          if (a == to && b == from) beyond[f][i] = g;
-        }
-      }
-      if (beyond[f][i] == kRim) rim.push_back({from, to, f, i});
+      const std::uint64_t from = t[(i + 1) % 3], to = t[(i + 2) % 3];
+      edges_.push_back(from << 32 | to);
     }
+  }
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const std::uint64_t back = edges_[e] << 32 | edges_[e] >> 32;
+    for (std::uint32_t d = e + 1; d < edges_.size(); ++d) {
+      if (edges_[d] == edges_[e]) return false;  // two facets run along it alike
+      if (edges_[d] != back) continue;
+      beyond[e / 3][e % 3] = d / 3;
+      beyond[d / 3][d % 3] = e / 3;
+    }
+    if (beyond[e / 3][e % 3] != kRim) continue;
+    rim.push_back({static_cast<VertexId>(edges_[e] >> 32), static_cast<VertexId>(edges_[e]), e / 3,
+                   static_cast<int>(e % 3)});
   }
   if (rim.size() < 3 || 2 * corners_.size() != n + rim.size() + 2) return false;
   // One cycle, through every vertex of the rim once.
@@ -162,14 +168,19 @@ bool DiskReplacer::is_joined_outside(VertexId a, VertexId b, const Change& chang
 bool DiskReplacer::find_duals(Change& change) {
   change.duals.clear();
   normals_.clear();
+  const auto is_large = [&](const Dual& dual) {
+    return !(dual.radius2 <= parameters_.r_min * parameters_.r_min);
+  };
+  auto allowed = std::count_if(change.out.begin(), change.out.end(), [&](FaceId f) {
+    return !s_.duals[f].on_surface && is_large(s_.duals[f]);
+  });
   for (const Triangle& v : change.in.facets) {
     const Vec3 &a = point(v[0]), &b = point(v[1]), &c = point(v[2]);
     normals_.push_back(area_normal(a, b, c));
     change.duals.push_back(finder_.dual(a, b, c, searches()));
     const Dual& dual = change.duals.back();
     if (dual.on_surface) continue;
-    const double r_min = parameters_.r_min;
-    if (!(dual.radius2 <= r_min * r_min) || faces_away(v, normals_.back())) return false;
+    if ((is_large(dual) || faces_away(v, normals_.back())) && allowed-- == 0) return false;
   }
   return true;
 }
@@ -217,14 +228,18 @@ bool DiskReplacer::turns(const Change& change) {
 // G5.
 bool DiskReplacer::crosses(const Change& change) {
   const std::vector<Triangle>& in = change.in.facets;
-  for (std::size_t f = 0; f < in.size(); ++f) {
-    if (collinear(point(in[f][0]), point(in[f][1]), point(in[f][2]))) return true;
-  }
   boxes_.clear();
-  for (const Triangle& t : in) boxes_.push_back(grid_.box_of(mesh_.points, t));
+  sides_.clear();
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    const Triangle& t = in[f];
+    if (collinear(point(t[0]), point(t[1]), point(t[2]))) return true;
+    boxes_.push_back(grid_.box_of(mesh_.points, t));
+    const auto side = [&](int i) { return upright(mesh_.points, t, normals_[f], i); };
+    sides_.push_back({side(0), side(1), side(2)});
+  }
   for (std::size_t f = 0; f < in.size(); ++f) {
     for (std::size_t g = f + 1; g < in.size(); ++g) {
-      if (FacetGrid::meet(boxes_[f], boxes_[g]) && meet(in[f], normals_[f], in[g])) return true;
+      if (FacetGrid::meet(boxes_[f], boxes_[g]) && meet(change, f, in[g])) return true;
     }
   }
   FacetGrid::Box all = boxes_[0];
@@ -234,50 +249,49 @@ bool DiskReplacer::crosses(const Change& change) {
       all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
     }
   }
-  return grid_.any(all, [&](FaceId g) {
+  return grid_.any(all, [&](FaceId g, const FacetGrid::Box& box) {
     if (is_out(g)) return false;
-    const Triangle& other = mesh_.faces[g].v;
     for (std::size_t f = 0; f < in.size(); ++f) {
-      if (FacetGrid::meet(boxes_[f], grid_.box(g)) && meet(in[f], normals_[f], other)) return true;
+      if (FacetGrid::meet(boxes_[f], box) && meet(change, f, mesh_.faces[g].v)) return true;
     }
     return false;
   });
 }
 
-namespace {
-
-// A plane through an edge e0 e1 of one triangle, along its normal, that has it on one side and the
-// other triangle on the other parts the two but for what they share. By a margin that rounding
-// stays far below; the planes that do it exactly are a little way off.
-bool edge_parts(const std::vector<Vec3>& points, const Triangle& s, const Vec3& normal, int i,
-                const Triangle& t) {
-  constexpr double kMargin = 1e-10;
-  const VertexId from = s[(i + 1) % 3], to = s[(i + 2) % 3];
-  const Vec3& origin = points[from];
-  const Vec3 outwards = cross(points[to] - origin, normal);
-  const double size = std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z);
-  const auto beyond = [&](VertexId v, double sign) {
-    const Vec3 w = points[v] - origin;
-    const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
-    return sign * dot(outwards, w) > kMargin * size * reach;
-  };
-  if (!beyond(s[i], -1)) return false;
-  for (const VertexId v : t) {
-    if (v != from && v != to && !beyond(v, 1)) return false;
-  }
-  return true;
+DiskReplacer::Side DiskReplacer::upright(const std::vector<Vec3>& points, const Triangle& t,
+                                         const Vec3& normal, int i) {
+  const VertexId from = t[(i + 1) % 3], to = t[(i + 2) % 3];
+  const Vec3 outwards = cross(points[to] - points[from], normal);
+  return {from, to, points[from], outwards,
+          std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z)};
 }
 
-}  // namespace
+// A plane through a side of one triangle that has the triangle's third corner, `inside`, on one side
+// and the other triangle on the other parts the two but for what they share. By a margin that
+// rounding stays far below; planes that do it exactly are a little way off.
+bool DiskReplacer::parts(const std::vector<Vec3>& points, const Side& side, VertexId inside,
+                         const Triangle& other) {
+  constexpr double kMargin = 1e-10;
+  const auto beyond = [&](VertexId v, double sign) {
+    const Vec3 w = points[v] - side.origin;
+    const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
+    return sign * dot(side.outwards, w) > kMargin * side.size * reach;
+  };
+  for (const VertexId v : other) {
+    if (v != side.from && v != side.to && !beyond(v, 1)) return false;
+  }
+  return beyond(inside, -1);
+}
 
-bool DiskReplacer::meet(const Triangle& s, const Vec3& normal, const Triangle& t) const {
+bool DiskReplacer::meet(const Change& change, std::size_t f, const Triangle& t) const {
+  const Triangle& s = change.in.facets[f];
   for (int i = 0; i < 3; ++i) {
-    if (edge_parts(mesh_.points, s, normal, i, t)) return false;
+    if (parts(mesh_.points, sides_[f][i], s[i], t)) return false;
   }
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
-  const Vec3 other_normal = area_normal(a, b, c);
+  const Vec3 normal = area_normal(a, b, c);
   for (int i = 0; i < 3; ++i) {
-    if (edge_parts(mesh_.points, t, other_normal, i, s)) return false;
+    if (parts(mesh_.points, upright(mesh_.points, t, normal, i), t[i], s)) return false;
   }
   return !collinear(a, b, c) && triangles_intersect(mesh_.points, s, t);
 }
@@ -335,7 +349,7 @@ void DiskReplacer::commit(Change& change) {
 }
 
 bool DiskReplacer::holds_vertex(const Triangle& v, const Dual& ball) const {
-  return grid_.any(grid_.box_around(ball.center, std::sqrt(ball.radius2)), [&](FaceId f) {
+  return grid_.any(grid_.box_around(ball.center, std::sqrt(ball.radius2)), [&](FaceId f, const FacetGrid::Box&) {
     const Triangle& other = mesh_.faces[f].v;
     return std::any_of(other.begin(), other.end(), [&](VertexId q) {
       return ball.holds(point(q)) && !has_corner(v, q);

@@ -48,12 +48,13 @@ struct Patch {
 
  private:
   std::vector<VertexId> corners_;
+  std::vector<std::uint64_t> edges_;  // per facet and side: from, to
   std::vector<std::uint32_t> reached_;
 };
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one was
 // sharper before: 60 degrees.
-inline constexpr double kSharpest = 0.5;
+inline constexpr double kSharpest = 0;
 
 struct Change {
   std::vector<FaceId> out;
@@ -108,7 +109,7 @@ class DiskReplacer {
   bool faces_away(const Triangle& v, const Vec3& normal) const;
   bool turns(const Change& change);
   bool crosses(const Change& change);
-  bool meet(const Triangle& s, const Vec3& normal, const Triangle& t) const;
+  bool meet(const Change& change, std::size_t f, const Triangle& t) const;
   bool is_out(FaceId f) const { return marks_[f] == stamp_; }
   const Vec3& point(VertexId v) const { return mesh_.points[v]; }
 
@@ -128,6 +129,16 @@ class DiskReplacer {
   std::vector<FaceId> beyond_;  // per rim edge of the new disk; kNoId on the boundary
   std::vector<Vec3> normals_;
   std::vector<FacetGrid::Box> boxes_;
+  // Per new facet and side, the plane through it that stands upright on the facet.
+  struct Side {
+    VertexId from, to;
+    Vec3 origin, outwards;
+    double size;
+  };
+  static Side upright(const std::vector<Vec3>& points, const Triangle& t, const Vec3& normal, int i);
+  static bool parts(const std::vector<Vec3>& points, const Side& side, VertexId inside,
+                    const Triangle& other);
+  std::vector<std::array<Side, 3>> sides_;
   std::vector<FaceId> star_;
 };
 

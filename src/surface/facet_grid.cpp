@@ -2,7 +2,9 @@
 #include "surface/facet_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 
@@ -13,7 +15,7 @@ constexpr std::size_t kFewest = 1024;
 
 }  // namespace
 
-FacetGrid::FacetGrid(const Box3& box, double cell) : first_(kFewest, kNoId) {
+FacetGrid::FacetGrid(const Box3& box, double cell) : lists_(kFewest) {
   const Vec3 size = box.size();
   const double longest = std::max({size.x, size.y, size.z});
   // Coordinates stay below 2^20 cells, and above one, so that cutting off rounds down.
@@ -54,52 +56,70 @@ FacetGrid::Box FacetGrid::box_around(const Vec3& p, double radius) const {
   return box;
 }
 
-int FacetGrid::level_of(const Box& box) {
+FacetGrid::Place FacetGrid::place_of(const Box& box) {
   const float extent =
       std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
-  return extent <= 1 ? 0 : std::ilogb(extent) + 1;
-}
-
-void FacetGrid::add(FaceId f, const Box& box) {
-  if (f >= nodes_.size()) nodes_.resize(f + 1);
-  if (size_ >= first_.size()) grow();
-  const int level = level_of(box);
+  int level = 0;
+  while (extent * scale_of(level) > 1) ++level;
   const float scale = scale_of(level);
   const auto along = [&](std::size_t axis) {
     return static_cast<std::uint32_t>(box.lo[axis] * scale);
   };
-  Node& node = nodes_[f];
-  DELISO_ASSERT(node.level == kUnlisted);
-  node.box = box;
-  node.place = place_of(level, along(0), along(1), along(2));
-  node.level = level;
-  FaceId& first = first_[node.place & (first_.size() - 1)];
-  node.next = first;
-  first = f;
-  ++count_[static_cast<std::size_t>(level)];
+  return {number_of(level, along(0), along(1), along(2)), level};
+}
+
+void FacetGrid::add(FaceId f, const Box& box) {
+  if (f >= places_.size()) places_.resize(f + 1);
+  if (size_ >= lists_.size()) rebuild();
+  DELISO_ASSERT(places_[f].level < 0);
+  places_[f] = place_of(box);
+  append(places_[f].number, {box, f});
+  ++count_[static_cast<std::size_t>(places_[f].level)];
   ++size_;
 }
 
-void FacetGrid::remove(FaceId f) {
-  Node& node = nodes_[f];
-  FaceId* link = &first_[node.place & (first_.size() - 1)];
-  while (*link != f) {
-    DELISO_ASSERT(*link != kNoId);
-    link = &nodes_[*link].next;
+void FacetGrid::append(std::uint32_t number, const Entry& entry) {
+  List& in = list(number);
+  if (in.size == in.room) {  // move to a run twice as long
+    const auto power = static_cast<std::size_t>(std::bit_width(in.room));
+    DELISO_CHECK(power < free_.size());
+    std::uint32_t to;
+    if (free_[power].empty()) {
+      to = static_cast<std::uint32_t>(entries_.size());
+      entries_.resize(entries_.size() + (std::size_t{1} << power));
+    } else {
+      to = free_[power].back();
+      free_[power].pop_back();
+    }
+    std::copy_n(entries_.begin() + in.first, in.size, entries_.begin() + to);
+    if (in.room > 0) free_[power - 1].push_back(in.first);
+    in.first = to;
+    in.room = static_cast<std::uint16_t>(std::size_t{1} << power);
   }
-  *link = node.next;
-  --count_[static_cast<std::size_t>(node.level)];
-  node.level = kUnlisted;
+  entries_[in.first + in.size++] = entry;
+}
+
+void FacetGrid::remove(FaceId f) {
+  List& in = list(places_[f].number);
+  std::uint32_t n = in.first;
+  while (entries_[n].facet != f) ++n;
+  DELISO_ASSERT(n < in.first + in.size);
+  entries_[n] = entries_[in.first + --in.size];
+  --count_[static_cast<std::size_t>(places_[f].level)];
+  places_[f] = {};
   --size_;
 }
 
-void FacetGrid::grow() {
-  first_.assign(2 * first_.size(), kNoId);
-  for (FaceId f = 0; f < nodes_.size(); ++f) {
-    if (nodes_[f].level == kUnlisted) continue;
-    FaceId& first = first_[nodes_[f].place & (first_.size() - 1)];
-    nodes_[f].next = first;
-    first = f;
+// With twice as many lists.
+void FacetGrid::rebuild() {
+  const std::vector<Entry> entries = std::move(entries_);
+  const std::vector<List> lists(std::exchange(lists_, std::vector<List>(2 * lists_.size())));
+  entries_.clear();
+  for (auto& runs : free_) runs.clear();
+  for (const List& in : lists) {
+    for (std::uint32_t n = in.first; n < in.first + in.size; ++n) {
+      append(places_[entries[n].facet].number, entries[n]);
+    }
   }
 }
 
