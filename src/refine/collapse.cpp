@@ -56,7 +56,7 @@ double Collapser::worst_ratio(std::span<const Triangle> facets) const {
 
 bool Collapser::collapse(FaceId f) {
   const Triangle v = mesh_.faces[f].v;
-  const double limit = parameters_.r_min / parameters_.refinement.lambda;
+  const double limit = parameters_.r_min;
   if (worst_ratio({&v, 1}) <= parameters_.refinement.lambda) return false;
   VertexId a = kNoId, b = kNoId;
   double shortest2 = limit * limit;

@@ -2,9 +2,10 @@
 #include "refine/refine.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "refine/flip.h"
 #include "refine/insert.h"
 #include "refine/move.h"
+#include "refine/reach.h"
 #include "refine/replace_disk.h"
 #include "refine/retriangulate.h"
 #include "refine/worst_first.h"
@@ -24,41 +26,66 @@
 namespace deliso {
 namespace {
 
+// A bound on the distance that no mesh of so many vertices keeps: what --vertices begins with.
+constexpr double kFinest = 2e-3;  // voxels
+
+// Facets that are wanted Delaunay though they meet the criteria: those above this share of r_min are
+// refined for it, smaller ones only rearranged.
+constexpr double kSmall = 0.5;
+
+// How much further than facets from Sigma, at their circumcenters, points of Sigma may be from the
+// mesh. The same for both costs two in five vertices more (docs/decisions.md).
+constexpr double kReach = 2;
+
 class Refiner {
  public:
   Refiner(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
           const Parameters& parameters, Report& report)
       : s_(surface_mesh),
         mesh_(surface_mesh.mesh),
+        surface_(surface),
         parameters_(parameters),
         report_(report),
-        replacer_(surface_mesh, surface, parameters, report),
-        inserter_(surface_mesh, replacer_, curves, parameters, report),
+        replacer_(surface_mesh, surface, parameters_, report),
+        inserter_(surface_mesh, replacer_, curves, parameters_, report),
         flipper_(surface_mesh, replacer_, report),
-        collapser_(surface_mesh, replacer_, surface, curves, parameters, report),
+        collapser_(surface_mesh, replacer_, surface, curves, parameters_, report),
         retriangulator_(surface_mesh, replacer_, report),
-        mover_(surface_mesh, replacer_, parameters, report) {}
+        mover_(surface_mesh, replacer_, parameters_, report) {}
 
-  // RefineGeom, Figure 9.
-  void refine_geom();
-  void count_left();
+  void run(std::span<const Vec3> witnesses);
 
  private:
+  // Which rungs are tried: the dear ones only where the cheap ones have left something.
+  enum class Rungs { cheap, all };
+
+  // RefineGeom, Figure 9: until every facet meets the criteria or every rung is refused.
+  void refine_geom(Rungs rungs);
+  // Inserts witnesses that are too far from the mesh; whether any.
+  bool reach(std::span<const Vec3> witnesses);
+  // Makes facets Delaunay whose balls hold vertices, or that have no surface point; whether any.
+  bool make_delaunay();
+  void count_left();
+
   FacetShape shape(FaceId f) const;
-  double judge(FaceId f);
+  void judge(FaceId f);
+  void judge_all();
   // New facets: judged, and looked at for flips and for leaving the boundary's curve.
-  void take(std::span<const FaceId> created);
+  bool take(std::span<const FaceId> created);
+  bool climb(FaceId f, Rungs rungs);
   bool refine(FaceId f);
   bool rearrange(FaceId f);
   std::array<std::optional<Vec3>, 2> other_points(FaceId f);
   void legalize();
   void follow_curves();
-  bool is_full();
+  // The last facet taken from the queue was f: whether there may be no more vertices.
+  bool is_full(FaceId f);
   void show_progress();
 
   SurfaceMesh& s_;
   const TriMesh& mesh_;
-  const Parameters& parameters_;
+  const Isosurface& surface_;
+  Parameters parameters_;  // its bound on the distance gives way to target_vertices
   Report& report_;
   DiskReplacer replacer_;
   Inserter inserter_;
@@ -69,12 +96,32 @@ class Refiner {
 
   WorstFirst queue_;
   std::vector<FaceId> refused_;
-  std::vector<std::uint8_t> stuck_;  // per facet: every rung refused, and nothing around it has changed
-  std::vector<FaceId> changed_;  // since legalize() last looked at them
-  std::vector<FaceId> ends_;     // facets whose boundary edges are to be looked at
+  std::vector<std::uint8_t> stuck_;  // per facet: all rungs refused, and nothing changed around it
+  std::vector<FaceId> changed_;      // since legalize() last looked at them
+  std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
+  bool full_ = false;
   std::size_t steps_ = 0;
   double share_ = 0;
 };
+
+void Refiner::run(std::span<const Vec3> witnesses) {
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  if (parameters_.target_vertices != kNone) {
+    parameters_.refinement.max_distance = kFinest * parameters_.voxel;
+  }
+  stuck_.assign(mesh_.faces.size(), 0);
+  changed_.resize(mesh_.faces.size());
+  std::iota(changed_.rbegin(), changed_.rend(), 0);
+  ends_ = changed_;
+  legalize();
+  judge_all();
+  follow_curves();
+  refine_geom(Rungs::cheap);
+  while (!full_ && reach(witnesses)) refine_geom(Rungs::cheap);
+  refine_geom(Rungs::all);
+  if (!full_ && make_delaunay()) refine_geom(Rungs::all);
+  count_left();
+}
 
 FacetShape Refiner::shape(FaceId f) const {
   const Triangle& v = mesh_.faces[f].v;
@@ -84,49 +131,46 @@ FacetShape Refiner::shape(FaceId f) const {
   return s;
 }
 
-double Refiner::judge(FaceId f) {
-  const double v = violation(shape(f), s_.pole(mesh_.faces[f].v), parameters_.refinement);
-  queue_.set(f, v);
-  return v;
+void Refiner::judge(FaceId f) {
+  queue_.set(f, violation(shape(f), s_.pole(mesh_.faces[f].v), parameters_.refinement));
 }
 
-void Refiner::take(std::span<const FaceId> created) {
+void Refiner::judge_all() {
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (!is_dead(mesh_.faces[f])) judge(f);
+  }
+}
+
+bool Refiner::take(std::span<const FaceId> created) {
   stuck_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : created) {
     judge(f);
     changed_.push_back(f);
     stuck_[f] = 0;
     for (const FaceId g : mesh_.faces[f].n) {
-      if (g != kNoId) stuck_[g] = 0;
+      if (g == kNoId) {
+        ends_.push_back(f);
+      } else {
+        stuck_[g] = 0;
+      }
     }
-    const Face& face = mesh_.faces[f];
-    if (std::find(face.n.begin(), face.n.end(), kNoId) != face.n.end()) ends_.push_back(f);
   }
+  return true;
 }
 
-void Refiner::refine_geom() {
-  stuck_.assign(mesh_.faces.size(), 0);
-  changed_.resize(mesh_.faces.size());
-  std::iota(changed_.rbegin(), changed_.rend(), 0);
-  legalize();
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) judge(f);
-  ends_.resize(mesh_.faces.size());
-  std::iota(ends_.rbegin(), ends_.rend(), 0);
-  follow_curves();
-  int rounds = 0;
-  for (bool dear = false;;) {
-    bool any = false;
+void Refiner::refine_geom(Rungs rungs) {
+  for (bool any = true; any;) {
+    any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       if (is_dead(mesh_.faces[f])) continue;
-      if (refine(f) || (dear && rearrange(f))) {
+      if (climb(f, rungs)) {
         any = true;
       } else {
-        stuck_[f] = dear;
         refused_.push_back(f);
       }
       follow_curves();
       show_progress();
-      if (is_full()) return;
+      if (is_full(f)) return;
     }
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
     legalize();
@@ -134,28 +178,57 @@ void Refiner::refine_geom() {
     for (const FaceId f : std::exchange(refused_, {})) {
       if (!is_dead(mesh_.faces[f]) && !stuck_[f]) judge(f);
     }
-    if (!any && dear) {
-      if (++rounds > (getenv("RD") ? atoi(getenv("RD")) : 2)) break;
-      for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-        if (is_dead(mesh_.faces[f]) || stuck_[f]) continue;
-        if (!s_.duals[f].on_surface || replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f])) {
-          if ((shape(f).r > 0.5 * parameters_.r_min && refine(f)) || rearrange(f)) any = true; else stuck_[f] = 1;
-        }
-      }
-      if (!any) break;
-    }
-    dear = !any;
   }
 }
 
-bool Refiner::is_full() {
-  if (mesh_.points.size() < parameters_.max_vertices) return false;
-  if (!parameters_.keep_partial) {
-    throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
-                     " vertices needed");
+bool Refiner::is_full(FaceId f) {
+  const std::size_t vertices = mesh_.points.size();
+  if (vertices >= parameters_.max_vertices) {
+    if (!parameters_.keep_partial) {
+      throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
+                       " vertices needed");
+    }
+    report_.stopped_at_max_vertices = full_ = true;
+    return true;
   }
-  report_.stopped_at_max_vertices = true;
-  return true;
+  if (vertices < parameters_.target_vertices || full_) return false;
+  // The rest is for shape alone: what the worst facet has now is the bound on the distance.
+  full_ = true;
+  parameters_.refinement.max_distance = is_dead(mesh_.faces[f]) ? 0 : shape(f).h;
+  judge_all();
+  return false;
+}
+
+bool Refiner::reach(std::span<const Vec3> witnesses) {
+  const double limit = kReach * parameters_.refinement.max_distance;
+  if (!std::isfinite(limit)) return false;
+  const std::vector<FarPoint> far = far_points(mesh_, replacer_.grid(), witnesses, limit);
+  report_[Counter::points_far] = far.size();
+  bool any = false;
+  for (const FarPoint& at : far) {
+    const Vec3& p = witnesses[at.witness];
+    // An earlier one may have taken its facet away.
+    if (is_dead(mesh_.faces[at.facet]) || shape(at.facet).r <= parameters_.r_min) continue;
+    if (!is_on_own_sheet(mesh_, at.facet, p, surface_, replacer_.finder(),
+                         report_.searches_refine)) {
+      continue;
+    }
+    if (!inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
+    follow_curves();
+  }
+  return any;
+}
+
+bool Refiner::make_delaunay() {
+  bool any = false;
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (is_dead(mesh_.faces[f]) || stuck_[f]) continue;
+    const Dual& dual = s_.duals[f];
+    if (dual.on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, dual)) continue;
+    const bool is_small = shape(f).r <= kSmall * parameters_.r_min;
+    any |= (!is_small && refine(f)) || rearrange(f);
+  }
+  return any;
 }
 
 // What is done, of that and what is queued; the queue grows at first, so the share is a guess.
@@ -167,53 +240,42 @@ void Refiner::show_progress() {
   parameters_.progress("refine", share_);
 }
 
+bool Refiner::climb(FaceId f, Rungs rungs) {
+  if (refine(f) || (rungs == Rungs::all && rearrange(f))) return true;
+  stuck_[f] = rungs == Rungs::all;
+  return false;
+}
+
 // The cheap rungs.
 bool Refiner::refine(FaceId f) {
-  if (is_dead(mesh_.faces[f])) return false;
-  if (collapser_.collapse(f)) {
-    take(collapser_.created());
-    return true;
-  }
-  if (s_.duals[f].on_surface && !inserter_.insert(Rung::surface_point, f, s_.duals[f].center)) {
-    take(inserter_.created());
-    return true;
+  if (collapser_.collapse(f)) return take(collapser_.created());
+  const Dual dual = s_.duals[f];
+  if (dual.on_surface && !inserter_.insert(Rung::surface_point, f, dual.center)) {
+    return take(inserter_.created());
   }
   for (const std::optional<Vec3>& p : other_points(f)) {
-    if (!p || inserter_.insert(Rung::foot, f, *p)) continue;
-    take(inserter_.created());
-    return true;
+    if (p && !inserter_.insert(Rung::foot, f, *p)) return take(inserter_.created());
   }
   // Next to the boundary a shorter boundary edge makes room, unless it is short already.
   for (int i = 0; i < 3; ++i) {
     if (mesh_.faces[f].n[i] != kNoId) continue;
     const Triangle& v = mesh_.faces[f].v;
     const Vec3 &a = mesh_.points[v[(i + 1) % 3]], &b = mesh_.points[v[(i + 2) % 3]];
-    if (distance(a, b) < shape(f).r || !inserter_.split_boundary({f, i})) continue;
-    take(inserter_.created());
-    return true;
+    if (distance(a, b) >= shape(f).r && inserter_.split_boundary({f, i})) {
+      return take(inserter_.created());
+    }
   }
   for (int i = 0; i < 3; ++i) {
-    if (!flipper_.flip_if_not_delaunay(f, i)) continue;
-    take(flipper_.created());
-    return true;
+    if (flipper_.flip_if_not_delaunay(f, i)) return take(flipper_.created());
   }
   return false;
 }
 
 // The dear ones.
 bool Refiner::rearrange(FaceId f) {
-  if (retriangulator_.retriangulate(f)) {
-    take(retriangulator_.created());
-    return true;
-  }
-  if (collapser_.take_out_corner(f)) {
-    take(collapser_.created());
-    return true;
-  }
-  if (mover_.move_corner(f)) {
-    take(mover_.created());
-    return true;
-  }
+  if (retriangulator_.retriangulate(f)) return take(retriangulator_.created());
+  if (collapser_.take_out_corner(f)) return take(collapser_.created());
+  if (mover_.move_corner(f)) return take(mover_.created());
   return false;
 }
 
@@ -286,18 +348,15 @@ void Refiner::count_left() {
     report_[Counter::unrefined_facets] +=
         is_bad(s, s_.pole(mesh_.faces[f].v), parameters_.refinement);
   }
+  report_.max_distance = parameters_.refinement.max_distance;
 }
 
 }  // namespace
 
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
             std::span<const Vec3> witnesses, const Parameters& parameters, Report& report) {
-  (void)witnesses;
   const StepTimer timer(report.seconds_refine);
-  Refiner refiner(mesh, surface, curves, parameters, report);
-  if (getenv("DBG")) refiner.count_left();
-  refiner.refine_geom();
-  refiner.count_left();
+  Refiner(mesh, surface, curves, parameters, report).run(witnesses);
   remove_dead(mesh);
 }
 

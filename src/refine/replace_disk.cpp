@@ -180,12 +180,12 @@ bool DiskReplacer::find_duals(Change& change) {
     change.duals.push_back(finder_.dual(a, b, c, searches()));
     const Dual& dual = change.duals.back();
     if (dual.on_surface) continue;
-    if ((is_large(dual) || faces_away(v, normals_.back())) && allowed-- == 0) return false;
+    if ((is_large(dual) || !faces_out(v, normals_.back())) && allowed-- == 0) return false;
   }
   return true;
 }
 
-bool DiskReplacer::faces_away(const Triangle& v, const Vec3& normal) const {
+bool DiskReplacer::faces_out(const Triangle& v, const Vec3& normal) const {
   return std::all_of(v.begin(), v.end(), [&](VertexId q) {
     return dot(surface_.gradient(point(q)), normal) < 0;
   });

@@ -54,7 +54,7 @@ struct Patch {
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one was
 // sharper before: 60 degrees.
-inline constexpr double kSharpest = 0;
+inline constexpr double kSharpest = -0.9;
 
 struct Change {
   std::vector<FaceId> out;
@@ -106,7 +106,7 @@ class DiskReplacer {
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
   bool find_duals(Change& change);
-  bool faces_away(const Triangle& v, const Vec3& normal) const;
+  bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool turns(const Change& change);
   bool crosses(const Change& change);
   bool meet(const Change& change, std::size_t f, const Triangle& t) const;

@@ -99,6 +99,7 @@ struct Report {
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
   double r_min = 0;            // scaled frame, as all lengths here
   double largest_h = 0;        // of facets above r_min, when Stage 2 ended
+  double max_distance = 0;     // the bound on h then: as asked for, or as far as --vertices allows
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
