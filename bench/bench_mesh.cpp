@@ -1,112 +1,133 @@
 // SPDX-License-Identifier: MIT
-// Stage 2's insertion, without a surface: find_encroached_disk and replace_disk on the unit sphere,
-// where the surface point of a facet is known in closed form. Points are inserted at the centers of
-// surface balls, facet after facet in the order of a queue, as RefineGeom does it; in a second pass
-// at random facets, so that no insertion finds the mesh around it in the cache.
+// Stage 2's insertion, gates and all (refine/insert.h), on a sphere: points are inserted at the
+// centers of surface balls, facet after facet in the order of a queue, as RefineGeom does it; in a
+// second pass at random facets, so that no insertion finds the mesh around it in the cache. At last
+// every edge is looked at for a flip.
 //   bench_mesh [POINTS ...]
-// Prints nanoseconds of processor time per insertion, and how many facets each one replaced.
-#include <array>
+// Prints nanoseconds of processor time per insertion and what was refused, and per edge.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <deque>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/check.h"
 #include "base/random.h"
 #include "base/triangle.h"
+#include "contour/contour.h"
+#include "deliso/options.h"
 #include "mesh/check_mesh.h"
-#include "mesh/encroach.h"
-#include "mesh/tri_mesh.h"
+#include "recover/recover_certified.h"
+#include "refine/flip.h"
+#include "refine/insert.h"
+#include "volume/builtin_fields.h"
 
 using namespace deliso;
 
 namespace {
 
+constexpr const char* kField = "builtin:sphere:64";
+
 double seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Where the dual line of a facet with corners on the unit sphere meets it.
-Vec3 surface_point(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = area_normal(a, b, c);
-  return n / length(n);
-}
-
-TriMesh octahedron() {
-  const std::vector<Vec3> points{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                 {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-  const std::vector<Triangle> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  TriMesh mesh = make_tri_mesh(points, triangles);
-  for (const Triangle& v : triangles) {
-    mesh.surface_points.push_back(surface_point(points[v[0]], points[v[1]], points[v[2]]));
-  }
-  return mesh;
+// r_min an eighth of the edges' length when `count` vertices are spread over the sphere: the gates
+// are then those of Stage 2, and the grid's cells about as large as the facets.
+Parameters parameters_for(std::size_t count, double area, const Volume& volume) {
+  Options options;
+  const double of_each = area / static_cast<double>(count);
+  options.r_min = {0.125 * std::sqrt(of_each * 2 / std::numbers::sqrt3)};
+  return resolve(options, volume);
 }
 
 // Inserts until the mesh has `count` vertices, then that many again at random facets.
 class Insertion {
  public:
-  explicit Insertion(std::size_t count) : mesh_(octahedron()), count_(count) {
-    mesh_.points.reserve(2 * count);
-    mesh_.faces.reserve(4 * count);
-    mesh_.surface_points.reserve(4 * count);
-  }
+  Insertion(const Isosurface& surface, const ContourMesh& contour, double area, std::size_t count)
+      : parameters_(parameters_for(count, area, surface.volume())),
+        recovered_(recover_certified(surface, ContourMesh(contour), parameters_, report_)),
+        mesh_(recovered_.mesh.mesh),
+        replacer_(recovered_.mesh, surface, parameters_, report_),
+        inserter_(recovered_.mesh, replacer_, recovered_.curves, parameters_, report_),
+        flipper_(recovered_.mesh, replacer_, report_),
+        count_(count) {}
 
   void run() {
     std::deque<FaceId> queue;
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) queue.push_back(f);
-    report("facet after facet", count_ - mesh_.points.size(), [&] {
+    measure("facet after facet", [&] {
+      if (queue.empty() || mesh_.points.size() >= count_) return false;
       const FaceId f = queue.front();
       queue.pop_front();
-      insert(f);
-      for (const FaceId created : created_) queue.push_back(created);
+      if (insert(f))
+        queue.insert(queue.end(), inserter_.created().begin(), inserter_.created().end());
+      return true;
     });
     Random random(1);
-    report("at random facets", count_,
-           [&] { insert(random.below(static_cast<std::uint32_t>(mesh_.faces.size()))); });
+    const std::size_t wanted = 2 * mesh_.points.size();
+    std::size_t left = 4 * count_;
+    measure("at random facets", [&] {
+      if (mesh_.points.size() >= wanted || left-- == 0) return false;
+      insert(random.below(static_cast<std::uint32_t>(mesh_.faces.size())));
+      return true;
+    });
+    flip();
+    remove_dead(recovered_.mesh);
     const std::string fault = check_mesh(mesh_);
     if (!fault.empty()) throw InputError("the mesh broke: " + fault);
   }
 
  private:
-  void insert(FaceId f) {
-    const Vec3 p = mesh_.surface_points[f];
-    marks_.resize(mesh_.faces.size(), 0);
-    if (!find_encroached_disk(mesh_, f, p, marks_, ++stamp_, disk_)) {
-      created_.clear();
-      return;
-    }
-    points_.clear();
-    for (const RimEdge& edge : disk_.rim) {
-      points_.push_back(surface_point(mesh_.points[edge.from], mesh_.points[edge.to], p));
-    }
-    encroached_ += disk_.faces.size();
-    ++inserted_;
-    replace_disk(mesh_, disk_, p, points_, std::nullopt, created_);
+  bool insert(FaceId f) {
+    if (is_dead(mesh_.faces[f]) || !recovered_.mesh.duals[f].on_surface) return false;
+    const Vec3 p = recovered_.mesh.duals[f].center;
+    return !inserter_.insert(Rung::surface_point, f, p);
   }
 
+  // step() is run until it says that it is done.
   template <class F>
-  void report(const char* order, std::size_t times, F step) {
-    encroached_ = inserted_ = 0;
+  void measure(const char* order, F step) {
+    const RungCounts before = report_[Rung::surface_point];
+    const SearchCounters searched = report_.searches_refine;
     const double start = seconds();
-    for (std::size_t n = 0; n < times; ++n) step();
+    while (step()) {
+    }
     const double spent = seconds() - start;
-    std::printf("%-18s %9zu insertions  %7.0f ns each  %5.2f facets replaced\n", order, inserted_,
-                1e9 * spent / static_cast<double>(times),
-                static_cast<double>(encroached_) / static_cast<double>(inserted_));
+    const RungCounts& after = report_[Rung::surface_point];
+    const auto done = static_cast<double>(after.done - before.done);
+    std::uint64_t refused = 0;
+    for (std::size_t r = 0; r < kRefusals; ++r) refused += after.refused[r] - before.refused[r];
+    std::printf("%-18s %9.0f insertions  %7.0f ns each  %5.2f searches  %llu refused\n", order,
+                done, 1e9 * spent / done,
+                static_cast<double>(report_.searches_refine.searches - searched.searches) / done,
+                static_cast<unsigned long long>(refused));
   }
 
-  TriMesh mesh_;
+  void flip() {
+    std::size_t asked = 0;
+    const double start = seconds();
+    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+      for (int i = 0; i < 3 && !is_dead(mesh_.faces[f]); ++i) {
+        flipper_.flip_if_not_delaunay(f, i);
+        ++asked;
+      }
+    }
+    std::printf("%-18s %9zu edges       %7.0f ns each  %llu flips\n", "every edge", asked,
+                1e9 * (seconds() - start) / static_cast<double>(asked),
+                static_cast<unsigned long long>(report_[Rung::flip].done));
+  }
+
+  Report report_;
+  Parameters parameters_;
+  Recovered recovered_;
+  const TriMesh& mesh_;
+  DiskReplacer replacer_;
+  Inserter inserter_;
+  Flipper flipper_;
   std::size_t count_;
-  std::vector<std::uint32_t> marks_;
-  std::uint32_t stamp_ = 0;
-  EncroachedDisk disk_;
-  std::vector<Vec3> points_;
-  std::vector<FaceId> created_;
-  std::size_t encroached_ = 0, inserted_ = 0;
 };
 
 }  // namespace
@@ -115,9 +136,19 @@ int main(int argc, char** argv) try {
   std::vector<std::size_t> counts{10'000, 100'000, 1'000'000};
   if (argc > 1) counts.clear();
   for (int n = 1; n < argc; ++n) counts.push_back(std::stoul(argv[n]));
+  const Volume volume = make_builtin_volume(kField);
+  double kappa = find_builtin_field(kField)->isovalue;
+  const ContourMesh contour = build_settled_contour(volume, kappa);
+  double area = 0;
+  for (const auto& t : contour.triangles) {
+    area +=
+        0.5 * length(area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]));
+  }
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, kappa);
   for (const std::size_t count : counts) {
-    if (count < 10) throw InputError("POINTS: at least 10");
-    Insertion(count).run();
+    if (count < 1000) throw InputError("POINTS: at least 1000");
+    Insertion(surface, contour, area, count).run();
   }
   return 0;
 } catch (const std::exception& error) {

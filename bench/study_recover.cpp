@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where Recover's time goes, by the paper's way (§3.2 speaks of 80 to 85 % for finding which new
-// simplices are restricted Delaunay), searches per insertion in both stages, and how the times of
-// single insertions are spread. Half a minute on the paper's volumes.
+// Where Recover's time goes, by the paper's way (Options::paper(); §3.2 speaks of 80 to 85 % for
+// finding which new simplices are restricted Delaunay), searches per insertion in both stages, and
+// how the times of single insertions are spread. Half a minute on the paper's volumes.
 #include <cmath>
 #include <numeric>
 
-#include "surface/profile.h"
 #include "support/line_chart.h"
 #include "support/runs.h"
+#include "surface/profile.h"
 
 using namespace deliso;
 
@@ -158,5 +158,7 @@ int work(const BenchArguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_bench(argc, argv, "Where Recover's time goes, and times of single insertions.", work);
+  return run_bench(argc, argv,
+                   "Where Recover's time goes by the paper's way, and times of single insertions.",
+                   work);
 }

@@ -5,18 +5,27 @@
 #include <utility>
 #include <vector>
 
-#include "surface/criteria.h"
+#include "isosurface/isosurface.h"
+#include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
+#include "surface/criteria.h"
+#include "surface/surface_point.h"
 
 namespace deliso {
 
-Examined examine(const TriMesh& mesh, const ContourSummary& exact, double lambda, double epsilon1,
-                 double r_min) {
+Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
+                 const ContourSummary& exact, double lambda, double epsilon1, double r_min) {
+  const VoxelTree tree(opened.volume);
+  const Isosurface surface(opened.volume, tree, kappa);
+  SurfacePointFinder finder(surface);
+  SearchCounters counters;
   Examined out;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& v = mesh.faces[f].v;
-    const FacetShape s =
-        measure(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.surface_points[f]);
+    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]];
+    const Dual dual = finder.dual(a, b, c, counters);
+    FacetShape s = measure(a, b, c, dual.center);
+    if (!dual.on_surface) s.h = s.r;
     if (!(s.r > r_min)) continue;
     out.over_lambda += s.r > lambda * s.l;
     out.over_h_over_r += s.h > epsilon1 * s.r;

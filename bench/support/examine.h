@@ -21,8 +21,10 @@ struct Examined {
   bool topology_exact = false;
 };
 
-Examined examine(const TriMesh& mesh, const ContourSummary& exact, double lambda, double epsilon1,
-                 double r_min);
+// `mesh` is one of `opened` at the isovalue kappa. h is that of facets' surface points, and r where
+// there is none.
+Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
+                 const ContourSummary& exact, double lambda, double epsilon1, double r_min);
 
 ContourSummary exact_topology(const OpenedDataset& opened);
 

@@ -125,15 +125,19 @@ Runs measure_runs(const OpenedDataset& opened, const Options& options,
 }
 
 Options paper_options(const BenchArguments& arguments) {
-  Options options;
-  options.recover = RecoverWay::paper;
+  Options options = Options::paper();
   options.cubic = arguments.cubic;
   return options;
 }
 
 Options certified_options(const BenchArguments& arguments) {
-  Options options;
+  Options options = paper_options(arguments);
   options.recover = RecoverWay::certified;
+  return options;
+}
+
+Options default_options(const BenchArguments& arguments) {
+  Options options;
   options.cubic = arguments.cubic;
   return options;
 }
@@ -144,7 +148,7 @@ double seconds_per_recover_insertion(const Report& report) {
 }
 
 double seconds_per_refine_insertion(const Report& report) {
-  return report.seconds_refine / static_cast<double>(report.points_refined);
+  return report.seconds_refine / static_cast<double>(report.insertions_refine);
 }
 
 std::string spread_cell(const Statistic& statistic) {

@@ -54,9 +54,11 @@ Runs measure_runs(const OpenedDataset& opened, const Options& options,
 // One run, for what does not depend on the clock.
 Runs run_once(const OpenedDataset& opened, const Options& options);
 
-// The paper's way through Recover, and ours.
+// Everything as published; the same criteria with the certified way through Recover; and what a run
+// without options does.
 Options paper_options(const BenchArguments& arguments);
 Options certified_options(const BenchArguments& arguments);
+Options default_options(const BenchArguments& arguments);
 
 // Seconds per point inserted by Recover and by Refine (Table 3).
 double seconds_per_recover_insertion(const Report& report);

@@ -22,7 +22,14 @@ std::string place_text(const Vec3& p) {
               ")");
 }
 
-std::string distances_text(const char* name, const Distances& d, double voxel,
+std::string share_text(std::size_t part, std::size_t whole) {
+  const double share =
+      static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, whole));
+  return text(part, part > 0 ? " (" + rounded(100 * share, 3) + " %)" : "");
+}
+
+// `bound`: infinite where there is none.
+std::string distances_text(const char* name, const Distances& d, double bound, double voxel,
                            const Volume& volume) {
   if (d.points == 0) return text(name, "not measured\n");
   const auto in_voxels = [&](double length) { return rounded(length / voxel); };
@@ -30,26 +37,59 @@ std::string distances_text(const char* name, const Distances& d, double voxel,
       text(name, "max ", in_voxels(d.max), ", mean ", in_voxels(d.mean), ", rms ", in_voxels(d.rms),
            ", 99.9 % ", in_voxels(d.quantile_999), " voxels, furthest at ",
            place_text(volume.orientation().to_world(d.furthest)), "\n");
+  if (bound < Options::kNone) {
+    line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
+                 " further than ", in_voxels(bound), " voxels\n");
+  }
   if (d.not_found > 0) {
     line += "          " + counted(d.not_found, "point", "points") + " with no surface near by\n";
   }
   return line;
 }
 
-std::string boundary_text(const BoundaryQuality& b, double voxel) {
-  return text("boundary  of ", b.edges, " edges on the box ", b.over_h_over_r,
-              " above r_min pass h/r; h at most ", rounded(b.max_h / voxel),
-              " voxels, largest h/r ", rounded(b.max_h_over_r), ", ", b.without_curve,
-              " without curve\n          of ", b.triangles, " triangles along it ", b.over_lambda,
-              " pass r/l, ", b.slivers, " have an angle below ", kSliver, "; largest r/l ",
-              rounded(b.max_r_over_l), ", smallest angle ", rounded(b.min_angle), " degrees\n");
+// "h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels".
+std::string limits_text(const Limits& limits, double voxel) {
+  std::string line;
+  if (limits.max_distance < Options::kNone) {
+    line += text("h <= ", rounded(limits.max_distance / voxel), " voxels, ");
+  }
+  if (limits.h_over_r < Options::kNone) line += text("h/r <= ", limits.h_over_r, ", ");
+  return line +
+         text("r/l <= ", limits.lambda, "; r_min = ", rounded(limits.r_min / voxel), " voxels");
+}
+
+std::string over_text(const Verification& v, double voxel) {
+  const Limits& limits = v.limits;
+  std::string line =
+      text("          of ", v.triangles, " triangles ", share_text(v.over_a_limit, v.triangles),
+           " over a limit: ", v.quality.over_lambda, " in r/l");
+  if (limits.max_distance < Options::kNone) line += text(", ", v.over_distance, " in h");
+  if (limits.h_over_r < Options::kNone) line += text(", ", v.over_h_over_r, " in h/r");
+  return line + text("\n          ", v.triangles_above_r_min, " are above r_min; largest h ",
+                     rounded(v.max_h_above_r_min / voxel), " voxels, largest h/r ",
+                     rounded(v.max_h_over_r_above_r_min), " of these; smallest angle ",
+                     rounded(v.quality.min_angle), " degrees\n");
+}
+
+std::string boundary_text(const BoundaryQuality& b, const Limits& limits, double voxel) {
+  std::string line =
+      text("boundary  of ", b.edges, " edges on the box ", b.above_r_min, " are above r_min");
+  if (limits.max_distance < Options::kNone) line += text(", ", b.over_distance, " over h");
+  if (limits.h_over_r < Options::kNone) line += text(", ", b.over_h_over_r, " over h/r");
+  return line + text(", ", b.without_curve, " without curve; h at most ", rounded(b.max_h / voxel),
+                     " voxels, largest h/r ", rounded(b.max_h_over_r), "\n          of ",
+                     b.triangles, " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
+                     " have an angle below ", kSliver, "; largest r/l ", rounded(b.max_r_over_l),
+                     ", smallest angle ", rounded(b.min_angle), " degrees\n");
 }
 
 void add_boundary(JsonWriter& json, const BoundaryQuality& b, double voxel) {
   json.open("boundary");
   json.add("edges", b.edges);
+  json.add("edges_above_r_min", b.above_r_min);
   json.add("max_h_voxels", b.max_h / voxel);
   json.add("max_h_over_r_above_r_min", b.max_h_over_r);
+  json.add("over_distance", b.over_distance);
   json.add("over_h_over_r", b.over_h_over_r);
   json.add("without_curve", b.without_curve);
   json.add("triangles", b.triangles);
@@ -67,6 +107,7 @@ void add_distances(JsonWriter& json, std::string_view key, const Distances& d, d
   json.add("mean", d.mean / voxel);
   json.add("rms", d.rms / voxel);
   json.add("quantile_999", d.quantile_999 / voxel);
+  json.add("beyond_bound", d.beyond);
   json.add("not_found", d.not_found);
   json.close();
 }
@@ -86,15 +127,27 @@ void add_counts(JsonWriter& json, std::string_view key, const TopologyCounts& t)
 
 }  // namespace
 
-VerifyOptions verify_options(const CommandLine& line, const Volume& volume) {
+VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
+                             const std::optional<NotedCriteria>& noted) {
+  const Options& asked = line.options;
+  const CommandLine::Given& given = line.given;
   VerifyOptions options;
-  options.min_component = line.options.min_component;
+  options.min_component = asked.min_component;
   options.restricted_share = line.restricted_share;
-  options.max_distance = line.options.max_distance.in(volume);
-  options.r_min = line.options.r_min.in(volume);
-  options.lambda = line.options.lambda;
-  options.h_over_r = line.options.epsilon1;
-  options.solid = line.options.cap;
+  options.solid = asked.cap;
+  options.limits = {asked.max_distance.in(volume), asked.epsilon1, asked.lambda,
+                    asked.r_min.in(volume)};
+  if (line.command != Command::check) return options;
+  options.require_distance = given.max_distance;
+  if (!noted || line.paper) return options;
+  const double voxel = voxel_of(volume);
+  // As on the way to a mesh, h/r turns the distance off.
+  if (!given.max_distance && !given.epsilon1) {
+    options.limits.max_distance = noted->max_distance * voxel;
+  }
+  if (!given.epsilon1) options.limits.h_over_r = noted->epsilon1;
+  if (!given.lambda) options.limits.lambda = noted->lambda;
+  if (!given.r_min) options.limits.r_min = noted->r_min * voxel;
   return options;
 }
 
@@ -118,13 +171,11 @@ std::string verification_text(const Verification& v, const Volume& volume) {
               d.missing, " restricted facets are missing, ", d.multiple,
               " Voronoi edges meet the surface twice or more\n          ", d.occupied,
               " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
-  out += distances_text("mesh->    ", v.to_surface, voxel, volume);
-  out += distances_text("->mesh    ", v.from_surface, voxel, volume);
-  out += text("criteria  of ", v.triangles_above_r_min, " triangles above r_min ", v.over_h_over_r,
-              " exceed h/r, ", v.quality.over_lambda, " exceed r/l; largest h/r ",
-              rounded(v.max_h_over_r_above_r_min), ", smallest angle ",
-              rounded(v.quality.min_angle), " degrees\n");
-  if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
+  const double bound = v.limits.max_distance;
+  out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
+  out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
+  out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
+  if (v.boundary.edges > 0) out += boundary_text(v.boundary, v.limits, voxel);
   bool any = false;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
@@ -171,8 +222,15 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   add_distances(json, "mesh_to_surface_voxels", v.to_surface, voxel);
   add_distances(json, "surface_to_mesh_voxels", v.from_surface, voxel);
   json.open("criteria");
+  json.add("max_distance_voxels", v.limits.max_distance / voxel);
+  json.add("max_h_over_r", v.limits.h_over_r);
+  json.add("lambda", v.limits.lambda);
+  json.add("r_min_voxels", v.limits.r_min / voxel);
+  json.add("over_a_limit", v.over_a_limit);
   json.add("above_r_min", v.triangles_above_r_min);
+  json.add("over_distance", v.over_distance);
   json.add("over_h_over_r", v.over_h_over_r);
+  json.add("max_h_voxels_above_r_min", v.max_h_above_r_min / voxel);
   json.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min);
   json.add("over_lambda", v.quality.over_lambda);
   json.add("over_lambda_above_r_min", v.quality.over_lambda_above_r_min);

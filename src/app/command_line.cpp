@@ -133,8 +133,9 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
 
     {"--max-distance", 0, "D|Dvox", kMeshAndCheck,
-     "no point of the mesh further than D from the surface and none of the surface further from "
-     "the mesh, as far as --rmin allows: world units, or voxels (default 0.1vox)",
+     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
+     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
+     "0.1vox); check: exit 1 unless the mesh keeps to D, the surface to 2 D",
      [](Line& l, Text o, Text v) {
        l.options.max_distance = parse_length(o, v, Length::Unit::world);
      }},
@@ -146,7 +147,8 @@ constexpr OptionSpec kOptions[] = {
      "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
      [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); }},
     {"--vertices", 0, "N", kMeshOnly,
-     "the best mesh of about N vertices: worst first, down to the distance that N allows",
+     "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
+     "of --max-distance",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
     {"--triangles", 0, "N", kMeshOnly, "the same, of about N triangles",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
@@ -159,7 +161,8 @@ constexpr OptionSpec kOptions[] = {
     {"--max-radius", 0, "R", kMeshOnly, "largest r, in world units (default: none)",
      [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
     {"--paper", 0, "", kMeshAndCheck,
-     "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001",
+     "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
+     "--max-distance",
      [](Line& l, Text, Text) { l.paper = true; }},
     {"--eps", 0, "X", kMeshOnly, "stage 1 of --recover paper: largest h/r (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
@@ -176,7 +179,7 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--keep-partial", 0, "", kMeshOnly, "with --max-vertices: write the valid mesh so far",
      [](Line& l, Text, Text) { l.options.keep_partial = true; }},
-    {"--threads", 0, "N", kMeshOnly, "threads to use; the mesh does not depend on it (default 1)",
+    {"--threads", 0, "N", kMeshOnly, "threads to use, 1 or more; this version uses one",
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
@@ -280,7 +283,7 @@ struct Group {
   std::string_view first;  // name of its first option
 };
 constexpr Group kGroups[] = {{"Input and output", "--iso"},
-                             {"Meshing", "--eps"},
+                             {"Meshing", "--max-distance"},
                              {"Raw files", "--dims"},
                              {"Pictures", "--view"},
                              {"Help", "--help"}};
@@ -377,8 +380,28 @@ void check_combination(CommandLine& line) {
   }
 }
 
-// What --paper stands for, where options do not say otherwise; and the criteria of the paper turn the
-// bound on the distance off.
+// --vertices and --triangles choose the distance that Stage 2 refines to: they exclude what sets it
+// otherwise, and what does without that stage.
+template <class Given>
+void check_counts(const Options& options, bool paper, const Given& given) {
+  const std::string_view name = given("--vertices")    ? "--vertices"
+                                : given("--triangles") ? "--triangles"
+                                                       : "";
+  if (name.empty()) return;
+  const auto refuse = [&](std::string_view other) {
+    throw InputError(std::string(name) + " and " + std::string(other) + " exclude each other");
+  };
+  if (given("--vertices") && given("--triangles")) refuse("--triangles");
+  if (given("--max-distance")) refuse("--max-distance");
+  if (options.recover == RecoverWay::paper) {
+    refuse(paper && !given("--recover") ? "--paper" : "--recover paper");
+  }
+  if (options.single_stage) refuse("--single-stage");
+  if (options.stop_after_recover) refuse("--stop-after");
+}
+
+// What --paper stands for, where options do not say otherwise; and the criteria of the paper turn
+// the bound on the distance off.
 template <class Given>
 void take_paper(Options& options, bool everything, const Given& given) {
   const Options paper = Options::paper();
@@ -467,6 +490,8 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   line.command = command;
   take_paper(line.options, line.paper, given);
+  check_counts(line.options, line.paper, given);
+  line.given = {given("--max-distance"), given("--rmin"), given("--lambda"), given("--eps1")};
   if (given("--float") && given("--double")) {
     throw InputError("--float and --double exclude each other");
   }

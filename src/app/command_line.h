@@ -3,6 +3,8 @@
 // suggestions for misspelt names and the help text.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,16 +41,25 @@ struct CommandLine {
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
-  bool paper = false;  // the options are the paper's, but for those given
+  bool paper = false;                            // the options are the paper's, but for those given
+  struct Given {
+    bool max_distance = false, r_min = false, lambda = false, epsilon1 = false;
+  } given;  // which criteria of a check are not left to the mesh's file, or to defaults
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0.999;  // the least that a check lets pass
   bool quiet = false;
 };
 
+// The mesh is to have a number of vertices, not to keep to a distance.
+inline bool by_count(const Options& options) {
+  return options.target_vertices != std::numeric_limits<std::size_t>::max();
+}
+
 // `arguments` without the program's name. Throws InputError with one line on the first fault:
 // unknown option or command (with the nearest known one), missing or bad value, option given twice,
-// option of another command, missing input or isovalue, format that cannot be told.
+// option of another command, options that exclude each other, missing input or isovalue, format
+// that cannot be told.
 CommandLine parse_command_line(std::span<const std::string_view> arguments);
 
 // The whole text of --help, made from the table.

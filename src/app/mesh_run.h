@@ -12,8 +12,8 @@
 #include "app/input.h"
 #include "app/topology.h"
 #include "check/verify.h"
-#include "surface/report.h"
 #include "mesh/quality.h"
+#include "surface/report.h"
 
 namespace deliso {
 

@@ -38,6 +38,8 @@ void add_options(JsonWriter& json, const Options& options) {
   add_length(json, "rmin", options.r_min);
   add_length(json, "max_distance", options.max_distance);
   json.add("max_radius", options.max_radius);
+  json.add("method", options.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
+  if (by_count(options)) json.add("vertices", options.target_vertices);
   json.add("seed", options.seed);
   json.add("samples", options.samples);
   json.add("min_component", options.min_component);
@@ -112,6 +114,7 @@ std::string report_json(const MeshRun& run) {
   json.close();
   add_searches(json, "searches_recover", report.searches_recover);
   add_searches(json, "searches_refine", report.searches_refine);
+  json.add("max_distance", report.max_distance);
   json.add("largest_h", report.largest_h);
   json.open("rungs");
   for (std::size_t r = 0; r < kRungs; ++r) {

@@ -8,6 +8,7 @@
 #include "app/solid.h"
 #include "app/text.h"
 #include "base/append_format.h"
+#include "base/text.h"
 
 namespace deliso {
 namespace {
@@ -51,6 +52,19 @@ void append_quality(std::string& text, const MeshQuality& quality, double lambda
   }
 }
 
+// How near to the surface Stage 2 has brought the mesh.
+std::string distance_text(const Options& options, const Report& report, double voxel) {
+  const auto both = [voxel](double length) {
+    return text(rounded(length / voxel), " voxels (", rounded(length), " in world units)");
+  };
+  const std::string largest = text("largest h above r_min ", both(report.largest_h), "\n");
+  if (by_count(options)) {
+    return text("distance  D reached: ", both(report.max_distance), "\n          ", largest);
+  }
+  if (!(report.max_distance < Options::kNone)) return text("distance  ", largest);
+  return text("distance  D = ", both(report.max_distance), "\n          ", largest);
+}
+
 // What Stage 2 did, and what was refused for which reasons.
 void append_rungs(std::string& text, const Report& report) {
   const char* heading = "rungs";
@@ -60,7 +74,9 @@ void append_rungs(std::string& text, const Report& report) {
     for (std::size_t n = 0; n < kRefusals; ++n) {
       if (counts.refused[n] == 0) continue;
       refused.append(refused.empty() ? "; refused: " : ", ");
-      refused.append(name_of(static_cast<Refusal>(n))).append(" ").append(grouped(counts.refused[n]));
+      refused.append(name_of(static_cast<Refusal>(n)))
+          .append(" ")
+          .append(grouped(counts.refused[n]));
     }
     if (counts.done == 0 && refused.empty()) continue;
     append_format(text, "%-9s %s: %s%s\n", std::exchange(heading, ""),
@@ -115,6 +131,13 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.triangles > 0) append_quality(text, run.quality, run.line.options.lambda, report.r_min);
 
+  const Options& options = run.line.options;
+  const bool refined =
+      options.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
+  if (run.triangles > 0 && refined) {
+    const Vec3 s = run.input.volume.spacing();
+    text += distance_text(options, report, std::min({s.x, s.y, s.z}));
+  }
   if (run.verification) text += verification_text(*run.verification, run.input.volume);
   const std::size_t before = text.size();
   for (std::size_t n = 0; n < kCounterCount; ++n) {

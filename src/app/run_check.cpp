@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "app/check_report.h"
 #include "app/input.h"
@@ -50,10 +51,12 @@ double bring_home(TriMesh& mesh, const Orientation& at) {
 
 int run_check(const CommandLine& line) {
   if (!line.json.empty()) require_writable(line.json);
-  TriMesh mesh = read_mesh(line.meshes.front());
+  std::vector<std::string> comments;
+  TriMesh mesh = read_mesh(line.meshes.front(), &comments);
   const Input input = read_input(line);
   const Volume& volume = input.volume;
-  VerifyOptions options = verify_options(line, volume);
+  const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
+  VerifyOptions options = verify_options(line, volume, noted);
   options.position_error = bring_home(mesh, volume.orientation());
   const Verification result =
       verify(mesh, volume, settled_isovalue(volume, *line.isovalue), options);
@@ -61,13 +64,15 @@ int run_check(const CommandLine& line) {
   if (!line.json.empty()) {
     JsonWriter json;
     json.add("mesh", line.meshes.front());
+    json.add("criteria_of_file", noted.has_value());
     add_input(json, input);
     json.add("isovalue", *line.isovalue);
     add_verification(json, result, volume);
     write_text(line.json, json.finish());
   }
   if (!line.quiet && line.json != "-") {
-    print("mesh      " + line.meshes.front() + "\n" + input_text(input) +
+    const char* judged = noted ? ", judged by the criteria in its comment\n" : "\n";
+    print("mesh      " + line.meshes.front() + judged + input_text(input) +
           verification_text(result, volume));
   }
   return result.faults.any() ? kFaultFound : kFine;

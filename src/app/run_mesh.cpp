@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "app/check_report.h"
+#include "app/criteria_note.h"
+#include "app/expected_vertices.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -23,6 +25,8 @@
 namespace deliso {
 namespace {
 
+constexpr double kMany = 1e7;  // vertices
+
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -35,6 +39,15 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   throw InputError("no surface at isovalue " + number_text(isovalue) + ": the samples are " +
                    number_text(range.min) + " to " + number_text(range.max) +
                    " (--allow-empty accepts that)");
+}
+
+// One line beforehand for what may take long and much memory.
+void warn_of_size(double vertices) {
+  if (vertices <= kMany) return;
+  std::fprintf(stderr,
+               "deliso: warning: about %.0f million vertices are to be expected; a larger "
+               "--max-distance or --rmin, or --vertices N, gives fewer\n",
+               vertices / 1e6);
 }
 
 // The facets from number `begin` to `end`, over the same vertices.
@@ -67,7 +80,7 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   run.quality = measure_quality(surface, run.line.options.lambda, run.report.r_min);
   if (run.line.check) {
     VerifyOptions options = verify_options(run.line, volume);
-    options.r_min = run.report.r_min;
+    if (by_count(run.line.options)) options.limits.max_distance = run.report.max_distance;
     // Marching Cubes promises no Delaunay triangles.
     if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
     run.verification = verify(mesh, volume, run.report.kappa_effective, options);
@@ -87,13 +100,15 @@ std::string_view short_name_of(AnatomicalSpace space) {
   return {};
 }
 
-void write_results(const TriMesh& mesh, const Orientation& orientation, MeshRun& run) {
+void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
+  const Orientation& orientation = volume.orientation();
   const CommandLine& line = run.line;
   const DeferSignals defer;
   const Stopwatch watch;
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
     options.frame = {orientation.origin, orientation.axes, short_name_of(orientation.space)};
+    options.comment = criteria_note(line, volume, run.report);
     write_mesh(mesh, line.output, options);
   }
   run.seconds_write = watch.seconds();
@@ -110,6 +125,7 @@ int run_mesh(const CommandLine& line) {
   const Volume& volume = input.volume;
   const double isovalue = *line.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
+  if (!line.quiet) warn_of_size(expected_vertices(volume, isovalue, line.options));
   MeshRun run(line, input);
 
   TriMesh mesh;
@@ -126,7 +142,7 @@ int run_mesh(const CommandLine& line) {
 
   const bool examined = !line.quiet || line.check || !line.json.empty();
   if (examined) examine(volume, mesh, run);
-  write_results(mesh, volume.orientation(), run);
+  write_results(mesh, volume, run);
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();
 

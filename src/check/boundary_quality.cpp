@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "isosurface/boundary_midpoint.h"
 #include "base/triangle.h"
 #include "contour/contour.h"
+#include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
 namespace {
@@ -75,8 +75,8 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface, double h_over_r,
-                                 double lambda, double r_min) {
+BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface,
+                                 const Limits& limits) {
   BoundaryQuality q;
   q.min_angle = 60;
   std::uint32_t last = kNoId;
@@ -84,14 +84,17 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
     ++q.edges;
     const Vec3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
     const double r = 0.5 * distance(a, b);
+    const bool is_small = !(r > limits.r_min);
+    q.above_r_min += !is_small;
     if (const auto h = distance_to_curve(a, b, surface)) {
       q.max_h = std::max(q.max_h, *h);
-      if (r > r_min) {
+      if (!is_small) {
         q.max_h_over_r = std::max(q.max_h_over_r, *h / r);
-        q.over_h_over_r += *h > h_over_r * r;
+        q.over_h_over_r += *h > limits.h_over_r * r;
+        q.over_distance += *h > limits.max_distance;
       }
     } else {
-      q.without_curve += r > r_min;
+      q.without_curve += !is_small;
     }
     if (edge.triangle == last) continue;
     last = edge.triangle;
@@ -101,7 +104,7 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
     const double ratio =
         distance(circumcenter(p0, p1, p2), p0) / std::sqrt(shortest_edge2(p0, p1, p2));
     const double angle = smallest_angle(p0, p1, p2);
-    q.over_lambda += !(ratio <= lambda);
+    q.over_lambda += !(ratio <= limits.lambda);
     q.slivers += angle < kSliver;
     q.max_r_over_l = std::max(q.max_r_over_l, ratio);
     q.min_angle = std::min(q.min_angle, angle);

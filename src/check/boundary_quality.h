@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "check/validity.h"
 #include "isosurface/isosurface.h"
@@ -13,10 +14,12 @@ namespace deliso {
 struct BoundaryQuality {
   std::size_t edges = 0;
   // h: from the middle of an edge to the curve, across the edge within its face of the box; its r
-  // is half the edge, the radius of its ball. Edges with r > r_min are held to h/r.
+  // is half the edge, the radius of its ball. Edges with r > r_min are held to
+  // the limits on h and h/r.
   double max_h = 0;
   double max_h_over_r = 0;
-  std::size_t over_h_over_r = 0;
+  std::size_t above_r_min = 0;
+  std::size_t over_distance = 0, over_h_over_r = 0;  // of these
   std::size_t without_curve = 0;  // edges above r_min whose ball does not meet the curve there
   // Triangles with a boundary edge.
   std::size_t triangles = 0;
@@ -27,8 +30,16 @@ struct BoundaryQuality {
 
 inline constexpr double kSliver = 10;  // degrees
 
+// What edges and triangles are held to. Infinity: not asked.
+struct Limits {
+  double max_distance = std::numeric_limits<double>::infinity();  // h; scaled frame
+  double h_over_r = std::numeric_limits<double>::infinity();
+  double lambda = 2;  // r/l, at every size
+  double r_min = 0;   // what has a smaller r is not held to h and h/r; scaled frame
+};
+
 // `mesh` ends on the box only.
-BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface, double h_over_r,
-                                 double lambda, double r_min);
+BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface,
+                                 const Limits& limits);
 
 }  // namespace deliso

@@ -15,9 +15,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Distances as they are measured, and where the largest is.
 class Measured {
  public:
+  explicit Measured(double bound) : bound_(bound) {}
   void reserve(std::size_t count) { values_.reserve(count); }
   void add(double d, const Vec3& p) {
     values_.push_back(d);
+    beyond_ += d > bound_;
     if (d <= max_) return;
     max_ = d;
     furthest_ = p;
@@ -25,7 +27,9 @@ class Measured {
   Distances summary();
 
  private:
+  double bound_;
   std::vector<double> values_;
+  std::size_t beyond_ = 0;
   double max_ = -1;
   Vec3 furthest_;
 };
@@ -46,6 +50,7 @@ Distances Measured::summary() {
   std::nth_element(values_.begin(), values_.begin() + rank, values_.end());
   d.quantile_999 = values_[static_cast<std::size_t>(rank)];
   d.max = max_;
+  d.beyond = beyond_;
   d.furthest = furthest_;
   return d;
 }
@@ -60,11 +65,13 @@ double along(const Isosurface& surface, const Vec3& p, const Vec3& direction, do
 
 }  // namespace
 
-Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit) {
-  Measured measured;
+Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
+                               double bound) {
+  Measured measured(bound);
   measured.reserve(4 * mesh.triangles.size());
   SearchCounters counters;
   std::size_t not_found = 0;
+  Vec3 first_not_found;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     const Vec3 normal = area_normal(a, b, c);
@@ -79,7 +86,7 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
         }
       }
       if (d == kInfinity) {
-        ++not_found;
+        if (not_found++ == 0) first_not_found = p;
         continue;
       }
       measured.add(d, p);
@@ -87,11 +94,13 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
   }
   Distances result = measured.summary();
   result.not_found = not_found;
+  result.first_not_found = first_not_found;
   return result;
 }
 
-Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree) {
-  Measured measured;
+Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
+                                 double bound) {
+  Measured measured(bound);
   measured.reserve(contour.points.size());
   for (const Vec3& p : contour.points) {
     const NearestTriangle nearest = mesh_tree.nearest(p);

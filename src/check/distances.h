@@ -18,15 +18,19 @@ struct Distances {
   double quantile_999 = 0;    // 99.9 % of the points are no further
   Vec3 furthest;              // the point with `max`
   std::size_t not_found = 0;  // points left out: no point of Sigma on the lines that were searched
+  std::size_t beyond = 0;     // points further than the bound
+  Vec3 first_not_found;
 };
 
 // From the middle of every triangle and of its edges to Sigma: along the gradient and along the
 // triangle's normal, and where that gives nothing near by along the axes; the shortest of these,
-// hence an upper bound. Searched over `limit`.
-Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit);
+// hence an upper bound. Searched over `limit`; `bound` is for counting those beyond it.
+Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
+                               double bound);
 
 // From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
-Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree);
+Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
+                                 double bound);
 
 // Whether a point of Sigma is within `tolerance` of p on the lines through p along the gradient and
 // the axes, or g is as near to kappa there as the oracle's own points may be (1e-9 of the range of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "base/text.h"
 #include "base/triangle.h"
@@ -21,6 +22,12 @@ namespace {
 
 // How far a vertex may be from Sigma beyond its rounding, in voxels.
 constexpr double kOnSurface = 1e-6;
+
+// How far Sigma is looked for, in diagonals of a voxel.
+constexpr double kSearch = 4;
+
+// How much further than the mesh from Sigma points of Sigma may be from the mesh.
+constexpr double kReach = 2;
 
 // Seconds since construction or the last lap.
 class Laps {
@@ -78,20 +85,31 @@ void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uin
   }
 }
 
-void measure_heights(const CleanMesh& mesh, const Isosurface& surface, const VerifyOptions& options,
-                     Verification& result) {
+// r/l, infinite without area.
+double shape_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double ratio = distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c));
+  return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
+}
+
+void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Limits& limits,
+                    Verification& result) {
   const std::vector<double> heights = surface_heights(mesh, surface);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
-    const Vec3& a = mesh.points[t[0]];
-    const double r = distance(circumcenter(a, mesh.points[t[1]], mesh.points[t[2]]), a);
-    if (!(r > options.r_min)) continue;
-    ++result.triangles_above_r_min;
-    const double ratio = heights[n] / r;
-    result.over_h_over_r += ratio > options.h_over_r;
-    if (std::isfinite(ratio)) {
-      result.max_h_over_r_above_r_min = std::max(result.max_h_over_r_above_r_min, ratio);
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    bool over = shape_ratio(a, b, c) > limits.lambda;
+    const double r = distance(circumcenter(a, b, c), a), h = heights[n];
+    if (r > limits.r_min) {
+      ++result.triangles_above_r_min;
+      result.over_distance += h > limits.max_distance;
+      result.over_h_over_r += h / r > limits.h_over_r;
+      over |= h > limits.max_distance || h / r > limits.h_over_r;
+      if (std::isfinite(h)) {
+        result.max_h_above_r_min = std::max(result.max_h_above_r_min, h);
+        result.max_h_over_r_above_r_min = std::max(result.max_h_over_r_above_r_min, h / r);
+      }
     }
+    result.over_a_limit += over;
   }
 }
 
@@ -125,18 +143,25 @@ CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions
   for (const auto& [f, g] : intersections) {
     summary.self_intersections += parts.is_cap[f] || parts.is_cap[g];
   }
-  summary.quality = measure_quality(parts.caps, options.lambda, 0);
+  summary.quality = measure_quality(parts.caps, options.limits.lambda, 0);
   result.solid = summary;
-  result.quality = measure_quality(parts.surface, options.lambda, options.r_min);
+  result.quality = measure_quality(parts.surface, options.limits.lambda, options.limits.r_min);
   const MeshTopology topology = mesh_topology(parts.surface);
   result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
   return clean;
 }
 
-void judge_distance(const Distances& d, double bound, double voxel, const char* name,
-                    Faults& faults) {
-  if (d.max <= bound) return;
-  faults.add(FaultKind::too_far, text(name, " is ", d.max / voxel, " voxels away"), d.furthest);
+// Every point beyond the bound is a fault; the furthest is named, and one of those that have
+// nothing near by.
+void require_distance(const Distances& d, double voxel, const char* name, Faults& faults) {
+  if (d.beyond > 0) {
+    faults.add(FaultKind::too_far, text(name, " is ", d.max / voxel, " voxels away"), d.furthest);
+    faults.add_unnamed(FaultKind::too_far, d.beyond - 1);
+  }
+  if (d.not_found > 0) {
+    faults.add(FaultKind::too_far, text(name, " has nothing near by"), d.first_not_found);
+    faults.add_unnamed(FaultKind::too_far, d.not_found - 1);
+  }
 }
 
 }  // namespace
@@ -147,6 +172,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   const double voxel = std::min({spacing.x, spacing.y, spacing.z});
   Verification result;
   Faults& faults = result.faults;
+  result.limits = options.limits;
   result.vertices = mesh.points.size();
   result.triangles = mesh.faces.size();
   result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
@@ -164,7 +190,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   } else {
     const MeshTopology topology = mesh_topology(mesh);
     result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
-    result.quality = measure_quality(mesh, options.lambda, options.r_min);
+    result.quality = measure_quality(mesh, options.limits.lambda, options.limits.r_min);
   }
   const CleanMesh& clean = surface_part ? *surface_part : whole;
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
@@ -196,14 +222,15 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   }
   result.seconds_delaunay = laps.lap();
 
-  result.to_surface = distances_to_surface(clean, surface, 4 * length(spacing));
-  result.from_surface = distances_from_surface(contour, tree);
-  judge_distance(result.to_surface, options.max_distance, voxel, "a point of the mesh", faults);
-  judge_distance(result.from_surface, options.max_distance, voxel, "a point of the surface",
-                 faults);
-  measure_heights(clean, surface, options, result);
-  result.boundary =
-      measure_boundary(clean, surface, options.h_over_r, options.lambda, options.r_min);
+  const double bound = options.limits.max_distance;
+  result.to_surface = distances_to_surface(clean, surface, kSearch * length(spacing), bound);
+  result.from_surface = distances_from_surface(contour, tree, kReach * bound);
+  if (options.require_distance) {
+    require_distance(result.to_surface, voxel, "a point of the mesh", faults);
+    require_distance(result.from_surface, voxel, "a point of the surface", faults);
+  }
+  hold_to_limits(clean, surface, options.limits, result);
+  result.boundary = measure_boundary(clean, surface, options.limits);
   result.seconds_distances = laps.lap();
   return result;
 }

@@ -9,6 +9,8 @@
 //   V3  a component with faulty edges or vertices has no topology: it is not compared;
 //   V4  vertices of extra components are not asked whether they lie on Sigma;
 //   V5  the restricted share is always measured, but judged only where nothing else is wrong.
+// A stage may be told to leave criteria unmet (below r_min, or where it has no room): they are
+// counted, and a fault only on request.
 #pragma once
 
 #include <cstddef>
@@ -34,10 +36,11 @@ struct VerifyOptions {
   double min_component = 0;         // in voxels: smaller components of the contour may be missing
   double position_error = 0;        // of the vertices, as far as they were rounded; scaled frame
   double restricted_share = 0.999;  // the least share of restricted Delaunay facets
-  double max_distance = std::numeric_limits<double>::infinity();  // both ways; scaled frame
-  double r_min = 0;   // smaller triangles are not held to criteria; scaled frame
-  double lambda = 2;  // r/l
-  double h_over_r = 0.1;
+  // What triangles are held to, with h from the circumcenter to Sigma. How many are over a limit is
+  // counted, and no fault. Points of the mesh further than max_distance from Sigma are counted too,
+  // and points of Sigma further than twice that from the mesh (as Stage 2 has it).
+  Limits limits;
+  bool require_distance = false;  // these points are faults
   bool solid = false;  // the mesh is to be closed on the box; what is said of it holds without caps
 };
 
@@ -71,8 +74,11 @@ struct Verification {
   Distances to_surface;    // from points of the triangles
   Distances from_surface;  // from vertices of the exact contour
   MeshQuality quality;
-  std::size_t triangles_above_r_min = 0, over_h_over_r = 0;  // the second among the first
-  double max_h_over_r_above_r_min = 0;
+  Limits limits;  // as given
+  std::size_t triangles_above_r_min = 0;
+  std::size_t over_distance = 0, over_h_over_r = 0;            // of these
+  double max_h_above_r_min = 0, max_h_over_r_above_r_min = 0;  // of those with a surface ball
+  std::size_t over_a_limit = 0;                                // triangles, of any size
   BoundaryQuality boundary;
   double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
 };

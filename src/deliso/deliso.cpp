@@ -20,7 +20,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (options.method == Method::marching_cubes) {
     report.kappa_effective = settled_isovalue(volume, kappa);
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
-    if (options.cap) close_on_box(cubes, volume, report.kappa_effective, options.lambda, nullptr, report);
+    if (options.cap)
+      close_on_box(cubes, volume, report.kappa_effective, options.lambda, nullptr, report);
     return cubes;
   }
   report.kappa_effective = kappa;
@@ -30,10 +31,10 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
   const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
 
-  Recovered s = options.recover == RecoverWay::certified
-                    ? recover_certified(surface, std::move(contour), parameters, report)
-                    : recover_paper(surface, std::move(contour), parameters, options.single_stage,
-                                    report);
+  Recovered s =
+      options.recover == RecoverWay::certified
+          ? recover_certified(surface, std::move(contour), parameters, report)
+          : recover_paper(surface, std::move(contour), parameters, options.single_stage, report);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "deliso/options.h"
-#include "surface/report.h"
 #include "mesh/tri_mesh.h"
+#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -2,7 +2,6 @@
 #include "deliso/options.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace deliso {
 namespace {
@@ -46,10 +45,19 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.r_min = r_min;
   p.fingers = o.fingers.in(volume);
   p.recovery = {o.epsilon, Options::kNone, o.lambda, Options::kNone, Options::kNone, r_min, r_min};
-  p.refinement = {o.epsilon1,   o.epsilon2, o.lambda, o.max_distance.in(volume),
-                  o.max_radius, r_min,      (getenv("FL")?atof(getenv("FL"))*voxel:std::min(r_min, kShapeFloor * voxel))};
-  // As published, nothing smaller than r_min is refined at all.
-  if (o.recover == RecoverWay::paper) p.refinement.shape_floor = r_min;
+  p.refinement = {o.epsilon1,
+                  o.epsilon2,
+                  o.lambda,
+                  o.max_distance.in(volume),
+                  o.max_radius,
+                  r_min,
+                  std::min(r_min, kShapeFloor * voxel)};
+  if (o.recover == RecoverWay::paper) {
+    p.as_published = true;
+    p.refinement.shape_floor = r_min;  // nothing smaller than r_min is refined at all
+  }
+  // Fingers would ask for more than so many vertices.
+  if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
   p.pole_side = o.pole_side;
   p.seed = o.seed;
   p.samples = o.samples;

@@ -45,7 +45,7 @@ struct Options {
   double epsilon1 = kNone;                 // Stage 2: h/r
   double epsilon2 = kNone;                 // Stage 2: r/h_sigma
   double max_radius = kNone;               // r, world units
-  Length fingers{4, Length::Unit::voxel};  // certified: how far Sigma may be from Stage 1's mesh
+  Length fingers{1, Length::Unit::voxel};  // certified: how far Sigma may be from Stage 1's mesh
   PoleSide pole_side = PoleSide::nearer;
 
   std::uint64_t seed = 1;

@@ -8,24 +8,30 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "mesh/write_mesh.h"
 
 namespace deliso {
 
-// A mesh as the file shall hold it: in the world frame, turned round where the frame mirrors.
-// Keeps a reference to the mesh.
+// A mesh as the file shall hold it: in the world frame, turned round where the frame mirrors; and
+// what is to be said of it. Keeps a reference to the mesh.
 class WorldMesh {
  public:
-  WorldMesh(const TriMesh& mesh, const WorldFrame& frame)
-      : mesh_(mesh), frame_(frame), mirrored_(frame.left_handed()) {}
+  // `comment`: of printable ASCII, with no "\" and no "--" in it.
+  WorldMesh(const TriMesh& mesh, const WorldFrame& frame, std::string comment)
+      : mesh_(mesh), frame_(frame), mirrored_(frame.left_handed()), comment_(std::move(comment)) {}
 
   std::size_t vertex_count() const { return mesh_.points.size(); }
   std::size_t face_count() const { return mesh_.faces.size(); }
   Vec3 point(std::size_t v) const { return frame_.to_world(mesh_.points[v]); }
   std::string_view space() const { return frame_.space; }
-  // To go behind a comment; empty where the space is not known.
+  // The comment as a line between these, or nothing where there is none.
+  std::string comment_line(std::string_view before, std::string_view after) const {
+    return comment_.empty() ? "" : std::string(before) + comment_ + std::string(after);
+  }
+  // To go behind the program's name; empty where the space is not known.
   std::string space_note() const {
     return frame_.space.empty() ? "" : " SPACE=" + std::string(frame_.space);
   }
@@ -38,6 +44,7 @@ class WorldMesh {
   const TriMesh& mesh_;
   WorldFrame frame_;
   bool mirrored_;
+  std::string comment_;
 };
 
 template <class T>

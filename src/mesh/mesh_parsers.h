@@ -73,10 +73,21 @@ class Lines {
   std::size_t number_ = 0;
 };
 
+// Of a file's comments so many are kept.
+inline constexpr std::size_t kMostComments = 100;
+
+// Rule R5. `line`: without what marks it as a comment.
+inline void keep_comment(std::string_view line, std::vector<std::string>& comments) {
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
+}
+
 // What the parsers fill. Corners are checked by the parser, which knows where it is.
 struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
+  std::vector<std::string> comments;
 
   // Rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {

@@ -56,7 +56,8 @@ std::string quoted(std::string_view word) {
   return shown + (word.size() > kMost ? "...'" : "'");
 }
 
-TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                   std::vector<std::string>* comments) {
   MeshParts parts;
   switch (format) {
     case MeshFormat::ply:
@@ -75,16 +76,17 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
   if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
     throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
   }
+  if (comments != nullptr) *comments = std::move(parts.comments);
   return make_tri_mesh(std::move(parts.points), parts.triangles);
 }
 
-TriMesh read_mesh(const std::string& path) {
+TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
   if (path != "-") {
     const MeshFormat format = mesh_format_of(path);
-    return parse_mesh(read_all(path), format, path);
+    return parse_mesh(read_all(path), format, path, comments);
   }
   const std::string bytes = read_all(path);
-  return parse_mesh(bytes, format_of_bytes(bytes), "standard input");
+  return parse_mesh(bytes, format_of_bytes(bytes), "standard input", comments);
 }
 
 }  // namespace deliso

@@ -6,11 +6,15 @@
 //   R3  facets are kept as they are, with corners twice or edges of three facets: check_mesh says;
 //   R4  whatever the bytes, the outcome is a mesh of finite points with all corners below the
 //       vertex count, or an InputError of one line that names the file, the line or byte, and the
-//       fault. Memory follows what the file holds, never what it promises.
+//       fault. Memory follows what the file holds, never what it promises;
+//   R5  comments are handed back as far as they stand before the first number or statement, the
+//       first 100 that are not blank, without their mark and the blanks around them. They may hold
+//       any bytes.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/tri_mesh.h"
 #include "mesh/write_mesh.h"
@@ -18,10 +22,12 @@
 namespace deliso {
 
 // Reads the file at `path`, in the format of its ending. `-` is standard input, whose format is
-// told from its first bytes. The facets are linked (link_faces).
-TriMesh read_mesh(const std::string& path);
+// told from its first bytes. The facets are linked (link_faces). `comments`, when given, become the
+// file's.
+TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments = nullptr);
 
 // The same from memory; `name` stands for the file in errors.
-TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                   std::vector<std::string>* comments = nullptr);
 
 }  // namespace deliso

@@ -17,7 +17,9 @@ constexpr std::array<std::string_view, 12> kSkipped{"vt", "vn",     "vp",     "g
                                                     "mg", "mtllib", "usemtl", "l", "p", "lod"};
 
 // The statement on the next line that holds one, with continued lines joined in `joined`.
-bool next_statement(Lines& lines, std::string& joined, std::string_view& statement) {
+// `comments`, where they are given, keep those passed over.
+bool next_statement(Lines& lines, std::string& joined, std::string_view& statement,
+                    std::vector<std::string>* comments) {
   while (lines.next()) {
     const auto continues = [](std::string_view line) {
       return line.ends_with('\\') || line.ends_with("\\\r");
@@ -34,7 +36,11 @@ bool next_statement(Lines& lines, std::string& joined, std::string_view& stateme
       }
       statement = joined;
     }
-    statement = statement.substr(0, statement.find('#'));
+    const std::size_t mark = statement.find('#');
+    if (comments != nullptr && mark != std::string_view::npos) {
+      keep_comment(statement.substr(mark + 1), *comments);
+    }
+    statement = statement.substr(0, mark);
     std::string_view probe = statement;
     if (!take_word(probe).empty()) return true;
   }
@@ -74,7 +80,8 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
   std::vector<VertexId> corners;
   std::string joined;
   std::string_view statement;
-  while (next_statement(lines, joined, statement)) {
+  std::vector<std::string>* head = &mesh.comments;
+  for (; next_statement(lines, joined, statement, head); head = nullptr) {
     const std::string_view keyword = take_word(statement);
     if (keyword == "v") {
       Vec3 p;

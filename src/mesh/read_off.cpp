@@ -9,11 +9,15 @@
 namespace deliso {
 namespace {
 
-// Moves to the next line that holds a word, and cuts its comment off.
-bool next_line_with_words(Lines& lines) {
+// Moves to the next line that holds a word, and cuts its comment off, which `comments` keep.
+bool next_line_with_words(Lines& lines, std::vector<std::string>* comments = nullptr) {
   while (lines.next()) {
     std::string_view& line = lines.line();
-    line = line.substr(0, line.find('#'));
+    const std::size_t mark = line.find('#');
+    if (comments != nullptr && mark != std::string_view::npos) {
+      keep_comment(line.substr(mark + 1), *comments);
+    }
+    line = line.substr(0, mark);
     std::string_view probe = line;
     if (!take_word(probe).empty()) return true;
   }
@@ -31,7 +35,8 @@ std::uint64_t take_count(Lines& lines, const char* what) {
 
 MeshParts parse_off(std::string_view bytes, const std::string& name) {
   Lines lines(bytes, name);
-  if (!next_line_with_words(lines)) lines.fail("the file is empty");
+  MeshParts mesh;
+  if (!next_line_with_words(lines, &mesh.comments)) lines.fail("the file is empty");
   const std::string_view keyword = take_word(lines.line());
   // Prefixes: ST texture, C color, N normal; 4 and n change the number of coordinates.
   if (!keyword.ends_with("OFF") ||
@@ -41,10 +46,9 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
   std::string_view behind = lines.line();
   const std::string_view next_word = take_word(behind);
   if (next_word == "BINARY") lines.fail("binary OFF is not supported");
-  if (next_word.empty() && !next_line_with_words(lines))
+  if (next_word.empty() && !next_line_with_words(lines, &mesh.comments))
     lines.fail("the file ends before the counts");
 
-  MeshParts mesh;
   const std::uint64_t vertices = take_count(lines, "vertices");
   const std::uint64_t faces = take_count(lines, "facets");
   if (vertices > kMostVertices) lines.fail(text(vertices, " vertices are too many"));

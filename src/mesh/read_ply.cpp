@@ -47,6 +47,7 @@ enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
+  std::vector<std::string> comments;
 };
 
 Type type_in(std::string_view word, const Lines& lines) {
@@ -99,6 +100,7 @@ Header parse_header(Lines& lines) {
       if (!has_format) lines.fail("the header names no format");
       return header;
     }
+    if (keyword == "comment") keep_comment(line, header.comments);
     if (keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "format") {
       header.encoding = encoding_in(take_word(line), lines);
@@ -288,6 +290,7 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
 template <class Source>
 MeshParts read_elements(Source source, const Header& header) {
   MeshParts mesh;
+  mesh.comments = header.comments;
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                    [](const Element& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end()) source.fail("there is no element 'vertex'");

@@ -28,6 +28,16 @@ bool ends_with(std::string_view path, std::string_view ending) {
   return true;
 }
 
+// As it can stand in every format.
+std::string clean(std::string comment) {
+  for (std::size_t i = 0; i < comment.size(); ++i) {
+    const char c = comment[i];
+    const bool twice = c == '-' && i > 0 && comment[i - 1] == '-';
+    if (c < ' ' || c > '~' || c == '\\' || twice) comment[i] = '?';
+  }
+  return comment;
+}
+
 }  // namespace
 
 MeshFormat mesh_format_of(std::string_view path) {
@@ -43,7 +53,7 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
   const MeshFormat format = options.format ? *options.format
                             : path == "-"  ? MeshFormat::ply
                                            : mesh_format_of(path);
-  const WorldMesh world(mesh, options.frame);
+  const WorldMesh world(mesh, options.frame, clean(options.comment));
   AtomicFile out(path, options.sync);
   switch (format) {
     case MeshFormat::ply:

@@ -4,6 +4,11 @@
 // The same mesh gives the same bytes on every machine: numbers in text are the shortest that read
 // back the same (no locale), binary is little endian, and nothing of the time or place goes in.
 // Files appear whole or not at all (base/atomic_file.h); `-` is standard output.
+//
+// A comment goes into the head of the file as one line of its own: PLY `comment`, OFF and OBJ `#`,
+// an XML comment in VTP, behind the rest of STL's 80 bytes where it fits there. What cannot stand
+// in all of these (bytes that are not printable ASCII, `\`, a second `-` in a row) is written as
+// `?`.
 #pragma once
 
 #include <array>
@@ -50,6 +55,7 @@ struct MeshWriteOptions {
   bool ascii = false;                  // PLY only
   bool sync = false;                   // wait until the bytes are on the medium
   WorldFrame frame{};
+  std::string comment{};  // empty: none
 };
 
 // Throws InputError on an unknown ending and on every fault of the file system.

@@ -5,7 +5,7 @@
 namespace deliso {
 
 void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
-  out.write("# DelIso" + mesh.space_note() + "\n");
+  out.write("# DelIso" + mesh.space_note() + "\n" + mesh.comment_line("# ", "\n"));
   for_each_coordinate(mesh, single_precision, [&](auto value, int axis) {
     if (axis == 0) out.write("v ");
     put_text(out, value, axis == 2 ? '\n' : ' ');

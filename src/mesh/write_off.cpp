@@ -5,7 +5,7 @@
 namespace deliso {
 
 void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
-  out.write("OFF\n");
+  out.write("OFF\n" + mesh.comment_line("# ", "\n"));
   put_text(out, mesh.vertex_count(), ' ');
   put_text(out, mesh.face_count(), ' ');
   out.write("0\n");  // the number of edges, which no reader asks for

@@ -9,8 +9,9 @@ void write_ply(AtomicFile& out, const WorldMesh& mesh, bool single_precision, bo
   const char* coordinate = single_precision ? "float" : "double";
   out.write("ply\nformat ");
   out.write(ascii ? "ascii" : "binary_little_endian");
-  out.write(text(" 1.0\ncomment DelIso", mesh.space_note(), "\nelement vertex ",
-                 mesh.vertex_count(), "\n"));
+  out.write(text(" 1.0\ncomment DelIso", mesh.space_note(), "\n",
+                 mesh.comment_line("comment ", "\n"), "element vertex ", mesh.vertex_count(),
+                 "\n"));
   for (const char* axis : {"x", "y", "z"}) {
     out.write(text("property ", coordinate, " ", axis, "\n"));
   }

@@ -12,6 +12,8 @@
 namespace deliso {
 namespace {
 
+constexpr std::size_t kHeader = 80;
+
 void put_vector(AtomicFile& out, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) put_binary(out, static_cast<float>(p[axis]));
 }
@@ -32,7 +34,9 @@ void write_stl(AtomicFile& out, const WorldMesh& mesh) {
   }
   // Readers take a file that opens with "solid" for the ASCII kind.
   std::string header = "binary STL by DelIso" + mesh.space_note();
-  header.resize(80, ' ');
+  const std::string comment = mesh.comment_line(" ", "");
+  if (header.size() + comment.size() <= kHeader) header += comment;
+  header.resize(kHeader, ' ');
   out.write(header);
   put_binary(out, static_cast<std::uint32_t>(mesh.face_count()));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

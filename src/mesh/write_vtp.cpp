@@ -22,8 +22,9 @@ void write_vtp(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
   const std::uint64_t corners_at = size_field + point_bytes;
   const std::uint64_t ends_at = corners_at + size_field + corner_bytes;
 
-  out.write(R"(<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  out.write("<?xml version=\"1.0\"?>\n" + mesh.comment_line("<!-- ", " -->\n"));
+  out.write(
+      R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
   <PolyData>
 )");
   if (!mesh.space().empty()) {

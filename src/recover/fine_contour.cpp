@@ -72,9 +72,8 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
   ContourSplit split;
   split.elsewhere = cells_of(spacing, std::min(kLongest * shortest, longest), longest,
                              plain.summary.active_voxels, vertices);
-  ContourMesh contour = split.elsewhere == Index3{1, 1, 1}
-                            ? std::move(plain)
-                            : build_contour(volume, kappa, split);
+  ContourMesh contour =
+      split.elsewhere == Index3{1, 1, 1} ? std::move(plain) : build_contour(volume, kappa, split);
   double cell = shortest / 2;
   for (int halvings = 0; halvings <= kHalvings;) {
     const std::vector<std::uint64_t> crossed = crossed_voxels(contour);

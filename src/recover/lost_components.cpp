@@ -52,7 +52,8 @@ void put_back_lost_components(SurfaceMesh& recovered, const std::vector<VertexId
                               const std::vector<std::uint8_t>& kept, const Isosurface& surface,
                               Report& report) {
   const std::size_t count = contour.summary.components.size();
-  std::vector<std::uint8_t> lost = components_found(recovered.mesh, source, contour_component, count);
+  std::vector<std::uint8_t> lost =
+      components_found(recovered.mesh, source, contour_component, count);
   for (std::size_t c = 0; c < count; ++c) lost[c] = !lost[c] && kept[c];
   const auto number = std::count(lost.begin(), lost.end(), 1);
   if (number == 0) return;

@@ -5,16 +5,17 @@
 #pragma once
 
 #include "contour/contour.h"
+#include "isosurface/isosurface.h"
 #include "surface/report.h"
 #include "surface/surface_mesh.h"
-#include "isosurface/isosurface.h"
 
 namespace deliso {
 
 // Adds the pieces of T for every kept component that no component of the mesh stands for, and
 // counts them. A mesh component stands for the component that most of its vertices were seeded
-// from. source: per vertex of the mesh, the one of the triangulation. contour_component: per vertex of the triangulation, the component it was seeded from; kNoId
-// for points of other origin. kept: per component of T.
+// from. source: per vertex of the mesh, the one of the triangulation. contour_component: per vertex
+// of the triangulation, the component it was seeded from; kNoId for points of other origin. kept:
+// per component of T.
 void put_back_lost_components(SurfaceMesh& recovered, const std::vector<VertexId>& source,
                               const ContourMesh& contour,
                               const std::vector<std::uint32_t>& contour_component,

@@ -213,7 +213,8 @@ void CertifiedRecovery::satisfy_certificate() {
   for (std::size_t done = 1; !queue_.empty(); ++done) {
     if (parameters_.progress && done % kEvery == 0) {
       const double left = static_cast<double>(queue_.size());
-      parameters_.progress("recover", static_cast<double>(done) / (static_cast<double>(done) + left));
+      parameters_.progress("recover",
+                           static_cast<double>(done) / (static_cast<double>(done) + left));
     }
     const VertexId s = queue_.front();
     queue_.pop_front();

@@ -4,9 +4,9 @@
 // to T, and so to Sigma, component by component. No Voronoi edge is searched for that.
 //
 // Three practical tests follow, each with the same remedy: no vertex of T may be further than
-// `fingers` from the facets at its site (a thin branch inside one Voronoi cell is a disk too), every
-// facet of K above r_min must find the surface point that Stage 2 starts from, and no two facets of
-// K may cross. At worst every vertex of T is a site and K is T, which is embedded.
+// `fingers` from the facets at its site (a thin branch inside one Voronoi cell is a disk too),
+// every facet of K above r_min must find the surface point that Stage 2 starts from, and no two
+// facets of K may cross. At worst every vertex of T is a site and K is T, which is embedded.
 #pragma once
 
 #include "contour/contour.h"

@@ -70,8 +70,8 @@ class Recovery {
   std::vector<Triangle> triangles_;
 };
 
-// InitTriangulation, Recover and BuildTriMesh of Figure 4 (or, with `single_stage`, all refinement on
-// the triangulation too: the baseline of Table 2). `contour`: build_contour().
+// InitTriangulation, Recover and BuildTriMesh of Figure 4 (or, with `single_stage`, all refinement
+// on the triangulation too: the baseline of Table 2). `contour`: build_contour().
 Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report);
 

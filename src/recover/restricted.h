@@ -20,11 +20,11 @@
 
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
+#include "isosurface/isosurface.h"
+#include "mesh/star.h"
 #include "recover/sample.h"
 #include "surface/profile.h"
 #include "surface/report.h"
-#include "isosurface/isosurface.h"
-#include "mesh/star.h"
 
 namespace deliso {
 

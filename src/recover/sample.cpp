@@ -88,7 +88,8 @@ void add_random_points(const Isosurface& surface, const Parameters& parameters, 
   std::size_t found = 0;
   // Segments that miss are many where the surface is small; the contour's seeds do not depend on
   // these points, so there is no harm in giving up.
-  for (std::size_t tries = 0; found < parameters.samples && tries < 100 * parameters.samples; ++tries) {
+  for (std::size_t tries = 0; found < parameters.samples && tries < 100 * parameters.samples;
+       ++tries) {
     const Vec3 from = random_point();
     surface.intersect({from, random_point()}, hits, report.searches_recover);
     for (const Hit& hit : hits) {
@@ -258,7 +259,7 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
   };
   choose_block_seeds(contour, volume, wanted, seeds);
   Random random(parameters.seed);
-  for (std::size_t i = 0; i < parameters.samples; ++i) {
+  for (std::size_t i = 0; i < parameters.samples && !contour.points.empty(); ++i) {
     const VertexId v = random.below(static_cast<std::uint32_t>(contour.points.size()));
     if (wanted(v)) seeds.push_back(v);
   }
@@ -291,7 +292,8 @@ BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& con
   return {surface, std::move(loops)};
 }
 
-std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Parameters& parameters) {
+std::vector<std::uint8_t> kept_components(const ContourMesh& contour,
+                                          const Parameters& parameters) {
   std::vector<std::uint8_t> kept;
   for (const ContourComponent& c : contour.summary.components) {
     kept.push_back(!(largest_side(c) < parameters.min_component));

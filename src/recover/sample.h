@@ -12,10 +12,10 @@
 
 #include "contour/contour.h"
 #include "delaunay/triangulation.h"
+#include "isosurface/isosurface.h"
 #include "surface/boundary.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
-#include "isosurface/isosurface.h"
 
 namespace deliso {
 

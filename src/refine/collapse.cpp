@@ -49,7 +49,8 @@ double Collapser::worst_ratio(std::span<const Triangle> facets) const {
   double worst = 0;
   for (const Triangle& v : facets) {
     const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
-    worst = std::max(worst, distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c)));
+    worst =
+        std::max(worst, distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c)));
   }
   return worst;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needles collapsed: Stage 1 may hand over vertices very close to each other (the curve on the box
 // and the surface inside are sampled by different rules, crossings near a sample lie as near each
-// other as they like), and no insertion mends what a short edge makes. One of its ends is merged into
-// the other. Only vertices of Stage 1 go, so there is an end to it.
+// other as they like), and no insertion mends what a short edge makes. One of its ends is merged
+// into the other. Only vertices of Stage 1 go, so there is an end to it.
 #pragma once
 
 #include "refine/replace_disk.h"
@@ -16,8 +16,8 @@ class Collapser {
   Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
             const BoundaryCurves& curves, const Parameters& parameters, Report& report);
 
-  // Collapses the shortest edge of f when f has r/l over its limit, the edge is shorter than a facet
-  // of r_min may have, and the facets there become no worse by it.
+  // Collapses the shortest edge of f when f has r/l over its limit, the edge is shorter than a
+  // facet of r_min may have, and the facets there become no worse by it.
   bool collapse(FaceId f);
   // Merges a corner of f into a neighbour, whatever the distance, where that leaves fewer facets
   // around it that no insertion mends.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Insertion in the plain mesh (paper §2.2.2, Figure 3): the facets whose surface balls hold the new
-// point p, found by walking from one of them, are the disk E; the cone from p over its rim, D, takes
-// its place. A point that comes near an edge of the boundary splits that edge instead (paper §5).
+// point p, found by walking from one of them, are the disk E; the cone from p over its rim, D,
+// takes its place. A point that comes near an edge of the boundary splits that edge instead (paper
+// §5).
 //
 // Differs from the paper in that E must be a disk with all its vertices on the rim, and that D must
 // pass the gates of refine/replace_disk.h: what does not is refused, and the mesh stays as it is.

@@ -12,10 +12,11 @@ namespace deliso {
 namespace {
 
 // How far a vertex is moved, as shares of r_min, and in how many directions.
-constexpr std::array kSteps{0.5, 0.25, 0.12, 0.06};
-constexpr int kDirections = 16;
+constexpr std::array kSteps{0.5, 0.2, 0.08};
+constexpr int kDirections = 12;
 
-// A facet over a limit costs 1 and how much it is over; this is what one that is not Delaunay costs.
+// A facet over a limit costs 1 and how much it is over; this is what one that is not Delaunay
+// costs.
 constexpr double kNotDelaunay = 0.3;
 
 // By such a share of itself the cost around a vertex must fall: there is an end to it.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Vertices moved along Sigma. Where every insertion is refused and no flip helps, it is the vertices
-// that stand badly: a facet stays over a limit, or outside the restricted Delaunay triangulation,
-// which a corner a fraction of r_min further on would mend. (Refinement and moves taken together:
-// Tournois, Wormser, Alliez and Desbrun 2009.) What falls is the cost of the facets around.
+// Vertices moved along Sigma. Where every insertion is refused and no flip helps, it is the
+// vertices that stand badly: a facet stays over a limit, or outside the restricted Delaunay
+// triangulation, which a corner a fraction of r_min further on would mend. (Refinement and moves
+// taken together: Tournois, Wormser, Alliez and Desbrun 2009.) What falls is the cost of the facets
+// around.
 #pragma once
 
 #include <vector>

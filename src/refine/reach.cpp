@@ -2,7 +2,10 @@
 #include "refine/reach.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
+
+#include "base/triangle.h"
 
 namespace deliso {
 namespace {
@@ -13,7 +16,7 @@ double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
 }
 
 // The nearest facet, looked for in balls that grow.
-FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::size_t witness, const Vec3& p,
+FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::uint32_t witness, const Vec3& p,
                  double radius) {
   FarPoint best{witness, kNoId, 0};
   for (int doublings = 0; best.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
@@ -32,16 +35,32 @@ FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::size_t witness
 
 }  // namespace
 
-std::vector<FarPoint> far_points(const TriMesh& mesh, const FacetGrid& grid,
-                                 std::span<const Vec3> witnesses, double limit) {
-  std::vector<FarPoint> far;
-  for (std::size_t n = 0; n < witnesses.size(); ++n) {
+void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> witnesses,
+              double limit, std::vector<std::uint32_t>& numbers) {
+  // The facets that were near to the last few.
+  std::array<FaceId, 4> recent;
+  recent.fill(kNoId);
+  std::size_t oldest = 0;
+  std::erase_if(numbers, [&](std::uint32_t n) {
     const Vec3& p = witnesses[n];
-    const bool is_near = grid.any(grid.box_around(p, limit), [&](FaceId f, const FacetGrid::Box&) {
-      return distance2_to_facet(mesh, f, p) <= limit * limit;
+    const auto is_near = [&](FaceId f) { return distance2_to_facet(mesh, f, p) <= limit * limit; };
+    for (const FaceId f : recent) {
+      if (f != kNoId && is_near(f)) return true;
+    }
+    return grid.any(grid.box_around(p, limit), [&](FaceId f, const FacetGrid::Box&) {
+      if (!is_near(f)) return false;
+      recent[oldest++ % recent.size()] = f;
+      return true;
     });
-    if (is_near) continue;
-    const FarPoint at = nearest(mesh, grid, n, p, 2 * limit);
+  });
+}
+
+std::vector<FarPoint> furthest(const TriMesh& mesh, const FacetGrid& grid,
+                               std::span<const Vec3> witnesses, double limit,
+                               std::span<const std::uint32_t> numbers) {
+  std::vector<FarPoint> far;
+  for (const std::uint32_t n : numbers) {
+    const FarPoint at = nearest(mesh, grid, n, witnesses[n], 2 * limit);
     if (at.facet != kNoId) far.push_back(at);
   }
   const auto furthest_of_facet = [](const FarPoint& a, const FarPoint& b) {
@@ -55,16 +74,6 @@ std::vector<FarPoint> far_points(const TriMesh& mesh, const FacetGrid& grid,
     return std::tie(b.distance2, a.witness) < std::tie(a.distance2, b.witness);
   });
   return far;
-}
-
-bool is_on_own_sheet(const TriMesh& mesh, FaceId f, const Vec3& p, const Isosurface& surface,
-                     SurfacePointFinder& finder, SearchCounters& counters) {
-  const Triangle& v = mesh.faces[f].v;
-  const Vec3 normal = area_normal(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
-  if (!(dot(surface.gradient(p), normal) < 0)) return false;
-  return std::all_of(v.begin(), v.end(), [&](VertexId q) {
-    return finder.on_one_sheet(p, mesh.points[q], normal, counters);
-  });
 }
 
 }  // namespace deliso

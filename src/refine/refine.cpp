@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -29,8 +28,8 @@ namespace {
 // A bound on the distance that no mesh of so many vertices keeps: what --vertices begins with.
 constexpr double kFinest = 2e-3;  // voxels
 
-// Facets that are wanted Delaunay though they meet the criteria: those above this share of r_min are
-// refined for it, smaller ones only rearranged.
+// Facets that are wanted Delaunay though they meet the criteria: those above this share of r_min
+// are refined for it, smaller ones only rearranged.
 constexpr double kSmall = 0.5;
 
 // How much further than facets from Sigma, at their circumcenters, points of Sigma may be from the
@@ -43,7 +42,6 @@ class Refiner {
           const Parameters& parameters, Report& report)
       : s_(surface_mesh),
         mesh_(surface_mesh.mesh),
-        surface_(surface),
         parameters_(parameters),
         report_(report),
         replacer_(surface_mesh, surface, parameters_, report),
@@ -78,13 +76,12 @@ class Refiner {
   std::array<std::optional<Vec3>, 2> other_points(FaceId f);
   void legalize();
   void follow_curves();
-  // The last facet taken from the queue was f: whether there may be no more vertices.
-  bool is_full(FaceId f);
+  // `h`: of the facet last taken from the queue. Whether there may be no more vertices.
+  bool is_full(double h);
   void show_progress();
 
   SurfaceMesh& s_;
   const TriMesh& mesh_;
-  const Isosurface& surface_;
   Parameters parameters_;  // its bound on the distance gives way to target_vertices
   Report& report_;
   DiskReplacer replacer_;
@@ -99,6 +96,7 @@ class Refiner {
   std::vector<std::uint8_t> stuck_;  // per facet: all rungs refused, and nothing changed around it
   std::vector<FaceId> changed_;      // since legalize() last looked at them
   std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
+  std::vector<std::uint32_t> far_;   // witnesses that were far when they were looked at last
   bool full_ = false;
   std::size_t steps_ = 0;
   double share_ = 0;
@@ -117,9 +115,11 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   judge_all();
   follow_curves();
   refine_geom(Rungs::cheap);
-  while (!full_ && reach(witnesses)) refine_geom(Rungs::cheap);
-  refine_geom(Rungs::all);
-  if (!full_ && make_delaunay()) refine_geom(Rungs::all);
+  if (!parameters_.as_published) {
+    while (!full_ && reach(witnesses)) refine_geom(Rungs::cheap);
+    refine_geom(Rungs::all);
+    if (!full_ && make_delaunay()) refine_geom(Rungs::all);
+  }
   count_left();
 }
 
@@ -163,6 +163,7 @@ void Refiner::refine_geom(Rungs rungs) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       if (is_dead(mesh_.faces[f])) continue;
+      const double h = shape(f).h;
       if (climb(f, rungs)) {
         any = true;
       } else {
@@ -170,7 +171,7 @@ void Refiner::refine_geom(Rungs rungs) {
       }
       follow_curves();
       show_progress();
-      if (is_full(f)) return;
+      if (is_full(h)) return;
     }
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
     legalize();
@@ -181,7 +182,7 @@ void Refiner::refine_geom(Rungs rungs) {
   }
 }
 
-bool Refiner::is_full(FaceId f) {
+bool Refiner::is_full(double h) {
   const std::size_t vertices = mesh_.points.size();
   if (vertices >= parameters_.max_vertices) {
     if (!parameters_.keep_partial) {
@@ -194,7 +195,7 @@ bool Refiner::is_full(FaceId f) {
   if (vertices < parameters_.target_vertices || full_) return false;
   // The rest is for shape alone: what the worst facet has now is the bound on the distance.
   full_ = true;
-  parameters_.refinement.max_distance = is_dead(mesh_.faces[f]) ? 0 : shape(f).h;
+  parameters_.refinement.max_distance = h;
   judge_all();
   return false;
 }
@@ -202,17 +203,17 @@ bool Refiner::is_full(FaceId f) {
 bool Refiner::reach(std::span<const Vec3> witnesses) {
   const double limit = kReach * parameters_.refinement.max_distance;
   if (!std::isfinite(limit)) return false;
-  const std::vector<FarPoint> far = far_points(mesh_, replacer_.grid(), witnesses, limit);
-  report_[Counter::points_far] = far.size();
+  if (far_.empty()) {
+    far_.resize(witnesses.size());
+    std::iota(far_.begin(), far_.end(), 0);
+  }
+  keep_far(mesh_, replacer_.grid(), witnesses, limit, far_);
+  report_[Counter::points_far] = far_.size();
   bool any = false;
-  for (const FarPoint& at : far) {
+  for (const FarPoint& at : furthest(mesh_, replacer_.grid(), witnesses, limit, far_)) {
     const Vec3& p = witnesses[at.witness];
     // An earlier one may have taken its facet away.
-    if (is_dead(mesh_.faces[at.facet]) || shape(at.facet).r <= parameters_.r_min) continue;
-    if (!is_on_own_sheet(mesh_, at.facet, p, surface_, replacer_.finder(),
-                         report_.searches_refine)) {
-      continue;
-    }
+    if (is_dead(mesh_.faces[at.facet])) continue;
     if (!inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
     follow_curves();
   }
@@ -327,20 +328,6 @@ void Refiner::follow_curves() {
 }
 
 void Refiner::count_left() {
-  if (getenv("DBG")) {
-    long n=0, off=0, offsmall=0, rl=0, h=0, occ=0, occsmall=0; long hist[8]={};
-    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (is_dead(mesh_.faces[f])) continue;
-      const FacetShape s = shape(f); const bool small = s.r <= parameters_.r_min; const Dual& d = s_.duals[f];
-      ++n; off += !d.on_surface && !small; offsmall += !d.on_surface && small;
-      const bool o = d.on_surface && replacer_.holds_vertex(mesh_.faces[f].v, d); occ += o && !small; occsmall += o && small;
-      if (s.r > 2 * s.l && s.r > parameters_.refinement.shape_floor) { ++rl; int b = std::clamp(int(std::log2(s.r / parameters_.r_min)) + 4, 0, 7); ++hist[b]; }
-      h += s.h > parameters_.refinement.max_distance && !small;
-    }
-    fprintf(stderr, "facets %ld: no surface point: %ld above r_min, %ld below; occupied ball %ld above, %ld below; r/l %ld (by log2 r/rmin from -4:", n, off, offsmall, occ, occsmall, rl);
-    for (long x : hist) fprintf(stderr, " %ld", x);
-    fprintf(stderr, "); h %ld\n", h);
-  }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     const FacetShape s = shape(f);

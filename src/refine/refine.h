@@ -3,10 +3,10 @@
 // refined until every facet meets the criteria, by one queue, worst first.
 //
 // For a facet that does not, what is tried, rung by rung: its surface point inserted; another point
-// of Sigma near it; a boundary edge split; an edge flipped; a short edge collapsed; and where all of
-// that is refused, the patch around it triangulated anew, a corner moved. What none of them mends is
-// left and counted. Each is one replacement of a disk of facets (refine/replace_disk.h), so the mesh
-// stays a manifold of the same topology, embedded, with its vertices on Sigma.
+// of Sigma near it; a boundary edge split; an edge flipped; a short edge collapsed; and where all
+// of that is refused, the patch around it triangulated anew, a corner moved. What none of them
+// mends is left and counted. Each is one replacement of a disk of facets (refine/replace_disk.h),
+// so the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
 #pragma once
 
 #include <span>
@@ -17,8 +17,9 @@
 
 namespace deliso {
 
-// Refines `mesh` in place. `witnesses`: points of Sigma that are to be no further from the mesh than
-// the criteria say, as far as r_min allows. Throws InputError at max_vertices unless keep_partial.
+// Refines `mesh` in place. `witnesses`: points of Sigma that are to be no further from the mesh
+// than the criteria say, as far as r_min allows. Throws InputError at max_vertices unless
+// keep_partial.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
             std::span<const Vec3> witnesses, const Parameters& parameters, Report& report);
 

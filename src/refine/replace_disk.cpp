@@ -15,6 +15,9 @@ namespace {
 // Cells of the grid, in r_min: near the size of most facets once all is done.
 constexpr double kCell = 6;
 
+// Of the size of what is compared.
+constexpr double kMargin = 1e-10;
+
 double cosine(const Vec3& u, const Vec3& v) {
   return dot(u, v) / std::sqrt(length2(u) * length2(v));
 }
@@ -83,7 +86,7 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       finder_(surface),
       grid_(surface.volume().box(), kCell * parameters.r_min),
       marks_(mesh_.faces.size(), 0) {
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+  for (FaceId f = 0; f < mesh_.faces.size() && !parameters.as_published; ++f) {
     grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
   }
 }
@@ -125,43 +128,51 @@ bool DiskReplacer::keeps_manifold(Change& change) {
   Patch& in = change.in;
   if (!in.link()) return false;
   beyond_.assign(in.rim.size(), kNoId);
+  kept_.assign(in.rim.size(), 0);
   for (const Patch::RimEdge& old : change.was.rim) {
     const FaceId g = mesh_.faces[change.out[old.facet]].n[old.side];
-    if (g == kNoId) continue;
     const auto same = std::find_if(in.rim.begin(), in.rim.end(), [&](const Patch::RimEdge& e) {
       return e.from == old.from && e.to == old.to;
     });
-    if (same == in.rim.end()) return false;
-    beyond_[static_cast<std::size_t>(same - in.rim.begin())] = g;
+    if (same == in.rim.end()) {
+      if (g == kNoId) continue;
+      return false;
+    }
+    const auto k = static_cast<std::size_t>(same - in.rim.begin());
+    beyond_[k] = g;
+    kept_[k] = 1;
+    if (g == kNoId) continue;
     // A facet that is there already, seen from behind.
     const Triangle& t = in.facets[same->facet];
     const Triangle& there = mesh_.faces[g].v;
     if (has_corner(there, t[0]) && has_corner(there, t[1]) && has_corner(there, t[2])) return false;
   }
-  // An edge inside the new disk between two vertices that are joined elsewhere would have four
-  // facets. With a new vertex at its end there can be none.
+  // A new edge, inside the new disk or along the boundary, between two vertices that are joined
+  // elsewhere would have too many facets. With a new vertex at its end there can be none.
+  const auto is_taken = [&](VertexId a, VertexId b) {
+    const bool has_new =
+        change.what == Change::Vertex::comes && (a == change.vertex || b == change.vertex);
+    return !has_new && is_joined_outside(a, b, change);
+  };
   for (std::uint32_t f = 0; f < in.facets.size(); ++f) {
     for (int i = 0; i < 3; ++i) {
       if (in.beyond[f][i] == Patch::kRim || in.beyond[f][i] < f) continue;
-      const VertexId a = in.facets[f][(i + 1) % 3], b = in.facets[f][(i + 2) % 3];
-      if (change.what == Change::Vertex::comes && (a == change.vertex || b == change.vertex)) {
-        continue;
-      }
-      if (is_joined_outside(a, b, change)) return false;
+      if (is_taken(in.facets[f][(i + 1) % 3], in.facets[f][(i + 2) % 3])) return false;
     }
+  }
+  for (std::size_t k = 0; k < in.rim.size(); ++k) {
+    if (!kept_[k] && is_taken(in.rim[k].from, in.rim[k].to)) return false;
   }
   return true;
 }
 
 bool DiskReplacer::is_joined_outside(VertexId a, VertexId b, const Change& change) {
-  const auto start = std::find_if(change.out.begin(), change.out.end(), [&](FaceId f) {
-    return has_corner(mesh_.faces[f].v, a);
-  });
+  const auto start = std::find_if(change.out.begin(), change.out.end(),
+                                  [&](FaceId f) { return has_corner(mesh_.faces[f].v, a); });
   DELISO_ASSERT(start != change.out.end());
   facets_around(mesh_, *start, a, star_);
-  return std::any_of(star_.begin(), star_.end(), [&](FaceId f) {
-    return !is_out(f) && has_corner(mesh_.faces[f].v, b);
-  });
+  return std::any_of(star_.begin(), star_.end(),
+                     [&](FaceId f) { return !is_out(f) && has_corner(mesh_.faces[f].v, b); });
 }
 
 // G2.
@@ -186,9 +197,8 @@ bool DiskReplacer::find_duals(Change& change) {
 }
 
 bool DiskReplacer::faces_out(const Triangle& v, const Vec3& normal) const {
-  return std::all_of(v.begin(), v.end(), [&](VertexId q) {
-    return dot(surface_.gradient(point(q)), normal) < 0;
-  });
+  return std::all_of(v.begin(), v.end(),
+                     [&](VertexId q) { return dot(surface_.gradient(point(q)), normal) < 0; });
 }
 
 // G3.
@@ -227,6 +237,7 @@ bool DiskReplacer::turns(const Change& change) {
 
 // G5.
 bool DiskReplacer::crosses(const Change& change) {
+  if (parameters_.as_published) return false;
   const std::vector<Triangle>& in = change.in.facets;
   boxes_.clear();
   sides_.clear();
@@ -234,7 +245,7 @@ bool DiskReplacer::crosses(const Change& change) {
     const Triangle& t = in[f];
     if (collinear(point(t[0]), point(t[1]), point(t[2]))) return true;
     boxes_.push_back(grid_.box_of(mesh_.points, t));
-    const auto side = [&](int i) { return upright(mesh_.points, t, normals_[f], i); };
+    const auto side = [&](int i) { return upright(t, normals_[f], i); };
     sides_.push_back({side(0), side(1), side(2)});
   }
   for (std::size_t f = 0; f < in.size(); ++f) {
@@ -258,24 +269,22 @@ bool DiskReplacer::crosses(const Change& change) {
   });
 }
 
-DiskReplacer::Side DiskReplacer::upright(const std::vector<Vec3>& points, const Triangle& t,
-                                         const Vec3& normal, int i) {
+DiskReplacer::Side DiskReplacer::upright(const Triangle& t, const Vec3& normal, int i) const {
   const VertexId from = t[(i + 1) % 3], to = t[(i + 2) % 3];
-  const Vec3 outwards = cross(points[to] - points[from], normal);
-  return {from, to, points[from], outwards,
-          std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z)};
+  const Vec3& origin = point(from);
+  const Vec3 outwards = cross(point(to) - origin, normal);
+  return {from, to, origin, outwards,
+          kMargin * (std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z))};
 }
 
-// A plane through a side of one triangle that has the triangle's third corner, `inside`, on one side
-// and the other triangle on the other parts the two but for what they share. By a margin that
+// A plane through a side of one triangle that has the triangle's third corner, `inside`, on one
+// side and the other triangle on the other parts the two but for what they share. By a margin that
 // rounding stays far below; planes that do it exactly are a little way off.
-bool DiskReplacer::parts(const std::vector<Vec3>& points, const Side& side, VertexId inside,
-                         const Triangle& other) {
-  constexpr double kMargin = 1e-10;
+inline bool DiskReplacer::parts(const Side& side, VertexId inside, const Triangle& other) const {
   const auto beyond = [&](VertexId v, double sign) {
-    const Vec3 w = points[v] - side.origin;
+    const Vec3 w = point(v) - side.origin;
     const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
-    return sign * dot(side.outwards, w) > kMargin * side.size * reach;
+    return sign * dot(side.outwards, w) > side.margin * reach;
   };
   for (const VertexId v : other) {
     if (v != side.from && v != side.to && !beyond(v, 1)) return false;
@@ -285,20 +294,26 @@ bool DiskReplacer::parts(const std::vector<Vec3>& points, const Side& side, Vert
 
 bool DiskReplacer::meet(const Change& change, std::size_t f, const Triangle& t) const {
   const Triangle& s = change.in.facets[f];
-  for (int i = 0; i < 3; ++i) {
-    if (parts(mesh_.points, sides_[f][i], s[i], t)) return false;
+  // The side that an insertion's cone has on the rim first.
+  for (const int i : {2, 0, 1}) {
+    if (parts(sides_[f][static_cast<std::size_t>(i)], s[static_cast<std::size_t>(i)], t)) {
+      return false;
+    }
   }
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
   const Vec3 normal = area_normal(a, b, c);
   for (int i = 0; i < 3; ++i) {
-    if (parts(mesh_.points, upright(mesh_.points, t, normal, i), t[i], s)) return false;
+    if (parts(upright(t, normal, i), t[static_cast<std::size_t>(i)], s)) return false;
   }
   return !collinear(a, b, c) && triangles_intersect(mesh_.points, s, t);
 }
 
 void DiskReplacer::commit(Change& change) {
   const Patch& in = change.in;
-  for (const FaceId f : change.out) grid_.remove(f);
+  const bool is_guarded = !parameters_.as_published;
+  for (const FaceId f : change.out) {
+    if (is_guarded) grid_.remove(f);
+  }
   change.created.clear();
   std::size_t reused = 0;
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
@@ -328,7 +343,7 @@ void DiskReplacer::commit(Change& change) {
       face.n[i] = g == Patch::kRim ? kNoId : change.created[g];
     }
     s_.duals[change.created[k]] = change.duals[k];
-    grid_.add(change.created[k], boxes_[k]);
+    if (is_guarded) grid_.add(change.created[k], boxes_[k]);
   }
   for (std::size_t k = 0; k < in.rim.size(); ++k) {
     if (beyond_[k] == kNoId) continue;
@@ -349,11 +364,12 @@ void DiskReplacer::commit(Change& change) {
 }
 
 bool DiskReplacer::holds_vertex(const Triangle& v, const Dual& ball) const {
-  return grid_.any(grid_.box_around(ball.center, std::sqrt(ball.radius2)), [&](FaceId f, const FacetGrid::Box&) {
+  const FacetGrid::Ball in_cells = grid_.ball(ball.center, std::sqrt(ball.radius2));
+  return grid_.any(in_cells.box, [&](FaceId f, const FacetGrid::Box& box) {
+    if (!in_cells.meets(box)) return false;
     const Triangle& other = mesh_.faces[f].v;
-    return std::any_of(other.begin(), other.end(), [&](VertexId q) {
-      return ball.holds(point(q)) && !has_corner(v, q);
-    });
+    return std::any_of(other.begin(), other.end(),
+                       [&](VertexId q) { return ball.holds(point(q)) && !has_corner(v, q); });
   });
 }
 

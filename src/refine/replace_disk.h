@@ -12,6 +12,7 @@
 //   G3  no edge turns more sharply than asked for, or than one did before;
 //   G4  what the proposer wants to fall, falls: so there is an end to it;
 //   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
+//       (Not asked with Parameters::as_published.)
 #pragma once
 
 #include <array>
@@ -32,16 +33,16 @@ namespace deliso {
 struct Patch {
   static constexpr std::uint32_t kRim = 0xffffffff;
   struct RimEdge {
-    VertexId from, to;       // as the facet runs
-    std::uint32_t facet;     // its number in the patch
-    int side;                // of that facet
+    VertexId from, to;    // as the facet runs
+    std::uint32_t facet;  // its number in the patch
+    int side;             // of that facet
   };
   std::vector<Triangle> facets;
   std::vector<std::array<std::uint32_t, 3>> beyond;  // facet across side i; kRim
   std::vector<RimEdge> rim;
 
-  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1, which
-  // only a disk has.
+  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1,
+  // which only a disk has.
   bool link();
   // Vertices that are not on the rim. pre: a disk.
   std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
@@ -52,8 +53,8 @@ struct Patch {
   std::vector<std::uint32_t> reached_;
 };
 
-// The cosine between the normals at an edge that a rearrangement of facets may leave, unless one was
-// sharper before: 60 degrees.
+// The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
+// was sharper before: 60 degrees.
 inline constexpr double kSharpest = -0.9;
 
 struct Change {
@@ -79,8 +80,9 @@ class DiskReplacer {
   // Fills change.was; whether change.out is a disk. Comes before replace().
   bool take_out(Change& change);
 
-  // Does it, or says which gate it did not pass and leaves everything as it was. accept(): G4, asked
-  // when the duals are known and the vertex is in its place. The boundary chain is the caller's.
+  // Does it, or says which gate it did not pass and leaves everything as it was. accept(): G4,
+  // asked when the duals are known and the vertex is in its place. The boundary chain is the
+  // caller's.
   template <class Accept>
   std::optional<Refusal> replace(Change& change, Accept&& accept) {
     put_in_place(change);
@@ -126,18 +128,18 @@ class DiskReplacer {
   std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is to go
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
-  std::vector<FaceId> beyond_;  // per rim edge of the new disk; kNoId on the boundary
+  std::vector<FaceId> beyond_;      // per rim edge of the new disk; kNoId on the boundary
+  std::vector<std::uint8_t> kept_;  // and whether it was the old one's too
   std::vector<Vec3> normals_;
   std::vector<FacetGrid::Box> boxes_;
   // Per new facet and side, the plane through it that stands upright on the facet.
   struct Side {
     VertexId from, to;
     Vec3 origin, outwards;
-    double size;
+    double margin;
   };
-  static Side upright(const std::vector<Vec3>& points, const Triangle& t, const Vec3& normal, int i);
-  static bool parts(const std::vector<Vec3>& points, const Side& side, VertexId inside,
-                    const Triangle& other);
+  Side upright(const Triangle& t, const Vec3& normal, int i) const;
+  bool parts(const Side& side, VertexId inside, const Triangle& other) const;
   std::vector<std::array<Side, 3>> sides_;
   std::vector<FaceId> star_;
 };

@@ -59,7 +59,8 @@ bool Retriangulator::fill() {
   empty_.clear();
   tried_ = 0;
   change_.in.facets.clear();
-  for (const Triangle& t : change_.was.facets) vertices_.insert(vertices_.end(), t.begin(), t.end());
+  for (const Triangle& t : change_.was.facets)
+    vertices_.insert(vertices_.end(), t.begin(), t.end());
   sort_out(vertices_);
   for (const Patch::RimEdge& e : change_.was.rim) rim_.emplace_back(e.from, e.to);
   front_ = rim_;
@@ -76,7 +77,8 @@ bool Retriangulator::fill_from(std::size_t from) {
   if (filling.size() == wanted || ++tried_ > kMostTried) return false;
   const auto [u, v] = front_[from];
   for (const VertexId w : vertices_) {
-    if (w == u || w == v || !is_free(v, w) || !is_free(w, u) || !has_empty_ball({u, v, w})) continue;
+    if (w == u || w == v || !is_free(v, w) || !is_free(w, u) || !has_empty_ball({u, v, w}))
+      continue;
     const std::size_t front_before = front_.size(), used_before = used_.size();
     filling.push_back({u, v, w});
     for (const DirectedEdge& e : {DirectedEdge{u, v}, DirectedEdge{v, w}, DirectedEdge{w, u}}) {

@@ -44,8 +44,9 @@ class Retriangulator {
   Report& report_;
   Change change_;
 
-  std::vector<VertexId> vertices_;                // of the patch
-  std::vector<DirectedEdge> rim_, used_, front_;  // of the patch; of the filling so far; to be closed
+  std::vector<VertexId> vertices_;  // of the patch
+  std::vector<DirectedEdge> rim_, used_,
+      front_;  // of the patch; of the filling so far; to be closed
   std::map<Triangle, bool> empty_;
   int tried_ = 0;
   std::vector<FaceId> star_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A queue that gives out the worst facets first, by fourths of an octave of how badly they violate a
-// criterion: of those in one fourth the one added last comes first, which keeps the work in one place
-// of the mesh and of memory. Exact order would cost a heap operation per facet and buys no smaller
-// meshes.
+// A queue that gives out the worst facets first, by fourths of an octave of how badly they violate
+// a criterion: of those in one fourth the one added last comes first, which keeps the work in one
+// place of the mesh and of memory. Exact order would cost a heap operation per facet and buys no
+// smaller meshes.
 #pragma once
 
 #include <algorithm>

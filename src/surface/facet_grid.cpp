@@ -11,11 +11,11 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kFewest = 1024;
+constexpr std::size_t kFewest = 64;
 
 }  // namespace
 
-FacetGrid::FacetGrid(const Box3& box, double cell) : lists_(kFewest) {
+FacetGrid::FacetGrid(const Box3& box, double cell) {
   const Vec3 size = box.size();
   const double longest = std::max({size.x, size.y, size.z});
   // Coordinates stay below 2^20 cells, and above one, so that cutting off rounds down.
@@ -45,15 +45,19 @@ FacetGrid::Box FacetGrid::box_of(const std::vector<Vec3>& points, const Triangle
   return box_of(corners);
 }
 
-FacetGrid::Box FacetGrid::box_around(const Vec3& p, double radius) const {
-  // Balls reach out of the volume's box; there is nothing to find.
-  Box box = box_of({&p, 1});
-  const auto reach = static_cast<float>(radius * per_cell_) + margin_;
+FacetGrid::Ball FacetGrid::ball(const Vec3& center, double radius) const {
+  Ball ball;
+  const float reach = static_cast<float>(radius * per_cell_) + 2 * margin_;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::clamp(box.lo[axis] - reach, 1.0f, 0x1p21f);
-    box.hi[axis] = std::clamp(box.hi[axis] + reach, 1.0f, 0x1p21f);
+    const int a = static_cast<int>(axis);
+    const auto x = static_cast<float>((center[a] - origin_[a]) * per_cell_);
+    ball.center[axis] = x;
+    // Balls may reach out of the volume's box; there is nothing to find.
+    ball.box.lo[axis] = std::clamp(x - reach, 1.0f, 0x1p21f);
+    ball.box.hi[axis] = std::clamp(x + reach, 1.0f, 0x1p21f);
   }
-  return box;
+  ball.radius2 = reach * reach;
+  return ball;
 }
 
 FacetGrid::Place FacetGrid::place_of(const Box& box) {
@@ -65,21 +69,20 @@ FacetGrid::Place FacetGrid::place_of(const Box& box) {
   const auto along = [&](std::size_t axis) {
     return static_cast<std::uint32_t>(box.lo[axis] * scale);
   };
-  return {number_of(level, along(0), along(1), along(2)), level};
+  return {number_of(along(0), along(1), along(2)), level};
 }
 
 void FacetGrid::add(FaceId f, const Box& box) {
   if (f >= places_.size()) places_.resize(f + 1);
-  if (size_ >= lists_.size()) rebuild();
   DELISO_ASSERT(places_[f].level < 0);
   places_[f] = place_of(box);
-  append(places_[f].number, {box, f});
-  ++count_[static_cast<std::size_t>(places_[f].level)];
-  ++size_;
+  Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
+  if (level.facets >= level.lists.size()) grow(level);
+  append(level.list(places_[f].number), {box, f});
+  ++level.facets;
 }
 
-void FacetGrid::append(std::uint32_t number, const Entry& entry) {
-  List& in = list(number);
+void FacetGrid::append(List& in, const Entry& entry) {
   if (in.size == in.room) {  // move to a run twice as long
     const auto power = static_cast<std::size_t>(std::bit_width(in.room));
     DELISO_CHECK(power < free_.size());
@@ -100,26 +103,27 @@ void FacetGrid::append(std::uint32_t number, const Entry& entry) {
 }
 
 void FacetGrid::remove(FaceId f) {
-  List& in = list(places_[f].number);
-  std::uint32_t n = in.first;
-  while (entries_[n].facet != f) ++n;
-  DELISO_ASSERT(n < in.first + in.size);
-  entries_[n] = entries_[in.first + --in.size];
-  --count_[static_cast<std::size_t>(places_[f].level)];
+  Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
+  List& in = level.list(places_[f].number);
+  std::uint32_t e = in.first;
+  while (entries_[e].facet != f) ++e;
+  DELISO_ASSERT(e < in.first + in.size);
+  entries_[e] = entries_[in.first + --in.size];
+  --level.facets;
   places_[f] = {};
-  --size_;
 }
 
-// With twice as many lists.
-void FacetGrid::rebuild() {
-  const std::vector<Entry> entries = std::move(entries_);
-  const std::vector<List> lists(std::exchange(lists_, std::vector<List>(2 * lists_.size())));
-  entries_.clear();
-  for (auto& runs : free_) runs.clear();
-  for (const List& in : lists) {
-    for (std::uint32_t n = in.first; n < in.first + in.size; ++n) {
-      append(places_[entries[n].facet].number, entries[n]);
+// To twice as many lists.
+void FacetGrid::grow(Level& level) {
+  const std::size_t size = std::max(kFewest, 2 * level.lists.size());
+  const std::vector<List> before = std::exchange(level.lists, std::vector<List>(size));
+  for (const List& in : before) {
+    for (std::uint32_t e = in.first; e < in.first + in.size; ++e) {
+      const Entry entry = entries_[e];
+      append(level.list(places_[entry.facet].number), entry);
     }
+    if (in.room > 0)
+      free_[static_cast<std::size_t>(std::bit_width(in.room)) - 1].push_back(in.first);
   }
 }
 

@@ -2,12 +2,12 @@
 // Who is near: the facets of a mesh that changes, by place. It serves every question of that kind:
 // does a facet cross another, does a ball hold a vertex, how far is a point from the mesh.
 //
-// A facet is listed once, in the cell that holds the low corner of its box, in a grid whose cells are
-// at least as large as the box: grids of several sizes, each four times as coarse as the one before.
-// All their cells are wrapped into one table, those of a row side by side in memory. A list holds
-// the boxes themselves, in single precision, rounded outwards, in units of the smallest cell: a
-// look-up reads few and short runs of memory, and passes nearly all facets by without a look at the
-// mesh.
+// A facet is listed once, in the cell that holds the low corner of its box, in a grid whose cells
+// are at least as large as the box: grids of several sizes, each four times as coarse as the one
+// before. All their cells are wrapped into one table, those of a row side by side in memory. A list
+// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell:
+// a look-up reads few and short runs of memory, and passes nearly all facets by without a look at
+// the mesh.
 #pragma once
 
 #include <array>
@@ -28,13 +28,29 @@ class FacetGrid {
     std::array<float, 3> lo, hi;
   };
 
+  // A ball in cells, or one a little larger.
+  struct Ball {
+    Box box;
+    std::array<float, 3> center;
+    float radius2;
+    bool meets(const Box& b) const {
+      float d2 = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float below = b.lo[axis] - center[axis], above = center[axis] - b.hi[axis];
+        const float out = below > above ? below : above;
+        d2 += out > 0 ? out * out : 0;
+      }
+      return d2 <= radius2;
+    }
+  };
+
   // For points in `box`. `cell`: about as large as most facets.
   FacetGrid(const Box3& box, double cell);
 
   Box box_of(std::span<const Vec3> points) const;
   Box box_of(const std::vector<Vec3>& points, const Triangle& t) const;
-  // The box of a ball.
-  Box box_around(const Vec3& center, double radius) const;
+  Ball ball(const Vec3& center, double radius) const;
+  Box box_around(const Vec3& center, double radius) const { return ball(center, radius).box; }
 
   void add(FaceId f, const Box& box);
   void remove(FaceId f);
@@ -65,33 +81,39 @@ class FacetGrid {
     std::uint32_t number = 0;
     std::int32_t level = -1;
   };
+  // One of the grids.
+  struct Level {
+    std::vector<List> lists;  // a power of two of them, once there are facets
+    std::size_t facets = 0;
+    List& list(std::uint32_t number) { return lists[number & (lists.size() - 1)]; }
+    const List& list(std::uint32_t number) const { return lists[number & (lists.size() - 1)]; }
+  };
 
   static Place place_of(const Box& box);
-  static float scale_of(int level) { return 1.0f / static_cast<float>(std::uint32_t{1} << 2 * level); }
-  static std::uint32_t number_of(int level, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    return i + j * 0x9e3779b1u + k * 0x85ebca77u + static_cast<std::uint32_t>(level) * 0xc2b2ae3du;
+  static float scale_of(int level) {
+    return 1.0f / static_cast<float>(std::uint32_t{1} << 2 * level);
   }
-  List& list(std::uint32_t number) { return lists_[number & (lists_.size() - 1)]; }
-  const List& list(std::uint32_t number) const { return lists_[number & (lists_.size() - 1)]; }
-  void append(std::uint32_t number, const Entry& entry);
-  void rebuild();
+  static std::uint32_t number_of(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+    return i + j * 0x9e3779b1u + k * 0x85ebca77u;
+  }
+  void append(List& in, const Entry& entry);
+  void grow(Level& level);
 
   Vec3 origin_;
   double per_cell_;
   float margin_;  // more than what rounding to single precision can do
-  std::vector<List> lists_;  // a power of two of them
+  std::array<Level, kLevels> levels_;
   std::vector<Entry> entries_;
   std::array<std::vector<std::uint32_t>, 16> free_;  // runs of entries, by the power of their size
   std::vector<Place> places_;                        // per facet
-  std::array<std::size_t, kLevels> count_{};
-  std::size_t size_ = 0;
 };
 
 template <class Predicate>
 bool FacetGrid::any(const Box& query, Predicate&& pred) const {
-  for (int level = 0; level < kLevels; ++level) {
-    if (count_[static_cast<std::size_t>(level)] == 0) continue;
-    const float scale = scale_of(level);
+  for (int n = 0; n < kLevels; ++n) {
+    const Level& level = levels_[static_cast<std::size_t>(n)];
+    if (level.facets == 0) continue;
+    const float scale = scale_of(n);
     std::array<std::uint32_t, 3> low, high;
     std::size_t cells = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -101,23 +123,23 @@ bool FacetGrid::any(const Box& query, Predicate&& pred) const {
       cells *= high[axis] - low[axis];
     }
     const auto look = [&](const List& in) {
-      for (std::uint32_t n = in.first; n < in.first + in.size; ++n) {
-        const Entry& entry = entries_[n];
+      for (std::uint32_t e = in.first; e < in.first + in.size; ++e) {
+        const Entry& entry = entries_[e];
         if (meet(entry.box, query) && pred(entry.facet, entry.box)) return true;
       }
       return false;
     };
-    if (cells > lists_.size()) {  // then the lists are fewer, and hold all levels
-      for (const List& in : lists_) {
+    if (cells > level.lists.size()) {  // then the lists are fewer
+      for (const List& in : level.lists) {
         if (look(in)) return true;
       }
-      return false;
+      continue;
     }
     for (std::uint32_t k = low[2]; k != high[2]; ++k) {
       for (std::uint32_t j = low[1]; j != high[1]; ++j) {
-        const std::uint32_t row = number_of(level, 0, j, k);
+        const std::uint32_t row = number_of(0, j, k);
         for (std::uint32_t i = low[0]; i != high[0]; ++i) {
-          if (look(list(row + i))) return true;
+          if (look(level.list(row + i))) return true;
         }
       }
     }

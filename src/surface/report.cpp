@@ -4,27 +4,13 @@
 namespace deliso {
 
 std::string_view name_of(Counter counter) {
-  constexpr std::string_view names[] = {"seeds_skipped",
-                                        "components_skipped",
-                                        "boundary_splits_recover",
-                                        "cancelled_pairs",
-                                        "bogus_hits",
-                                        "capped_insertions",
-                                        "refused_splits",
-                                        "unresolved_facets",
-                                        "unresolved_vertices",
-                                        "facets_closed",
-                                        "components_put_back",
-                                        "voxels_cut",
-                                        "uncertified_sites",
-                                        "unready_facets",
-                                        "crossings_handed_over",
-                                        "unrefined_facets",
-                                        "points_far",
-                                        "cap_edges_lifted",
-                                        "cap_lifts_off_surface",
-                                        "cap_edges_split",
-                                        "cap_refused"};
+  constexpr std::string_view names[] = {
+      "seeds_skipped",       "components_skipped", "boundary_splits_recover", "cancelled_pairs",
+      "bogus_hits",          "capped_insertions",  "refused_splits",          "unresolved_facets",
+      "unresolved_vertices", "facets_closed",      "components_put_back",     "voxels_cut",
+      "uncertified_sites",   "unready_facets",     "crossings_handed_over",   "unrefined_facets",
+      "points_far",          "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_edges_split",
+      "cap_refused"};
   static_assert(sizeof(names) / sizeof(names[0]) == kCounterCount);
   return names[static_cast<std::size_t>(counter)];
 }

@@ -120,6 +120,22 @@ refuses 'format' builtin:sphere --format gif -o $o
 refuses 'out/mesh.xyz' builtin:sphere -o out/mesh.xyz
 refuses 'standard output' builtin:sphere -o - --json -
 refuses 'max-vertices' builtin:sphere --keep-partial -o $o
+refuses 'rmin' builtin:sphere --rmin 0 -o $o
+refuses 'max-distance' builtin:sphere --max-distance 0vox -o $o
+refuses 'max-distance' check mesh.ply builtin:sphere --max-distance -1
+refuses 'fingers' builtin:sphere --fingers 4voxels -o $o
+refuses 'vertices' builtin:sphere --vertices 3 -o $o
+refuses 'triangles' builtin:sphere --triangles 1e4 -o $o
+refuses 'unknown option' builtin:sphere --turns 2 -o $o
+refuses '^deliso: --vertices and --triangles exclude' builtin:sphere --vertices 9 --triangles 9 -o $o
+for count in --vertices --triangles; do
+  refuses "^deliso: $count and --recover paper exclude" builtin:sphere $count 9 --recover paper -o $o
+  refuses "^deliso: $count and --paper exclude" builtin:sphere --paper $count 9 -o $o
+  refuses "^deliso: $count and --single-stage exclude" builtin:sphere $count 9 --single-stage -o $o
+  refuses "^deliso: $count and --stop-after exclude" builtin:sphere $count 9 --stop-after recover -o $o
+  refuses "^deliso: $count and --max-distance exclude" builtin:sphere $count 9 --max-distance 1 -o $o
+  refuses 'no meaning' check mesh.ply builtin:sphere $count 9
+done
 refuses '10' builtin:fuel --max-vertices 10 -o $o
 
 # Pictures.
@@ -175,4 +191,4 @@ else
 fi
 
 echo "$cases cases, $faults faults"
-[ "$cases" -ge 60 ] && [ "$faults" -eq 0 ]
+[ "$cases" -ge 100 ] && [ "$faults" -eq 0 ]

@@ -14,7 +14,7 @@ cd "$work"
 mkdir out
 
 # The whole mesh, and how long it takes.
-mesh="builtin:gyroid:48 -q --ply-ascii --rmin 0.2vox"
+mesh="builtin:gyroid:48 -q --ply-ascii --rmin 0.2vox --max-distance 0.03vox"
 start=$(date +%s%N)
 # shellcheck disable=SC2086
 "$deliso" $mesh -o whole.ply

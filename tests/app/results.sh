@@ -52,6 +52,65 @@ holds "the report has the file's vertices" grep -q "^mesh *$vertices vertices " 
 "$deliso" builtin:fuel -o mesh.ply --json - >json 2>stderr
 holds "the JSON has the file's vertices" grep -q "\"vertices\": $vertices,\$" json
 
+# By the number of vertices: the distance that was reached is in the report, and in the file.
+"$deliso" builtin:fuel --vertices 3000 -o count.off >report
+holds "--vertices tells the distance reached" \
+  grep -q '^distance  D reached: [0-9.e-]* voxels ([0-9.e-]* in world units)$' report
+reached=$(sed -n 's/^distance  D reached: \([0-9.e-]*\) voxels.*/\1/p' report)
+noted=$(sed -n 's/^# deliso .* max-distance=\([0-9.e-]*\) .*/\1/p;3q' count.off)
+holds "and the file has it" [ "$(printf '%.3g' "$reached")" = "$(printf '%.3g' "$noted")" ]
+"$deliso" builtin:fuel --triangles 6000 --json - -q >json
+holds "--triangles counts half as many vertices" grep -q '"vertices": 3000,$' json
+holds "the JSON has the distance" grep -q '^  "max_distance": [0-9.e-]*,$' json
+
+# The criteria go with the mesh, whatever its format, and a check judges by them.
+for format in ply off obj stl vtp; do
+  "$deliso" builtin:torus -q --max-distance 0.3vox --lambda 1.8 -o noted.$format
+  holds "the $format file has the criteria" \
+    grep -a -q 'deliso [0-9.]* max-distance=0.3 r-min=0.5 lambda=1.8' noted.$format
+  case $format in stl | vtp) continue ;; esac
+  "$deliso" check noted.$format builtin:torus >report
+  holds "check of the $format file says so" grep -q ', judged by the criteria in its comment$' report
+  holds "and judges by them" \
+    grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; r_min = 0.5 voxels$' report
+done
+"$deliso" check - builtin:torus <noted.obj >report
+holds "from standard input too" grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; ' report
+"$deliso" check noted.ply builtin:torus --lambda 2.5 --rmin 0.7vox >report
+holds "options go before" grep -q '^criteria  h <= 0.3 voxels, r/l <= 2.5; r_min = 0.7 voxels$' report
+"$deliso" check noted.ply builtin:torus --paper --json paper.json >report
+holds "--paper is the published h/r, and no distance" grep -q '^criteria  h/r <= 0.1, r/l <= 2; ' report
+holds "in the JSON too" grep -q '"max_distance_voxels": null' paper.json
+sed '/^# deliso /d' noted.obj >bare.obj
+"$deliso" check bare.obj builtin:torus --json bare.json >report
+holds "without the line, the defaults" \
+  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels$' report
+holds "of which some are passed" \
+  grep -q '^          of [0-9]* triangles [0-9]* ([0-9.e-]* %) over a limit: ' report
+holds "which is no fault" grep -q '^faults    none$' report
+holds "the JSON says whose criteria" grep -q '"criteria_of_file": false' bare.json
+status=0
+"$deliso" check bare.obj builtin:torus --max-distance 0.1vox >report || status=$?
+holds "but a distance that is asked for is required" [ "$status" -eq 1 ]
+holds "of points" grep -q '^FAULT     too far: ' report
+holds "and one that is kept is no fault" \
+  "$deliso" check bare.obj builtin:torus --max-distance 1vox -q
+sed 's/^# deliso .*/# deliso 0.1.0 r-min=1e999 lambda=none/' noted.obj >damaged.obj
+"$deliso" check damaged.obj builtin:torus >report
+holds "a damaged line is none" \
+  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels$' report
+
+# More than ten million vertices are announced, before the work and on one line.
+status=0
+set -- builtin:sphere --max-distance 1e-6vox --rmin 0.001vox --max-vertices 1000
+"$deliso" "$@" -o many.ply 2>stderr >stdout || status=$?
+holds "and the work goes on, here to its own end" [ "$status" -eq 2 ]
+holds "with one line of warning" [ "$(grep -c '^deliso: warning: about [0-9]* million vertices' stderr)" -eq 1 ]
+holds "and one of its own" [ "$(wc -l <stderr)" -eq 2 ]
+status=0
+"$deliso" "$@" -o many.ply -q 2>stderr >stdout || status=$?
+holds "not when quiet" [ "$(wc -l <stderr)" -eq 1 ]
+
 # Marching Cubes.
 "$deliso" builtin:torus --method marching-cubes -q --check -o cubes.ply
 "$deliso" builtin:torus -q -o torus.ply
@@ -96,6 +155,10 @@ for name in turned mirrored; do
   done
 done
 holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
+holds "and by which criteria, in voxels of 1" \
+  grep -q -a -x 'comment deliso [0-9.]* max-distance=0.1 r-min=0.5 lambda=2' turned.ply
+"$deliso" check turned.ply turned.nrrd --iso 150.3 --restricted 0.9 >report
+holds "which hold where it was made" grep -q '^criteria  h <= 0.1 voxels, ' report
 "$deliso" info mirrored.nrrd >facts
 "$deliso" info turned.nrrd >>facts
 holds "one of the two is left-handed" [ "$(grep -c left-handed facts)" -eq 1 ]
@@ -152,4 +215,4 @@ holds "the whole as --roi gives the file's mesh" cmp -s file.ply roi.ply
 
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-all_hold 30
+all_hold 70

@@ -30,6 +30,10 @@ std::string refusal(std::vector<std::string_view> arguments) {
   return "";
 }
 
+bool same(const Length& a, const Length& b) {
+  return a.value == b.value && a.unit == b.unit;
+}
+
 struct HelpEntry {
   std::string name, argument;
 };
@@ -52,18 +56,25 @@ std::vector<HelpEntry> options_in_help() {
 
 }  // namespace
 
-TEST_CASE("the defaults are the paper's") {
+TEST_CASE("the defaults: by distance, in voxels") {
   const CommandLine line = parse({"engine.nhdr", "--iso", "40.1"});
   CHECK(line.command == Command::mesh);
   CHECK(line.input == "engine.nhdr");
   CHECK(line.isovalue == 40.1);
   CHECK(line.output.empty());
   CHECK(line.options.epsilon == 0.2);
-  CHECK(line.options.epsilon1 == 0.1);
-  CHECK(line.options.epsilon2 == 0.2);
+  CHECK(same(line.options.max_distance, {0.1, Length::Unit::voxel}));
+  CHECK(line.options.epsilon1 == Options::kNone);
+  CHECK(line.options.epsilon2 == Options::kNone);
+  CHECK(line.options.max_radius == Options::kNone);
   CHECK(line.options.lambda == 2.0);
-  CHECK(line.options.r_min.value == 0.001);
-  CHECK_FALSE(line.options.r_min.in_voxels);
+  CHECK(same(line.options.r_min, {0.5, Length::Unit::voxel}));
+  CHECK(same(line.options.fingers, {4, Length::Unit::voxel}));
+  CHECK_FALSE(by_count(line.options));
+  CHECK_FALSE(line.given.max_distance);
+  CHECK_FALSE(line.given.r_min);
+  CHECK_FALSE(line.given.lambda);
+  CHECK_FALSE(line.given.epsilon1);
   CHECK(line.options.seed == 1);
   CHECK(line.options.recover == RecoverWay::certified);
   CHECK_FALSE(line.read.raw.has_value());
@@ -96,8 +107,6 @@ TEST_CASE("every option reaches its field") {
                                   "3",
                                   "--fingers",
                                   "0.25",
-                                  "--turns",
-                                  "2",
                                   "--recover",
                                   "paper",
                                   "--method",
@@ -139,17 +148,15 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.epsilon1 == 0.4);
   CHECK(options.epsilon2 == 0.5);
   CHECK(options.lambda == 1.5);
-  CHECK(options.r_min.value == 0.5);
-  CHECK(options.r_min.in_voxels);
-  CHECK(options.max_distance == 7);
+  CHECK(same(options.r_min, {0.5, Length::Unit::voxel}));
+  CHECK(same(options.max_distance, {7, Length::Unit::world}));
   CHECK(options.max_radius == 8);
   CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
   CHECK(options.samples == 9);
   CHECK(options.min_component == 2.5);
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
-  CHECK(options.fingers == 0.25);
-  CHECK(options.turns == 2);
+  CHECK(same(options.fingers, {0.25, Length::Unit::world}));
   CHECK(options.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
@@ -175,6 +182,126 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.read.roi->end == Index3{4, 5, 6});
   CHECK(line.output == "a.ply");
   CHECK(line.input == "in.raw");
+}
+
+TEST_CASE("lengths: in voxels, or in the unit that is the option's own") {
+  const auto length = [](std::string_view option, std::string_view text) {
+    const Options options = parse({"a", "--iso", "1", option, text}).options;
+    return option == "--rmin"      ? options.r_min
+           : option == "--fingers" ? options.fingers
+                                   : options.max_distance;
+  };
+  CHECK(same(length("--rmin", "0.02"), {0.02, Length::Unit::box}));
+  CHECK(same(length("--rmin", "2vox"), {2, Length::Unit::voxel}));
+  CHECK(same(length("--fingers", "0.02"), {0.02, Length::Unit::world}));
+  CHECK(same(length("--fingers", "3.5vox"), {3.5, Length::Unit::voxel}));
+  CHECK(same(length("--max-distance", "1e-3"), {1e-3, Length::Unit::world}));
+  CHECK(same(length("--max-distance", ".25vox"), {0.25, Length::Unit::voxel}));
+  for (const std::string_view option : {"--rmin", "--fingers", "--max-distance"}) {
+    for (const std::string_view text : {"0", "0vox", "-1vox", "vox", "1voxel", "1 vox", "infvox"}) {
+      CAPTURE(option);
+      CAPTURE(text);
+      CHECK(refusal({"a", "--iso", "1", option, text}).starts_with(option));
+    }
+  }
+}
+
+TEST_CASE("--paper is everything as published, but for what is given") {
+  const Options published = Options::paper();
+  for (const std::string_view command : {"mesh", "check"}) {
+    std::vector<std::string_view> arguments = {command, "a", "--iso", "1", "--paper"};
+    if (command == "check") arguments.insert(arguments.begin() + 1, "m.ply");
+    const CommandLine line = parse_command_line(arguments);
+    CHECK(line.paper);
+    CHECK(line.options.recover == RecoverWay::paper);
+    CHECK(line.options.epsilon == published.epsilon);
+    CHECK(line.options.epsilon1 == 0.1);
+    CHECK(line.options.epsilon2 == 0.2);
+    CHECK(line.options.lambda == 2.0);
+    CHECK(same(line.options.r_min, {0.001, Length::Unit::box}));
+    CHECK(line.options.max_distance.value == Options::kNone);
+  }
+  const Options some = parse({"a", "--iso", "1", "--paper", "--recover", "certified", "--eps1",
+                              "0.3", "--eps2", "0.4", "--rmin", "1vox", "--max-distance", "0.2vox"})
+                           .options;
+  CHECK(some.recover == RecoverWay::certified);
+  CHECK(some.epsilon1 == 0.3);
+  CHECK(some.epsilon2 == 0.4);
+  CHECK(same(some.r_min, {1, Length::Unit::voxel}));
+  CHECK(same(some.max_distance, {0.2, Length::Unit::voxel}));
+}
+
+TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
+  for (const std::string_view option : {"--eps1", "--eps2"}) {
+    CAPTURE(option);
+    const Options alone = parse({"a", "--iso", "1", option, "0.3"}).options;
+    CHECK(alone.max_distance.value == Options::kNone);
+    CHECK((option == "--eps1" ? alone.epsilon1 : alone.epsilon2) == 0.3);
+    CHECK((option == "--eps1" ? alone.epsilon2 : alone.epsilon1) == Options::kNone);
+    CHECK(alone.recover == RecoverWay::certified);
+    CHECK(same(alone.r_min, {0.5, Length::Unit::voxel}));
+    for (const bool before : {false, true}) {
+      const Options both =
+          before ? parse({"a", "--iso", "1", "--max-distance", "2", option, "0.3"}).options
+                 : parse({"a", "--iso", "1", option, "0.3", "--max-distance", "2"}).options;
+      CHECK(same(both.max_distance, {2, Length::Unit::world}));
+    }
+  }
+}
+
+TEST_CASE("--vertices and --triangles, and what excludes them") {
+  CHECK(parse({"a", "--iso", "1", "--vertices", "1000"}).options.target_vertices == 1000);
+  CHECK(parse({"a", "--iso", "1", "--triangles", "1000"}).options.target_vertices == 500);
+  CHECK(by_count(parse({"a", "--iso", "1", "--vertices", "4"}).options));
+  CHECK(refusal({"a", "--iso", "1", "--vertices", "3"}).starts_with("--vertices wants"));
+  CHECK(refusal({"a", "--iso", "1", "--triangles", "7"}).starts_with("--triangles wants"));
+  CHECK(refusal({"a", "--iso", "1", "--vertices", "1000", "--triangles", "2000"}) ==
+        "--vertices and --triangles exclude each other");
+  for (const std::string_view count : {"--vertices", "--triangles"}) {
+    const std::pair<std::vector<std::string_view>, std::string> others[] = {
+        {{"--recover", "paper"}, "--recover paper"},
+        {{"--paper"}, "--paper"},
+        {{"--single-stage"}, "--single-stage"},
+        {{"--stop-after", "recover"}, "--stop-after"},
+        {{"--max-distance", "0.2vox"}, "--max-distance"}};
+    for (const auto& [other, name] : others) {
+      for (const bool before : {false, true}) {
+        std::vector<std::string_view> arguments = {"a", "--iso", "1", count, "1000"};
+        arguments.insert(before ? arguments.begin() : arguments.end(), other.begin(), other.end());
+        CHECK(refusal(arguments) == std::string(count) + " and " + name + " exclude each other");
+      }
+    }
+    CHECK(refusal({"a", "--iso", "1", count, "1000", "--paper", "--recover", "certified"}) == "");
+    CHECK(refusal({"a", "--iso", "1", count, "1000", "--rmin", "0.1vox", "--lambda", "1.5"}) == "");
+    CHECK(refusal({"check", "m", "a", "--iso", "1", count, "1000"}).find("no meaning") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("the criteria of a check are known as given or not") {
+  const CommandLine line = parse({"check", "m", "a", "--iso", "1", "--rmin", "1vox"});
+  CHECK(line.given.r_min);
+  CHECK_FALSE(line.given.max_distance);
+  const CommandLine others = parse(
+      {"check", "m", "a", "--iso", "1", "--max-distance", "1", "--eps1", "1", "--lambda", "3"});
+  CHECK_FALSE(others.given.r_min);
+  CHECK(others.given.max_distance);
+  CHECK(others.given.lambda);
+  CHECK(others.given.epsilon1);
+}
+
+TEST_CASE("the help lists the criteria under Meshing, and promises no threads") {
+  const std::string help = help_text();
+  const std::size_t meshing = help.find("\nMeshing:\n"), raw = help.find("\nRaw files:\n");
+  REQUIRE(meshing < raw);
+  for (const std::string option : {"--max-distance", "--rmin", "--lambda", "--vertices", "--eps"}) {
+    const std::size_t at = help.find("\n  " + option + " ");
+    CAPTURE(option);
+    CHECK(meshing < at);
+    CHECK(at < raw);
+  }
+  CHECK(help.find("--turns") == std::string::npos);
+  CHECK(help.find("this version uses one") != std::string::npos);
 }
 
 TEST_CASE("every option of pictures reaches its field") {
@@ -336,10 +463,11 @@ TEST_CASE("every misspelling by one letter is refused and led back to the option
 TEST_CASE("text that is no number of the right kind is refused, in one line that quotes it") {
   const std::string_view never[] = {"",      "e",  "1e", "12abc", "nan", "inf", "-inf",
                                     "1e999", " 1", "1 ", "0x10",  "1,5", "--",  "+-1"};
-  const std::string_view numbers[] = {"--iso",          "--eps",     "--eps1",    "--eps2",
-                                      "--lambda",       "--rmin",    "--fingers", "--max-distance",
-                                      "--max-radius",   "--seed",    "--samples", "--min-component",
-                                      "--max-vertices", "--threads", "--turns"};
+  const std::string_view numbers[] = {
+      "--iso",          "--eps",     "--eps1",     "--eps2",
+      "--lambda",       "--rmin",    "--fingers",  "--max-distance",
+      "--max-radius",   "--seed",    "--samples",  "--min-component",
+      "--max-vertices", "--threads", "--vertices", "--triangles"};
   for (const std::string_view option : numbers) {
     for (const std::string_view text : never) {
       const std::string message = refusal({"x", option, text});
@@ -371,6 +499,7 @@ TEST_CASE("options that do not go together") {
   CHECK(refusal({"a", "--iso", "1", "--type", "uint8"}) != "");
   CHECK(refusal({"info", "a", "--lambda", "2"}) != "");
   CHECK(refusal({"check", "a"}).find("check needs a mesh and a volume") == 0);
+  CHECK(refusal({"a", "--iso", "1", "--turns", "2"}).starts_with("unknown option '--turns'"));
   CHECK(refusal({"render", "a"}) != "");
   CHECK(refusal({"render", "-o", "a.png"}) != "");
   CHECK(refusal({"render", "a", "-o", "a.gif"}).find("'a.gif'") != std::string::npos);

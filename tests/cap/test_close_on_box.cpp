@@ -143,7 +143,7 @@ TEST_CASE("tiny volumes of noise become closed solids, whatever runs over edges 
     if (!(value_range(volume).min < kappa && kappa <= value_range(volume).max)) continue;
     Options options;
     options.seed = seed;
-    options.r_min = {0.25, true};
+    options.r_min = {0.25, Length::Unit::voxel};
     if (seed % 8 == 7) options.method = Method::marching_cubes;
     const Solid solid = solid_of(volume, kappa, options);
     check_solid(solid, volume.box());
@@ -157,7 +157,7 @@ TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the 
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 12, {1, 1, seed % 3 == 0 ? 2.5 : 1.0});
     Options options;
-    options.r_min = {0.1, true};
+    options.r_min = {0.1, Length::Unit::voxel};
     const Solid solid = solid_of(scene.volume, 0.3, options);
     check_solid(solid, scene.volume.box());
     CHECK(misplaced_samples(solid, scene.volume, scene.surface.kappa()) == 0);
@@ -171,8 +171,7 @@ TEST_CASE("both ways through Recover, and Marching Cubes, close the gyroid, whic
   const Vec3 size = scene.volume.box().size();
   for (const bool paper : {false, true}) {
     for (const bool cubes : {false, true}) {
-      Options options;
-      if (paper) options.recover = RecoverWay::paper;
+      Options options = paper ? Options::paper() : Options{};
       if (cubes) options.method = Method::marching_cubes;
       const Solid solid = solid_of(scene.volume, 0, options);
       check_solid(solid, scene.volume.box());

@@ -60,14 +60,28 @@ TEST_CASE("the sagitta of polygons inscribed into a circle") {
     CAPTURE(n);
     const CleanMesh mesh = prism(surface, n);
     const double expected = std::tan(kPi / n / 2);
-    const BoundaryQuality q = measure_boundary(mesh, surface, 0.1, 2, 0);
+    Limits limits;
+    limits.h_over_r = 0.1;
+    limits.max_distance = 0.3;
+    const BoundaryQuality q = measure_boundary(mesh, surface, limits);
     CHECK(q.edges == std::size_t(2 * n));
     CHECK(q.triangles == std::size_t(2 * n));
     CHECK(q.without_curve == 0);
     CHECK(q.max_h_over_r == doctest::Approx(expected).epsilon(0.03));
     CHECK(q.max_h == doctest::Approx(20 * (1 - std::cos(kPi / n))).epsilon(0.03));
     CHECK(q.over_h_over_r == (expected > 0.1 ? std::size_t(2 * n) : 0));
-    CHECK(measure_boundary(mesh, surface, 0.1, 2, 20).over_h_over_r == 0);
+    CHECK(q.over_distance == (20 * (1 - std::cos(kPi / n)) > 0.3 ? std::size_t(2 * n) : 0));
+    CHECK(q.above_r_min == std::size_t(2 * n));
+    // Nothing is asked, or nothing is large enough to be asked.
+    const BoundaryQuality unasked = measure_boundary(mesh, surface, {});
+    CHECK(unasked.over_h_over_r == 0);
+    CHECK(unasked.over_distance == 0);
+    CHECK(unasked.max_h_over_r == q.max_h_over_r);
+    limits.r_min = 20;
+    const BoundaryQuality small = measure_boundary(mesh, surface, limits);
+    CHECK(small.above_r_min == 0);
+    CHECK(small.over_h_over_r == 0);
+    CHECK(small.over_distance == 0);
     // All triangles are right-angled: the edge, 8 along the axis, and the diagonal.
     const double edge = 40 * std::sin(kPi / n), diagonal = std::sqrt(edge * edge + 64);
     CHECK(q.max_r_over_l == doctest::Approx(diagonal / 2 / std::min(edge, 8.0)).epsilon(0.01));
@@ -83,17 +97,21 @@ TEST_CASE("the stages follow the curves on the box, with no slivers along them")
     const Scene scene = n == 0   ? builtin_scene("gyroid", 32)
                         : n == 1 ? builtin_scene("fuel", 32)
                                  : wave_scene(static_cast<std::uint64_t>(n), 16);
-    Options options;
-    options.r_min = {0.05, true};
+    Options options = Options::paper();
+    options.recover = RecoverWay::certified;
+    options.r_min = {0.05, Length::Unit::voxel};
     Report report;
     const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
     Faults faults;
     const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0, MayEnd::on_box, faults);
-    const BoundaryQuality q =
-        measure_boundary(clean, scene.surface, options.epsilon1, options.lambda, report.r_min);
+    Limits limits;
+    limits.max_distance = options.max_distance.in(scene.volume);
+    limits.lambda = options.lambda;
+    limits.r_min = report.r_min;
+    const BoundaryQuality q = measure_boundary(clean, scene.surface, limits);
     edges += static_cast<int>(q.edges);
     CHECK(q.without_curve == 0);
-    CHECK(100 * q.over_h_over_r <= q.edges);
+    CHECK(100 * q.over_distance <= q.edges);
     CHECK(100 * q.slivers <= q.triangles);
   }
   CHECK(edges > 500);

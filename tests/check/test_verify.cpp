@@ -5,9 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
+#include "base/triangle.h"
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -189,19 +191,39 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     CHECK(v.faults.count(FaultKind::non_manifold_edges) == 0);
     CHECK(v.faults.count(FaultKind::self_intersections) == 0);
   }
-  SUBCASE("too far: by the bound, and no further") {
+  SUBCASE("too far: by the bound, on request alone, and no further") {
+    const TriMesh mesh = make_tri_mesh(sphere.points, sphere.triangles);
     VerifyOptions options;
     options.restricted_share = 0.5;
-    const TriMesh mesh = make_tri_mesh(sphere.points, sphere.triangles);
-    const Verification before = verify(mesh, good.volume, good.kappa, options);
-    const double largest = std::max(before.to_surface.max, before.from_surface.max);
-    REQUIRE(largest > 0);
-    options.max_distance = 1.01 * largest;
-    CHECK(kinds_of(verify(mesh, good.volume, good.kappa, options).faults).empty());
-    options.max_distance = 0.99 * largest;
-    const Verification v = verify(mesh, good.volume, good.kappa, options);
-    CHECK(v.faults.count(FaultKind::too_far) >= 1);
-    check_only(v, FaultKind::too_far, v.faults.count(FaultKind::too_far));
+    const auto run = [&](double bound) {
+      options.limits.max_distance = bound;
+      return verify(mesh, good.volume, good.kappa, options);
+    };
+    const Verification before = run(VerifyOptions{}.limits.max_distance);
+    const double there = before.to_surface.max, back = before.from_surface.max;
+    REQUIRE(there > 0);
+    REQUIRE(back > 0);
+    CHECK(before.to_surface.beyond == 0);
+    CHECK(before.from_surface.beyond == 0);
+    // The mesh is held to the bound, the surface to twice that.
+    const double enough = std::max(there, back / 2);
+    for (const bool required : {false, true}) {
+      options.require_distance = required;
+      const Verification within = run(1.01 * enough);
+      CHECK(kinds_of(within.faults).empty());
+      CHECK(within.to_surface.beyond + within.from_surface.beyond == 0);
+      const Verification beyond = run(0.99 * enough);
+      CHECK(beyond.to_surface.beyond + beyond.from_surface.beyond > 0);
+      check_only(beyond, FaultKind::too_far,
+                 required ? beyond.to_surface.beyond + beyond.from_surface.beyond : 0);
+      const Verification mesh_alone = run(0.99 * there);
+      CHECK(mesh_alone.to_surface.beyond > 0);
+      const Verification surface_too = run(0.49 * back);
+      CHECK(surface_too.from_surface.beyond > 0);
+      CHECK(run(0.51 * back).from_surface.beyond == 0);
+      CHECK(mesh_alone.faults.any() == required);
+      CHECK(surface_too.faults.any() == required);
+    }
   }
   SUBCASE("turned inside out") {
     Parts p = sphere;
@@ -225,6 +247,91 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
       break;
     }
   }
+}
+
+TEST_CASE("triangles over a limit are counted as brute force does, and are no fault") {
+  const Good good("fuel");
+  const VoxelTree tree(good.volume);
+  const Isosurface surface(good.volume, tree, good.kappa);
+  std::size_t over_some = 0;
+  for (const double bound : {0.02, 0.05, 0.2, std::numeric_limits<double>::infinity()}) {
+    for (const double h_over_r : {0.05, std::numeric_limits<double>::infinity()}) {
+      for (const double lambda : {1.2, 2.0}) {
+        CAPTURE(bound);
+        CAPTURE(h_over_r);
+        CAPTURE(lambda);
+        VerifyOptions options;
+        options.restricted_share = 0.5;
+        options.limits = {bound, h_over_r, lambda, 0.8};
+        const Verification v = verify(good.mesh, good.volume, good.kappa, options);
+        CHECK_FALSE(v.faults.any());
+        std::size_t above = 0, far = 0, steep = 0, needles = 0, any = 0;
+        for (const Face& face : good.mesh.faces) {
+          const Vec3 &a = good.mesh.points[face.v[0]], &b = good.mesh.points[face.v[1]],
+                     &c = good.mesh.points[face.v[2]];
+          const Vec3 center = circumcenter(a, b, c);
+          const double r = distance(center, a);
+          const double l = std::min({distance(a, b), distance(b, c), distance(c, a)});
+          const Vec3 normal = area_normal(a, b, c);
+          SearchCounters counters;
+          const auto hit =
+              surface.nearest(center, normal / length(normal), kBallLimit * r, counters);
+          const double h = hit ? std::fabs(hit->t) : std::numeric_limits<double>::infinity();
+          const bool is_needle = r > lambda * l, is_large = r > 0.8;
+          needles += is_needle;
+          above += is_large;
+          far += is_large && h > bound;
+          steep += is_large && h > h_over_r * r;
+          any += is_needle || (is_large && (h > bound || h > h_over_r * r));
+        }
+        CHECK(v.triangles_above_r_min == above);
+        CHECK(v.over_distance == far);
+        CHECK(v.over_h_over_r == steep);
+        CHECK(v.quality.over_lambda == needles);
+        CHECK(v.over_a_limit == any);
+        CHECK(v.limits.max_distance == bound);
+        over_some += any > 0 && any < good.mesh.faces.size();
+      }
+    }
+  }
+  CHECK(over_some >= 8);
+}
+
+// Vertices on the surface, the middles of triangles nowhere near it: found by no line, and so no
+// distance was measured.
+TEST_CASE("triangles with no surface near by are too far, where distances are required") {
+  std::vector<float> samples;
+  for (int k = 0; k < 49; ++k) {
+    for (int j = 0; j < 49; ++j) {
+      for (int i = 0; i < 49; ++i) {
+        const Vec3 p{i - 24.1, j - 24.2, k - 24.3};
+        samples.push_back(static_cast<float>(20 - length(p)));
+      }
+    }
+  }
+  const Volume volume = Volume::from_samples({49, 49, 49}, {1, 1, 1}, samples);
+  const double kappa = effective_isovalue(volume, 0);
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, kappa);
+  Parts p;
+  for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+    SearchCounters counters;
+    const Vec3 d = direction / length(direction);
+    const auto hit = surface.nearest(Vec3{24.1, 24.2, 24.3} + 20 * d, d, 2, counters);
+    REQUIRE(hit);
+    p.points.push_back(hit->point);
+  }
+  p.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  VerifyOptions options;
+  options.restricted_share = 0;
+  options.limits.max_distance = 1;
+  const Verification counted = verify(make_tri_mesh(p.points, p.triangles), volume, kappa, options);
+  REQUIRE(counted.to_surface.not_found > 0);
+  CHECK(counted.faults.count(FaultKind::too_far) == 0);
+  options.require_distance = true;
+  const Verification v = verify(make_tri_mesh(p.points, p.triangles), volume, kappa, options);
+  CHECK(v.faults.count(FaultKind::too_far) ==
+        v.to_surface.beyond + v.to_surface.not_found + v.from_surface.beyond);
 }
 
 // Two triangles of one voxel where a tube was: the piece of T in it with its two loops filled.
@@ -386,7 +493,7 @@ TEST_CASE("components that all but touch are told apart") {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
     Options options;
-    options.r_min = {0.25, true};
+    options.r_min = {0.25, Length::Unit::voxel};
     Report report;
     const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
     const stress::Verdict verdict = stress::judge(tiny.volume, mesh, options, report);

@@ -38,8 +38,8 @@ TEST_CASE("long voxels are not cut into any number of cells") {
     CAPTURE(spacing.x);
     const Volume volume = noise<std::uint8_t>({4, 4, 4}, spacing, 18, 90);
     Options options;
-    options.r_min = {20, true};
-    options.fingers = 1e6;
+    options.r_min = {20, Length::Unit::voxel};
+    options.fingers = {1e6, Length::Unit::voxel};
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, 6.5, options, report);
     check_sound(mesh, volume);
@@ -67,7 +67,7 @@ TEST_CASE("a checkerboard at its mean is parted") {
   CHECK(exact.tied_saddles == 0);
   CHECK(exact.components.size() == 60);  // tied saddles are inside: every outside sample is alone
   Options options;
-  options.r_min = {0.25, true};
+  options.r_min = {0.25, Length::Unit::voxel};
   Report report;
   const TriMesh mesh = mesh_isosurface(volume, 135.5, options, report);
   CHECK(report.kappa_effective == kappa);
@@ -91,7 +91,7 @@ TEST_CASE("samples of any exponent") {
     }
     const Volume volume = Volume::from_samples<float>({5, 4, 3}, {1, 1, 1}, samples);
     Options options;
-    options.r_min = {0.5, true};
+    options.r_min = {0.5, Length::Unit::voxel};
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, samples[random.below(60)], options, report);
     CHECK(report[Counter::uncertified_sites] == 0);

@@ -2,13 +2,20 @@
 // Both stages on fields of known topology, by both ways through Recover.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/triangle.h"
-#include "surface/criteria.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
+#include "embedding/self_intersections.h"
 #include "mesh/check_mesh.h"
+#include "surface/criteria.h"
+#include "surface/surface_point.h"
 
 using namespace deliso;
 
@@ -37,13 +44,22 @@ void check_sound(const Run& out, const Volume& volume) {
   }
 }
 
+// What a facet measures; without a surface point h is the most there is.
+FacetShape shape_of(const TriMesh& mesh, const Face& face, SurfacePointFinder& finder) {
+  const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]], &c = mesh.points[face.v[2]];
+  SearchCounters counters;
+  const Dual dual = finder.dual(a, b, c, counters);
+  FacetShape s = measure(a, b, c, dual.center);
+  if (!dual.on_surface) s.h = s.r;
+  return s;
+}
+
 // Facets with r > r_min that break h/r or r/l; the run must have counted at least as many.
-std::size_t violations(const Run& out, const Options& options) {
+std::size_t violations(const Run& out, const Isosurface& surface, const Options& options) {
   std::size_t count = 0;
-  for (std::size_t f = 0; f < out.mesh.faces.size(); ++f) {
-    const auto& v = out.mesh.faces[f].v;
-    const FacetShape s = measure(out.mesh.points[v[0]], out.mesh.points[v[1]],
-                                 out.mesh.points[v[2]], out.mesh.surface_points[f]);
+  SurfacePointFinder finder(surface);
+  for (const Face& face : out.mesh.faces) {
+    const FacetShape s = shape_of(out.mesh, face, finder);
     if (s.r <= out.report.r_min) continue;
     count += s.h > options.epsilon1 * s.r || s.r > options.lambda * s.l;
   }
@@ -59,6 +75,34 @@ void check_topology(const TriMesh& mesh, const ContourSummary& exact) {
   CHECK(topology.isolated_vertices == 0);
 }
 
+// The same kinds of components, as many of each.
+void check_same_kinds(const TriMesh& mesh, const ContourSummary& exact) {
+  check_topology(mesh, exact);
+  std::vector<std::pair<std::int64_t, std::uint64_t>> ours, theirs;
+  for (const ComponentTopology& c : mesh_topology(mesh).components) {
+    ours.emplace_back(c.euler(), c.boundary_loops);
+  }
+  for (const ContourComponent& c : exact.components) {
+    theirs.emplace_back(c.euler, c.boundary_loops);
+  }
+  std::sort(ours.begin(), ours.end());
+  std::sort(theirs.begin(), theirs.end());
+  CHECK(ours == theirs);
+}
+
+std::size_t crossings(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  const TriangleTree tree(mesh.points, triangles);
+  return self_intersections(mesh.points, triangles, tree).size();
+}
+
+bool same_bytes(const TriMesh& a, const TriMesh& b) {
+  return a.points.size() == b.points.size() && a.faces.size() == b.faces.size() &&
+         std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Vec3)) == 0 &&
+         std::memcmp(a.faces.data(), b.faces.data(), a.faces.size() * sizeof(Face)) == 0;
+}
+
 }  // namespace
 
 TEST_CASE("fields of known topology come out right, well shaped and on the surface") {
@@ -67,35 +111,35 @@ TEST_CASE("fields of known topology come out right, well shaped and on the surfa
       CAPTURE(name);
       CAPTURE(static_cast<int>(way));
       const Scene scene = builtin_scene(name, 32);
-      Options options;
+      Options options = Options::paper();
       options.recover = way;
       options.epsilon1 = 0.15;
       const Run out = run(scene.volume, scene.surface.kappa(), options);
       check_sound(out, scene.volume);
       check_topology(out.mesh, scene.contour.summary);
-      const std::size_t bad = violations(out, options);
+      const std::size_t bad = violations(out, scene.surface, options);
       CHECK(bad <= out.report[Counter::unrefined_facets]);
       CHECK(bad <= out.mesh.faces.size() / 1000);
-      CHECK(out.report.points_refined > 0);
+      CHECK(out.report.insertions_refine > 0);
     }
   }
 }
 
 TEST_CASE("stopping after Recover, and the single stage, give sound meshes of the same topology") {
   const Scene scene = builtin_scene("linked_tori", 32);
-  Options options;
-  options.recover = RecoverWay::paper;
+  Options options = Options::paper();
   options.stop_after_recover = true;
   Run out = run(scene.volume, scene.surface.kappa(), options);
   check_sound(out, scene.volume);
   check_topology(out.mesh, scene.contour.summary);
-  CHECK(out.report.points_refined == 0);
+  CHECK(out.report.insertions_refine == 0);
+  CHECK(out.report.points_recovered == out.mesh.points.size());
   options.stop_after_recover = false;
   options.single_stage = true;
   out = run(scene.volume, scene.surface.kappa(), options);
   check_sound(out, scene.volume);
   check_topology(out.mesh, scene.contour.summary);
-  CHECK(violations(out, options) <= out.mesh.faces.size() / 1000);
+  CHECK(violations(out, scene.surface, options) <= out.mesh.faces.size() / 1000);
 }
 
 TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
@@ -104,9 +148,9 @@ TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
       CAPTURE(seed);
       CAPTURE(static_cast<int>(way));
       const Scene scene = wave_scene(seed, 20, {1, 1, seed % 2 == 0 ? 3.0 : 1.0});
-      Options options;
+      Options options = Options::paper();
       options.recover = way;
-      options.r_min = {0.1, true};
+      options.r_min = {0.1, Length::Unit::voxel};
       const Run out = run(scene.volume, scene.surface.kappa(), options);
       check_sound(out, scene.volume);
       const MeshTopology topology = mesh_topology(out.mesh);
@@ -136,7 +180,7 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
     const ContourSummary exact = summarize_contour(volume, settled_isovalue(volume, isovalue));
     Options options;
     options.recover = RecoverWay::certified;
-    options.r_min = {0.35, true};
+    options.r_min = {0.35, Length::Unit::voxel};
     options.seed = seed;
     const Run out = run(volume, isovalue, options);
     components += static_cast<int>(exact.components.size());
@@ -163,9 +207,9 @@ TEST_CASE("no component is missing among specks of all sizes") {
   const Volume volume = Volume::from_samples({24, 24, 24}, {1, 1, 1}, samples);
   for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
     CAPTURE(static_cast<int>(way));
-    Options options;
+    Options options = Options::paper();
     options.recover = way;
-    options.r_min = {0.25, true};
+    options.r_min = {0.25, Length::Unit::voxel};
     const Run out = run(volume, 100.5, options);
     check_sound(out, volume);
     CHECK(mesh_topology(out.mesh).components.size() == 216);
@@ -183,7 +227,7 @@ TEST_CASE("a flat surface: all points in one plane, the boundary round the box")
   const Volume volume = Volume::from_samples({8, 8, 8}, {1, 1, 1}, samples);
   for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
     CAPTURE(static_cast<int>(way));
-    Options options;
+    Options options = Options::paper();
     options.recover = way;
     const Run out = run(volume, 3.25, options);
     check_sound(out, volume);
@@ -205,16 +249,11 @@ TEST_CASE("a flat surface: all points in one plane, the boundary round the box")
 TEST_CASE("the same input gives the same bytes; another seed another mesh") {
   const Scene scene = builtin_scene("gyroid", 24);
   for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-    Options options;
+    Options options = Options::paper();
     options.recover = way;
     const Run a = run(scene.volume, scene.surface.kappa(), options);
     const Run b = run(scene.volume, scene.surface.kappa(), options);
-    REQUIRE(a.mesh.points.size() == b.mesh.points.size());
-    CHECK(std::memcmp(a.mesh.points.data(), b.mesh.points.data(),
-                      a.mesh.points.size() * sizeof(Vec3)) == 0);
-    REQUIRE(a.mesh.faces.size() == b.mesh.faces.size());
-    CHECK(std::memcmp(a.mesh.faces.data(), b.mesh.faces.data(),
-                      a.mesh.faces.size() * sizeof(Face)) == 0);
+    CHECK(same_bytes(a.mesh, b.mesh));
     options.seed = 2;
     const Run c = run(scene.volume, scene.surface.kappa(), options);
     CHECK(c.mesh.points != a.mesh.points);
@@ -238,14 +277,78 @@ TEST_CASE("max_distance and max_radius are kept") {
   const Scene scene = builtin_scene("sphere", 32);
   Options options;
   options.max_radius = 0.9;
-  options.max_distance = 0.02;
+  options.max_distance = {0.02};
+  options.r_min = {0.001, Length::Unit::box};
   const Run out = run(scene.volume, scene.surface.kappa(), options);
   CHECK(out.report[Counter::unrefined_facets] == 0);
-  for (std::size_t f = 0; f < out.mesh.faces.size(); ++f) {
-    const auto& v = out.mesh.faces[f].v;
-    const FacetShape s = measure(out.mesh.points[v[0]], out.mesh.points[v[1]],
-                                 out.mesh.points[v[2]], out.mesh.surface_points[f]);
+  CHECK(out.report.max_distance == 0.02);
+  SurfacePointFinder finder(scene.surface);
+  double largest_h = 0;
+  for (const Face& face : out.mesh.faces) {
+    const FacetShape s = shape_of(out.mesh, face, finder);
     CHECK(s.r <= 0.9);
     CHECK(s.h <= 0.02);
+    largest_h = std::max(largest_h, s.h);
+  }
+  CHECK(out.report.largest_h == doctest::Approx(largest_h));
+}
+
+TEST_CASE("lengths in world units, shares of the box and voxels mean the same where they should") {
+  const Volume volume = make_builtin_volume("builtin:sphere:17");
+  CHECK(Length{0.5}.in(volume) == 0.5);
+  CHECK(Length{0.5, Length::Unit::voxel}.in(volume) == 0.5);
+  CHECK(Length{0.5, Length::Unit::box}.in(volume) == 8);
+  const Volume flat = Volume::from_samples<float>({3, 3, 5}, {2, 3, 0.5}, std::vector<float>(45));
+  CHECK(Length{4}.in(flat) == 4);
+  CHECK(Length{4, Length::Unit::voxel}.in(flat) == 2);
+  CHECK(Length{4, Length::Unit::box}.in(flat) == 8);
+  const Parameters p = resolve({}, flat);
+  CHECK(p.voxel == 0.5);
+  CHECK(p.r_min == 0.25);
+  CHECK(p.refinement.max_distance == doctest::Approx(0.05));
+  CHECK(p.refinement.h_over_r == Options::kNone);
+  CHECK_FALSE(p.asks_for_poles());
+  const Parameters published = resolve(Options::paper(), flat);
+  CHECK(published.refinement.max_distance == Options::kNone);
+  CHECK(published.refinement.h_over_r == 0.1);
+  CHECK(published.refinement.shape_floor == published.r_min);
+  CHECK(published.r_min == doctest::Approx(0.002));
+  CHECK(published.asks_for_poles());
+}
+
+// The promise of the defaults: the exact topology, embedded, on the surface, and the bytes the
+// same.
+TEST_CASE("defaults: every built-in field comes out exact, embedded and on the surface, twice") {
+  for (const BuiltinField& field : builtin_fields()) {
+    CAPTURE(field.name);
+    const Scene scene = builtin_scene(std::string(field.name), field.name == "noise" ? 16 : 32);
+    const Run out = run(scene.volume, scene.surface.kappa(), {});
+    check_sound(out, scene.volume);
+    check_same_kinds(out.mesh, summarize_contour(scene.volume, out.report.kappa_effective));
+    CHECK(out.report[Counter::uncertified_sites] == 0);
+    CHECK(out.report[Counter::crossings_handed_over] == 0);
+    CHECK(crossings(out.mesh) == 0);
+    CHECK(out.mesh.faces.size() > 100);
+    const Run again = run(scene.volume, scene.surface.kappa(), {});
+    CHECK(same_bytes(out.mesh, again.mesh));
+  }
+}
+
+// What --vertices asks for comes out about as large, and the bound it kept is said.
+TEST_CASE("target_vertices gives the mesh of about so many vertices, with the distance reached") {
+  const Scene scene = builtin_scene("linked_tori", 32);
+  double before = std::numeric_limits<double>::infinity();
+  for (const std::size_t target : {1000u, 2000u, 4000u}) {
+    CAPTURE(target);
+    Options options;
+    options.target_vertices = target;
+    const Run out = run(scene.volume, scene.surface.kappa(), options);
+    check_sound(out, scene.volume);
+    check_topology(out.mesh, scene.contour.summary);
+    CHECK(crossings(out.mesh) == 0);
+    CHECK(out.mesh.points.size() > 0.9 * static_cast<double>(target));
+    CHECK(out.mesh.points.size() < 1.2 * static_cast<double>(target));
+    CHECK(out.report.max_distance < before);
+    before = out.report.max_distance;
   }
 }

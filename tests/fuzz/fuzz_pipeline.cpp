@@ -138,8 +138,9 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
   const std::uint8_t flags = source.next();
   const double ratio =
       std::max({spacing.x, spacing.y, spacing.z}) / std::min({spacing.x, spacing.y, spacing.z});
-  options.r_min = {(0.1 + source.share()) * ratio, true};
-  options.fingers = ratio * ((flags & 1) != 0 ? 0.1 + 3 * source.share() : 1);
+  options.r_min = {(0.1 + source.share()) * ratio, Length::Unit::voxel};
+  options.fingers = {ratio * ((flags & 1) != 0 ? 0.1 + 3 * source.share() : 1),
+                     Length::Unit::voxel};
   if ((flags & 2) != 0) options.min_component = 4 * source.share();
   if ((flags & 4) != 0) options.seed = source.next();
   if ((flags & 8) != 0) options.lambda = 1 + 2 * source.share();
@@ -150,7 +151,7 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
     const std::uint32_t rare = source.below(8);
     options.stop_after_recover = rare == 0;
     options.single_stage = rare == 1 && options.recover == RecoverWay::paper;
-    if (rare == 2) options.max_distance = spacing.x * (0.01 + source.share());
+    if (rare == 2) options.max_distance = {spacing.x * (0.01 + source.share())};
     if (rare == 3) options.max_radius = spacing.x * (0.2 + source.share());
     if (rare == 4) options.epsilon1 = 0.05 + source.share();
     if (rare == 5) options.epsilon2 = 0.05 + source.share();
@@ -163,15 +164,15 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
 void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
   stress::write_nrrd(volume, path);
   std::printf(
-      "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17g "
+      "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17gvox "
       "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu%s%s%s"
-      " --max-distance %.17g --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
+      " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
       path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
-      o.fingers, o.min_component, static_cast<unsigned long long>(o.seed), o.lambda, o.samples,
-      o.max_vertices, o.keep_partial ? " --keep-partial" : "",
+      o.fingers.value, o.min_component, static_cast<unsigned long long>(o.seed), o.lambda,
+      o.samples, o.max_vertices, o.keep_partial ? " --keep-partial" : "",
       o.stop_after_recover ? " --stop-after recover" : "", o.single_stage ? " --single-stage" : "",
-      o.max_distance, o.max_radius, o.epsilon1, o.epsilon2,
-      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
+      o.max_distance.value, o.max_distance.unit == Length::Unit::voxel ? "vox" : "", o.max_radius,
+      o.epsilon1, o.epsilon2, o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
       o.method == Method::marching_cubes ? " --method marching-cubes" : "");
   std::fflush(stdout);
 }

@@ -80,7 +80,7 @@ TEST_CASE("random meshes against the law of cosines, facet by facet") {
 
     std::vector<double> ratios;
     double min_angle = 180, max_angle = 0, max_above = 0, edge_sum = 0, min_area = kInfinity;
-    std::size_t over = 0, histogram[12] = {};
+    std::size_t over = 0, over_above = 0, histogram[12] = {};
     for (const Face& face : mesh.faces) {
       long double e[3], angles[3];
       for (int i = 0; i < 3; ++i) {
@@ -104,9 +104,10 @@ TEST_CASE("random meshes against the law of cosines, facet by facet") {
       min_area = std::min(min_area, static_cast<double>(e[1] * e[2] * sine / 2));
       ++histogram[static_cast<int>(least / 5)];
       ratios.push_back(ratio);
+      over += ratio > lambda;
       if (static_cast<double>(r) > r_min) {
         max_above = std::max(max_above, ratio);
-        over += ratio > lambda;
+        over_above += ratio > lambda;
       }
     }
     std::sort(ratios.begin(), ratios.end());
@@ -117,6 +118,7 @@ TEST_CASE("random meshes against the law of cosines, facet by facet") {
     CHECK(q.max_r_over_l == expected(ratios.back()));
     CHECK(q.max_r_over_l_above_r_min == expected(max_above));
     CHECK(q.over_lambda == over);
+    CHECK(q.over_lambda_above_r_min == over_above);
     CHECK(q.min_area == expected(min_area));
     CHECK(q.mean_edge == expected(edge_sum / (1.5 * static_cast<double>(mesh.faces.size()))));
     for (int i = 0; i < 12; ++i) CHECK(q.angle_histogram[i] == histogram[i]);

@@ -286,6 +286,68 @@ TEST_CASE("polygons, further elements and properties, comments, line ends of oth
   CHECK(obj.faces[2].v == Triangle{2, 4, 3});
 }
 
+TEST_CASE("a comment that is written is handed back") {
+  const TemporaryFolder folder;
+  const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
+  for (const TriMesh& mesh : {random_mesh(5), TriMesh{}}) {
+    for (const std::string name : {"a.ply", "a.off", "a.obj"}) {
+      for (const bool ascii : {false, true}) {
+        write_mesh(mesh, folder / name, {.ascii = ascii, .comment = comment});
+        std::vector<std::string> comments = {"of another file"};
+        CHECK(same(read_mesh(folder / name, &comments), mesh));
+        REQUIRE(!comments.empty());
+        CHECK(comments.back() == comment);
+        CHECK(comments.size() == (name == std::string("a.off") ? 1 : 2));
+        CHECK(same(read_mesh(folder / name), mesh));
+        write_mesh(mesh, folder / name, {.ascii = ascii});
+        read_mesh(folder / name, &comments);
+        CHECK(std::ranges::find(comments, comment) == comments.end());
+      }
+    }
+  }
+}
+
+TEST_CASE("comments of the head, and no others, whatever their bytes and length") {
+  using Comments = std::vector<std::string>;
+  const auto comments_of = [](const std::string& bytes, MeshFormat format) {
+    Comments comments;
+    parse_mesh(bytes, format, "in", &comments);
+    return comments;
+  };
+  CHECK(comments_of(rich_ply(true, false), MeshFormat::ply) == Comments{"made by hand"});
+  CHECK(comments_of(rich_ply(false, true), MeshFormat::ply) == Comments{"made by hand"});
+  CHECK(comments_of(rich_off(), MeshFormat::off) == Comments{"made by hand", "colors", "counts"});
+  CHECK(comments_of(rich_obj(), MeshFormat::obj) == Comments{"made by hand"});
+  CHECK(comments_of("v 0 0 0\n# late\n", MeshFormat::obj).empty());
+
+  std::string any;
+  for (int c = 0; c < 256; ++c) {
+    if (c != '\n') any += static_cast<char>(c);
+  }
+  const auto ply = [](const std::string& comment) {
+    return "ply\nformat ascii 1.0\ncomment " + comment +
+           "\nelement vertex 0\nproperty float x\nproperty float y\n"
+           "property float z\nend_header\n";
+  };
+  for (const std::string& body :
+       {"x" + any + "x", std::string(5000000, 'x'), std::string(70000, '#') + "end"}) {
+    CHECK(comments_of(ply(body), MeshFormat::ply) == Comments{body});
+    CHECK(comments_of("OFF\n# " + body + "\n0 0 0\n", MeshFormat::off) == Comments{body});
+    CHECK(comments_of("# " + body + "\nv 0 0 0\n", MeshFormat::obj) == Comments{body});
+  }
+  // Blank ones are none, and of very many the first are enough.
+  CHECK(comments_of(ply(""), MeshFormat::ply).empty());
+  CHECK(comments_of("#\n# \t\r\nv 0 0 0\n", MeshFormat::obj).empty());
+  std::string many;
+  for (int n = 0; n < 100000; ++n) many += text("# ", n, "\n");
+  for (const Comments& first : {comments_of(many + "v 0 0 0\n", MeshFormat::obj),
+                                comments_of(many + "OFF\n0 0 0\n", MeshFormat::off)}) {
+    REQUIRE(first.size() == 100);
+    CHECK(first[0] == "0");
+    CHECK(first[99] == "99");
+  }
+}
+
 TEST_CASE("the counts of OFF may stand on the first line") {
   CHECK(
       parse_mesh("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MeshFormat::off, "in").faces.size() ==

@@ -211,7 +211,8 @@ TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and c
         "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n"}},
       {MeshFormat::off, {"OFF", "OFF"}}};
   for (const auto& [format, change] : heads) {
-    CAPTURE(change.second);
+    const std::string& now = change.second;
+    CAPTURE(now);
     MeshWriteOptions options{.format = format};
     std::string expected = written(mesh, options);
     const std::size_t at = expected.find(change.first);
@@ -219,6 +220,71 @@ TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and c
     expected.replace(at, change.first.size(), change.second);
     options.frame.space = "LPS";
     CHECK(written(mesh, options) == expected);
+  }
+}
+
+TEST_CASE("a comment is a line of its own in the head, and changes no more") {
+  const TriMesh mesh = random_sphere(4);
+  const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
+  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
+      {MeshFormat::ply,
+       {"comment DelIso SPACE=RAS\n", "comment DelIso SPACE=RAS\ncomment " + comment + "\n"}},
+      {MeshFormat::obj, {"# DelIso SPACE=RAS\n", "# DelIso SPACE=RAS\n# " + comment + "\n"}},
+      {MeshFormat::off, {"OFF\n", "OFF\n# " + comment + "\n"}},
+      {MeshFormat::vtp,
+       {"<?xml version=\"1.0\"?>\n", "<?xml version=\"1.0\"?>\n<!-- " + comment + " -->\n"}}};
+  for (const auto& [format, change] : heads) {
+    const std::string& now = change.second;
+    CAPTURE(now);
+    MeshWriteOptions options{.format = format};
+    options.frame.space = "RAS";
+    std::string expected = written(mesh, options);
+    const std::size_t at = expected.find(change.first);
+    REQUIRE(at != std::string::npos);
+    expected.replace(at, change.first.size(), change.second);
+    options.comment = comment;
+    CHECK(written(mesh, options) == expected);
+  }
+}
+
+TEST_CASE("STL has a comment where the header has room for all of it") {
+  const TriMesh mesh = random_sphere(4);
+  const std::string plain = written(mesh, {.format = MeshFormat::stl});
+  for (std::size_t size = 1; size < 100; ++size) {
+    for (const bool space : {false, true}) {
+      MeshWriteOptions options{.format = MeshFormat::stl};
+      if (space) options.frame.space = "LPS";
+      options.comment = std::string(size, 'x');
+      const std::string bytes = written(mesh, options);
+      CHECK(bytes.size() == plain.size());
+      CHECK(bytes.substr(80) == plain.substr(80));
+      std::string head = space ? "binary STL by DelIso SPACE=LPS" : "binary STL by DelIso";
+      if (head.size() + 1 + size <= 80) head += " " + options.comment;
+      head.resize(80, ' ');
+      CHECK(bytes.substr(0, 80) == head);
+    }
+  }
+}
+
+TEST_CASE("bytes that cannot stand in a comment of every format are written as question marks") {
+  const std::pair<std::string, std::string> comments[] = {
+      {"two\nlines\r\tand\x01 more", "two?lines??and? more"},
+      {std::string("a\0b", 3), "a?b"},
+      {"gr\xc3\xbc\xc3\x9f", "gr????"},
+      {"the end -->", "the end -?>"},
+      {"-----", "-?-?-"},
+      {"on the next line \\", "on the next line ?"},
+      {"1e-05 r-min a - b", "1e-05 r-min a - b"}};
+  for (const auto& [given, expected] : comments) {
+    for (const MeshFormat format : kFormats) {
+      const std::string& now = expected;
+      CAPTURE(now);
+      const TriMesh mesh = triangle();
+      CHECK(written(mesh, {.format = format, .comment = given}) ==
+            written(mesh, {.format = format, .comment = expected}));
+    }
+    CHECK(written(triangle(), {.format = MeshFormat::obj, .comment = given})
+              .starts_with("# DelIso\n# " + expected + "\nv "));
   }
 }
 

@@ -4,10 +4,11 @@
 
 #include <doctest/doctest.h>
 
-#include "recover/certificate.h"
 #include "deliso/fields.h"
+#include "deliso/options.h"
+#include "mesh/tri_mesh.h"
+#include "recover/certificate.h"
 #include "recover/sample.h"
-#include "mesh/check_mesh.h"
 
 using namespace deliso;
 
@@ -51,11 +52,12 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const BoundaryCurves curves(scene.surface, scene.contour);
+    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour);
     Report report;
     Options options;
     options.seed = seed;
-    InitialSites sites = init_sites(scene.contour, curves, scene.volume, options, {}, report);
+    InitialSites sites =
+        init_sites(scene.contour, curves, scene.volume, resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
     const ContourGraph graph(scene.contour);
     const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);

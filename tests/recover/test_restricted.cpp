@@ -4,10 +4,11 @@
 
 #include <doctest/doctest.h>
 
-#include "surface/boundary.h"
 #include "deliso/fields.h"
-#include "recover/sample.h"
+#include "deliso/options.h"
 #include "recover/poles.h"
+#include "recover/sample.h"
+#include "surface/boundary.h"
 
 using namespace deliso;
 
@@ -56,12 +57,13 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 16);
-    const BoundaryCurves curves(scene.surface, scene.contour);
+    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour);
     Report report;
     Options options;
     options.seed = seed;
-    InitialSample sample =
-        init_triangulation(scene.surface, scene.contour, curves, options, 0.05, report);
+    options.r_min = {0.05};
+    InitialSample sample = init_triangulation(scene.surface, scene.contour, curves,
+                                              resolve(options, scene.volume), report);
     RestrictedDelaunay restricted(scene.surface, std::move(sample.triangulation), 0, report);
     CHECK(check_against_search(restricted) > 50);
     Random random(seed);
@@ -81,12 +83,14 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
 
 TEST_CASE("pole heights are those of a brute-force search over Voronoi vertices") {
   const Scene scene = builtin_scene("torus", 32);
-  const BoundaryCurves curves(scene.surface, scene.contour);
+  const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour);
   Report report;
-  const InitialSample sample =
-      init_triangulation(scene.surface, scene.contour, curves, {}, 0.05, report);
+  Options options;
+  options.r_min = {0.05};
+  const InitialSample sample = init_triangulation(scene.surface, scene.contour, curves,
+                                                  resolve(options, scene.volume), report);
   const Triangulation& t = sample.triangulation;
-  const std::vector<double> poles = compute_poles(t, scene.surface);
+  const std::vector<double> poles = compute_poles(t, scene.surface, report);
   for (VertexId q = 1; q < t.vertex_capacity(); ++q) {
     const Vec3& p = t.point(q);
     if (is_auxiliary(p, scene.volume.box())) continue;

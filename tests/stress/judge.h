@@ -25,7 +25,7 @@ struct Verdict {
   std::uint32_t off_surface = 0;    // vertices
   std::uint64_t uncertified = 0;    // sites
   std::uint64_t triangles = 0;
-  double seconds = 0;
+  double seconds = 0, seconds_mesh = 0;
 };
 
 inline std::string first_of(const Faults& faults, std::initializer_list<FaultKind> kinds) {

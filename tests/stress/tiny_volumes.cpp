@@ -6,14 +6,14 @@
 // Seeds first-seed .. first-seed + count - 1 (1 .. 210), r_min a quarter of the largest
 // spacing, or SHARE of it. They run in a child
 // process: a crash or more than 60 s of processor time costs that one volume, and the rest goes on.
-// --list names every seed with a fault.
+// --list names every seed with a fault, and those that took more than 2 s to mesh.
 //
-// Columns: volumes; of these crashed; hung; with an invalid mesh (check_mesh, boundary off the
-// box); with components of other topology than the exact contour's; with equal ones that verify()
-// cannot match; with uncertified sites; with vertices at one position; with triangles that
-// intersect; pairs of such triangles; volumes with vertices off the surface; triangles.
-// Exit status 1 when a mesh is invalid, a run crashed or hung, or, by the certified way, a topology
-// is not exact; with --embedded also when triangles intersect.
+// Columns: volumes; of these crashed; hung; meshed in more than 2 s; with an invalid mesh
+// (check_mesh, boundary off the box); with components of other topology than the exact contour's;
+// with equal ones that verify() cannot match; with uncertified sites; with vertices at one
+// position; with triangles that intersect; pairs of such triangles; volumes with vertices off the
+// surface; triangles. Exit status 1 when a mesh is invalid, a run crashed or hung, or, by the
+// certified way, a topology is not exact; with --embedded also when triangles intersect.
 //
 //   cmake --build build --target tiny_volumes
 //   build/tests/tiny_volumes --count 20000 --list
@@ -47,15 +47,16 @@ struct Arguments {
 };
 
 struct Row {
-  std::uint64_t volumes = 0, crashes = 0, hangs = 0, invalid = 0, inexact = 0, intersecting = 0,
-                pairs = 0, off_surface = 0, coincident = 0, disputed = 0, uncertified = 0,
-                triangles = 0;
+  std::uint64_t volumes = 0, crashes = 0, hangs = 0, slow = 0, invalid = 0, inexact = 0,
+                intersecting = 0, pairs = 0, off_surface = 0, coincident = 0, disputed = 0,
+                uncertified = 0, triangles = 0;
   double seconds = 0;
 
   void operator+=(const Row& b) {
     volumes += b.volumes;
     crashes += b.crashes;
     hangs += b.hangs;
+    slow += b.slow;
     invalid += b.invalid;
     inexact += b.inexact;
     intersecting += b.intersecting;
@@ -71,16 +72,15 @@ struct Row {
 
 Verdict run(std::uint64_t seed, const Arguments& arguments) {
   const TinyVolume tiny = make_tiny_volume(seed);
-  Options options;
-  options.recover = arguments.way;
+  Options options = arguments.way == RecoverWay::paper ? Options::paper() : Options{};
   const Vec3 spacing = tiny.volume.spacing();
-  options.r_min = {arguments.r_min * std::max({spacing.x, spacing.y, spacing.z}) /
-                       std::min({spacing.x, spacing.y, spacing.z}),
-                   true};
+  options.r_min = {arguments.r_min * std::max({spacing.x, spacing.y, spacing.z})};
   Report report;
   const std::clock_t start = std::clock();
   const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
+  const std::clock_t meshed = std::clock();
   Verdict verdict = judge(tiny.volume, mesh, options, report);
+  verdict.seconds_mesh = static_cast<double>(meshed - start) / CLOCKS_PER_SEC;
   verdict.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return verdict;
 }
@@ -109,8 +109,14 @@ bool read_verdict(int from, Verdict& verdict) {
   return true;
 }
 
+// What a tiny volume may take, in seconds of processor time.
+bool is_slow(const Verdict& verdict) {
+  return verdict.seconds_mesh > 2;
+}
+
 void add(Row& row, const Verdict& verdict) {
   ++row.volumes;
+  row.slow += is_slow(verdict);
   row.invalid += verdict.invalid;
   row.inexact += !verdict.topology_exact;
   row.intersecting += verdict.intersections > 0;
@@ -133,7 +139,7 @@ void list(std::uint64_t seed, const char* what) {
 void print_row(std::string_view name, const Row& r) {
   std::printf("%-12s", std::string(name).c_str());
   for (const std::uint64_t count :
-       {r.volumes, r.crashes, r.hangs, r.invalid, r.inexact, r.disputed, r.uncertified,
+       {r.volumes, r.crashes, r.hangs, r.slow, r.invalid, r.inexact, r.disputed, r.uncertified,
         r.coincident, r.intersecting, r.pairs, r.off_surface, r.triangles}) {
     std::printf(" %9llu", static_cast<unsigned long long>(count));
   }
@@ -159,6 +165,7 @@ int run_all(const Arguments& arguments) {
       add(rows[static_cast<std::size_t>(kind_of(seed))], verdict);
       const bool faulty = verdict.invalid || !verdict.topology_exact || verdict.fault[0] != 0;
       if (arguments.list && faulty) list(seed, verdict.fault);
+      if (arguments.list && is_slow(verdict)) list(seed, "slow");
     }
     close(ends[0]);
     int status = 0;
@@ -174,8 +181,8 @@ int run_all(const Arguments& arguments) {
 
   std::printf("%-12s", "kind");
   for (const char* column :
-       {"volumes", "crashes", "hangs", "invalid", "inexact", "disputed", "uncertif.", "coincid.",
-        "crossing", "pairs", "off", "triangles", "CPU s"}) {
+       {"volumes", "crashes", "hangs", "slow", "invalid", "inexact", "disputed", "uncertif.",
+        "coincid.", "crossing", "pairs", "off", "triangles", "CPU s"}) {
     std::printf(" %9s", column);
   }
   std::printf("\n");

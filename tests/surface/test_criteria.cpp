@@ -12,7 +12,7 @@ using namespace deliso;
 
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Criteria kLoose{kInfinity, kInfinity, kInfinity, 0, kInfinity, kInfinity};
+constexpr Criteria kLoose{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, 0, 0};
 }  // namespace
 
 TEST_CASE("a facet's measures") {
@@ -23,33 +23,56 @@ TEST_CASE("a facet's measures") {
   CHECK(s.l == doctest::Approx(3));
 }
 
-TEST_CASE("each condition alone makes a facet bad, and r_min excuses it") {
+TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
   const FacetShape s{2, 0.5, 0.8};  // h/r = 0.25, r/l = 2.5
   CHECK_FALSE(is_bad(s, 10, kLoose));
   struct Case {
     Criteria passes, fails;
+    double violation;
   };
   const auto with = [](auto change) {
     Criteria k = kLoose;
     change(k);
     return k;
   };
-  const Case cases[] = {
-      {with([](Criteria& k) { k.h_over_r = 0.26; }), with([](Criteria& k) { k.h_over_r = 0.24; })},
-      {with([](Criteria& k) { k.r_over_pole = 0.21; }),
-       with([](Criteria& k) { k.r_over_pole = 0.19; })},
-      {with([](Criteria& k) { k.lambda = 2.6; }), with([](Criteria& k) { k.lambda = 2.4; })},
-      {with([](Criteria& k) { k.max_distance = 0.6; }),
-       with([](Criteria& k) { k.max_distance = 0.4; })},
-      {with([](Criteria& k) { k.max_radius = 2.1; }),
-       with([](Criteria& k) { k.max_radius = 1.9; })}};
+  const Case cases[] = {{with([](Criteria& k) { k.h_over_r = 0.26; }),
+                         with([](Criteria& k) { k.h_over_r = 0.24; }), 0.25 / 0.24},
+                        {with([](Criteria& k) { k.r_over_pole = 0.21; }),
+                         with([](Criteria& k) { k.r_over_pole = 0.19; }), 0.2 / 0.19},
+                        {with([](Criteria& k) { k.lambda = 2.6; }),
+                         with([](Criteria& k) { k.lambda = 2.4; }), 2.5 / 2.4},
+                        {with([](Criteria& k) { k.max_distance = 0.6; }),
+                         with([](Criteria& k) { k.max_distance = 0.4; }), 0.5 / 0.4},
+                        {with([](Criteria& k) { k.max_radius = 2.1; }),
+                         with([](Criteria& k) { k.max_radius = 1.9; }), 2 / 1.9}};
   for (const Case& c : cases) {
     CHECK_FALSE(is_bad(s, 10, c.passes));
     CHECK(is_bad(s, 10, c.fails));
+    // How badly: by what share the limit is passed.
+    CHECK(violation(s, 10, c.fails) == doctest::Approx(c.violation));
     Criteria small = c.fails;
     small.r_min = 2;
+    small.shape_floor = 2;
     CHECK_FALSE(is_bad(s, 10, small));
+    // Either floor excuses from what is its own: r_min from geometry, shape_floor from shape.
+    const bool of_shape = c.fails.lambda < kInfinity;
+    small.shape_floor = 0;
+    CHECK(is_bad(s, 10, small) == of_shape);
+    small.r_min = 0;
+    small.shape_floor = 2;
+    CHECK(is_bad(s, 10, small) != of_shape);
   }
+}
+
+TEST_CASE("the worst condition tells how bad a facet is; one without end is bad") {
+  const FacetShape s{2, 0.5, 0.8};
+  Criteria k{0.2, 0.1, 2, 0.4, 1.5, 0, 0};
+  CHECK(violation(s, 10, k) == doctest::Approx(2));  // r/h_sigma
+  CHECK(violation(s, 100, k) == doctest::Approx(4.0 / 3));
+  CHECK(violation(s, kInfinity, k) == doctest::Approx(4.0 / 3));
+  // A facet of no area.
+  k.r_min = k.shape_floor = 1;
+  CHECK(is_bad({kInfinity, kInfinity, 0.5}, 10, k));
 }
 
 TEST_CASE("the queue gives out each octave before the next, and only what was set last") {

@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "contour/contour.h"
+#include "isosurface/boundary_midpoint.h"
 
 using namespace deliso;
 

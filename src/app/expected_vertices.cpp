@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "app/expected_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "app/command_line.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kSamples = std::size_t{1} << 22;
+constexpr int kSlices = 32;
+
+// Vertices per voxel squared of surface: what is needed for the topology and for shape; on top of
+// it what a bound of one voxel on h, of 1 on h/r, and of 1 on r over pole height asks for, each
+// growing as the bound shrinks; and what there is when all triangles have a circumradius of one
+// voxel. Fitted to the built-in fields (their densities differ by factors) and to scanned volumes.
+constexpr double kBase = 0.03;
+constexpr double kDistance = 0.035, kHeight = 0.005, kPole = 0.04;
+constexpr double kFull = 0.67;
+
+// Crossings of grid edges along x, y and z.
+using Crossings = std::array<double, 3>;
+
+// Those in every `stride`th slice and between it and the next, times how many slices it stands for.
+template <class Sample>
+Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int stride) {
+  const auto nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
+  std::array<std::uint64_t, 3> counts{};
+  int slices = 0, pairs = 0;
+  for (int k = 0; k < dims.k; k += stride) {
+    const Sample* row = samples + nx * ny * static_cast<std::size_t>(k);
+    const bool is_last = k + 1 == dims.k;
+    ++slices;
+    pairs += !is_last;
+    for (std::size_t j = 0; j < ny; ++j, row += nx) {
+      const auto inside = [kappa](Sample s) { return static_cast<double>(s) >= kappa; };
+      for (std::size_t i = 0; i < nx; ++i) {
+        const bool here = inside(row[i]);
+        if (i + 1 < nx) counts[0] += here != inside(row[i + 1]);
+        if (j + 1 < ny) counts[1] += here != inside(row[i + nx]);
+        if (!is_last) counts[2] += here != inside(row[i + nx * ny]);
+      }
+    }
+  }
+  const double in_slice = static_cast<double>(dims.k) / slices;
+  const double between = pairs > 0 ? static_cast<double>(dims.k - 1) / pairs : 0;
+  return {static_cast<double>(counts[0]) * in_slice, static_cast<double>(counts[1]) * in_slice,
+          static_cast<double>(counts[2]) * between};
+}
+
+double density(const Options& options, const Volume& volume, double voxel) {
+  if (options.stop_after_recover) return kBase;
+  const double distance = options.max_distance.in(volume) / voxel;
+  const double radius = options.max_radius / voxel;
+  // With --vertices the distance is as small as the number allows.
+  const double asked =
+      by_count(options)
+          ? Options::kNone
+          : std::max({kDistance / distance, kHeight / (options.epsilon1 * options.epsilon1),
+                      kPole / (options.epsilon2 * options.epsilon2), kFull / (radius * radius)});
+  const double r_min = options.r_min.in(volume) / voxel;
+  // Nothing smaller than r_min is refined.
+  return 1 / (1 / (kBase + asked) + r_min * r_min / kFull);
+}
+
+}  // namespace
+
+SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
+  const Index3 dims = volume.dims();
+  const auto wanted = static_cast<int>(volume.sample_count() / kSamples);
+  const int stride = std::max(1, std::min(wanted, dims.k / kSlices));
+  const Crossings crossings = volume.visit(
+      [&](const auto* samples) { return count_crossings(samples, dims, kappa, stride); });
+  const Vec3 s = volume.spacing();
+  const double voxel = std::min({s.x, s.y, s.z});
+  // A piece of surface with the unit normal n crosses lines along x as often as its area times
+  // |n.x|; |n.x| + |n.y| + |n.z| is 3/2 on the average over all directions.
+  const double area =
+      crossings[0] * s.y * s.z + crossings[1] * s.z * s.x + crossings[2] * s.x * s.y;
+  return {crossings[0] + crossings[1] + crossings[2], area / (1.5 * voxel * voxel)};
+}
+
+double expected_vertices(const Volume& volume, double kappa, const Options& options) {
+  const SurfaceEstimate surface = estimate_surface(volume, kappa);
+  if (options.method == Method::marching_cubes) return surface.crossings;
+  const Vec3 s = volume.spacing();
+  const double vertices = surface.area * density(options, volume, std::min({s.x, s.y, s.z}));
+  const std::size_t most = options.keep_partial
+                               ? std::min(options.max_vertices, options.target_vertices)
+                               : options.target_vertices;
+  return std::min(vertices, static_cast<double>(most));
+}
+
+}  // namespace deliso

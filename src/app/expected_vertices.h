@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How many vertices a mesh will have, before it is made: from how often the surface crosses grid
+// edges in some slices of the volume, and from what a criterion asks of a piece of surface.
+#pragma once
+
+#include "deliso/options.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct SurfaceEstimate {
+  double crossings = 0;  // of grid edges
+  double area = 0;       // in voxels, squared; of the shortest side of one
+};
+
+// Looks at some 4 million samples, or at 32 slices where these are more, and at all of a smaller
+// volume. Within a few percent where the surface is alike in neighbouring slices.
+SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
+
+// By the bound on the distance, within a factor of 3 for surfaces whose curvature is that of most
+// data, a few voxels in radius; up to 6 too few for noise. By the paper's criteria no more than an
+// order of magnitude, since what they spend on a crease depends on its angle.
+double expected_vertices(const Volume& volume, double kappa, const Options& options);
+
+}  // namespace deliso

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The line of a mesh's criteria: what is written is read back, and whatever else a comment is, it
+// is taken for no such line or for criteria in range.
+#include "app/criteria_note.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/check_report.h"
+#include "base/random.h"
+#include "base/text.h"
+#include "base/version.h"
+#include "deliso/fields.h"
+
+using namespace deliso;
+
+namespace {
+
+CommandLine parse(std::initializer_list<std::string_view> arguments) {
+  return parse_command_line(std::vector<std::string_view>(arguments));
+}
+
+std::optional<NotedCriteria> read(const std::string& comment) {
+  return noted_criteria(std::vector<std::string>{comment});
+}
+
+bool in_range(const NotedCriteria& c) {
+  for (const double value : {c.max_distance, c.epsilon1, c.epsilon2, c.max_radius}) {
+    if (!(value > 0)) return false;
+  }
+  return c.r_min > 0 && std::isfinite(c.r_min) && c.lambda >= 1 && std::isfinite(c.lambda);
+}
+
+std::string words(const std::string& behind_version) {
+  return text("deliso ", kVersion, behind_version);
+}
+
+// 9 x 9 x 9 samples at a spacing of 0.5, 2, 3: a voxel's shortest side is 0.5.
+Volume long_voxels() {
+  return Volume::from_samples({9, 9, 9}, {0.5, 2, 3}, std::vector<float>(729, 0));
+}
+
+}  // namespace
+
+TEST_CASE("the line of a command line, in voxels whatever the units were") {
+  const Volume volume = long_voxels();
+  Report report;
+  report.max_distance = 0.0625;
+  const auto note = [&](std::initializer_list<std::string_view> options) {
+    std::vector<std::string_view> arguments = {"a", "--iso", "1"};
+    arguments.insert(arguments.end(), options);
+    return criteria_note(parse_command_line(arguments), volume, report);
+  };
+  CHECK(note({}) == words(" max-distance=0.1 r-min=0.5 lambda=2"));
+  CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
+        words(" max-distance=0.4 r-min=2 lambda=1.5 max-radius=4"));
+  CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
+  CHECK(note({"--paper"}) == words(" r-min=0.008 lambda=2 eps1=0.1 eps2=0.2"));
+  // What was reached, not what is the default.
+  CHECK(note({"--vertices", "100"}) == words(" max-distance=0.125 r-min=0.5 lambda=2"));
+  CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
+  CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
+  CHECK_FALSE(read(note({"--method", "marching-cubes"})));
+  CHECK_FALSE(read(note({"--stop-after", "recover"})));
+}
+
+TEST_CASE("what is written is read back to the last bit") {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto any = [&] { return std::exp(random.uniform(-30, 30)); };
+    const auto perhaps = [&] { return random.below(2) == 0 ? NotedCriteria::kNone : any(); };
+    const NotedCriteria criteria{perhaps(), any(), 1 + any(), perhaps(), perhaps(), perhaps()};
+    const std::vector<std::string> comments = {"DelIso SPACE=RAS", "", criteria_note(criteria),
+                                               words(" r-min=7 lambda=7")};
+    CHECK(noted_criteria(comments) == criteria);
+  }
+}
+
+TEST_CASE("a line of a later version, and lines that are none") {
+  CHECK(read("deliso 9.9-beta  colour=red r-min=0.25 lambda=3 max-distance=0.5 words more ") ==
+        NotedCriteria{.max_distance = 0.5, .r_min = 0.25, .lambda = 3});
+  CHECK_FALSE(noted_criteria({}));
+  for (const std::string line :
+       {"", " ", "DelIso", "deliso", "deliso 0.1.0", "deliso 0.1.0 r-min=1",
+        "deliso 0.1.0 lambda=2", "delis 0.1.0 r-min=1 lambda=2", "deliso 0.1.0 r-min=1 lambda=0.5",
+        "deliso 0.1.0 r-min=0 lambda=2", "deliso 0.1.0 r-min=-1 lambda=2",
+        "deliso 0.1.0 r-min=inf lambda=2", "deliso 0.1.0 r-min=nan lambda=2",
+        "deliso 0.1.0 r-min= lambda=2", "deliso 0.1.0 r-min=1x lambda=2",
+        "deliso 0.1.0 r-min lambda=2", "deliso 0.1.0 r-min=1 lambda=2 max-distance=1e999",
+        "deliso 0.1.0 r-min=1 lambda=2 max-distance=0", "deliso 0.1.0 r-min=1 lambda=2 eps1=no"}) {
+    CAPTURE(line);
+    CHECK_FALSE(read(line));
+  }
+}
+
+TEST_CASE("no bytes in a comment do harm") {
+  const std::string whole = words(" max-distance=0.1 r-min=0.5 lambda=2 eps1=0.1");
+  int taken = 0, passed = 0;
+  for (std::uint64_t seed = 1; seed <= 50000; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::string bytes = whole;
+    for (std::uint32_t count = 1 + random.below(3); count > 0; --count) {
+      const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
+      switch (random.below(4)) {
+        case 0:
+          bytes[at] = static_cast<char>(random.next());
+          break;
+        case 1:
+          bytes.erase(at, 1 + random.below(4));
+          break;
+        case 2:
+          bytes.insert(at, whole.substr(random.below(20), random.below(30)));
+          break;
+        default:
+          bytes.insert(at, random.below(1000), static_cast<char>(random.next()));
+      }
+      if (bytes.empty()) bytes.push_back(' ');
+    }
+    const auto criteria = read(bytes);
+    if (criteria) REQUIRE(in_range(*criteria));
+    ++(criteria ? taken : passed);
+  }
+  CHECK(taken > 1000);
+  CHECK(passed > 1000);
+}
+
+TEST_CASE("a check judges by the file's criteria, but for what is given") {
+  const Volume volume = long_voxels();
+  const NotedCriteria noted{.max_distance = 0.3, .r_min = 0.7, .lambda = 1.5, .epsilon1 = 0.4};
+  const auto options = [&](std::initializer_list<std::string_view> given, bool with_file = true) {
+    std::vector<std::string_view> arguments = {"check", "m", "a", "--iso", "1"};
+    arguments.insert(arguments.end(), given);
+    return verify_options(parse_command_line(arguments), volume,
+                          with_file ? std::optional(noted) : std::nullopt);
+  };
+  const auto same = [](const Limits& a, const Limits& b) {
+    return a.max_distance == b.max_distance && a.h_over_r == b.h_over_r && a.lambda == b.lambda &&
+           a.r_min == b.r_min;
+  };
+  constexpr double kNone = NotedCriteria::kNone;
+  CHECK(same(options({}).limits, {0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5}));
+  CHECK(same(options({}, false).limits, {0.1 * 0.5, kNone, 2, 0.25}));
+  CHECK(same(options({"--lambda", "3"}).limits, {0.3 * 0.5, 0.4, 3, 0.7 * 0.5}));
+  CHECK(same(options({"--rmin", "2vox"}).limits, {0.3 * 0.5, 0.4, 1.5, 1}));
+  CHECK(same(options({"--max-distance", "0.25"}).limits, {0.25, 0.4, 1.5, 0.7 * 0.5}));
+  CHECK(same(options({"--eps1", "0.2"}).limits, {kNone, 0.2, 1.5, 0.7 * 0.5}));
+  CHECK(same(options({"--eps1", "0.2", "--max-distance", "0.25"}).limits,
+             {0.25, 0.2, 1.5, 0.7 * 0.5}));
+  CHECK(same(options({"--paper"}).limits, {kNone, 0.1, 2, 0.001 * 4}));
+
+  // Only a distance that the check command itself was given is required.
+  CHECK_FALSE(options({}).require_distance);
+  CHECK_FALSE(options({"--lambda", "3"}).require_distance);
+  CHECK(options({"--max-distance", "0.25"}).require_distance);
+  CHECK(options({"--max-distance", "0.25"}, false).require_distance);
+  const CommandLine mesh = parse({"a", "--iso", "1", "--check", "--max-distance", "0.25"});
+  CHECK_FALSE(verify_options(mesh, volume).require_distance);
+  CHECK(verify_options(mesh, volume).limits.max_distance == 0.25);
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The estimate against what meshing gives, and against areas that are known.
+#include "app/expected_vertices.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "volume/builtin_fields.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Field {
+  explicit Field(const std::string& name)
+      : volume(make_builtin_volume("builtin:" + name)),
+        kappa(find_builtin_field("builtin:" + name)->isovalue) {}
+  Volume volume;
+  double kappa;
+};
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Inside within `radius` of the middle of a box with `side` to either side of it.
+Volume ball(double radius, Vec3 spacing, double side) {
+  const Index3 dims{static_cast<int>(2 * side / spacing.x) + 1,
+                    static_cast<int>(2 * side / spacing.y) + 1,
+                    static_cast<int>(2 * side / spacing.z) + 1};
+  std::vector<float> samples;
+  for (int k = 0; k < dims.k; ++k) {
+    for (int j = 0; j < dims.j; ++j) {
+      for (int i = 0; i < dims.i; ++i) {
+        const Vec3 p = Vec3{i * spacing.x, j * spacing.y, k * spacing.z} - Vec3{side, side, side};
+        samples.push_back(static_cast<float>(radius - length(p)));
+      }
+    }
+  }
+  return Volume::from_samples(dims, spacing, samples);
+}
+
+}  // namespace
+
+TEST_CASE("where every sample is looked at, crossings are those of the exact contour") {
+  for (const std::string name :
+       {"sphere", "gyroid", "fuel", "noise", "marschner_lobb", "machine"}) {
+    CAPTURE(name);
+    const Field field(name);
+    std::uint64_t crossings = 0;
+    for (const auto& c : summarize_contour(field.volume, field.kappa).components) {
+      crossings += c.crossings;
+    }
+    REQUIRE(crossings > 1000);
+    CHECK(estimate_surface(field.volume, field.kappa).crossings == double(crossings));
+  }
+}
+
+TEST_CASE("the area of balls, whatever the shape of voxels and however many slices are left out") {
+  const auto check_ball = [](double radius, Vec3 spacing, double side, double within) {
+    CAPTURE(spacing.z);
+    const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+    const double exact = 4 * kPi * radius * radius / (voxel * voxel);
+    const double area = estimate_surface(ball(radius, spacing, side), 0).area;
+    CHECK(area == doctest::Approx(exact).epsilon(within));
+  };
+  check_ball(20, {1, 1, 1}, 24, 0.02);
+  check_ball(20, {1, 1, 4}, 24, 0.05);
+  check_ball(20, {0.5, 2, 1}, 24, 0.05);
+  check_ball(110, {1, 1, 1}, 120, 0.05);  // 241^3: a third of the slices
+}
+
+TEST_CASE("within a factor of 3 of what meshing gives, by distance") {
+  int cases = 0;
+  for (const std::string name :
+       {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "orbital", "fuel", "machine"}) {
+    const Field field(name);
+    for (const double d : {1.0, 0.3, 0.1, 0.03}) {
+      for (const double r_min : {0.5, 1.0}) {
+        CAPTURE(name);
+        CAPTURE(d);
+        CAPTURE(r_min);
+        Options options;
+        options.max_distance = {d, Length::Unit::voxel};
+        options.r_min = {r_min, Length::Unit::voxel};
+        Report report;
+        const double vertices = static_cast<double>(
+            mesh_isosurface(field.volume, field.kappa, options, report).points.size());
+        const double expected = expected_vertices(field.volume, field.kappa, options);
+        CHECK(expected > vertices / 3);
+        CHECK(expected < vertices * 3);
+        ++cases;
+      }
+    }
+  }
+  CHECK(cases == 64);
+}
+
+TEST_CASE("what each criterion and limit does to the estimate") {
+  const Field field("fuel");
+  const auto expected = [&](const Options& options) {
+    return expected_vertices(field.volume, field.kappa, options);
+  };
+  const Options plain;
+  Options finer = plain;
+  finer.max_distance.value /= 4;
+  CHECK(expected(finer) > 2 * expected(plain));
+  Options coarser = plain;
+  coarser.r_min.value = 4;
+  CHECK(expected(coarser) < expected(plain) / 2);
+  Options small = plain;
+  small.max_radius = 0.5;
+  CHECK(expected(small) > 1.5 * expected(plain));
+  CHECK(expected(Options::paper()) > expected(plain));
+
+  Options counted = plain;
+  counted.target_vertices = 1000;
+  CHECK(expected(counted) == 1000);
+  counted.target_vertices = 1000000000;  // more than r_min has room for
+  CHECK(expected(counted) < 1e6);
+  Options kept = plain;
+  kept.max_vertices = 500;
+  CHECK(expected(kept) == expected(plain));  // it would end in an error
+  kept.keep_partial = true;
+  CHECK(expected(kept) == 500);
+  Options cubes = plain;
+  cubes.method = Method::marching_cubes;
+  CHECK(expected(cubes) == estimate_surface(field.volume, field.kappa).crossings);
+  CHECK(expected_vertices(field.volume, 1e9, plain) == 0);
+}

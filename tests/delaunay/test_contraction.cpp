@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Floating point as the predicates need it: every product rounded by itself. A compiler that makes
+// one fused operation of a * b + c breaks error terms, and with them every sign that is close. The
+// flag -ffp-contract=off forbids it; these cases fail where the flag got lost and the machine
+// fuses.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "base/random.h"
+#include "delaunay/expansion.h"
+
+using namespace deliso;
+
+namespace {
+
+// Not inlined, so that nothing is worked out by the compiler; nothing keeps it from fusing within.
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+double
+product_plus(double a, double b, double c) {
+  return a * b + c;
+}
+
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+double
+cross_product(double a, double b, double c, double d) {
+  return a * d - b * c;
+}
+
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+double
+product(double a, double b) {
+  return a * b;
+}
+
+#if defined(__GNUC__)
+[[gnu::noinline]]
+#endif
+double
+sum(double a, double b) {
+  return a + b;
+}
+
+bool same_bits(double a, double b) {
+  std::uint64_t x = 0, y = 0;
+  std::memcpy(&x, &a, sizeof x);
+  std::memcpy(&y, &b, sizeof y);
+  return x == y;
+}
+
+double random_double(Random& random) {
+  return std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(40)) - 20) *
+         (random.below(2) ? 1 : -1);
+}
+
+}  // namespace
+
+TEST_CASE("a product is rounded before something is added to it") {
+  // (1 + e)^2 = 1 + 2e + e^2 rounds to 1 + 2e; fused, what is left after taking that away is e^2.
+  const double e = std::ldexp(1, -30), x = 1 + e, rounded = 1 + 2 * e;
+  CHECK(std::fma(x, x, -rounded) == e * e);
+  CHECK(product_plus(x, x, -rounded) == 0);
+  CHECK(cross_product(x, 1, rounded, x) == 0);
+  // Of parallel vectors: rounded one way by a fused operation, and the other way by the other.
+  CHECK(cross_product(0.1, 0.1, 0.3, 0.3) == 0);
+
+  Random random(1);
+  int would_differ = 0;
+  for (int n = 0; n < 100000; ++n) {
+    const double a = random_double(random), b = random_double(random), p = product(a, b);
+    const double c = random.below(2) ? -p : random_double(random);
+    would_differ += !same_bits(std::fma(a, b, c), sum(p, c));
+    REQUIRE(same_bits(product_plus(a, b, c), sum(p, c)));
+  }
+  CHECK(would_differ > 30000);
+}
+
+TEST_CASE("sums and products have the precision of a double, no more") {
+  const double half_ulp = std::numeric_limits<double>::epsilon() / 2;
+  CHECK(sum(sum(1, half_ulp), half_ulp) == 1);
+  CHECK(sum(product(1 + 4 * half_ulp, 1 + 4 * half_ulp), -1) == 8 * half_ulp);
+}
+
+TEST_CASE("two_product and two_sum leave exactly what rounding took away") {
+  Random random(2);
+  int inexact = 0;
+  for (int n = 0; n < 100000; ++n) {
+    const double a = random_double(random), b = random_double(random);
+    const auto p = two_product(a, b);
+    REQUIRE(same_bits(p.value, product(a, b)));
+    // A fused operation gives the error of a product exactly: here it is the oracle.
+    REQUIRE(p.error == std::fma(a, b, -p.value));
+    inexact += p.error != 0;
+    const auto s = two_sum(a, b);
+    REQUIRE(same_bits(s.value, sum(a, b)));
+    // The larger of the two first: then what is left is a difference without rounding.
+    const double large = std::fabs(a) >= std::fabs(b) ? a : b, small = large == a ? b : a;
+    REQUIRE(s.error == sum(small, -sum(s.value, -large)));
+  }
+  CHECK(inexact > 90000);
+}

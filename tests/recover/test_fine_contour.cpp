@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// T as Stage 1 wants it, on random volumes: whatever the samples, no two of its triangles cross, by
+// all pairs of each voxel and of all voxels, and it is the plain contour's in kind.
+#include "recover/fine_contour.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "base/random.h"
+#include "contour/mesh_checks.h"
+#include "embedding/self_intersections.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Noise {
+  Volume volume;
+  double kappa;
+};
+
+// Pure noise, in every third volume of a few values only, in every fifth with long voxels.
+Noise random_noise(std::uint64_t seed) {
+  Random random(seed);
+  const auto side = [&] { return 3 + static_cast<int>(random.below(5)); };
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) dims[axis] = side();
+  const std::uint32_t levels = seed % 3 == 0 ? 2 + random.below(6) : 1000;
+  std::vector<float> samples;
+  for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+    samples.push_back(
+        static_cast<float>(levels == 1000 ? random.uniform(0, 1000) : random.below(levels)));
+  }
+  Vec3 spacing{1, 1, 1};
+  if (seed % 5 == 0) spacing[static_cast<int>(random.below(3))] = random.uniform(1, 8);
+  Volume volume = Volume::from_samples(dims, spacing, samples);
+  const double kappa = settled_isovalue(volume, 0.5 * levels - 0.5 * random.below(2));
+  return {std::move(volume), kappa};
+}
+
+std::size_t crossings(const ContourMesh& contour) {
+  const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  const TriangleTree tree(contour.points, triangles);
+  return self_intersections(contour.points, triangles, tree).size();
+}
+
+}  // namespace
+
+TEST_CASE("no two triangles of T cross, and T is what the plain contour is") {
+  std::size_t crossed = 0, crossings_before = 0, cut = 0, unchanged = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    CAPTURE(seed);
+    const Noise noise = random_noise(seed);
+    ContourMesh plain = build_contour(noise.volume, noise.kappa);
+    const std::size_t before = crossings(plain);
+    crossings_before += before;
+    crossed += before > 0;
+    const ContourSummary summary = plain.summary;
+    const std::vector<Vec3> points = plain.points;
+    Report report;
+    const ContourMesh fine = fine_contour(std::move(plain), noise.volume, noise.kappa, report);
+    CHECK(crossings(fine) == 0);
+    CHECK(fine.summary.components == summary.components);
+    CHECK(check_contour(fine, noise.volume, noise.kappa) == "");
+    CHECK(report[Counter::voxels_cut] == fine.split_voxels);
+    cut += report[Counter::voxels_cut];
+    if (fine.split_voxels > 0) continue;
+    ++unchanged;
+    CHECK(fine.points == points);  // it is given back as it was
+  }
+  CHECK(crossed > 50);
+  CHECK(crossings_before > 200);
+  CHECK(cut > crossed);
+  CHECK(unchanged > 50);
+}
+
+// What crowded says is where triangles may cross: in all other voxels none do, whatever is split.
+TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
+  constexpr int kSide = 7;
+  std::size_t crossed = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<float> samples(kSide * kSide * kSide);
+    for (float& s : samples) s = static_cast<float>(random.uniform());
+    const Volume volume = Volume::from_samples<float>({kSide, kSide, kSide}, {1, 1, 1}, samples);
+    const double kappa = settled_isovalue(volume, 0.5);
+    ContourSplit split;
+    for (int n = 0; n < 20; ++n) {
+      split.voxels.push_back(random.below((kSide - 1) * (kSide - 1) * (kSide - 1)));
+    }
+    std::sort(split.voxels.begin(), split.voxels.end());
+    split.voxels.erase(std::unique(split.voxels.begin(), split.voxels.end()), split.voxels.end());
+    const int cells = 2 + static_cast<int>(random.below(6));
+    split.factor = {cells, cells, cells};
+    if (seed % 2 == 0) split.elsewhere = {1, 2, 3};
+    const ContourMesh contour = build_contour(volume, kappa, split);
+
+    std::vector<std::uint8_t> is_crowded(contour.triangles.size(), 0);
+    std::uint64_t before = 0;
+    for (const ContourMesh::VoxelTriangles& crowd : contour.crowded) {
+      REQUIRE(crowd.first < crowd.end);
+      REQUIRE(crowd.end <= contour.triangles.size());
+      CHECK(before <= crowd.voxel);
+      before = crowd.voxel;
+      std::fill(is_crowded.begin() + static_cast<std::ptrdiff_t>(crowd.first),
+                is_crowded.begin() + static_cast<std::ptrdiff_t>(crowd.end), 1);
+    }
+    const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+    const TriangleTree tree(contour.points, triangles);
+    for (const auto& [f, g] : self_intersections(contour.points, triangles, tree)) {
+      ++crossed;
+      CHECK(is_crowded[f]);
+      CHECK(is_crowded[g]);
+    }
+  }
+  CHECK(crossed > 20);
+}

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// What the tests of Stage 2's proposers share: a mesh as Stage 1 hands it over, random places in
+// it, and everything that must hold after every change, by brute force.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/random.h"
+#include "delaunay/predicates.h"
+#include "deliso/fields.h"
+#include "deliso/options.h"
+#include "embedding/triangle_pair.h"
+#include "mesh/check_mesh.h"
+#include "recover/recover_certified.h"
+#include "refine/refine.h"
+#include "refine/replace_disk.h"
+
+namespace deliso::test {
+
+// Pure noise in a tiny box; in every third one of few values, in every fourth of long voxels.
+inline Scene noise_scene(std::uint64_t seed) {
+  Random random(seed);
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) dims[axis] = 3 + static_cast<int>(random.below(3));
+  const std::uint32_t levels = seed % 3 == 0 ? 3 + random.below(5) : 1000;
+  std::vector<float> samples;
+  for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+    samples.push_back(static_cast<float>(random.below(levels)));
+  }
+  const Vec3 spacing{1, 1, seed % 4 == 0 ? 2.5 : 1.0};
+  Volume volume = Volume::from_samples(dims, spacing, samples);
+  const double kappa = settled_isovalue(volume, 0.5 * levels);
+  return Scene(std::move(volume), kappa);
+}
+
+// The n-th of a few small volumes of all kinds.
+inline constexpr int kScenes = 32;
+inline Scene some_scene(int n) {
+  constexpr const char* names[] = {"sphere", "torus", "linked_tori", "five_spheres",
+                                   "gyroid", "fuel",  "orbital",     "machine"};
+  if (n < 8) return builtin_scene(names[n], n % 2 == 0 ? 16 : 20);
+  if (n < 12) return wave_scene(static_cast<std::uint64_t>(n), 9, {1, 1, n % 2 == 0 ? 2.0 : 1.0});
+  return noise_scene(static_cast<std::uint64_t>(n));
+}
+
+// (Euler number, boundary loops) of every component, sorted.
+using Kinds = std::vector<std::pair<std::ptrdiff_t, std::size_t>>;
+inline Kinds kinds_of(const TriMesh& mesh) {
+  Kinds kinds;
+  for (const ComponentTopology& c : mesh_topology(mesh).components) {
+    kinds.emplace_back(c.euler(), c.boundary_loops);
+  }
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
+}
+
+// The first two facets that cross, of all pairs; empty when there are none.
+inline std::string crossing_in(const TriMesh& mesh) {
+  std::vector<Box3> boxes;
+  std::vector<std::uint8_t> flat;
+  for (const Face& face : mesh.faces) {
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    Box3 box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lo[axis] = std::min({a[axis], b[axis], c[axis]});
+      box.hi[axis] = std::max({a[axis], b[axis], c[axis]});
+    }
+    boxes.push_back(box);
+    flat.push_back(collinear(a, b, c));
+  }
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Box3& p = boxes[f];
+    for (FaceId g = f + 1; g < mesh.faces.size(); ++g) {
+      const Box3& q = boxes[g];
+      const bool apart = (p.lo.x > q.hi.x) | (q.lo.x > p.hi.x) | (p.lo.y > q.hi.y) |
+                         (q.lo.y > p.hi.y) | (p.lo.z > q.hi.z) | (q.lo.z > p.hi.z);
+      if (apart || flat[f] || flat[g]) continue;
+      if (triangles_intersect(mesh.points, mesh.faces[f].v, mesh.faces[g].v)) {
+        return "facets " + std::to_string(f) + " and " + std::to_string(g) + " cross";
+      }
+    }
+  }
+  return "";
+}
+
+// Stage 1 done, and what Stage 2's proposers need.
+class Stage {
+ public:
+  // `refined`: Stage 2 done, too.
+  explicit Stage(const Scene& of, const Options& options = {}, bool refined = false)
+      : scene(of),
+        parameters(resolve(options, of.volume)),
+        recovered(recover_certified(of.surface, ContourMesh(of.contour), parameters, report)),
+        surface_mesh(recovered.mesh),
+        mesh(refined ? refined_mesh() : recovered.mesh.mesh),
+        replacer(recovered.mesh, of.surface, parameters, report),
+        kinds_(kinds_of(mesh)) {
+    const ValueRange range = value_range(scene.volume);
+    tolerance_ = 1e-8 * (range.max - range.min);
+  }
+  Stage(const Stage&) = delete;
+
+  // The first thing wrong with the mesh as it is now; empty when all is well.
+  std::string fault() const {
+    SurfaceMesh live = surface_mesh;
+    remove_dead(live);
+    std::string fault = check_mesh(live.mesh);
+    if (fault.empty()) fault = check_boundary_on_box(live.mesh, scene.volume.box());
+    if (!fault.empty()) return fault;
+    if (kinds_of(live.mesh) != kinds_) return "another topology";
+    if (live.duals.size() != live.mesh.faces.size()) return "not one dual for each facet";
+    fault = fault_of_chain(live);
+    if (fault.empty()) fault = fault_of_chain(surface_mesh);
+    if (!fault.empty()) return fault;
+    for (const Vec3& p : live.mesh.points) {
+      if (!(std::abs(scene.volume.value(p) - scene.surface.kappa()) <= tolerance_)) {
+        return "a vertex off the surface";
+      }
+    }
+    return crossing_in(live.mesh);
+  }
+
+  // What is said of facets' duals is what the oracle says, and the grid has each in its place.
+  std::string fault_of(std::span<const FaceId> facets) const {
+    SurfacePointFinder finder(scene.surface);
+    SearchCounters counters;
+    for (const FaceId f : facets) {
+      if (is_dead(mesh.faces[f])) return "a new facet is dead";
+      const Triangle& v = mesh.faces[f].v;
+      const Dual dual =
+          finder.dual(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], counters);
+      const Dual& said = surface_mesh.duals[f];
+      if (dual.on_surface != said.on_surface || dual.center != said.center) return "a wrong dual";
+      const FacetGrid& grid = replacer.grid();
+      if (!grid.any(grid.box_of(mesh.points, v),
+                    [&](FaceId g, const FacetGrid::Box&) { return g == f; })) {
+        return "a facet that the grid does not have";
+      }
+    }
+    return "";
+  }
+
+  // Everything a refusal must leave as it was.
+  struct Snapshot {
+    std::vector<Vec3> points;
+    std::vector<Face> faces;
+    std::vector<Dual> duals;
+    std::vector<std::pair<VertexId, VertexId>> links;
+    bool operator==(const Snapshot& o) const {
+      const auto same_dual = [](const Dual& a, const Dual& b) {
+        return std::memcmp(&a.center, &b.center, sizeof a.center) == 0 &&
+               std::memcmp(&a.radius2, &b.radius2, sizeof a.radius2) == 0 &&
+               a.on_surface == b.on_surface;
+      };
+      const auto same_face = [](const Face& a, const Face& b) { return a.v == b.v && a.n == b.n; };
+      return points.size() == o.points.size() && links == o.links &&
+             std::memcmp(points.data(), o.points.data(), points.size() * sizeof(Vec3)) == 0 &&
+             std::equal(faces.begin(), faces.end(), o.faces.begin(), o.faces.end(), same_face) &&
+             std::equal(duals.begin(), duals.end(), o.duals.begin(), o.duals.end(), same_dual);
+    }
+  };
+  Snapshot snapshot() const {
+    Snapshot s{mesh.points, mesh.faces, surface_mesh.duals, {}};
+    for (VertexId v = 0; v < surface_mesh.chain.vertex_capacity(); ++v) {
+      if (!surface_mesh.chain.is_boundary(v)) continue;
+      s.links.emplace_back(v, surface_mesh.chain.next(v));
+    }
+    return s;
+  }
+
+  FaceId random_facet(Random& random) const {
+    while (true) {
+      const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+      if (!is_dead(mesh.faces[f])) return f;
+    }
+  }
+  const Vec3& corner(FaceId f, int i) const { return mesh.points[mesh.faces[f].v[i]]; }
+  Vec3 normal(FaceId f) const { return area_normal(corner(f, 0), corner(f, 1), corner(f, 2)); }
+  double longest_edge(FaceId f) const {
+    return std::sqrt(
+        std::max({distance2(corner(f, 0), corner(f, 1)), distance2(corner(f, 1), corner(f, 2)),
+                  distance2(corner(f, 2), corner(f, 0))}));
+  }
+  std::size_t live_facets() const {
+    return static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(),
+                                                  [](const Face& face) { return !is_dead(face); }));
+  }
+
+  // A point of Sigma near facet f, as another rung might have found it.
+  std::optional<Vec3> point_near(FaceId f, Random& random) {
+    const double u = random.uniform(-0.2, 1.2), w = random.uniform(-0.2, 1.2);
+    const Vec3 p =
+        corner(f, 0) + u * (corner(f, 1) - corner(f, 0)) + w * (corner(f, 2) - corner(f, 0));
+    return replacer.finder().foot(p, normal(f), longest_edge(f), report.searches_refine);
+  }
+
+  // Flips the edge of f opposite its corner i if every gate lets it pass, wanted or not.
+  bool flip_anyway(FaceId f, int i, std::vector<FaceId>* created = nullptr) {
+    const FaceId g = mesh.faces[f].n[i];
+    if (g == kNoId) return false;
+    const Triangle v = mesh.faces[f].v;
+    const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
+    const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
+    Change change;
+    change.out = {f, g};
+    change.in.facets = {{a, b, d}, {d, c, a}};
+    change.least_cosine = kSharpest;
+    if (!replacer.take_out(change) || replacer.replace(change, [] { return true; })) return false;
+    if (created) *created = change.created;
+    return true;
+  }
+
+  // No vertex of the mesh but its own corners is in its surface ball, by a look at all of them.
+  bool is_delaunay(FaceId f) const {
+    const Dual& dual = surface_mesh.duals[f];
+    if (!dual.on_surface) return false;
+    const Triangle& v = mesh.faces[f].v;
+    for (const Face& face : mesh.faces) {
+      if (is_dead(face)) continue;
+      for (const VertexId q : face.v) {
+        if (dual.holds(mesh.points[q]) && !has_corner(v, q)) return false;
+      }
+    }
+    return true;
+  }
+
+  const Scene& scene;
+  Report report;
+  Parameters parameters;  // a test may change them
+  Recovered recovered;
+  SurfaceMesh& surface_mesh;
+  const TriMesh& mesh;
+  DiskReplacer replacer;
+
+ private:
+  const TriMesh& refined_mesh() {
+    refine(recovered.mesh, scene.surface, recovered.curves, recovered.witnesses, parameters,
+           report);
+    return recovered.mesh.mesh;
+  }
+
+  // The chain's edges are the boundary edges, the way the chain runs or against it.
+  static std::string fault_of_chain(const SurfaceMesh& s) {
+    std::size_t boundary_edges = 0, chain_edges = 0;
+    for (const Face& face : s.mesh.faces) {
+      if (is_dead(face)) continue;
+      for (int i = 0; i < 3; ++i) {
+        if (face.n[i] != kNoId) continue;
+        ++boundary_edges;
+        const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
+        if (!s.chain.is_edge(a, b) || !s.chain.is_edge(b, a)) {
+          return "a boundary edge that is none of the chain";
+        }
+      }
+    }
+    for (VertexId v = 0; v < s.chain.vertex_capacity(); ++v) chain_edges += s.chain.is_boundary(v);
+    return boundary_edges == chain_edges ? "" : "the chain has other edges than the boundary";
+  }
+
+  Kinds kinds_;
+  double tolerance_ = 0;
+};
+
+}  // namespace deliso::test

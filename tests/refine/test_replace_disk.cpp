@@ -1,0 +1,625 @@
+// SPDX-License-Identifier: MIT
+// The one operation and its gates. What a disk is, against named patches and a plain count; each
+// gate by a change made to fail it, which must leave every byte as it was; the link condition
+// against a mesh made anew, for every collapse and flip of small meshes; random changes of any
+// kind.
+#include "refine/replace_disk.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <map>
+#include <set>
+
+#include "mesh/meshes.h"
+#include "mesh/split.h"
+#include "refine/stage.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool links(const Triangles& facets) {
+  Patch patch;
+  patch.facets = facets;
+  return patch.link();
+}
+
+// What a disk is, counted another way: consistently oriented, a manifold by check_mesh, one
+// component with V - E + F = 1 and one boundary loop.
+bool is_disk(const Triangles& facets) {
+  std::map<VertexId, VertexId> id;
+  Triangles used = facets;
+  for (Triangle& t : used) {
+    for (VertexId& v : t) v = id.try_emplace(v, static_cast<VertexId>(id.size())).first->second;
+  }
+  const TriMesh mesh = make_tri_mesh(some_points(id.size()), used);
+  if (!check_mesh(mesh).empty()) return false;
+  const MeshTopology topology = mesh_topology(mesh);
+  return topology.components.size() == 1 && topology.euler() == 1 && topology.boundary_loops == 1;
+}
+
+// The linked patch says what it is made of.
+void check_links(const Triangles& facets) {
+  Patch patch;
+  patch.facets = facets;
+  REQUIRE(patch.link());
+  std::set<std::pair<VertexId, VertexId>> directed;
+  std::set<VertexId> vertices, on_rim;
+  for (const Triangle& t : facets) {
+    for (int i = 0; i < 3; ++i) directed.insert({t[(i + 1) % 3], t[(i + 2) % 3]});
+    vertices.insert(t.begin(), t.end());
+  }
+  std::size_t rim = 0;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = facets[f][(i + 1) % 3], b = facets[f][(i + 2) % 3];
+      const std::uint32_t g = patch.beyond[f][i];
+      REQUIRE((g == Patch::kRim) == !directed.contains({b, a}));
+      if (g == Patch::kRim) {
+        ++rim;
+        on_rim.insert(a);
+        continue;
+      }
+      REQUIRE(has_corner(facets[g], a));
+      REQUIRE(has_corner(facets[g], b));
+      REQUIRE(std::count(patch.beyond[g].begin(), patch.beyond[g].end(), f) >= 1);
+    }
+  }
+  CHECK(patch.rim.size() == rim);
+  for (const Patch::RimEdge& e : patch.rim) {
+    CHECK(facets[e.facet][(e.side + 1) % 3] == e.from);
+    CHECK(facets[e.facet][(e.side + 2) % 3] == e.to);
+    CHECK(patch.beyond[e.facet][e.side] == Patch::kRim);
+  }
+  CHECK(patch.inner_vertices() == vertices.size() - on_rim.size());
+}
+
+}  // namespace
+
+TEST_CASE("disks are told from all that are none") {
+  for (const Triangles& disk :
+       {Triangles{{0, 1, 2}}, Triangles{{4, 9, 7}, {9, 4, 2}}, one_ring(3), one_ring(9), fan(1),
+        fan(8), l_shape(), Triangles{{5, 6, 7}, {6, 5, 8}, {5, 7, 9}}}) {
+    CHECK(is_disk(disk));
+    check_links(disk);
+  }
+  const Triangles pinched{{0, 1, 2}, {0, 3, 4}, {0, 5, 6}};
+  Triangles two = fan(3);
+  for (const Triangle& t : Triangles{{20, 21, 22}, {20, 22, 23}}) two.push_back(t);
+  // A disk beside a torus, with a torus's Euler number 0: the sum is a disk's.
+  Triangles disk_and_torus = torus_grid(4, 4);
+  disk_and_torus.push_back({100, 101, 102});
+  // Two disks and an annulus of two tori glued by an edge of none: V - E + F = 1 with two rims.
+  Triangles disk_and_sphere_with_hole = annulus();
+  disk_and_sphere_with_hole.push_back({100, 101, 102});
+  Triangles with_handle = torus_grid(4, 4);  // a torus with a facet out, and a sphere beside it
+  with_handle.pop_back();
+  for (Triangle t : octahedron()) {
+    for (VertexId& v : t) v += 50;
+    with_handle.push_back(t);
+  }
+  // An annulus pinched: its two rims share a vertex.
+  const Triangles pinched_annulus{{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 5}};
+  for (const Triangles& other : {Triangles{},
+                                 annulus(),
+                                 moebius_strip(),
+                                 bow_tie(),
+                                 pinched,
+                                 two,
+                                 tetrahedron(),
+                                 octahedron(),
+                                 pillow(),
+                                 torus_grid(4, 3),
+                                 two_spheres(),
+                                 hourglass(),
+                                 fan_of_three_on_an_edge(),
+                                 duplicated_facet(),
+                                 flipped_facet(),
+                                 disk_and_torus,
+                                 disk_and_sphere_with_hole,
+                                 with_handle,
+                                 pinched_annulus,
+                                 Triangles{{0, 1, 2}, {0, 1, 3}},
+                                 Triangles{{0, 1, 2}, {0, 1, 2}}}) {
+    CAPTURE(other.size());
+    CHECK_FALSE(is_disk(other));
+    CHECK_FALSE(links(other));
+  }
+}
+
+TEST_CASE("random pieces of meshes are disks exactly where a count says so") {
+  int disks = 0, others = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    RandomMesh source(seed % 4 == 0   ? torus_grid(4, 5)
+                      : seed % 4 == 1 ? octahedron()
+                      : seed % 4 == 2 ? annulus()
+                                      : l_shape(),
+                      seed);
+    for (int n = 0; n < 8; ++n) source.change();
+    const TriMesh& mesh = source.mesh();
+    for (int trial = 0; trial < 10; ++trial) {
+      // Grown over edges from a facet, with holes; now and then with a facet from anywhere.
+      std::set<FaceId> piece{random.below(static_cast<std::uint32_t>(mesh.faces.size()))};
+      const std::uint32_t steps = random.below(12);
+      for (std::uint32_t n = 0; n < steps; ++n) {
+        auto at = piece.begin();
+        std::advance(at, random.below(static_cast<std::uint32_t>(piece.size())));
+        const FaceId g = mesh.faces[*at].n[random.below(3)];
+        if (g != kNoId) piece.insert(g);
+      }
+      if (random.below(6) == 0) {
+        piece.insert(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
+      }
+      Triangles facets;
+      for (const FaceId f : piece) facets.push_back(mesh.faces[f].v);
+      const bool expected = is_disk(facets);
+      REQUIRE(links(facets) == expected);
+      if (expected) check_links(facets);
+      ++(expected ? disks : others);
+    }
+  }
+  CHECK(disks > 1000);
+  CHECK(others > 300);
+}
+
+namespace {
+
+// A mesh of no surface: combinatorics alone. All facets are such as need no surface point.
+struct Bare {
+  Bare(const TriMesh& mesh, const Scene& scene, const Parameters& parameters) {
+    surface_mesh.mesh = mesh;
+    surface_mesh.duals.assign(mesh.faces.size(), {{}, kInfinity, false});
+    Random random(9);
+    for (Vec3& p : surface_mesh.mesh.points) {
+      const Vec3 side = scene.volume.box().size();
+      p = {side.x * random.uniform(), side.y * random.uniform(), side.z * random.uniform()};
+    }
+    replacer.emplace(surface_mesh, scene.surface, parameters, report);
+  }
+  // Whether G1 lets the change pass. Nothing is done.
+  bool keeps_manifold(Change& change) {
+    if (!replacer->take_out(change)) return false;
+    const auto refusal = replacer->replace(change, [] { return false; });
+    REQUIRE(refusal);
+    REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::no_gain));
+    return refusal == Refusal::no_gain;
+  }
+  SurfaceMesh surface_mesh;
+  Report report;
+  std::optional<DiskReplacer> replacer;
+};
+
+// The mesh after the change, made anew from its triangles, whether or not it is one.
+TriMesh changed_mesh(const TriMesh& mesh, const Change& change) {
+  Triangles triangles;
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    if (is_dead(mesh.faces[f])) continue;
+    if (std::find(change.out.begin(), change.out.end(), f) != change.out.end()) continue;
+    triangles.push_back(mesh.faces[f].v);
+  }
+  triangles.insert(triangles.end(), change.in.facets.begin(), change.in.facets.end());
+  std::vector<Vec3> points = mesh.points;
+  if (change.what == Change::Vertex::comes) points.push_back(change.place);
+  return make_tri_mesh(std::move(points), triangles);
+}
+
+bool same_topology(const TriMesh& a, const TriMesh& b) {
+  return check_mesh(b).empty() && kinds_of(a) == kinds_of(b);
+}
+
+std::vector<TriMesh> small_meshes() {
+  std::vector<TriMesh> meshes;
+  for (const Triangles& triangles : {tetrahedron(), octahedron(), torus_grid(5, 4),
+                                     torus_grid(3, 3), fan(7), annulus(), one_ring(4), l_shape()}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      Random random(seed);
+      TriMesh mesh = mesh_of(triangles);
+      for (std::uint64_t n = 0; n < 3 * (seed - 1); ++n) {
+        const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+        const Vec3 p{random.uniform(), random.uniform(), random.uniform()};
+        if (n % 2 == 0) {
+          split_face(mesh, f, p);
+        } else {
+          split_edge(mesh, f, static_cast<int>(random.below(3)), p);
+        }
+      }
+      meshes.push_back(std::move(mesh));
+    }
+  }
+  return meshes;
+}
+
+}  // namespace
+
+TEST_CASE("collapses pass the link condition exactly where they keep the mesh and its topology") {
+  const Scene scene = builtin_scene("sphere", 16);
+  const Parameters parameters = resolve({}, scene.volume);
+  int allowed = 0, refused = 0;
+  for (const TriMesh& mesh : small_meshes()) {
+    Bare bare(mesh, scene, parameters);
+    std::vector<bool> on_boundary(mesh.points.size(), false);
+    for (const Face& face : mesh.faces) {
+      for (int i = 0; i < 3; ++i) {
+        if (face.n[i] != kNoId) continue;
+        on_boundary[face.v[(i + 1) % 3]] = on_boundary[face.v[(i + 2) % 3]] = true;
+      }
+    }
+    for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+      for (int side = 0; side < 6; ++side) {
+        const Triangle& v = mesh.faces[f].v;
+        const int i = side % 3;
+        const VertexId from = v[(i + 1 + side / 3) % 3], to = v[(i + 2 - side / 3) % 3];
+        Change change;
+        facets_around(mesh, f, from, change.out);
+        for (const FaceId g : change.out) {
+          Triangle t = mesh.faces[g].v;
+          if (has_corner(t, to)) continue;
+          std::replace(t.begin(), t.end(), from, to);
+          change.in.facets.push_back(t);
+        }
+        if (change.in.facets.empty()) continue;
+        const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
+        INFO("from ", from, " to ", to, " in ", mesh.faces.size(), " facets");
+        // From the boundary inwards the new facets are two disks that meet in a vertex: refused,
+        // though it would do.
+        const bool into_inside = on_boundary[from] && mesh.faces[f].n[i] != kNoId;
+        const bool passes = bare.keeps_manifold(change);
+        if (passes) CHECK(keeps);
+        if (!passes) CHECK((!keeps || into_inside));
+        ++(passes ? allowed : refused);
+      }
+    }
+  }
+  CHECK(allowed > 1000);
+  CHECK(refused > 500);
+}
+
+TEST_CASE("flips pass it exactly where the diagonal is not there yet") {
+  const Scene scene = builtin_scene("sphere", 16);
+  const Parameters parameters = resolve({}, scene.volume);
+  int allowed = 0, refused = 0;
+  for (const TriMesh& mesh : small_meshes()) {
+    Bare bare(mesh, scene, parameters);
+    for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+      for (int i = 0; i < 3; ++i) {
+        const FaceId g = mesh.faces[f].n[i];
+        if (g == kNoId) continue;
+        const Triangle& v = mesh.faces[f].v;
+        const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
+        const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
+        Change change;
+        change.out = {f, g};
+        change.in.facets = {{a, b, d}, {d, c, a}};
+        const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
+        CHECK(bare.keeps_manifold(change) == keeps);
+        ++(keeps ? allowed : refused);
+      }
+    }
+  }
+  CHECK(allowed > 500);
+  CHECK(refused > 50);
+}
+
+namespace {
+
+// A cone from p over the rim of f's neighbourhood: an insertion without its rules.
+Change cone(const Stage& stage, const std::vector<FaceId>& out, const Vec3& p) {
+  Change change;
+  change.out = out;
+  change.what = Change::Vertex::comes;
+  change.vertex = static_cast<VertexId>(stage.mesh.points.size());
+  change.place = p;
+  return change;
+}
+
+void fill_cone(Change& change) {
+  for (const Patch::RimEdge& e : change.was.rim) {
+    change.in.facets.push_back({e.from, e.to, change.vertex});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every gate refuses what it is there for, and a refusal leaves all bytes as they were") {
+  const Scene scene = builtin_scene("linked_tori", 24);
+  Options options;
+  options.r_min = {0.05, Length::Unit::voxel};
+  Stage stage(scene, options);
+  REQUIRE(stage.fault() == "");
+  const Stage::Snapshot before = stage.snapshot();
+  const auto yes = [] { return true; };
+
+  // An insertion that would be done. It is at the end, too, when all else was refused.
+  FaceId f = 0;
+  while (!stage.surface_mesh.duals[f].on_surface) ++f;
+  const auto good = [&] {
+    Change change = cone(stage, {f}, stage.surface_mesh.duals[f].center);
+    REQUIRE(stage.replacer.take_out(change));
+    fill_cone(change);
+    return change;
+  };
+
+  SUBCASE("what is to go is no disk") {
+    Change change = cone(stage, {f, f}, {});
+    CHECK_FALSE(stage.replacer.take_out(change));
+    FaceId far = 0;
+    while (far == f || has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[0]) ||
+           has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[1]) ||
+           has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[2])) {
+      ++far;
+    }
+    change.out = {f, far};
+    CHECK_FALSE(stage.replacer.take_out(change));
+  }
+  SUBCASE("what comes is no disk over that rim") {
+    Change change = good();
+    change.in.facets.pop_back();
+    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    change = good();
+    std::swap(change.in.facets[0][0], change.in.facets[0][1]);
+    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    change = good();
+    change.in.facets.push_back(change.in.facets[0]);
+    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    change.in.facets.clear();
+    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+  }
+  SUBCASE("an edge that is there, and a facet that is there, from behind") {
+    // Two facets at a vertex of three others: the flip's diagonal is the third edge.
+    Change first = good();
+    REQUIRE_FALSE(stage.replacer.replace(first, yes));
+    const Stage::Snapshot with = stage.snapshot();
+    const FaceId g = first.created[0], h = first.created[1];
+    const Triangle t = stage.mesh.faces[g].v, s = stage.mesh.faces[h].v;
+    VertexId a = kNoId, d = kNoId;
+    for (const VertexId v : t) a = has_corner(s, v) ? a : v;
+    for (const VertexId v : s) d = has_corner(t, v) ? d : v;
+    const int i = corner_index(stage.mesh.faces[g], a);
+    Change flip;
+    flip.out = {g, h};
+    flip.in.facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}};
+    REQUIRE(stage.replacer.take_out(flip));
+    CHECK(stage.replacer.replace(flip, yes) == Refusal::not_a_disk);
+    CHECK(stage.snapshot() == with);
+    // And back to the one facet that was there: a change of three for one.
+    Change back;
+    back.out = first.created;
+    REQUIRE(stage.replacer.take_out(back));
+    back.in.facets = {before.faces[f].v};
+    CHECK_FALSE(stage.replacer.replace(back, yes));
+    CHECK(stage.fault() == "");
+    return;
+  }
+  SUBCASE("a facet without a surface point") {
+    // Towards the middle of the hole in the torus no dual line meets the surface right.
+    Change change = good();
+    change.place = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
+    CHECK(stage.replacer.replace(change, yes) == Refusal::no_surface_point);
+  }
+  SUBCASE("an edge too sharp") {
+    // The same points pass where no angle is asked for.
+    int turned = 0;
+    for (FaceId g = 0; g < stage.mesh.faces.size(); ++g) {
+      const Vec3 up = stage.normal(g) / length(stage.normal(g));
+      for (const double height : {0.05, 0.1, 0.2, 0.4}) {
+        const auto raised = [&](double least_cosine) {
+          Change change = cone(
+              stage, {g}, (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0);
+          change.place = change.place + height * stage.longest_edge(g) * up;
+          change.least_cosine = least_cosine;
+          REQUIRE(stage.replacer.take_out(change));
+          fill_cone(change);
+          return stage.replacer.replace(change, [] { return false; });
+        };
+        if (raised(0.9999) != Refusal::turned) continue;
+        ++turned;
+        CHECK(raised(-1) == Refusal::no_gain);
+      }
+    }
+    CHECK(turned > 20);
+  }
+  SUBCASE("the proposer does not want it") {
+    Change change = good();
+    int asked = 0;
+    CHECK(stage.replacer.replace(change, [&] {
+      ++asked;
+      CHECK(change.duals.size() == change.in.facets.size());
+      CHECK(stage.mesh.points.size() == before.points.size() + 1);  // in its place
+      CHECK(stage.mesh.points.back() == change.place);
+      return false;
+    }) == Refusal::no_gain);
+    CHECK(asked == 1);
+  }
+  CHECK(stage.snapshot() == before);
+
+  Change change = good();
+  CHECK_FALSE(stage.replacer.replace(change, yes));
+  CHECK(change.created.size() == 3);
+  CHECK(stage.fault() == "");
+  CHECK(stage.fault_of(change.created) == "");
+}
+
+// Two sheets close to each other, and vertices of one pulled through the other and back. What the
+// gates before would say is set aside: no facet is held to have a surface point.
+TEST_CASE("no facet crosses another, exactly: what is refused would cross, what is done does not") {
+  std::vector<float> samples;
+  for (int k = 0; k < 8; ++k) {
+    for (int j = 0; j < 8; ++j) {
+      for (int i = 0; i < 8; ++i) {
+        const double bend = 0.3 * std::sin(0.7 * i + 0.4 * j);
+        samples.push_back(static_cast<float>(1 - std::abs(k - 3.5 - bend) / 0.8));
+      }
+    }
+  }
+  const Scene scene(Volume::from_samples<float>({8, 8, 8}, {1, 1, 1}, samples), 0.3);
+  Options options;
+  options.r_min = {0.3, Length::Unit::voxel};
+  Stage stage(scene, options, true);
+  REQUIRE(mesh_topology(stage.mesh).components.size() == 2);
+  REQUIRE(stage.fault() == "");
+  Random random(3);
+  int crossing = 0, done = 0;
+  for (int n = 0; n < 1500; ++n) {
+    CAPTURE(n);
+    const FaceId f = stage.random_facet(random);
+    const VertexId v = stage.mesh.faces[f].v[random.below(3)];
+    if (stage.surface_mesh.chain.is_boundary(v)) continue;
+    Change change;
+    facets_around(stage.mesh, f, v, change.out);
+    for (const FaceId g : change.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    REQUIRE(stage.replacer.take_out(change));
+    change.in.facets = change.was.facets;
+    change.what = Change::Vertex::moves;
+    change.vertex = v;
+    const Vec3 from = stage.mesh.points[v], up = stage.normal(f) / length(stage.normal(f));
+    const Vec3 aside{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0};
+    change.place = from + random.uniform(-2, 1) * up + aside;
+    TriMesh moved = changed_mesh(stage.mesh, change);
+    moved.points[v] = change.place;
+    if (!scene.volume.box().contains(change.place)) continue;
+    const bool crosses = !crossing_in(moved).empty();
+    const Stage::Snapshot before = stage.snapshot();
+    const auto refusal = stage.replacer.replace(change, [] { return true; });
+    REQUIRE((refusal == Refusal::crossing) == crosses);
+    ++(crosses ? crossing : done);
+    if (refusal) {
+      REQUIRE(refusal == Refusal::crossing);
+      REQUIRE(stage.snapshot() == before);
+      continue;
+    }
+    REQUIRE(crossing_in(moved).empty());
+    Change back;
+    back.out = change.created;
+    for (const FaceId g : back.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    REQUIRE(stage.replacer.take_out(back));
+    back.in.facets = back.was.facets;
+    back.what = Change::Vertex::moves;
+    back.vertex = v;
+    back.place = from;
+    REQUIRE_FALSE(stage.replacer.replace(back, [] { return true; }));
+  }
+  MESSAGE(crossing << " would have crossed, " << done << " did not");
+  CHECK(crossing > 300);
+  CHECK(done > 300);
+}
+
+namespace {
+
+// Any change at all near f: a cone over a random patch, the same with other vertices, a collapse, a
+// flip, a move, another triangulation of the patch.
+Change random_change(Stage& stage, Random& random) {
+  const FaceId f = stage.random_facet(random);
+  const TriMesh& mesh = stage.mesh;
+  Change change;
+  const std::uint32_t kind = random.below(5);
+  if (kind == 0) {  // a cone over a patch grown at random
+    change.out.assign(1, f);
+    const std::uint32_t steps = random.below(5);
+    for (std::uint32_t n = 0; n < steps; ++n) {
+      const FaceId at = change.out[random.below(static_cast<std::uint32_t>(change.out.size()))];
+      const FaceId g = mesh.faces[at].n[random.below(3)];
+      if (g == kNoId || std::count(change.out.begin(), change.out.end(), g) > 0) continue;
+      change.out.push_back(g);
+    }
+    change.what = Change::Vertex::comes;
+    change.vertex = static_cast<VertexId>(mesh.points.size());
+    const auto p = stage.point_near(f, random);
+    change.place = p ? *p : stage.recovered.witnesses[0];
+    Patch patch;
+    for (const FaceId g : change.out) patch.facets.push_back(mesh.faces[g].v);
+    if (patch.link()) {
+      for (const Patch::RimEdge& e : patch.rim) {
+        change.in.facets.push_back({e.from, e.to, change.vertex});
+      }
+    }
+    return change;
+  }
+  const int i = static_cast<int>(random.below(3));
+  const VertexId v = mesh.faces[f].v[i], w = mesh.faces[f].v[(i + 1) % 3];
+  facets_around(mesh, f, v, change.out);
+  if (kind == 1 && !stage.surface_mesh.chain.is_boundary(v)) {  // a collapse of v into w
+    for (const FaceId g : change.out) {
+      Triangle t = mesh.faces[g].v;
+      if (has_corner(t, w)) continue;
+      std::replace(t.begin(), t.end(), v, w);
+      change.in.facets.push_back(t);
+    }
+    return change;
+  }
+  if (kind == 2 && !stage.surface_mesh.chain.is_boundary(v)) {  // a move of v
+    for (const FaceId g : change.out) change.in.facets.push_back(mesh.faces[g].v);
+    change.what = Change::Vertex::moves;
+    change.vertex = v;
+    const auto p = stage.point_near(f, random);
+    change.place = p ? *p : mesh.points[v];
+    return change;
+  }
+  if (kind == 3) {  // a strip of facets triangulated from one vertex of its rim
+    Patch patch;
+    for (const FaceId g : change.out) patch.facets.push_back(mesh.faces[g].v);
+    if (!patch.link()) return change;
+    for (const Patch::RimEdge& e : patch.rim) {
+      if (e.from != w && e.to != w) change.in.facets.push_back({e.from, e.to, w});
+    }
+    return change;
+  }
+  const FaceId g = mesh.faces[f].n[i];
+  change.out.assign(1, f);
+  if (g == kNoId) return change;
+  change.out.push_back(g);
+  const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
+  change.in.facets = {{v, w, d}, {d, mesh.faces[f].v[(i + 2) % 3], v}};
+  return change;
+}
+
+}  // namespace
+
+TEST_CASE("thousands of changes of any kind: what is done is sound, what is not changes nothing") {
+  int done = 0, refused = 0;
+  std::size_t refusals[kRefusals] = {};
+  for (int n = 0; n < kScenes; ++n) {
+    CAPTURE(n);
+    const Scene scene = some_scene(n);
+    Options options;
+    options.r_min = {n % 3 == 0 ? 0.1 : 2.0, Length::Unit::voxel};
+    Stage stage(scene, options);
+    Random random(static_cast<std::uint64_t>(n) + 300);
+    for (int k = 0; k < 350; ++k) {
+      CAPTURE(k);
+      Change change = random_change(stage, random);
+      if (random.below(2) == 0) change.least_cosine = kSharpest;
+      const Stage::Snapshot before = stage.snapshot();
+      // Boundary changes are the proposers', with the chain.
+      const bool at_rim = std::any_of(change.out.begin(), change.out.end(), [&](FaceId f) {
+        const Face& face = stage.mesh.faces[f];
+        return std::count(face.n.begin(), face.n.end(), kNoId) > 0;
+      });
+      std::optional<Refusal> refusal = Refusal::not_a_disk;
+      if (stage.replacer.take_out(change)) {
+        refusal = stage.replacer.replace(change, [&] { return !at_rim; });
+      }
+      if (refusal) {
+        ++refused;
+        ++refusals[static_cast<std::size_t>(*refusal)];
+        REQUIRE(stage.snapshot() == before);
+        continue;
+      }
+      ++done;
+      REQUIRE(stage.fault() == "");
+      REQUIRE(stage.fault_of(change.created) == "");
+    }
+  }
+  MESSAGE(done << " done, " << refused << " refused");
+  CHECK(done > 1000);
+  for (const Refusal r :
+       {Refusal::not_a_disk, Refusal::no_surface_point, Refusal::turned, Refusal::crossing}) {
+    CAPTURE(name_of(r));
+    CHECK(refusals[static_cast<std::size_t>(r)] > 10);
+  }
+}
