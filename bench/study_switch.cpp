@@ -108,7 +108,7 @@ int work(const BenchArguments& arguments) {
       "beyond lambda = 2, and beyond epsilon1 = 0.1.");
   table.remark(
       "All but the last by the published criteria. The fingers rule: no vertex of the contour "
-      "further than four voxels from the mesh at the switch. Over: of triangles above the run's "
+      "further than a voxel from the mesh at the switch. Over: of triangles above the run's "
       "own "
       "r_min, which by distance is half a voxel.");
   print_table(table, arguments);

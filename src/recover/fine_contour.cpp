@@ -2,6 +2,7 @@
 #include "recover/fine_contour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -18,8 +19,9 @@ constexpr int kMostAlongAxis = 32, kMostCells = 4096;
 constexpr double kGrowth = 4, kLittle = 5e5;
 // How often a cell may be longer than wide.
 constexpr double kLongest = 2;
-// Where triangles cross cells are halved so many times, at most.
-constexpr int kHalvings = 5;
+// Where triangles cross, cells of so many to a side are tried: with no common divisor, so that what
+// lies on a plane between cells once lies well within one the next time.
+constexpr std::array kParts{2, 3, 5, 7, 11, 13};
 
 // Cells of about the side `cell`, or of up to `coarsest` where those would be too many.
 Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
@@ -74,17 +76,14 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
                              plain.summary.active_voxels, vertices);
   ContourMesh contour =
       split.elsewhere == Index3{1, 1, 1} ? std::move(plain) : build_contour(volume, kappa, split);
-  double cell = shortest / 2;
-  for (int halvings = 0; halvings <= kHalvings;) {
+  for (std::size_t part = 0; part < kParts.size();) {
     const std::vector<std::uint64_t> crossed = crossed_voxels(contour);
     if (crossed.empty()) break;
     std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
-    if (voxels.size() == split.voxels.size()) {
-      cell /= 2;
-      ++halvings;
-    }
+    if (voxels.size() == split.voxels.size() && ++part == kParts.size()) break;
     split.voxels = std::move(voxels);
-    split.factor = cells_of(spacing, cell, shortest / 2, split.voxels.size(), vertices);
+    split.factor =
+        cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split);
   }
   report[Counter::voxels_cut] += contour.split_voxels;

@@ -24,13 +24,16 @@ constexpr double kFall = 0.05;
 
 }  // namespace
 
-double Mover::cost(const Triangle& v, const Dual& dual) const {
+double Mover::cost_of_shape(const Triangle& v, const Dual& dual) const {
   const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
   FacetShape shape = measure(a, b, c, dual.center);
   if (!dual.on_surface) shape.h = shape.r;
   const double over = violation(shape, s_.pole(v), parameters_.refinement);
-  const bool occupied = !dual.on_surface || replacer_.holds_vertex(v, dual);
-  return (over > 1 ? over : 0) + (occupied ? kNotDelaunay : 0);
+  return over > 1 ? over : 0;
+}
+
+double Mover::cost_of_ball(const Triangle& v, const Dual& dual) const {
+  return !dual.on_surface || replacer_.holds_vertex(v, dual) ? kNotDelaunay : 0;
 }
 
 bool Mover::move(FaceId f, VertexId v) {
@@ -47,14 +50,14 @@ bool Mover::move(FaceId f, VertexId v) {
   for (const FaceId g : change_.out) {
     const Triangle& t = mesh_.faces[g].v;
     normal = normal + area_normal(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
-    here += cost(t, s_.duals[g]);
+    here += cost_of_shape(t, s_.duals[g]) + cost_of_ball(t, s_.duals[g]);
   }
   watched_.clear();
   for (const Patch::RimEdge& e : change_.was.rim) {
     const FaceId g = mesh_.faces[change_.out[e.facet]].n[e.side];
     if (g == kNoId) continue;
     watched_.push_back(g);
-    here += cost(mesh_.faces[g].v, s_.duals[g]);
+    here += cost_of_ball(mesh_.faces[g].v, s_.duals[g]);
   }
   const double size = length(normal);
   if (!(size > 0) || here == 0) return false;
@@ -70,11 +73,13 @@ bool Mover::move(FaceId f, VertexId v) {
   // G4, while looking: remembers the least cost that passes G1 to G3, and does nothing.
   const auto weigh = [&] {
     double sum = 0;
-    for (std::size_t k = 0; k < change_.duals.size() && sum < least; ++k) {
-      sum += cost(change_.in.facets[k], change_.duals[k]);
+    const std::vector<Triangle>& in = change_.in.facets;
+    for (std::size_t k = 0; k < in.size(); ++k) sum += cost_of_shape(in[k], change_.duals[k]);
+    for (std::size_t k = 0; k < in.size() && sum < least; ++k) {
+      sum += cost_of_ball(in[k], change_.duals[k]);
     }
     for (std::size_t k = 0; k < watched_.size() && sum < least; ++k) {
-      sum += cost(mesh_.faces[watched_[k]].v, s_.duals[watched_[k]]);
+      sum += cost_of_ball(mesh_.faces[watched_[k]].v, s_.duals[watched_[k]]);
     }
     if (sum < least && finder.on_one_sheet(from, change_.place, normal, searches)) {
       least = sum;

@@ -30,8 +30,9 @@ class Mover {
 
  private:
   bool move(FaceId f, VertexId v);
-  // Of a facet over a limit, and of one whose ball holds a vertex.
-  double cost(const Triangle& v, const Dual& dual) const;
+  // What a facet over a limit costs, and one whose ball holds a vertex.
+  double cost_of_shape(const Triangle& v, const Dual& dual) const;
+  double cost_of_ball(const Triangle& v, const Dual& dual) const;
 
   SurfaceMesh& s_;
   const TriMesh& mesh_;

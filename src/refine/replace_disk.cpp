@@ -12,8 +12,20 @@
 namespace deliso {
 namespace {
 
-// Cells of the grid, in r_min: near the size of most facets once all is done.
-constexpr double kCell = 6;
+// Cells of the grid are near the size of most facets: in r_min once all is done, unless most are as
+// small from the first; then in their longest edges.
+constexpr double kCell = 6, kCellOfMean = 2;
+
+double grid_cell(const TriMesh& mesh, double r_min) {
+  double sum = 0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    sum += std::sqrt(std::max({distance2(a, b), distance2(b, c), distance2(c, a)}));
+  }
+  const double mean = sum / std::max(1.0, static_cast<double>(mesh.faces.size()));
+  return std::min(kCell * r_min, kCellOfMean * mean);
+}
 
 // Of the size of what is compared.
 constexpr double kMargin = 1e-10;
@@ -84,7 +96,7 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       parameters_(parameters),
       report_(report),
       finder_(surface),
-      grid_(surface.volume().box(), kCell * parameters.r_min),
+      grid_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       marks_(mesh_.faces.size(), 0) {
   for (FaceId f = 0; f < mesh_.faces.size() && !parameters.as_published; ++f) {
     grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
