@@ -64,7 +64,7 @@ tables:
 	@cmake --build $(BUILD) -j $(JOBS)
 	@sh bench/write_results.sh $(BUILD) docs '$(DATA)'
 
-# The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer.
+# The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on.
 sanitize: doctest
 	@$(CONFIGURE) -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF
 	@cmake --build $(SANITIZE_BUILD) -j $(JOBS)

@@ -194,7 +194,7 @@ constexpr OptionSpec kOptions[] = {
      }},
     {"--fingers", 0, "X|Xvox", kMeshOnly,
      "certified: no point of the exact contour further than X from the mesh at the end of stage 1 "
-     "(default 4vox)",
+     "(default 1vox)",
      [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
     {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {

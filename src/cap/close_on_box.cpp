@@ -10,16 +10,13 @@
 #include "base/text.h"
 #include "base/triangle.h"
 #include "cap/box_caps.h"
-#include "surface/surface_point.h"
 #include "mesh/flip.h"
 #include "mesh/split.h"
+#include "surface/parameters.h"
+#include "surface/surface_point.h"
 
 namespace deliso {
 namespace {
-
-// How far vertices are moved where they would touch, in voxels: well within what a vertex may be
-// off Sigma.
-constexpr double kHair = 1e-7;
 
 // Rounds of splitting edges that cross; in each their arcs are halved.
 constexpr int kRounds = 64;

@@ -10,10 +10,10 @@
 //     pixel the arcs are branches of one hyperbola, on different sides of its asymptotes.
 #pragma once
 
-#include "surface/boundary.h"
-#include "surface/report.h"
 #include "isosurface/isosurface.h"
 #include "mesh/tri_mesh.h"
+#include "surface/boundary.h"
+#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {

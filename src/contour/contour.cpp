@@ -31,7 +31,17 @@ struct StreamResult {
   std::vector<std::uint32_t> component_of_label;
 };
 
+// A sink that meshes, or counts: beside what the walk asks for,
+//   expect(crossings): about how many there will be, before the first;
+//   replace_boundary(segments): may put others in place of the walk's segments on the box.
 template <class Sink>
+concept MeshSink = ContourSink<Sink> &&
+    requires(Sink& sink, std::vector<BoundarySegment>& segments) {
+  sink.expect(std::size_t{});
+  sink.replace_boundary(segments);
+};
+
+template <MeshSink Sink>
 StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
   return volume.visit([&](const auto* samples) {
     ContourStream walk(volume, samples, kappa, sink);

@@ -6,10 +6,9 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,20 +24,6 @@ struct BoundarySegment {
   std::uint32_t component;  // a label, later a component's number
   BoxFace face;
 };
-
-// The smallest sample value that is inside; none when no value of the type is.
-template <class T>
-std::optional<T> inside_threshold(double kappa) {
-  using Limits = std::numeric_limits<T>;
-  if (!(kappa <= static_cast<double>(Limits::max()))) return std::nullopt;
-  if (kappa <= static_cast<double>(Limits::lowest())) return Limits::lowest();
-  if constexpr (std::is_integral_v<T>) {
-    return static_cast<T>(std::ceil(kappa));
-  } else {
-    const T rounded = static_cast<T>(kappa);
-    return static_cast<double>(rounded) < kappa ? std::nextafter(rounded, Limits::max()) : rounded;
-  }
-}
 
 // One bit per sample of a layer, rows padded to whole words and one empty word more, so that the
 // word after any word of a row may be read.
@@ -101,12 +86,18 @@ struct VoxelPieces {
   }
 };
 
-// Sink:
-//   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces)
-//     a grid edge from `sample` along `axis` is crossed, values minus kappa at its ends; the id
-//     must be unique among crossings on the box;
-//   void voxel(const VoxelPieces& pieces)
-template <class T, class Sink>
+// What takes in what the walk finds:
+//   crossing(axis, sample, c0, c1, box_faces): the grid edge from `sample` along `axis` is crossed,
+//     values minus kappa at its ends, and lies on these faces of the box; the id given back must be
+//     unique among crossings on the box;
+//   voxel(pieces): an active voxel, once all its crossings are known.
+template <class Sink>
+concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelPieces& pieces) {
+  { sink.crossing(int{}, sample, c, c, std::uint8_t{}) } -> std::same_as<VertexId>;
+  sink.voxel(pieces);
+};
+
+template <class T, ContourSink Sink>
 class ContourStream {
  public:
   ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink)

@@ -144,7 +144,7 @@ Isosurface::Isosurface(const Volume& volume, const VoxelTree& tree, double kappa
     : volume_(volume), tree_(tree), kappa_(kappa), method_(method), empty_(!tree.active(kappa)) {
   if (empty_) return;
   threshold_ = volume.visit([&](const auto* samples) {
-    return static_cast<double>(inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa));
+    return static_cast<double>(*inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa));
   });
 }
 

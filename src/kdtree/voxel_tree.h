@@ -28,23 +28,6 @@
 
 namespace deliso {
 
-// The smallest value of T that is >= kappa, so that samples compare in their own type.
-// pre: some value of T is >= kappa.
-template <class T>
-T inside_threshold(double kappa) {
-  if constexpr (std::is_integral_v<T>) {
-    const double up = std::ceil(kappa);
-    return up <= static_cast<double>(std::numeric_limits<T>::lowest())
-               ? std::numeric_limits<T>::lowest()
-               : static_cast<T>(up);
-  } else {
-    const T near = static_cast<T>(kappa);
-    return static_cast<double>(near) >= kappa
-               ? near
-               : std::nextafter(near, std::numeric_limits<T>::infinity());
-  }
-}
-
 class VoxelTree {
  public:
   static constexpr int kLeafVoxels = 128;

@@ -21,10 +21,6 @@
 namespace deliso {
 namespace {
 
-// How far coincident vertices of T are moved apart, in voxels: well within what a vertex may be off
-// Sigma.
-constexpr double kHair = 1e-7;
-
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
@@ -291,8 +287,10 @@ std::size_t CertifiedRecovery::part_crossings() {
     }
   }
   const TriangleTree tree(points, triangles);
+  const auto pairs = self_intersections(points, triangles, tree);
+  report_[Counter::crossings_handed_over] = pairs.size();
   std::size_t added = 0;
-  for (const auto& [f, g] : self_intersections(points, triangles, tree)) {
+  for (const auto& [f, g] : pairs) {
     VertexId worst = kNoId;
     for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
     for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);

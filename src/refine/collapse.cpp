@@ -77,12 +77,7 @@ bool Collapser::collapse(FaceId f) {
       return before > parameters_.refinement.lambda &&
              worst_ratio(change_.in.facets) <= kWorse * before;
     };
-    const auto refusal = merge(f, from, to, gains);
-    if (!refusal) {
-      ++report_[Rung::collapse].done;
-      return true;
-    }
-    ++report_[Rung::collapse].refused[static_cast<std::size_t>(*refusal)];
+    if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
   }
   return false;
 }
@@ -120,12 +115,7 @@ bool Collapser::take_out_corner(FaceId f) {
         }
         return after < before;
       };
-      const auto refusal = merge(f, from, to, gains);
-      if (!refusal) {
-        ++report_[Rung::collapse].done;
-        return true;
-      }
-      ++report_[Rung::collapse].refused[static_cast<std::size_t>(*refusal)];
+      if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
     }
   }
   return false;

@@ -31,12 +31,7 @@ bool Flipper::flip_if_not_delaunay(FaceId f, int i) {
   };
   const auto refusal = replacer_.take_out(change_) ? replacer_.replace(change_, accept)
                                                    : std::optional(Refusal::not_a_disk);
-  if (refusal) {
-    ++report_[Rung::flip].refused[static_cast<std::size_t>(*refusal)];
-  } else {
-    ++report_[Rung::flip].done;
-  }
-  return !refusal;
+  return !report_[Rung::flip].count(refusal);
 }
 
 }  // namespace deliso

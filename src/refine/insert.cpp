@@ -24,16 +24,7 @@ Inserter::Inserter(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Boun
       report_(report) {}
 
 std::optional<Refusal> Inserter::insert(Rung rung, FaceId start, const Vec3& p) {
-  InsertionWatch watch(parameters_.profile ? &parameters_.profile->refine : nullptr);
-  watch.start(report_.searches_refine);
-  const std::optional<Refusal> refusal = try_insert(start, p, std::nullopt);
-  if (refusal) {
-    ++report_[rung].refused[static_cast<std::size_t>(*refusal)];
-  } else {
-    ++report_[rung].done;
-    watch.done(report_.searches_refine);
-  }
-  return refusal;
+  return report_[rung].count(try_insert(start, p, std::nullopt));
 }
 
 void Inserter::find_encroached(FaceId start, const Vec3& p) {
@@ -52,6 +43,8 @@ void Inserter::find_encroached(FaceId start, const Vec3& p) {
 
 std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
                                             std::optional<EdgeRef> opened) {
+  InsertionWatch watch(parameters_.profile ? &parameters_.profile->refine : nullptr);
+  watch.start(report_.searches_refine);
   find_encroached(start, p);
   if (!opened) {
     if (const auto edge = encroached_boundary(p)) {
@@ -72,8 +65,10 @@ std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
   change_.vertex = v;
   change_.place = p;
   const auto refusal = replacer_.replace(change_, [] { return true; });
-  if (!refusal) ++report_.insertions_refine;
-  return refusal;
+  if (refusal) return refusal;
+  ++report_.insertions_refine;
+  watch.done(report_.searches_refine);
+  return std::nullopt;
 }
 
 // The longest boundary edge of E or next to it whose diametral ball holds p.
@@ -116,12 +111,8 @@ bool Inserter::split_boundary(EdgeRef edge) {
   const auto middle = curves_.split(s_.chain.place(ends->from), mesh_.points[ends->from],
                                     s_.chain.place(ends->to), mesh_.points[ends->to]);
   if (!middle) return false;
-  if (const auto refusal = try_insert(edge.face, middle->point, edge)) {
-    ++report_[Rung::boundary_split].refused[static_cast<std::size_t>(*refusal)];
-    return false;
-  }
+  if (report_[Rung::boundary_split].count(try_insert(edge.face, middle->point, edge))) return false;
   s_.chain.insert_after(ends->from, change_.vertex, middle->place);
-  ++report_[Rung::boundary_split].done;
   return true;
 }
 

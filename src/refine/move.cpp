@@ -103,12 +103,7 @@ bool Mover::move(FaceId f, VertexId v) {
     change_.place = *best;
     refusal = replacer_.replace(change_, [] { return true; });
   }
-  if (refusal) {
-    ++report_[Rung::move].refused[static_cast<std::size_t>(*refusal)];
-  } else {
-    ++report_[Rung::move].done;
-  }
-  return !refusal;
+  return !report_[Rung::move].count(refusal);
 }
 
 bool Mover::move_corner(FaceId f) {

@@ -76,8 +76,8 @@ class Refiner {
   std::array<std::optional<Vec3>, 2> other_points(FaceId f);
   void legalize();
   void follow_curves();
-  // `h`: of the facet last taken from the queue. Whether there may be no more vertices.
-  bool is_full(double h);
+  // Whether there may be no more vertices.
+  bool is_full();
   void show_progress();
 
   SurfaceMesh& s_;
@@ -98,13 +98,14 @@ class Refiner {
   std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> far_;   // witnesses that were far when they were looked at last
   bool full_ = false;
+  double reached_ = 0;  // h of the facet last taken from the queue
   std::size_t steps_ = 0;
   double share_ = 0;
 };
 
 void Refiner::run(std::span<const Vec3> witnesses) {
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  if (parameters_.target_vertices != kNone) {
+  const bool by_count = parameters_.target_vertices != std::numeric_limits<std::size_t>::max();
+  if (by_count) {
     parameters_.refinement.max_distance = kFinest * parameters_.voxel;
   }
   stuck_.assign(mesh_.faces.size(), 0);
@@ -116,7 +117,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   follow_curves();
   refine_geom(Rungs::cheap);
   if (!parameters_.as_published) {
-    while (!full_ && reach(witnesses)) refine_geom(Rungs::cheap);
+    while (!full_ && !by_count && reach(witnesses)) refine_geom(Rungs::cheap);
     refine_geom(Rungs::all);
     if (!full_ && make_delaunay()) refine_geom(Rungs::all);
   }
@@ -163,7 +164,7 @@ void Refiner::refine_geom(Rungs rungs) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       if (is_dead(mesh_.faces[f])) continue;
-      const double h = shape(f).h;
+      if (s_.duals[f].on_surface) reached_ = shape(f).h;
       if (climb(f, rungs)) {
         any = true;
       } else {
@@ -171,7 +172,7 @@ void Refiner::refine_geom(Rungs rungs) {
       }
       follow_curves();
       show_progress();
-      if (is_full(h)) return;
+      if (is_full()) return;
     }
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
     legalize();
@@ -182,7 +183,7 @@ void Refiner::refine_geom(Rungs rungs) {
   }
 }
 
-bool Refiner::is_full(double h) {
+bool Refiner::is_full() {
   const std::size_t vertices = mesh_.points.size();
   if (vertices >= parameters_.max_vertices) {
     if (!parameters_.keep_partial) {
@@ -195,7 +196,7 @@ bool Refiner::is_full(double h) {
   if (vertices < parameters_.target_vertices || full_) return false;
   // The rest is for shape alone: what the worst facet has now is the bound on the distance.
   full_ = true;
-  parameters_.refinement.max_distance = h;
+  parameters_.refinement.max_distance = reached_;
   judge_all();
   return false;
 }

@@ -111,12 +111,7 @@ bool Retriangulator::retriangulate(FaceId f) {
     if (growth == kGrowths) break;
     if (refusal) grow();
   }
-  if (refusal) {
-    ++report_[Rung::patch].refused[static_cast<std::size_t>(*refusal)];
-  } else {
-    ++report_[Rung::patch].done;
-  }
-  return !refusal;
+  return !report_[Rung::patch].count(refusal);
 }
 
 }  // namespace deliso

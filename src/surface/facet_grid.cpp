@@ -97,7 +97,7 @@ void FacetGrid::append(List& in, const Entry& entry) {
     std::copy_n(entries_.begin() + in.first, in.size, entries_.begin() + to);
     if (in.room > 0) free_[power - 1].push_back(in.first);
     in.first = to;
-    in.room = static_cast<std::uint16_t>(std::size_t{1} << power);
+    in.room = std::uint32_t{1} << power;
   }
   entries_[in.first + in.size++] = entry;
 }

@@ -61,8 +61,12 @@ class FacetGrid {
 
   static bool meet(const Box& a, const Box& b) {
     // No short cuts: six comparisons that run side by side beat six branches.
-    return (a.lo[0] <= b.hi[0]) & (b.lo[0] <= a.hi[0]) & (a.lo[1] <= b.hi[1]) &
-           (b.lo[1] <= a.hi[1]) & (a.lo[2] <= b.hi[2]) & (b.lo[2] <= a.hi[2]);
+    int overlaps = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      overlaps &= static_cast<int>(a.lo[axis] <= b.hi[axis]);
+      overlaps &= static_cast<int>(b.lo[axis] <= a.hi[axis]);
+    }
+    return overlaps != 0;
   }
 
  private:
@@ -73,8 +77,7 @@ class FacetGrid {
   };
   // The facets of all cells that are wrapped into one place: entries_[first .. first + size).
   struct List {
-    std::uint32_t first = 0;
-    std::uint16_t size = 0, room = 0;
+    std::uint32_t first = 0, size = 0, room = 0;
   };
   // Where a facet is listed, before wrapping, and in which grid.
   struct Place {
@@ -104,7 +107,7 @@ class FacetGrid {
   float margin_;  // more than what rounding to single precision can do
   std::array<Level, kLevels> levels_;
   std::vector<Entry> entries_;
-  std::array<std::vector<std::uint32_t>, 16> free_;  // runs of entries, by the power of their size
+  std::array<std::vector<std::uint32_t>, 32> free_;  // runs of entries, by the power of their size
   std::vector<Place> places_;                        // per facet
 };
 

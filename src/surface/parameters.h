@@ -10,6 +10,10 @@
 
 namespace deliso {
 
+// How far vertices are moved where they would touch, in voxels: well within what a vertex may be
+// off Sigma.
+inline constexpr double kHair = 1e-7;
+
 // Which of a vertex's two poles gives its height: §3.2 says the nearer; the other is for studying
 // how the paper's counts came about.
 enum class PoleSide : std::uint8_t { nearer, further };

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -75,6 +76,12 @@ std::string_view name_of(Refusal refusal);
 struct RungCounts {
   std::uint64_t done = 0;
   std::array<std::uint64_t, kRefusals> refused{};
+
+  // Counts what came of a try, and gives it back.
+  std::optional<Refusal> count(std::optional<Refusal> refusal) {
+    ++(refusal ? refused[static_cast<std::size_t>(*refusal)] : done);
+    return refusal;
+  }
 };
 
 // With --cap: the surface is what comes first in the mesh, the caps follow.

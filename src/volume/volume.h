@@ -10,10 +10,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/box3.h"
@@ -139,6 +143,20 @@ struct ValueRange {
   double min = 0, max = 0;
 };
 ValueRange value_range(const Volume& volume, std::string_view name = "volume");
+
+// The smallest sample value that is inside; none when no value of the type is.
+template <class T>
+std::optional<T> inside_threshold(double kappa) {
+  using Limits = std::numeric_limits<T>;
+  if (!(kappa <= static_cast<double>(Limits::max()))) return std::nullopt;
+  if (kappa <= static_cast<double>(Limits::lowest())) return Limits::lowest();
+  if constexpr (std::is_integral_v<T>) {
+    return static_cast<T>(std::ceil(kappa));
+  } else {
+    const T rounded = static_cast<T>(kappa);
+    return static_cast<double>(rounded) < kappa ? std::nextafter(rounded, Limits::max()) : rounded;
+  }
+}
 
 // Inside is f >= kappa. Where samples equal kappa the surface would touch itself at samples and
 // whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and

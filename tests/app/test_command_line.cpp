@@ -69,7 +69,7 @@ TEST_CASE("the defaults: by distance, in voxels") {
   CHECK(line.options.max_radius == Options::kNone);
   CHECK(line.options.lambda == 2.0);
   CHECK(same(line.options.r_min, {0.5, Length::Unit::voxel}));
-  CHECK(same(line.options.fingers, {4, Length::Unit::voxel}));
+  CHECK(same(line.options.fingers, {1, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
   CHECK_FALSE(line.given.max_distance);
   CHECK_FALSE(line.given.r_min);

@@ -9,9 +9,9 @@
 
 #include "base/random.h"
 #include "contour/contour.h"
-#include "surface/report.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
+#include "surface/report.h"
 #include "volume/builtin_fields.h"
 #include "volume/volume.h"
 

@@ -18,7 +18,7 @@ allowed() {
     recover) echo "base delaunay mesh embedding volume contour isosurface surface recover" ;;
     refine) echo "base delaunay/predicates.h mesh embedding volume isosurface surface refine" ;;
     cap) echo "base delaunay planar mesh embedding volume isosurface surface cap" ;;
-    baseline) echo "base mesh volume contour/voxel_topology.h baseline" ;;
+    baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
       "recover refine cap baseline deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
