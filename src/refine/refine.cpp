@@ -196,7 +196,11 @@ bool Refiner::is_full() {
   if (vertices < parameters_.target_vertices || full_) return false;
   // The rest is for shape alone: what the worst facet has now is the bound on the distance.
   full_ = true;
-  parameters_.refinement.max_distance = reached_;
+  double largest = 0;
+  for (FaceId f = 0; f < mesh_.faces.size() && reached_ == 0; ++f) {
+    if (!is_dead(mesh_.faces[f])) largest = std::max(largest, shape(f).h);
+  }
+  parameters_.refinement.max_distance = reached_ > 0 ? reached_ : largest;
   judge_all();
   return false;
 }

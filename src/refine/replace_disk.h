@@ -7,8 +7,8 @@
 // to dear:
 //   G1  both are disks, and nothing of the new one is in the mesh already (the link condition): the
 //       mesh stays a manifold, homeomorphic to what it was;
-//   G2  every new facet above r_min finds its surface point; smaller ones may do without, unless
-//       Sigma's outside lies behind them at all three corners;
+//   G2  every new facet above r_min finds its surface point; smaller ones may do without where they
+//       face Sigma's outside at all three corners; no more facets fail this than did before;
 //   G3  no edge turns more sharply than asked for, or than one did before;
 //   G4  what the proposer wants to fall, falls: so there is an end to it;
 //   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
@@ -54,7 +54,7 @@ struct Patch {
 };
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
-// was sharper before: 60 degrees.
+// was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
 inline constexpr double kSharpest = -0.9;
 
 struct Change {
