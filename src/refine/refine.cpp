@@ -97,6 +97,7 @@ class Refiner {
   std::vector<FaceId> changed_;      // since legalize() last looked at them
   std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> far_;   // witnesses that were far when they were looked at last
+  std::size_t rearrangements_left_ = 0;
   bool full_ = false;
   double reached_ = 0;  // h of the facet last taken from the queue
   std::size_t steps_ = 0;
@@ -118,6 +119,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   refine_geom(Rungs::cheap);
   if (!parameters_.as_published) {
     while (!full_ && !by_count && reach(witnesses)) refine_geom(Rungs::cheap);
+    rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
     if (!full_ && make_delaunay()) refine_geom(Rungs::all);
   }
@@ -277,11 +279,15 @@ bool Refiner::refine(FaceId f) {
   return false;
 }
 
-// The dear ones.
+// The dear ones. Each lowers something of its own, but all together, and flips, could go round in
+// circles: so many may succeed.
 bool Refiner::rearrange(FaceId f) {
+  if (rearrangements_left_ == 0) return false;
+  --rearrangements_left_;
   if (retriangulator_.retriangulate(f)) return take(retriangulator_.created());
   if (collapser_.take_out_corner(f)) return take(collapser_.created());
   if (mover_.move_corner(f)) return take(mover_.created());
+  ++rearrangements_left_;
   return false;
 }
 
