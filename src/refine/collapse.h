@@ -16,8 +16,8 @@ class Collapser {
   Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
             const BoundaryCurves& curves, const Parameters& parameters, Report& report);
 
-  // Collapses the shortest edge of f when f has r/l over its limit, the edge is shorter than a
-  // facet of r_min may have, and the facets there become no worse by it.
+  // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than
+  // r_min, unless the worst r/l there would more than double.
   bool collapse(FaceId f);
   // Merges a corner of f into a neighbour, whatever the distance, where that leaves fewer facets
   // around it that no insertion mends.
