@@ -49,7 +49,8 @@ class Refiner {
         flipper_(surface_mesh, replacer_, report),
         collapser_(surface_mesh, replacer_, surface, curves, parameters_, report),
         retriangulator_(surface_mesh, replacer_, report),
-        mover_(surface_mesh, replacer_, parameters_, report) {}
+        mover_(surface_mesh, replacer_, parameters_, report),
+        queue_(surface.volume().box(), parameters.voxel) {}
 
   void run(std::span<const Vec3> witnesses);
 
@@ -135,7 +136,8 @@ FacetShape Refiner::shape(FaceId f) const {
 }
 
 void Refiner::judge(FaceId f) {
-  queue_.set(f, violation(shape(f), s_.pole(mesh_.faces[f].v), parameters_.refinement));
+  queue_.set(f, violation(shape(f), s_.pole(mesh_.faces[f].v), parameters_.refinement),
+             mesh_.points[mesh_.faces[f].v[0]]);
 }
 
 void Refiner::judge_all() {

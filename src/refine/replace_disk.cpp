@@ -209,8 +209,13 @@ bool DiskReplacer::find_duals(Change& change) {
 }
 
 bool DiskReplacer::faces_out(const Triangle& v, const Vec3& normal) const {
-  return std::all_of(v.begin(), v.end(),
-                     [&](VertexId q) { return dot(surface_.gradient(point(q)), normal) < 0; });
+  Vec3 sum;
+  for (const VertexId q : v) {
+    const Vec3 gradient = surface_.gradient(point(q));
+    const double steepness = length(gradient);
+    if (steepness > 0) sum = sum + gradient / steepness;
+  }
+  return dot(sum, normal) < 0;
 }
 
 // G3.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/check.h"
@@ -12,6 +13,11 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kFewest = 64;
+
+// The box of a place without a facet.
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr FacetGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
+                                  {-kInfinity, -kInfinity, -kInfinity}};
 
 }  // namespace
 
@@ -78,37 +84,55 @@ void FacetGrid::add(FaceId f, const Box& box) {
   places_[f] = place_of(box);
   Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
   if (level.facets >= level.lists.size()) grow(level);
-  append(level.list(places_[f].number), {box, f});
+  append(level.list(places_[f].number), f, box);
   ++level.facets;
 }
 
-void FacetGrid::append(List& in, const Entry& entry) {
-  if (in.size == in.room) {  // move to a run twice as long
+void FacetGrid::Block::put(std::size_t i, FaceId f, const Box& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lo[axis][i] = box.lo[axis];
+    hi[axis][i] = box.hi[axis];
+  }
+  facet[i] = f;
+}
+
+void FacetGrid::append(List& in, FaceId f, const Box& box) {
+  if (in.size == in.room * kWide) {  // move to a run twice as long
     const auto power = static_cast<std::size_t>(std::bit_width(in.room));
     DELISO_CHECK(power < free_.size());
     std::uint32_t to;
     if (free_[power].empty()) {
-      to = static_cast<std::uint32_t>(entries_.size());
-      entries_.resize(entries_.size() + (std::size_t{1} << power));
+      to = static_cast<std::uint32_t>(blocks_.size());
+      blocks_.resize(blocks_.size() + (std::size_t{1} << power));
     } else {
       to = free_[power].back();
       free_[power].pop_back();
     }
-    std::copy_n(entries_.begin() + in.first, in.size, entries_.begin() + to);
+    std::copy_n(blocks_.begin() + in.first, in.room, blocks_.begin() + to);
     if (in.room > 0) free_[power - 1].push_back(in.first);
     in.first = to;
     in.room = std::uint32_t{1} << power;
   }
-  entries_[in.first + in.size++] = entry;
+  Block& block = blocks_[in.first + in.size / kWide];
+  if (in.size % kWide == 0) {
+    for (std::size_t i = 0; i < kWide; ++i) block.put(i, kNoId, kNowhere);
+  }
+  block.put(in.size++ % kWide, f, box);
 }
 
 void FacetGrid::remove(FaceId f) {
   Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
   List& in = level.list(places_[f].number);
-  std::uint32_t e = in.first;
-  while (entries_[e].facet != f) ++e;
-  DELISO_ASSERT(e < in.first + in.size);
-  entries_[e] = entries_[in.first + --in.size];
+  const auto slot = [&](std::uint32_t n) {
+    return std::pair<Block&, std::size_t>(blocks_[in.first + n / kWide], n % kWide);
+  };
+  std::uint32_t n = 0;
+  while (slot(n).first.facet[slot(n).second] != f) ++n;
+  DELISO_ASSERT(n < in.size);
+  const auto [hole, i] = slot(n);
+  const auto [last, j] = slot(--in.size);
+  hole.put(i, last.facet[j], last.box(j));
+  last.put(j, kNoId, kNowhere);
   --level.facets;
   places_[f] = {};
 }
@@ -118,9 +142,11 @@ void FacetGrid::grow(Level& level) {
   const std::size_t size = std::max(kFewest, 2 * level.lists.size());
   const std::vector<List> before = std::exchange(level.lists, std::vector<List>(size));
   for (const List& in : before) {
-    for (std::uint32_t e = in.first; e < in.first + in.size; ++e) {
-      const Entry entry = entries_[e];
-      append(level.list(places_[entry.facet].number), entry);
+    for (std::uint32_t n = 0; n < in.size; ++n) {
+      const Block& block = blocks_[in.first + n / kWide];
+      const FaceId f = block.facet[n % kWide];
+      const Box box = block.box(n % kWide);
+      append(level.list(places_[f].number), f, box);
     }
     if (in.room > 0)
       free_[static_cast<std::size_t>(std::bit_width(in.room)) - 1].push_back(in.first);

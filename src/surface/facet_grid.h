@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,13 +72,23 @@ class FacetGrid {
 
  private:
   static constexpr int kLevels = 12;
-  struct Entry {
-    Box box;
-    FaceId facet;
+  // So many boxes are compared at once.
+  static constexpr std::size_t kWide = 4;
+  using Four [[gnu::vector_size(kWide * sizeof(float))]] = float;
+  struct Block {
+    std::array<Four, 3> lo, hi;
+    std::array<FaceId, kWide> facet;
+
+    Box box(std::size_t i) const {
+      return {{lo[0][i], lo[1][i], lo[2][i]}, {hi[0][i], hi[1][i], hi[2][i]}};
+    }
+    void put(std::size_t i, FaceId f, const Box& box);
   };
-  // The facets of all cells that are wrapped into one place: entries_[first .. first + size).
+  // The facets of all cells that are wrapped into one place, in blocks_ from `first` on, of which
+  // there is `room`. Places without a facet meet nothing.
   struct List {
     std::uint32_t first = 0, size = 0, room = 0;
+    std::size_t blocks() const { return (size + kWide - 1) / kWide; }
   };
   // Where a facet is listed, before wrapping, and in which grid.
   struct Place {
@@ -99,20 +110,25 @@ class FacetGrid {
   static std::uint32_t number_of(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     return i + j * 0x9e3779b1u + k * 0x85ebca77u;
   }
-  void append(List& in, const Entry& entry);
+  void append(List& in, FaceId f, const Box& box);
   void grow(Level& level);
 
   Vec3 origin_;
   double per_cell_;
   float margin_;  // more than what rounding to single precision can do
   std::array<Level, kLevels> levels_;
-  std::vector<Entry> entries_;
-  std::array<std::vector<std::uint32_t>, 32> free_;  // runs of entries, by the power of their size
+  std::vector<Block> blocks_;
+  std::array<std::vector<std::uint32_t>, 32> free_;  // runs of blocks, by the power of their size
   std::vector<Place> places_;                        // per facet
 };
 
 template <class Predicate>
 bool FacetGrid::any(const Box& query, Predicate&& pred) const {
+  std::array<Four, 3> lo, hi;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lo[axis] = query.lo[axis] - Four{};
+    hi[axis] = query.hi[axis] - Four{};
+  }
   for (int n = 0; n < kLevels; ++n) {
     const Level& level = levels_[static_cast<std::size_t>(n)];
     if (level.facets == 0) continue;
@@ -126,9 +142,16 @@ bool FacetGrid::any(const Box& query, Predicate&& pred) const {
       cells *= high[axis] - low[axis];
     }
     const auto look = [&](const List& in) {
-      for (std::uint32_t e = in.first; e < in.first + in.size; ++e) {
-        const Entry& entry = entries_[e];
-        if (meet(entry.box, query) && pred(entry.facet, entry.box)) return true;
+      for (std::size_t b = in.first; b < in.first + in.blocks(); ++b) {
+        const Block& block = blocks_[b];
+        const auto overlaps = (block.lo[0] <= hi[0]) & (block.lo[1] <= hi[1]) &
+                              (block.lo[2] <= hi[2]) & (block.hi[0] >= lo[0]) &
+                              (block.hi[1] >= lo[1]) & (block.hi[2] >= lo[2]);
+        const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(overlaps);
+        if ((halves[0] | halves[1]) == 0) continue;
+        for (std::size_t i = 0; i < kWide; ++i) {
+          if (overlaps[i] != 0 && pred(block.facet[i], block.box(i))) return true;
+        }
       }
       return false;
     };
