@@ -11,11 +11,13 @@
 #include "base/sorted_list.h"
 #include "base/triangle.h"
 #include "contour/block_order.h"
-#include "embedding/self_intersections.h"
+#include "delaunay/predicates.h"
+#include "embedding/triangle_pair.h"
 #include "recover/certificate.h"
 #include "recover/fine_contour.h"
 #include "recover/poles.h"
 #include "recover/sample.h"
+#include "surface/facet_grid.h"
 #include "surface/surface_point.h"
 
 namespace deliso {
@@ -64,7 +66,8 @@ class CertifiedRecovery {
   SurfaceMesh dual();
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
   // that is `enough` or less.
-  double distance2_to_dual(VertexId v, double enough) const;
+  // `first`: the facet to begin with, which becomes the one that was near enough.
+  double distance2_to_dual(VertexId v, double enough, std::size_t& first) const;
 
   const Isosurface& surface_;
   SurfacePointFinder finder_;
@@ -235,9 +238,10 @@ std::size_t CertifiedRecovery::cut_fingers() {
     unready_[s] &= static_cast<std::uint8_t>(~kFingers);
     VertexId worst = kNoId;
     double worst2 = limit * limit;
+    std::size_t last = 0;  // what was near to one vertex is often near to the next
     for (const VertexId v : labels_.region(s)) {
       if (labels_.distance2_to_site(v) <= worst2) continue;
-      const double d2 = distance2_to_dual(v, worst2);
+      const double d2 = distance2_to_dual(v, worst2, last);
       if (d2 <= worst2) continue;
       worst = v;
       worst2 = d2;
@@ -247,14 +251,18 @@ std::size_t CertifiedRecovery::cut_fingers() {
   return added;
 }
 
-double CertifiedRecovery::distance2_to_dual(VertexId v, double enough) const {
+double CertifiedRecovery::distance2_to_dual(VertexId v, double enough, std::size_t& first) const {
+  const std::vector<DualFacet>& facets = facets_[labels_.label(v)];
   double nearest2 = labels_.distance2_to_site(v);
-  for (const DualFacet& f : facets_[labels_.label(v)]) {
-    if (nearest2 <= enough) break;
+  for (std::size_t n = 0, at = first; n < facets.size() && nearest2 > enough; ++n, ++at) {
+    if (at >= facets.size()) at = 0;
+    const Triangle& t = facets[at].sites;
     const double d2 =
-        distance2_to_triangle(contour_.points[v], triangulation_.point(f.sites[0]),
-                              triangulation_.point(f.sites[1]), triangulation_.point(f.sites[2]));
-    nearest2 = std::min(nearest2, d2);
+        distance2_to_triangle(contour_.points[v], triangulation_.point(t[0]),
+                              triangulation_.point(t[1]), triangulation_.point(t[2]));
+    if (d2 >= nearest2) continue;
+    nearest2 = d2;
+    first = at;
   }
   return nearest2;
 }
@@ -286,17 +294,28 @@ std::size_t CertifiedRecovery::part_crossings() {
       witnesses.push_back(facet.witness);
     }
   }
-  const TriangleTree tree(points, triangles);
-  const auto pairs = self_intersections(points, triangles, tree);
-  report_[Counter::crossings_handed_over] = pairs.size();
-  std::size_t added = 0;
-  for (const auto& [f, g] : pairs) {
-    VertexId worst = kNoId;
-    for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
-    for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);
-    if (worst != kNoId && add_site(worst)) ++added;
+  FacetGrid grid(surface_.volume().box(), fitting_cell(points, triangles));
+  std::uint64_t crossings = 0;
+  std::vector<VertexId> between;
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    const Triangle& t = triangles[f];
+    if (collinear(points[t[0]], points[t[1]], points[t[2]])) continue;
+    const FacetGrid::Box box = grid.box_of(points, t);
+    grid.any(box, [&](FaceId g, const FacetGrid::Box&) {
+      if (!triangles_intersect(points, t, triangles[g])) return false;
+      ++crossings;
+      VertexId worst = kNoId;
+      for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
+      for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);
+      if (worst != kNoId) between.push_back(worst);
+      return false;
+    });
+    grid.add(f, box);
   }
-  return added;
+  report_[Counter::crossings_handed_over] = crossings;
+  sort_out(between);
+  return static_cast<std::size_t>(
+      std::count_if(between.begin(), between.end(), [&](VertexId v) { return add_site(v); }));
 }
 
 bool CertifiedRecovery::is_ready(const DualFacet& facet) {

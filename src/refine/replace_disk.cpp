@@ -13,18 +13,14 @@ namespace deliso {
 namespace {
 
 // Cells of the grid are near the size of most facets: in r_min once all is done, unless most are as
-// small from the first; then in their longest edges.
-constexpr double kCell = 6, kCellOfMean = 2;
+// small from the first.
+constexpr double kCell = 6;
 
 double grid_cell(const TriMesh& mesh, double r_min) {
-  double sum = 0;
-  for (const Face& face : mesh.faces) {
-    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
-               &c = mesh.points[face.v[2]];
-    sum += std::sqrt(std::max({distance2(a, b), distance2(b, c), distance2(c, a)}));
-  }
-  const double mean = sum / std::max(1.0, static_cast<double>(mesh.faces.size()));
-  return std::min(kCell * r_min, kCellOfMean * mean);
+  std::vector<Triangle> facets;
+  facets.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) facets.push_back(face.v);
+  return std::min(kCell * r_min, fitting_cell(mesh.points, facets));
 }
 
 // Of the size of what is compared.

@@ -122,6 +122,9 @@ class FacetGrid {
   std::vector<Place> places_;                        // per facet
 };
 
+// Cells for these triangles: twice the mean of their longest edges.
+double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
+
 template <class Predicate>
 bool FacetGrid::any(const Box& query, Predicate&& pred) const {
   std::array<Four, 3> lo, hi;
