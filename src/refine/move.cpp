@@ -36,6 +36,22 @@ double Mover::cost_of_ball(const Triangle& v, const Dual& dual) const {
   return !dual.on_surface || replacer_.holds_vertex(v, dual) ? kNotDelaunay : 0;
 }
 
+// Of the star of the vertex at hand were it at p: the part of its cost that asks for no search.
+double Mover::cost_of_needles(const Vec3& p) const {
+  const Criteria& limit = parameters_.refinement;
+  double sum = 0;
+  for (const Triangle& t : change_.in.facets) {
+    const auto corner = [&](std::size_t i) -> const Vec3& {
+      return t[i] == change_.vertex ? p : mesh_.points[t[i]];
+    };
+    const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
+    const double r = distance(circumcenter(a, b, c), a);
+    const double over = r / (limit.lambda * std::sqrt(shortest_edge2(a, b, c)));
+    if (!(r <= limit.shape_floor) && over > 1) sum += over;
+  }
+  return sum;
+}
+
 bool Mover::move(FaceId f, VertexId v) {
   if (s_.chain.is_boundary(v)) return false;
   facets_around(mesh_, f, v, change_.out);
@@ -93,7 +109,7 @@ bool Mover::move(FaceId f, VertexId v) {
       const double angle = 2 * std::numbers::pi * d / kDirections;
       const Vec3 to = from + (reach * std::cos(angle)) * u + (reach * std::sin(angle)) * w;
       const auto there = finder.foot(to, normal, reach, searches);
-      if (!there) continue;
+      if (!there || cost_of_needles(*there) >= least) continue;
       change_.place = *there;
       replacer_.replace(change_, weigh);
     }

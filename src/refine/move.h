@@ -32,6 +32,7 @@ class Mover {
   bool move(FaceId f, VertexId v);
   // What a facet over a limit costs, and one whose ball holds a vertex.
   double cost_of_shape(const Triangle& v, const Dual& dual) const;
+  double cost_of_needles(const Vec3& p) const;
   double cost_of_ball(const Triangle& v, const Dual& dual) const;
 
   SurfaceMesh& s_;

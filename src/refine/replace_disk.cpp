@@ -93,7 +93,9 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       report_(report),
       finder_(surface),
       grid_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
+      vertices_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       marks_(mesh_.faces.size(), 0) {
+  for (VertexId v = 0; v < mesh_.points.size(); ++v) vertices_.add(v, vertices_.box_of({&mesh_.points[v], 1}));
   for (FaceId f = 0; f < mesh_.faces.size() && !parameters.as_published; ++f) {
     grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
   }
@@ -115,18 +117,31 @@ void DiskReplacer::put_in_place(const Change& change) {
     mesh_.points.push_back(change.place);
   } else if (change.what == Change::Vertex::moves) {
     moved_from_ = std::exchange(mesh_.points[change.vertex], change.place);
+    list_anew(change.vertex);
   }
 }
 
 void DiskReplacer::take_back(const Change& change) {
   if (change.what == Change::Vertex::comes) mesh_.points.pop_back();
-  if (change.what == Change::Vertex::moves) mesh_.points[change.vertex] = moved_from_;
+  if (change.what == Change::Vertex::moves) {
+    mesh_.points[change.vertex] = moved_from_;
+    list_anew(change.vertex);
+  }
+}
+
+void DiskReplacer::list_anew(VertexId v) {
+  vertices_.remove(v);
+  vertices_.add(v, vertices_.box_of({&point(v), 1}));
 }
 
 std::optional<Refusal> DiskReplacer::look_at(Change& change) {
   if (!keeps_manifold(change)) return Refusal::not_a_disk;
-  if (!find_duals(change)) return Refusal::no_surface_point;
+  normals_.clear();
+  for (const Triangle& v : change.in.facets) {
+    normals_.push_back(area_normal(point(v[0]), point(v[1]), point(v[2])));
+  }
   if (change.least_cosine > -1 && turns(change)) return Refusal::turned;
+  if (!find_duals(change)) return Refusal::no_surface_point;
   return std::nullopt;
 }
 
@@ -186,20 +201,18 @@ bool DiskReplacer::is_joined_outside(VertexId a, VertexId b, const Change& chang
 // G2.
 bool DiskReplacer::find_duals(Change& change) {
   change.duals.clear();
-  normals_.clear();
   const auto is_large = [&](const Dual& dual) {
     return !(dual.radius2 <= parameters_.r_min * parameters_.r_min);
   };
   auto allowed = std::count_if(change.out.begin(), change.out.end(), [&](FaceId f) {
     return !s_.duals[f].on_surface && is_large(s_.duals[f]);
   });
-  for (const Triangle& v : change.in.facets) {
-    const Vec3 &a = point(v[0]), &b = point(v[1]), &c = point(v[2]);
-    normals_.push_back(area_normal(a, b, c));
-    change.duals.push_back(finder_.dual(a, b, c, searches()));
+  for (std::size_t f = 0; f < change.in.facets.size(); ++f) {
+    const Triangle& v = change.in.facets[f];
+    change.duals.push_back(finder_.dual(point(v[0]), point(v[1]), point(v[2]), searches()));
     const Dual& dual = change.duals.back();
     if (dual.on_surface) continue;
-    if ((is_large(dual) || !faces_out(v, normals_.back())) && allowed-- == 0) return false;
+    if ((is_large(dual) || !faces_out(v, normals_[f])) && allowed-- == 0) return false;
   }
   return true;
 }
@@ -327,6 +340,11 @@ void DiskReplacer::commit(Change& change) {
   for (const FaceId f : change.out) {
     if (is_guarded) grid_.remove(f);
   }
+  if (is_guarded && change.what == Change::Vertex::comes) vertices_.add(change.vertex, vertices_.box_of({&point(change.vertex), 1}));
+  if (is_guarded && in.facets.size() < change.out.size()) {
+    for (const VertexId v : change.was.vertices())
+      if (std::find(in.vertices().begin(), in.vertices().end(), v) == in.vertices().end()) vertices_.remove(v);
+  }
   change.created.clear();
   std::size_t reused = 0;
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
@@ -377,12 +395,8 @@ void DiskReplacer::commit(Change& change) {
 }
 
 bool DiskReplacer::holds_vertex(const Triangle& v, const Dual& ball) const {
-  const FacetGrid::Ball in_cells = grid_.ball(ball.center, std::sqrt(ball.radius2));
-  return grid_.any(in_cells.box, [&](FaceId f, const FacetGrid::Box& box) {
-    if (!in_cells.meets(box)) return false;
-    const Triangle& other = mesh_.faces[f].v;
-    return std::any_of(other.begin(), other.end(),
-                       [&](VertexId q) { return ball.holds(point(q)) && !has_corner(v, q); });
+  return vertices_.any(vertices_.box_around(ball.center, std::sqrt(ball.radius2)), [&](VertexId q, const FacetGrid::Box&) {
+    return ball.holds(point(q)) && !has_corner(v, q);
   });
 }
 

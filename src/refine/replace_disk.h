@@ -45,6 +45,7 @@ struct Patch {
   // which only a disk has.
   bool link();
   // Vertices that are not on the rim. pre: a disk.
+  std::span<const VertexId> vertices() const { return corners_; }
   std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
 
  private:
@@ -103,6 +104,7 @@ class DiskReplacer {
   void put_in_place(const Change& change);
   void take_back(const Change& change);
   void commit(Change& change);
+  void list_anew(VertexId v);  // where it is now
 
   std::optional<Refusal> look_at(Change& change);  // G1 to G3
   bool keeps_manifold(Change& change);
@@ -121,7 +123,7 @@ class DiskReplacer {
   const Parameters& parameters_;
   Report& report_;
   SurfacePointFinder finder_;
-  FacetGrid grid_;
+  FacetGrid grid_, vertices_;
   std::vector<FaceId> free_;  // dead facets
 
   // Of the change at hand.

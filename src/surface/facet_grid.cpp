@@ -66,9 +66,12 @@ FacetGrid::Ball FacetGrid::ball(const Vec3& center, double radius) const {
   return ball;
 }
 
+float FacetGrid::extent(const Box& box) {
+  return std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
+}
+
 FacetGrid::Place FacetGrid::place_of(const Box& box) {
-  const float extent =
-      std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
+  const float extent = FacetGrid::extent(box);
   int level = 0;
   while (extent * scale_of(level) > 1) ++level;
   const float scale = scale_of(level);
@@ -86,6 +89,7 @@ void FacetGrid::add(FaceId f, const Box& box) {
   if (level.facets >= level.lists.size()) grow(level);
   append(level.list(places_[f].number), f, box);
   ++level.facets;
+  level.extent = std::max(level.extent, extent(box) + margin_);
 }
 
 void FacetGrid::Block::put(std::size_t i, FaceId f, const Box& box) {

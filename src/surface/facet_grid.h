@@ -99,10 +99,12 @@ class FacetGrid {
   struct Level {
     std::vector<List> lists;  // a power of two of them, once there are facets
     std::size_t facets = 0;
+    float extent = 0;  // the largest of any box that was here
     List& list(std::uint32_t number) { return lists[number & (lists.size() - 1)]; }
     const List& list(std::uint32_t number) const { return lists[number & (lists.size() - 1)]; }
   };
 
+  static float extent(const Box& box);
   static Place place_of(const Box& box);
   static float scale_of(int level) {
     return 1.0f / static_cast<float>(std::uint32_t{1} << 2 * level);
@@ -139,8 +141,9 @@ bool FacetGrid::any(const Box& query, Predicate&& pred) const {
     std::array<std::uint32_t, 3> low, high;
     std::size_t cells = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // The low corner of a box that meets the query lies up to a cell before it.
-      low[axis] = static_cast<std::uint32_t>(query.lo[axis] * scale) - 1;
+      // Where the low corner of a box that meets the query may lie; it may be a cell below none.
+      const float first = (query.lo[axis] - level.extent) * scale;
+      low[axis] = static_cast<std::uint32_t>(first + 1) - 1;
       high[axis] = static_cast<std::uint32_t>(query.hi[axis] * scale) + 1;
       cells *= high[axis] - low[axis];
     }
