@@ -17,14 +17,21 @@ Verdict Certificate::check(VertexId a, VertexId at) {
   ++stamp_;
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
-  VertexId furthest = kNoId, furthest_boundary = kNoId;
+  VertexId furthest_boundary = kNoId;
 
   // One pass over what is connected to the site's own vertex.
   reached_.assign(1, at);
   visited_[at] = stamp_;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     const VertexId v = reached_[k];
-    furthest = labels_.further(furthest, v);
+    const VertexId next = graph_.chain_next(v);
+    const auto reach = [&](VertexId u) {
+      if (labels_.label(u) != a || visited_[u] == stamp_) return;
+      visited_[u] = stamp_;
+      reached_.push_back(u);
+    };
+    // Around an inner vertex, every neighbour comes next in some triangle.
+    if (next != kNoId) reach(graph_.chain_previous(v));
     for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
       const VertexId x = labels_.label(w.next), y = labels_.label(w.previous);
       // The directed edge v -> next: an inner edge turns up from both its ends.
@@ -35,11 +42,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
         ++i.edges;
         i.furthest = labels_.further(labels_.further(i.furthest, v), w.next);
       }
-      for (const VertexId u : {w.next, w.previous}) {
-        if (labels_.label(u) != a || visited_[u] == stamp_) continue;
-        visited_[u] = stamp_;
-        reached_.push_back(u);
-      }
+      reach(w.next);
       // The triangle: seen once from each of its vertices labelled a.
       if (x == a && y == a) {
         ++thrice_faces;
@@ -51,7 +54,6 @@ Verdict Certificate::check(VertexId a, VertexId at) {
         facets_.push_back({{a, x, y}, {v, w.next, w.previous}});
       }
     }
-    const VertexId next = graph_.chain_next(v);
     if (next == kNoId) continue;
     ++boundary_vertices;
     furthest_boundary = labels_.further(furthest_boundary, v);
@@ -78,7 +80,11 @@ Verdict Certificate::check(VertexId a, VertexId at) {
   }
   const long vertices = static_cast<long>(region.size());
   const long edges = (directed + boundary_edges) / 2;
-  if (vertices - edges + thrice_faces / 3 != 1) return {Violation::region, furthest};
+  if (vertices - edges + thrice_faces / 3 != 1) {
+    VertexId furthest = kNoId;
+    for (const VertexId v : region) furthest = labels_.further(furthest, v);
+    return {Violation::region, furthest};
+  }
   if (boundary_vertices > 0) {
     const bool boundary_site = graph_.chain_next(at) != kNoId;
     if (!boundary_site || boundary_vertices - boundary_edges != 1) {

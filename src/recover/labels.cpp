@@ -3,16 +3,25 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
 
-// Delaunay neighbours of every finite vertex, in one array.
+// What is nearer than a site is no further from it than twice its distance: squared, and a little
+// more for rounding.
+constexpr double kTwice2 = 4 * (1 + 1e-12);
+
+// Delaunay neighbours of every finite vertex, the nearest first, in one array.
 struct SiteGraph {
+  struct Neighbor {
+    double distance2;
+    VertexId vertex;
+  };
   std::vector<std::uint32_t> first;
-  std::vector<VertexId> neighbors;
+  std::vector<Neighbor> neighbors;
 
   explicit SiteGraph(const Triangulation& t) : first(t.vertex_capacity() + 1, 0) {
     std::vector<std::uint64_t> edges;
@@ -28,9 +37,16 @@ struct SiteGraph {
     sort_out(edges);
     for (const std::uint64_t e : edges) {
       ++first[(e >> 32) + 1];
-      neighbors.push_back(static_cast<VertexId>(e));
+      const auto from = static_cast<VertexId>(e >> 32), to = static_cast<VertexId>(e);
+      neighbors.push_back({distance2(t.point(from), t.point(to)), to});
     }
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    for (std::size_t v = 1; v < first.size(); ++v) {
+      first[v] += first[v - 1];
+      std::sort(neighbors.begin() + first[v - 1], neighbors.begin() + first[v],
+                [](const Neighbor& a, const Neighbor& b) {
+                  return std::tie(a.distance2, a.vertex) < std::tie(b.distance2, b.vertex);
+                });
+    }
   }
 };
 
@@ -83,11 +99,14 @@ Labels::Labels(const ContourMesh& contour, const ContourGraph& graph, const Tria
       for (bool moved = true; moved;) {
         moved = false;
         const VertexId from = site;
+        const double from2 = best2;
         for (std::uint32_t k = sites.first[from]; k < sites.first[from + 1]; ++k) {
-          const double d2 = distance2(p, t.point(sites.neighbors[k]));
+          const SiteGraph::Neighbor& n = sites.neighbors[k];
+          if (n.distance2 > kTwice2 * from2) break;  // and so are the rest: none is nearer
+          const double d2 = distance2(p, t.point(n.vertex));
           if (d2 >= best2) continue;
           best2 = d2;
-          site = sites.neighbors[k];
+          site = n.vertex;
           moved = true;
         }
       }
@@ -105,13 +124,6 @@ Labels::Labels(const ContourMesh& contour, const ContourGraph& graph, const Tria
   for (VertexId v = 0; v < label_.size(); ++v) {
     if (label_[v] != kNoId) regions_[label_[v]].push_back(v);
   }
-}
-
-VertexId Labels::further(VertexId best, VertexId v) const {
-  const double d2 = distance2_[v];
-  if (d2 == 0) return best;
-  if (best == kNoId) return v;
-  return d2 > distance2_[best] || (d2 == distance2_[best] && v < best) ? v : best;
 }
 
 void Labels::add_site(VertexId site, const Vec3& point, std::span<const VertexId> neighbors,

@@ -54,7 +54,12 @@ class Labels {
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
   // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
   // never win. kNoId: none.
-  VertexId further(VertexId best, VertexId v) const;
+  VertexId further(VertexId best, VertexId v) const {
+    const double d2 = distance2_[v];
+    if (d2 == 0) return best;
+    if (best == kNoId) return v;
+    return d2 > distance2_[best] || (d2 == distance2_[best] && v < best) ? v : best;
+  }
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
 

@@ -37,19 +37,23 @@ FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::uint32_t witne
 
 void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> witnesses,
               double limit, std::vector<std::uint32_t>& numbers) {
-  // The facets that were near to the last few.
+  // The facets that were near to the last few, the last one first.
   std::array<FaceId, 4> recent;
   recent.fill(kNoId);
-  std::size_t oldest = 0;
   std::erase_if(numbers, [&](std::uint32_t n) {
     const Vec3& p = witnesses[n];
-    const auto is_near = [&](FaceId f) { return distance2_to_facet(mesh, f, p) <= limit * limit; };
-    for (const FaceId f : recent) {
-      if (f != kNoId && is_near(f)) return true;
+    const auto is_near = [&](FaceId f) {
+      return f != kNoId && distance2_to_facet(mesh, f, p) <= limit * limit;
+    };
+    const auto known = std::find_if(recent.begin(), recent.end(), is_near);
+    if (known != recent.end()) {
+      std::rotate(recent.begin(), known, known + 1);
+      return true;
     }
     return grid.any(grid.box_around(p, limit), [&](FaceId f, const FacetGrid::Box&) {
       if (!is_near(f)) return false;
-      recent[oldest++ % recent.size()] = f;
+      std::rotate(recent.begin(), recent.end() - 1, recent.end());
+      recent.front() = f;
       return true;
     });
   });
