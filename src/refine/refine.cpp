@@ -122,7 +122,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
     while (!full_ && !by_count && reach(witnesses)) refine_geom(Rungs::cheap);
     rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
-    if (!full_ && make_delaunay()) refine_geom(Rungs::all);
+    for (int n = 0; n < 3 && !full_ && make_delaunay(); ++n) refine_geom(Rungs::all);
   }
   count_left();
 }
@@ -236,7 +236,9 @@ bool Refiner::make_delaunay() {
     const Dual& dual = s_.duals[f];
     if (dual.on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, dual)) continue;
     const bool is_small = shape(f).r <= kSmall * parameters_.r_min;
-    any |= (!is_small && refine(f)) || rearrange(f);
+    const bool done = (!is_small && refine(f)) || rearrange(f);
+    stuck_[f] = !done;
+    any |= done;
   }
   return any;
 }
@@ -341,6 +343,28 @@ void Refiner::follow_curves() {
 }
 
 void Refiner::count_left() {
+  if (getenv("DBG")) {
+    std::vector<int> comp(mesh_.faces.size(), -1); std::vector<int> size; std::vector<FaceId> st;
+    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+      if (is_dead(mesh_.faces[f]) || comp[f] >= 0) continue;
+      int n = 0; st.assign(1, f); comp[f] = (int)size.size();
+      while (!st.empty()) { FaceId g = st.back(); st.pop_back(); ++n; for (FaceId h : mesh_.faces[g].n) if (h != kNoId && comp[h] < 0) { comp[h] = (int)size.size(); st.push_back(h); } }
+      size.push_back(n);
+    }
+    const int lim[] = {8, 20, 60, 200, 2000, 1 << 30};
+    int cnt[6][8] = {};
+    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+      if (is_dead(mesh_.faces[f])) continue;
+      int c = 0; while (size[comp[f]] > lim[c]) ++c;
+      const FacetShape s = shape(f);
+      bool tiny = s.r <= parameters_.r_min;
+      ++cnt[c][0];
+      if (!s_.duals[f].on_surface) ++cnt[c][tiny ? 1 : 2];
+      else if (replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f])) ++cnt[c][tiny ? 3 : 4];
+      cnt[c][5] += is_bad(s, s_.pole(mesh_.faces[f].v), parameters_.refinement);
+    }
+    for (int c = 0; c < 6; ++c) fprintf(stderr, "size<=%d: facets %d; no surface point: r<=r_min %d, larger %d; holds vertex: %d, larger %d; bad %d\n", lim[c], cnt[c][0], cnt[c][1], cnt[c][2], cnt[c][3], cnt[c][4], cnt[c][5]);
+  }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     const FacetShape s = shape(f);

@@ -56,7 +56,7 @@ struct Patch {
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
 // was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
-inline constexpr double kSharpest = -0.9;
+inline constexpr double kSharpest = -0.97;
 
 struct Change {
   std::vector<FaceId> out;
