@@ -36,6 +36,10 @@ constexpr double kSmall = 0.5;
 // mesh. The same for both costs two in five vertices more (docs/decisions.md).
 constexpr double kReach = 2;
 
+// The queue's blocks, in voxels: what a facet and its surroundings take of mesh and volume stays in
+// the cache.
+constexpr double kBlock = 32;
+
 class Refiner {
  public:
   Refiner(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
@@ -50,7 +54,7 @@ class Refiner {
         collapser_(surface_mesh, replacer_, surface, curves, parameters_, report),
         retriangulator_(surface_mesh, replacer_, report),
         mover_(surface_mesh, replacer_, parameters_, report),
-        queue_(surface.volume().box(), parameters.voxel) {}
+        queue_(surface.volume().box(), kBlock * parameters.voxel) {}
 
   void run(std::span<const Vec3> witnesses);
 
@@ -343,28 +347,6 @@ void Refiner::follow_curves() {
 }
 
 void Refiner::count_left() {
-  if (getenv("DBG")) {
-    std::vector<int> comp(mesh_.faces.size(), -1); std::vector<int> size; std::vector<FaceId> st;
-    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (is_dead(mesh_.faces[f]) || comp[f] >= 0) continue;
-      int n = 0; st.assign(1, f); comp[f] = (int)size.size();
-      while (!st.empty()) { FaceId g = st.back(); st.pop_back(); ++n; for (FaceId h : mesh_.faces[g].n) if (h != kNoId && comp[h] < 0) { comp[h] = (int)size.size(); st.push_back(h); } }
-      size.push_back(n);
-    }
-    const int lim[] = {8, 20, 60, 200, 2000, 1 << 30};
-    int cnt[6][8] = {};
-    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (is_dead(mesh_.faces[f])) continue;
-      int c = 0; while (size[comp[f]] > lim[c]) ++c;
-      const FacetShape s = shape(f);
-      bool tiny = s.r <= parameters_.r_min;
-      ++cnt[c][0];
-      if (!s_.duals[f].on_surface) ++cnt[c][tiny ? 1 : 2];
-      else if (replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f])) ++cnt[c][tiny ? 3 : 4];
-      cnt[c][5] += is_bad(s, s_.pole(mesh_.faces[f].v), parameters_.refinement);
-    }
-    for (int c = 0; c < 6; ++c) fprintf(stderr, "size<=%d: facets %d; no surface point: r<=r_min %d, larger %d; holds vertex: %d, larger %d; bad %d\n", lim[c], cnt[c][0], cnt[c][1], cnt[c][2], cnt[c][3], cnt[c][4], cnt[c][5]);
-  }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_dead(mesh_.faces[f])) continue;
     const FacetShape s = shape(f);
