@@ -13,7 +13,7 @@ namespace {
 
 // How far a vertex is moved, as shares of r_min, and in how many directions.
 constexpr std::array kSteps{0.5, 0.2, 0.08};
-constexpr int kDirections = 12;
+constexpr int kDirections = 8;
 
 // A facet over a limit costs 1 and how much it is over; this is what one that is not Delaunay
 // costs.
