@@ -37,47 +37,51 @@ bool Patch::link() {
   beyond.assign(n, {kRim, kRim, kRim});
   rim.clear();
   corners_.clear();
+  ends_.clear();
   for (const Triangle& t : facets) {
-    for (const VertexId v : t) {
-      if (std::find(corners_.begin(), corners_.end(), v) == corners_.end()) corners_.push_back(v);
+    std::array<std::size_t, 3> local;  // place in corners_
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto found = std::find(corners_.begin(), corners_.end(), t[i]);
+      local[i] = static_cast<std::size_t>(found - corners_.begin());
+      if (found == corners_.end()) corners_.push_back(t[i]);
     }
+    for (std::size_t i = 0; i < 3; ++i) ends_.push_back({local[(i + 1) % 3], local[(i + 2) % 3]});
   }
-  edges_.clear();
-  for (const Triangle& t : facets) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint64_t from = t[(i + 1) % 3], to = t[(i + 2) % 3];
-      edges_.push_back(from << 32 | to);
+  const std::size_t vertices = corners_.size();
+  edge_.assign(vertices * vertices, kRim);
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    std::uint32_t& same = edge_[ends_[e].from * vertices + ends_[e].to];
+    if (same != kRim) return false;  // two facets run along it alike
+    same = e;
+  }
+  leaves_.assign(vertices, kRim);
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    const auto [from, to] = ends_[e];
+    const std::uint32_t back = edge_[to * vertices + from];
+    if (back != kRim) {
+      beyond[e / 3][e % 3] = back / 3;
+      continue;
     }
+    if (leaves_[from] != kRim) return false;  // the rim meets itself
+    leaves_[from] = e;
+    rim.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
   }
-  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-    const std::uint64_t back = edges_[e] << 32 | edges_[e] >> 32;
-    for (std::uint32_t d = e + 1; d < edges_.size(); ++d) {
-      if (edges_[d] == edges_[e]) return false;  // two facets run along it alike
-      if (edges_[d] != back) continue;
-      beyond[e / 3][e % 3] = d / 3;
-      beyond[d / 3][d % 3] = e / 3;
-    }
-    if (beyond[e / 3][e % 3] != kRim) continue;
-    rim.push_back({static_cast<VertexId>(edges_[e] >> 32), static_cast<VertexId>(edges_[e]), e / 3,
-                   static_cast<int>(e % 3)});
-  }
-  if (rim.size() < 3 || 2 * corners_.size() != n + rim.size() + 2) return false;
-  // One cycle, through every vertex of the rim once.
+  if (rim.size() < 3 || 2 * vertices != n + rim.size() + 2) return false;
+  // One cycle.
   std::size_t length = 0;
-  for (std::size_t at = 0;;) {
-    const VertexId to = rim[at].to;
-    const auto next =
-        std::find_if(rim.begin(), rim.end(), [&](const RimEdge& e) { return e.from == to; });
-    ++length;
-    if (next == rim.begin() || next == rim.end() || length > rim.size()) break;
-    at = static_cast<std::size_t>(next - rim.begin());
+  const std::uint32_t first = 3 * rim[0].facet + static_cast<std::uint32_t>(rim[0].side);
+  for (std::uint32_t e = first; e != kRim && (e != first || length == 0); ++length) {
+    e = leaves_[ends_[e].to];
   }
   if (length != rim.size()) return false;
   // One piece: a closed piece beside the disk could make up for a handle.
   reached_.assign(1, 0);
+  is_reached_.assign(n, 0);
+  is_reached_[0] = 1;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
     for (const std::uint32_t g : beyond[reached_[k]]) {
-      if (g == kRim || std::find(reached_.begin(), reached_.end(), g) != reached_.end()) continue;
+      if (g == kRim || is_reached_[g]) continue;
+      is_reached_[g] = 1;
       reached_.push_back(g);
     }
   }
@@ -286,10 +290,26 @@ bool DiskReplacer::crosses(const Change& change) {
       all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
     }
   }
+  // Where one of these planes has all of the disk before it, it parts a facet behind from all.
+  walls_.clear();
+  for (const Patch::RimEdge& edge : change.in.rim) {
+    const Side& side = sides_[edge.facet][static_cast<std::size_t>(edge.side)];
+    const std::span<const VertexId> vertices = change.in.vertices();
+    if (std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+          return v == side.from || v == side.to || is_off(side, v, -1);
+        })) {
+      walls_.push_back(side);
+    }
+  }
   return grid_.any(all, [&](FaceId g, const FacetGrid::Box& box) {
     if (is_out(g)) return false;
+    const Triangle& there = mesh_.faces[g].v;
+    if (std::any_of(walls_.begin(), walls_.end(),
+                    [&](const Side& wall) { return is_beyond(wall, there); })) {
+      return false;
+    }
     for (std::size_t f = 0; f < in.size(); ++f) {
-      if (FacetGrid::meet(boxes_[f], box) && meet(change, f, mesh_.faces[g].v)) return true;
+      if (FacetGrid::meet(boxes_[f], box) && meet(change, f, there)) return true;
     }
     return false;
   });
@@ -303,19 +323,23 @@ DiskReplacer::Side DiskReplacer::upright(const Triangle& t, const Vec3& normal, 
           kMargin * (std::fabs(outwards.x) + std::fabs(outwards.y) + std::fabs(outwards.z))};
 }
 
+bool DiskReplacer::is_off(const Side& side, VertexId v, double sign) const {
+  const Vec3 w = point(v) - side.origin;
+  const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
+  return sign * dot(side.outwards, w) > side.margin * reach;
+}
+
+bool DiskReplacer::is_beyond(const Side& side, const Triangle& t) const {
+  return std::all_of(t.begin(), t.end(), [&](VertexId v) {
+    return v == side.from || v == side.to || is_off(side, v, 1);
+  });
+}
+
 // A plane through a side of one triangle that has the triangle's third corner, `inside`, on one
 // side and the other triangle on the other parts the two but for what they share. By a margin that
 // rounding stays far below; planes that do it exactly are a little way off.
 inline bool DiskReplacer::parts(const Side& side, VertexId inside, const Triangle& other) const {
-  const auto beyond = [&](VertexId v, double sign) {
-    const Vec3 w = point(v) - side.origin;
-    const double reach = std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z);
-    return sign * dot(side.outwards, w) > side.margin * reach;
-  };
-  for (const VertexId v : other) {
-    if (v != side.from && v != side.to && !beyond(v, 1)) return false;
-  }
-  return beyond(inside, -1);
+  return is_beyond(side, other) && is_off(side, inside, -1);
 }
 
 bool DiskReplacer::meet(const Change& change, std::size_t f, const Triangle& t) const {

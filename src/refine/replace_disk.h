@@ -29,7 +29,8 @@
 
 namespace deliso {
 
-// A disk of facets, each by its corners, and how they hang together. [O(n^2) in their number]
+// A disk of facets, each by its corners, and how they hang together. Linking them takes a step for
+// every two corners.
 struct Patch {
   static constexpr std::uint32_t kRim = 0xffffffff;
   struct RimEdge {
@@ -50,8 +51,15 @@ struct Patch {
 
  private:
   std::vector<VertexId> corners_;
-  std::vector<std::uint64_t> edges_;  // per facet and side: from, to
+  // By places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
+  struct Ends {
+    std::size_t from, to;
+  };
+  std::vector<Ends> ends_;            // per edge
+  std::vector<std::uint32_t> edge_;   // per two corners: the edge that runs from one to the other
+  std::vector<std::uint32_t> leaves_; // per corner: the rim edge that leaves it
   std::vector<std::uint32_t> reached_;
+  std::vector<std::uint8_t> is_reached_;
 };
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
@@ -141,8 +149,11 @@ class DiskReplacer {
     double margin;
   };
   Side upright(const Triangle& t, const Vec3& normal, int i) const;
+  bool is_off(const Side& side, VertexId v, double sign) const;
+  bool is_beyond(const Side& side, const Triangle& t) const;
   bool parts(const Side& side, VertexId inside, const Triangle& other) const;
   std::vector<std::array<Side, 3>> sides_;
+  std::vector<Side> walls_;
   std::vector<FaceId> star_;
 };
 
