@@ -172,8 +172,9 @@ bool CertifiedRecovery::add_site(VertexId v) {
   // Whoever borders on what changed hands sees another neighbour there now.
   for (const VertexId u : labels_.region(s)) {
     for (const ContourGraph::Wedge& w : graph_.wedges(u)) {
-      queue_site(labels_.label(w.next));
-      queue_site(labels_.label(w.previous));
+      for (const VertexId n : {labels_.label(w.next), labels_.label(w.previous)}) {
+        if (n != s) queue_site(n);
+      }
     }
   }
   if (contour_.on_boundary(v)) {

@@ -103,17 +103,15 @@ class Refiner {
   std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> far_;   // witnesses that were far when they were looked at last
   std::size_t rearrangements_left_ = 0;
-  bool full_ = false;
+  bool by_count_ = false, full_ = false;
   double reached_ = 0;  // h of the facet last taken from the queue
   std::size_t steps_ = 0;
   double share_ = 0;
 };
 
 void Refiner::run(std::span<const Vec3> witnesses) {
-  const bool by_count = parameters_.target_vertices != std::numeric_limits<std::size_t>::max();
-  if (by_count) {
-    parameters_.refinement.max_distance = kFinest * parameters_.voxel;
-  }
+  by_count_ = parameters_.target_vertices != std::numeric_limits<std::size_t>::max();
+  if (by_count_) parameters_.refinement.max_distance = kFinest * parameters_.voxel;
   stuck_.assign(mesh_.faces.size(), 0);
   changed_.resize(mesh_.faces.size());
   std::iota(changed_.rbegin(), changed_.rend(), 0);
@@ -123,7 +121,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   follow_curves();
   refine_geom(Rungs::cheap);
   if (!parameters_.as_published) {
-    while (!full_ && !by_count && reach(witnesses)) refine_geom(Rungs::cheap);
+    while (!full_ && !by_count_ && reach(witnesses)) refine_geom(Rungs::cheap);
     rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
     for (int n = 0; n < 3 && !full_ && make_delaunay(); ++n) refine_geom(Rungs::all);
@@ -172,7 +170,7 @@ void Refiner::refine_geom(Rungs rungs) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       if (is_dead(mesh_.faces[f])) continue;
-      if (s_.duals[f].on_surface) reached_ = shape(f).h;
+      if (by_count_ && s_.duals[f].on_surface) reached_ = shape(f).h;
       if (climb(f, rungs)) {
         any = true;
       } else {

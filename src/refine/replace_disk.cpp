@@ -99,7 +99,7 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       grid_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       vertices_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       marks_(mesh_.faces.size(), 0) {
-  for (VertexId v = 0; v < mesh_.points.size(); ++v) vertices_.add(v, vertices_.box_of({&mesh_.points[v], 1}));
+  for (VertexId v = 0; v < mesh_.points.size() && !parameters.as_published; ++v) vertices_.add(v, vertices_.box_of({&mesh_.points[v], 1}));
   for (FaceId f = 0; f < mesh_.faces.size() && !parameters.as_published; ++f) {
     grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
   }
