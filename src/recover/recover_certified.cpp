@@ -17,7 +17,7 @@
 #include "recover/fine_contour.h"
 #include "recover/poles.h"
 #include "recover/sample.h"
-#include "surface/facet_grid.h"
+#include "surface/box_grid.h"
 #include "surface/surface_point.h"
 
 namespace deliso {
@@ -295,14 +295,14 @@ std::size_t CertifiedRecovery::part_crossings() {
       witnesses.push_back(facet.witness);
     }
   }
-  FacetGrid grid(surface_.volume().box(), fitting_cell(points, triangles));
+  BoxGrid grid(surface_.volume().box(), fitting_cell(points, triangles));
   std::uint64_t crossings = 0;
   std::vector<VertexId> between;
   for (FaceId f = 0; f < triangles.size(); ++f) {
     const Triangle& t = triangles[f];
     if (collinear(points[t[0]], points[t[1]], points[t[2]])) continue;
-    const FacetGrid::Box box = grid.box_of(points, t);
-    grid.any(box, [&](FaceId g, const FacetGrid::Box&) {
+    const BoxGrid::Box box = grid.box_of(points, t);
+    grid.any(box, [&](FaceId g, const BoxGrid::Box&) {
       if (!triangles_intersect(points, t, triangles[g])) return false;
       ++crossings;
       VertexId worst = kNoId;

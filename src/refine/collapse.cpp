@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/sorted_list.h"
-#include "surface/criteria.h"
 
 namespace deliso {
 namespace {
@@ -16,11 +15,13 @@ constexpr double kWorse = 2;
 
 }  // namespace
 
-Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
-                     const BoundaryCurves& curves, const Parameters& parameters, Report& report)
+Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
+                     const Isosurface& surface, const BoundaryCurves& curves,
+                     const Parameters& parameters, Report& report)
     : s_(surface_mesh),
       mesh_(surface_mesh.mesh),
       replacer_(replacer),
+      judge_(judge),
       box_(surface.volume().box()),
       curves_(curves),
       parameters_(parameters),
@@ -82,17 +83,11 @@ bool Collapser::collapse(FaceId f) {
   return false;
 }
 
-double Collapser::cost(const Triangle& v, const Dual& dual) const {
-  const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
-  if (!dual.on_surface) return 4;
-  const FacetShape s = measure(a, b, c, dual.center);
-  const Criteria& limit = parameters_.refinement;
-  return (s.r > limit.shape_floor && s.r > limit.lambda * s.l ? 1 : 0) +
-         (replacer_.holds_vertex(v, dual) ? 0.3 : 0);
-}
-
 bool Collapser::take_out_corner(FaceId f) {
   const Triangle corners = mesh_.faces[f].v;
+  const auto cost = [&](const Triangle& v, const Dual& dual) {
+    return judge_.cost_of_shape(v, dual) + judge_.cost_of_ball(v, dual);
+  };
   std::vector<FaceId> star;
   for (const VertexId from : corners) {
     if (!may_go(from)) continue;

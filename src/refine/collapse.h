@@ -5,6 +5,7 @@
 // into the other. Only vertices of Stage 1 go, so there is an end to it.
 #pragma once
 
+#include "refine/judge.h"
 #include "refine/replace_disk.h"
 #include "surface/boundary.h"
 
@@ -13,8 +14,9 @@ namespace deliso {
 class Collapser {
  public:
   // Keeps references. The mesh's vertices at this moment are those of Stage 1.
-  Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Isosurface& surface,
-            const BoundaryCurves& curves, const Parameters& parameters, Report& report);
+  Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
+            const Isosurface& surface, const BoundaryCurves& curves, const Parameters& parameters,
+            Report& report);
 
   // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than
   // r_min, unless the worst r/l there would more than double.
@@ -28,7 +30,6 @@ class Collapser {
   // `gains()` is asked last, as in DiskReplacer::replace().
   template <class Gains>
   std::optional<Refusal> merge(FaceId f, VertexId from, VertexId to, Gains&& gains);
-  double cost(const Triangle& v, const Dual& dual) const;
   bool may_go(VertexId v) const;
   bool joins_on_box(VertexId v, VertexId w) const;
   double worst_ratio(std::span<const Triangle> facets) const;
@@ -36,6 +37,7 @@ class Collapser {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   DiskReplacer& replacer_;
+  const Judge& judge_;
   const Box3 box_;
   const BoundaryCurves& curves_;
   const Parameters& parameters_;

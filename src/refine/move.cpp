@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "surface/criteria.h"
 
 namespace deliso {
 namespace {
@@ -15,26 +14,10 @@ namespace {
 constexpr std::array kSteps{0.5, 0.2, 0.08};
 constexpr int kDirections = 8;
 
-// A facet over a limit costs 1 and how much it is over; this is what one that is not Delaunay
-// costs.
-constexpr double kNotDelaunay = 0.3;
-
 // By such a share of itself the cost around a vertex must fall: there is an end to it.
 constexpr double kFall = 0.05;
 
 }  // namespace
-
-double Mover::cost_of_shape(const Triangle& v, const Dual& dual) const {
-  const Vec3 &a = mesh_.points[v[0]], &b = mesh_.points[v[1]], &c = mesh_.points[v[2]];
-  FacetShape shape = measure(a, b, c, dual.center);
-  if (!dual.on_surface) shape.h = shape.r;
-  const double over = violation(shape, s_.pole(v), parameters_.refinement);
-  return over > 1 ? over : 0;
-}
-
-double Mover::cost_of_ball(const Triangle& v, const Dual& dual) const {
-  return !dual.on_surface || replacer_.holds_vertex(v, dual) ? kNotDelaunay : 0;
-}
 
 // Of the star of the vertex at hand were it at p: the part of its cost that asks for no search.
 double Mover::cost_of_needles(const Vec3& p) const {
@@ -66,14 +49,14 @@ bool Mover::move(FaceId f, VertexId v) {
   for (const FaceId g : change_.out) {
     const Triangle& t = mesh_.faces[g].v;
     normal = normal + area_normal(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
-    here += cost_of_shape(t, s_.duals[g]) + cost_of_ball(t, s_.duals[g]);
+    here += judge_.cost_of_shape(t, s_.duals[g]) + judge_.cost_of_ball(t, s_.duals[g]);
   }
   watched_.clear();
   for (const Patch::RimEdge& e : change_.was.rim) {
     const FaceId g = mesh_.faces[change_.out[e.facet]].n[e.side];
     if (g == kNoId) continue;
     watched_.push_back(g);
-    here += cost_of_ball(mesh_.faces[g].v, s_.duals[g]);
+    here += judge_.cost_of_ball(mesh_.faces[g].v, s_.duals[g]);
   }
   const double size = length(normal);
   if (!(size > 0) || here == 0) return false;
@@ -90,12 +73,12 @@ bool Mover::move(FaceId f, VertexId v) {
   const auto weigh = [&] {
     double sum = 0;
     const std::vector<Triangle>& in = change_.in.facets;
-    for (std::size_t k = 0; k < in.size(); ++k) sum += cost_of_shape(in[k], change_.duals[k]);
+    for (std::size_t k = 0; k < in.size(); ++k) sum += judge_.cost_of_shape(in[k], change_.duals[k]);
     for (std::size_t k = 0; k < in.size() && sum < least; ++k) {
-      sum += cost_of_ball(in[k], change_.duals[k]);
+      sum += judge_.cost_of_ball(in[k], change_.duals[k]);
     }
     for (std::size_t k = 0; k < watched_.size() && sum < least; ++k) {
-      sum += cost_of_ball(mesh_.faces[watched_[k]].v, s_.duals[watched_[k]]);
+      sum += judge_.cost_of_ball(mesh_.faces[watched_[k]].v, s_.duals[watched_[k]]);
     }
     if (sum < least && finder.on_one_sheet(from, change_.place, normal, searches)) {
       least = sum;

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "refine/judge.h"
 #include "refine/replace_disk.h"
 
 namespace deliso {
@@ -15,11 +16,12 @@ namespace deliso {
 class Mover {
  public:
   // Keeps references.
-  Mover(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Parameters& parameters,
-        Report& report)
+  Mover(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
+        const Parameters& parameters, Report& report)
       : s_(surface_mesh),
         mesh_(surface_mesh.mesh),
         replacer_(replacer),
+        judge_(judge),
         parameters_(parameters),
         report_(report) {}
 
@@ -30,14 +32,12 @@ class Mover {
 
  private:
   bool move(FaceId f, VertexId v);
-  // What a facet over a limit costs, and one whose ball holds a vertex.
-  double cost_of_shape(const Triangle& v, const Dual& dual) const;
   double cost_of_needles(const Vec3& p) const;
-  double cost_of_ball(const Triangle& v, const Dual& dual) const;
 
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   DiskReplacer& replacer_;
+  const Judge& judge_;
   const Parameters& parameters_;
   Report& report_;
   Change change_;

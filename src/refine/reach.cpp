@@ -16,12 +16,12 @@ double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
 }
 
 // The nearest facet, looked for in balls that grow.
-FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::uint32_t witness, const Vec3& p,
+FarPoint nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t witness, const Vec3& p,
                  double radius) {
   FarPoint best{witness, kNoId, 0};
   for (int doublings = 0; best.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
     best.distance2 = radius * radius;
-    grid.any(grid.box_around(p, radius), [&](FaceId f, const FacetGrid::Box&) {
+    grid.any(grid.box_around(p, radius), [&](FaceId f, const BoxGrid::Box&) {
       const double d2 = distance2_to_facet(mesh, f, p);
       if (d2 < best.distance2 || (d2 == best.distance2 && f < best.facet)) {
         best.distance2 = d2;
@@ -35,7 +35,7 @@ FarPoint nearest(const TriMesh& mesh, const FacetGrid& grid, std::uint32_t witne
 
 }  // namespace
 
-void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> witnesses,
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> witnesses,
               double limit, std::vector<std::uint32_t>& numbers) {
   // The facets that were near to the last few, the last one first.
   std::array<FaceId, 4> recent;
@@ -50,7 +50,7 @@ void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> 
       std::rotate(recent.begin(), known, known + 1);
       return true;
     }
-    return grid.any(grid.box_around(p, limit), [&](FaceId f, const FacetGrid::Box&) {
+    return grid.any(grid.box_around(p, limit), [&](FaceId f, const BoxGrid::Box&) {
       if (!is_near(f)) return false;
       std::rotate(recent.begin(), recent.end() - 1, recent.end());
       recent.front() = f;
@@ -59,7 +59,7 @@ void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> 
   });
 }
 
-std::vector<FarPoint> furthest(const TriMesh& mesh, const FacetGrid& grid,
+std::vector<FarPoint> furthest(const TriMesh& mesh, const BoxGrid& grid,
                                std::span<const Vec3> witnesses, double limit,
                                std::span<const std::uint32_t> numbers) {
   std::vector<FarPoint> far;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/tri_mesh.h"
-#include "surface/facet_grid.h"
+#include "surface/box_grid.h"
 
 namespace deliso {
 
@@ -21,11 +21,11 @@ struct FarPoint {
 
 // Leaves those witnesses in `numbers` that are further than `limit` from all facets. Quick where
 // one is near the witness before it.
-void keep_far(const TriMesh& mesh, const FacetGrid& grid, std::span<const Vec3> witnesses,
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> witnesses,
               double limit, std::vector<std::uint32_t>& numbers);
 
 // Those, the furthest first; of several nearest to one facet only the furthest.
-std::vector<FarPoint> furthest(const TriMesh& mesh, const FacetGrid& grid,
+std::vector<FarPoint> furthest(const TriMesh& mesh, const BoxGrid& grid,
                                std::span<const Vec3> witnesses, double limit,
                                std::span<const std::uint32_t> numbers);
 

@@ -15,12 +15,12 @@
 #include "refine/collapse.h"
 #include "refine/flip.h"
 #include "refine/insert.h"
+#include "refine/judge.h"
 #include "refine/move.h"
 #include "refine/reach.h"
 #include "refine/replace_disk.h"
 #include "refine/retriangulate.h"
 #include "refine/worst_first.h"
-#include "surface/criteria.h"
 
 namespace deliso {
 namespace {
@@ -49,11 +49,12 @@ class Refiner {
         parameters_(parameters),
         report_(report),
         replacer_(surface_mesh, surface, parameters_, report),
+        judge_(surface_mesh, replacer_, parameters_),
         inserter_(surface_mesh, replacer_, curves, parameters_, report),
         flipper_(surface_mesh, replacer_, report),
-        collapser_(surface_mesh, replacer_, surface, curves, parameters_, report),
+        collapser_(surface_mesh, replacer_, judge_, surface, curves, parameters_, report),
         retriangulator_(surface_mesh, replacer_, report),
-        mover_(surface_mesh, replacer_, parameters_, report),
+        mover_(surface_mesh, replacer_, judge_, parameters_, report),
         queue_(surface.volume().box(), kBlock * parameters.voxel) {}
 
   void run(std::span<const Vec3> witnesses);
@@ -90,6 +91,7 @@ class Refiner {
   Parameters parameters_;  // its bound on the distance gives way to target_vertices
   Report& report_;
   DiskReplacer replacer_;
+  Judge judge_;
   Inserter inserter_;
   Flipper flipper_;
   Collapser collapser_;
@@ -130,16 +132,12 @@ void Refiner::run(std::span<const Vec3> witnesses) {
 }
 
 FacetShape Refiner::shape(FaceId f) const {
-  const Triangle& v = mesh_.faces[f].v;
-  const Dual& dual = s_.duals[f];
-  FacetShape s = measure(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]], dual.center);
-  if (!dual.on_surface) s.h = s.r;  // the most there is
-  return s;
+  return judge_.shape(mesh_.faces[f].v, s_.duals[f]);
 }
 
 void Refiner::judge(FaceId f) {
-  queue_.set(f, violation(shape(f), s_.pole(mesh_.faces[f].v), parameters_.refinement),
-             mesh_.points[mesh_.faces[f].v[0]]);
+  const Triangle& v = mesh_.faces[f].v;
+  queue_.set(f, judge_.violation(v, s_.duals[f]), mesh_.points[v[0]]);
 }
 
 void Refiner::judge_all() {
@@ -218,10 +216,10 @@ bool Refiner::reach(std::span<const Vec3> witnesses) {
     far_.resize(witnesses.size());
     std::iota(far_.begin(), far_.end(), 0);
   }
-  keep_far(mesh_, replacer_.grid(), witnesses, limit, far_);
+  keep_far(mesh_, replacer_.facets(), witnesses, limit, far_);
   report_[Counter::points_far] = far_.size();
   bool any = false;
-  for (const FarPoint& at : furthest(mesh_, replacer_.grid(), witnesses, limit, far_)) {
+  for (const FarPoint& at : furthest(mesh_, replacer_.facets(), witnesses, limit, far_)) {
     const Vec3& p = witnesses[at.witness];
     // An earlier one may have taken its facet away.
     if (is_dead(mesh_.faces[at.facet])) continue;
@@ -349,8 +347,7 @@ void Refiner::count_left() {
     if (is_dead(mesh_.faces[f])) continue;
     const FacetShape s = shape(f);
     if (s.r > parameters_.r_min) report_.largest_h = std::max(report_.largest_h, s.h);
-    report_[Counter::unrefined_facets] +=
-        is_bad(s, s_.pole(mesh_.faces[f].v), parameters_.refinement);
+    report_[Counter::unrefined_facets] += judge_.violation(mesh_.faces[f].v, s_.duals[f]) > 1;
   }
   report_.max_distance = parameters_.refinement.max_distance;
 }

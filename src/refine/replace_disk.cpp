@@ -26,6 +26,10 @@ double grid_cell(const TriMesh& mesh, double r_min) {
 // Of the size of what is compared.
 constexpr double kMargin = 1e-10;
 
+bool has(std::span<const VertexId> list, VertexId v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
+
 double cosine(const Vec3& u, const Vec3& v) {
   return dot(u, v) / std::sqrt(length2(u) * length2(v));
 }
@@ -96,12 +100,15 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       parameters_(parameters),
       report_(report),
       finder_(surface),
-      grid_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
+      facets_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       vertices_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
       marks_(mesh_.faces.size(), 0) {
-  for (VertexId v = 0; v < mesh_.points.size() && !parameters.as_published; ++v) vertices_.add(v, vertices_.box_of({&mesh_.points[v], 1}));
-  for (FaceId f = 0; f < mesh_.faces.size() && !parameters.as_published; ++f) {
-    grid_.add(f, grid_.box_of(mesh_.points, mesh_.faces[f].v));
+  if (parameters.as_published) return;
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    facets_.add(f, facets_.box_of(mesh_.points, mesh_.faces[f].v));
+  }
+  for (VertexId v = 0; v < mesh_.points.size(); ++v) {
+    vertices_.add(v, vertices_.box_of(mesh_.points[v]));
   }
 }
 
@@ -121,7 +128,7 @@ void DiskReplacer::put_in_place(const Change& change) {
     mesh_.points.push_back(change.place);
   } else if (change.what == Change::Vertex::moves) {
     moved_from_ = std::exchange(mesh_.points[change.vertex], change.place);
-    list_anew(change.vertex);
+    relist(change.vertex);
   }
 }
 
@@ -129,13 +136,13 @@ void DiskReplacer::take_back(const Change& change) {
   if (change.what == Change::Vertex::comes) mesh_.points.pop_back();
   if (change.what == Change::Vertex::moves) {
     mesh_.points[change.vertex] = moved_from_;
-    list_anew(change.vertex);
+    relist(change.vertex);
   }
 }
 
-void DiskReplacer::list_anew(VertexId v) {
+void DiskReplacer::relist(VertexId v) {
   vertices_.remove(v);
-  vertices_.add(v, vertices_.box_of({&point(v), 1}));
+  vertices_.add(v, vertices_.box_of(point(v)));
 }
 
 std::optional<Refusal> DiskReplacer::look_at(Change& change) {
@@ -274,17 +281,17 @@ bool DiskReplacer::crosses(const Change& change) {
   for (std::size_t f = 0; f < in.size(); ++f) {
     const Triangle& t = in[f];
     if (collinear(point(t[0]), point(t[1]), point(t[2]))) return true;
-    boxes_.push_back(grid_.box_of(mesh_.points, t));
+    boxes_.push_back(facets_.box_of(mesh_.points, t));
     const auto side = [&](int i) { return upright(t, normals_[f], i); };
     sides_.push_back({side(0), side(1), side(2)});
   }
   for (std::size_t f = 0; f < in.size(); ++f) {
     for (std::size_t g = f + 1; g < in.size(); ++g) {
-      if (FacetGrid::meet(boxes_[f], boxes_[g]) && meet(change, f, in[g])) return true;
+      if (BoxGrid::meet(boxes_[f], boxes_[g]) && meet(change, f, in[g])) return true;
     }
   }
-  FacetGrid::Box all = boxes_[0];
-  for (const FacetGrid::Box& box : boxes_) {
+  BoxGrid::Box all = boxes_[0];
+  for (const BoxGrid::Box& box : boxes_) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       all.lo[axis] = std::min(all.lo[axis], box.lo[axis]);
       all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
@@ -301,7 +308,7 @@ bool DiskReplacer::crosses(const Change& change) {
       walls_.push_back(side);
     }
   }
-  return grid_.any(all, [&](FaceId g, const FacetGrid::Box& box) {
+  return facets_.any(all, [&](FaceId g, const BoxGrid::Box& box) {
     if (is_out(g)) return false;
     const Triangle& there = mesh_.faces[g].v;
     if (std::any_of(walls_.begin(), walls_.end(),
@@ -309,7 +316,7 @@ bool DiskReplacer::crosses(const Change& change) {
       return false;
     }
     for (std::size_t f = 0; f < in.size(); ++f) {
-      if (FacetGrid::meet(boxes_[f], box) && meet(change, f, there)) return true;
+      if (BoxGrid::meet(boxes_[f], box) && meet(change, f, there)) return true;
     }
     return false;
   });
@@ -361,13 +368,14 @@ bool DiskReplacer::meet(const Change& change, std::size_t f, const Triangle& t) 
 void DiskReplacer::commit(Change& change) {
   const Patch& in = change.in;
   const bool is_guarded = !parameters_.as_published;
-  for (const FaceId f : change.out) {
-    if (is_guarded) grid_.remove(f);
-  }
-  if (is_guarded && change.what == Change::Vertex::comes) vertices_.add(change.vertex, vertices_.box_of({&point(change.vertex), 1}));
-  if (is_guarded && in.facets.size() < change.out.size()) {
-    for (const VertexId v : change.was.vertices())
-      if (std::find(in.vertices().begin(), in.vertices().end(), v) == in.vertices().end()) vertices_.remove(v);
+  if (is_guarded) {
+    for (const FaceId f : change.out) facets_.remove(f);
+    if (change.what == Change::Vertex::comes) {
+      vertices_.add(change.vertex, vertices_.box_of(point(change.vertex)));
+    }
+    for (const VertexId v : change.was.vertices()) {
+      if (!has(in.vertices(), v)) vertices_.remove(v);
+    }
   }
   change.created.clear();
   std::size_t reused = 0;
@@ -398,7 +406,7 @@ void DiskReplacer::commit(Change& change) {
       face.n[i] = g == Patch::kRim ? kNoId : change.created[g];
     }
     s_.duals[change.created[k]] = change.duals[k];
-    if (is_guarded) grid_.add(change.created[k], boxes_[k]);
+    if (is_guarded) facets_.add(change.created[k], boxes_[k]);
   }
   for (std::size_t k = 0; k < in.rim.size(); ++k) {
     if (beyond_[k] == kNoId) continue;
@@ -419,7 +427,8 @@ void DiskReplacer::commit(Change& change) {
 }
 
 bool DiskReplacer::holds_vertex(const Triangle& v, const Dual& ball) const {
-  return vertices_.any(vertices_.box_around(ball.center, std::sqrt(ball.radius2)), [&](VertexId q, const FacetGrid::Box&) {
+  const BoxGrid::Box box = vertices_.box_around(ball.center, std::sqrt(ball.radius2));
+  return vertices_.any(box, [&](VertexId q, const BoxGrid::Box&) {
     return ball.holds(point(q)) && !has_corner(v, q);
   });
 }

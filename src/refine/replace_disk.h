@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "surface/facet_grid.h"
+#include "surface/box_grid.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
 #include "surface/surface_mesh.h"
@@ -45,8 +45,9 @@ struct Patch {
   // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1,
   // which only a disk has.
   bool link();
-  // Vertices that are not on the rim. pre: a disk.
+  // Of the facets linked last.
   std::span<const VertexId> vertices() const { return corners_; }
+  // Vertices that are not on the rim. pre: a disk.
   std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
 
  private:
@@ -104,7 +105,7 @@ class DiskReplacer {
 
   // Whether any vertex of the mesh but the corners of v is in the ball.
   bool holds_vertex(const Triangle& v, const Dual& ball) const;
-  const FacetGrid& grid() const { return grid_; }
+  const BoxGrid& facets() const { return facets_; }
   SurfacePointFinder& finder() { return finder_; }
   SearchCounters& searches() { return report_.searches_refine; }
 
@@ -112,7 +113,7 @@ class DiskReplacer {
   void put_in_place(const Change& change);
   void take_back(const Change& change);
   void commit(Change& change);
-  void list_anew(VertexId v);  // where it is now
+  void relist(VertexId v);  // in vertices_, where it is now
 
   std::optional<Refusal> look_at(Change& change);  // G1 to G3
   bool keeps_manifold(Change& change);
@@ -131,7 +132,7 @@ class DiskReplacer {
   const Parameters& parameters_;
   Report& report_;
   SurfacePointFinder finder_;
-  FacetGrid grid_, vertices_;
+  BoxGrid facets_, vertices_;
   std::vector<FaceId> free_;  // dead facets
 
   // Of the change at hand.
@@ -141,7 +142,7 @@ class DiskReplacer {
   std::vector<FaceId> beyond_;      // per rim edge of the new disk; kNoId on the boundary
   std::vector<std::uint8_t> kept_;  // and whether it was the old one's too
   std::vector<Vec3> normals_;
-  std::vector<FacetGrid::Box> boxes_;
+  std::vector<BoxGrid::Box> boxes_;
   // Per new facet and side, the plane through it that stands upright on the facet.
   struct Side {
     VertexId from, to;

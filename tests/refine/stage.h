@@ -137,9 +137,9 @@ class Stage {
           finder.dual(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], counters);
       const Dual& said = surface_mesh.duals[f];
       if (dual.on_surface != said.on_surface || dual.center != said.center) return "a wrong dual";
-      const FacetGrid& grid = replacer.grid();
+      const BoxGrid& grid = replacer.facets();
       if (!grid.any(grid.box_of(mesh.points, v),
-                    [&](FaceId g, const FacetGrid::Box&) { return g == f; })) {
+                    [&](FaceId g, const BoxGrid::Box&) { return g == f; })) {
         return "a facet that the grid does not have";
       }
     }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Who is near: the facets of a mesh that changes, by place. It serves every question of that kind:
-// does a facet cross another, does a ball hold a vertex, how far is a point from the mesh.
+// Who is near: the boxes of things that come, go and move, by place. Facets in one grid and vertices
+// in another serve every question of that kind: does a facet cross another, does a ball hold a
+// vertex, how far is a point from the mesh.
 //
-// A facet is listed once, in the cell that holds the low corner of its box, in a grid whose cells
+// A thing is listed once, in the cell that holds the low corner of its box, in a grid whose cells
 // are at least as large as the box: grids of several sizes, each four times as coarse as the one
 // before. All their cells are wrapped into one table, those of a row side by side in memory. A list
-// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell:
-// a look-up reads few and short runs of memory, and passes nearly all facets by without a look at
-// the mesh.
+// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell,
+// and compares four of them at once: a look-up reads few and short runs of memory, and passes nearly
+// everything by without a look at the mesh.
 #pragma once
 
 #include <array>
@@ -22,41 +23,28 @@
 
 namespace deliso {
 
-class FacetGrid {
+class BoxGrid {
  public:
+  using Id = std::uint32_t;  // the caller's; small numbers
+
   // In cells; holds what it is the box of.
   struct Box {
     std::array<float, 3> lo, hi;
   };
 
-  // A ball in cells, or one a little larger.
-  struct Ball {
-    Box box;
-    std::array<float, 3> center;
-    float radius2;
-    bool meets(const Box& b) const {
-      float d2 = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float below = b.lo[axis] - center[axis], above = center[axis] - b.hi[axis];
-        const float out = below > above ? below : above;
-        d2 += out > 0 ? out * out : 0;
-      }
-      return d2 <= radius2;
-    }
-  };
-
-  // For points in `box`. `cell`: about as large as most facets.
-  FacetGrid(const Box3& box, double cell);
+  // For points in `box`. `cell`: about as large as most of the boxes, or larger.
+  BoxGrid(const Box3& box, double cell);
 
   Box box_of(std::span<const Vec3> points) const;
+  Box box_of(const Vec3& point) const { return box_of(std::span(&point, 1)); }
   Box box_of(const std::vector<Vec3>& points, const Triangle& t) const;
-  Ball ball(const Vec3& center, double radius) const;
-  Box box_around(const Vec3& center, double radius) const { return ball(center, radius).box; }
+  // Of a ball, which may reach out of the grid's box.
+  Box box_around(const Vec3& center, double radius) const;
 
-  void add(FaceId f, const Box& box);
-  void remove(FaceId f);
+  void add(Id id, const Box& box);
+  void remove(Id id);
 
-  // Whether pred(f, its box) holds for any facet whose box meets this one; it may be asked twice.
+  // Whether pred(id, its box) holds for anything whose box meets this one; it may be asked twice.
   template <class Predicate>
   bool any(const Box& query, Predicate&& pred) const;
 
@@ -71,34 +59,35 @@ class FacetGrid {
   }
 
  private:
+  static constexpr Id kNobody = 0xffffffff;
   static constexpr int kLevels = 12;
-  // So many boxes are compared at once.
   static constexpr std::size_t kWide = 4;
   using Four [[gnu::vector_size(kWide * sizeof(float))]] = float;
+  // Places without anything have a box that meets none.
   struct Block {
     std::array<Four, 3> lo, hi;
-    std::array<FaceId, kWide> facet;
+    std::array<Id, kWide> id;
 
     Box box(std::size_t i) const {
       return {{lo[0][i], lo[1][i], lo[2][i]}, {hi[0][i], hi[1][i], hi[2][i]}};
     }
-    void put(std::size_t i, FaceId f, const Box& box);
+    void put(std::size_t i, Id what, const Box& box);
   };
-  // The facets of all cells that are wrapped into one place, in blocks_ from `first` on, of which
-  // there is `room`. Places without a facet meet nothing.
+  // What is in all cells that are wrapped into one place: in `room` blocks from blocks_[first] on,
+  // the first places of them.
   struct List {
     std::uint32_t first = 0, size = 0, room = 0;
-    std::size_t blocks() const { return (size + kWide - 1) / kWide; }
+    std::size_t end() const { return first + (size + kWide - 1) / kWide; }
   };
-  // Where a facet is listed, before wrapping, and in which grid.
+  // Where something is listed, before wrapping, and in which grid.
   struct Place {
     std::uint32_t number = 0;
     std::int32_t level = -1;
   };
   // One of the grids.
   struct Level {
-    std::vector<List> lists;  // a power of two of them, once there are facets
-    std::size_t facets = 0;
+    std::vector<List> lists;  // a power of two of them, once there is anything
+    std::size_t size = 0;
     float extent = 0;  // the largest of any box that was here
     List& list(std::uint32_t number) { return lists[number & (lists.size() - 1)]; }
     const List& list(std::uint32_t number) const { return lists[number & (lists.size() - 1)]; }
@@ -112,7 +101,7 @@ class FacetGrid {
   static std::uint32_t number_of(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     return i + j * 0x9e3779b1u + k * 0x85ebca77u;
   }
-  void append(List& in, FaceId f, const Box& box);
+  void append(List& in, Id id, const Box& box);
   void grow(Level& level);
 
   Vec3 origin_;
@@ -121,46 +110,47 @@ class FacetGrid {
   std::array<Level, kLevels> levels_;
   std::vector<Block> blocks_;
   std::array<std::vector<std::uint32_t>, 32> free_;  // runs of blocks, by the power of their size
-  std::vector<Place> places_;                        // per facet
+  std::vector<Place> places_;                        // per id
 };
 
 // Cells for these triangles: twice the mean of their longest edges.
 double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
 
 template <class Predicate>
-bool FacetGrid::any(const Box& query, Predicate&& pred) const {
+bool BoxGrid::any(const Box& query, Predicate&& pred) const {
   std::array<Four, 3> lo, hi;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     lo[axis] = query.lo[axis] - Four{};
     hi[axis] = query.hi[axis] - Four{};
   }
+  const auto look = [&](const List& in) {
+    for (std::size_t b = in.first; b < in.end(); ++b) {
+      const Block& block = blocks_[b];
+      const auto overlaps = (block.lo[0] <= hi[0]) & (block.lo[1] <= hi[1]) &
+                            (block.lo[2] <= hi[2]) & (block.hi[0] >= lo[0]) &
+                            (block.hi[1] >= lo[1]) & (block.hi[2] >= lo[2]);
+      const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(overlaps);
+      if ((halves[0] | halves[1]) == 0) continue;
+      for (std::size_t i = 0; i < kWide; ++i) {
+        if (overlaps[i] != 0 && pred(block.id[i], block.box(i))) return true;
+      }
+    }
+    return false;
+  };
   for (int n = 0; n < kLevels; ++n) {
     const Level& level = levels_[static_cast<std::size_t>(n)];
-    if (level.facets == 0) continue;
+    if (level.size == 0) continue;
     const float scale = scale_of(n);
     std::array<std::uint32_t, 3> low, high;
     std::size_t cells = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // Where the low corner of a box that meets the query may lie; it may be a cell below none.
+      // Where the low corner of a box that meets the query may lie: up to a cell below zero, so one
+      // is added before what cutting off would round up.
       const float first = (query.lo[axis] - level.extent) * scale;
       low[axis] = static_cast<std::uint32_t>(first + 1) - 1;
       high[axis] = static_cast<std::uint32_t>(query.hi[axis] * scale) + 1;
       cells *= high[axis] - low[axis];
     }
-    const auto look = [&](const List& in) {
-      for (std::size_t b = in.first; b < in.first + in.blocks(); ++b) {
-        const Block& block = blocks_[b];
-        const auto overlaps = (block.lo[0] <= hi[0]) & (block.lo[1] <= hi[1]) &
-                              (block.lo[2] <= hi[2]) & (block.hi[0] >= lo[0]) &
-                              (block.hi[1] >= lo[1]) & (block.hi[2] >= lo[2]);
-        const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(overlaps);
-        if ((halves[0] | halves[1]) == 0) continue;
-        for (std::size_t i = 0; i < kWide; ++i) {
-          if (overlaps[i] != 0 && pred(block.facet[i], block.box(i))) return true;
-        }
-      }
-      return false;
-    };
     if (cells > level.lists.size()) {  // then the lists are fewer
       for (const List& in : level.lists) {
         if (look(in)) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/facet_grid.h"
+#include "surface/box_grid.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t kFewest = 64;
 
-// The box of a place without a facet.
+// The box of a place without anything.
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr FacetGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
+constexpr BoxGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
                                   {-kInfinity, -kInfinity, -kInfinity}};
 
 }  // namespace
 
-FacetGrid::FacetGrid(const Box3& box, double cell) {
+BoxGrid::BoxGrid(const Box3& box, double cell) {
   const Vec3 size = box.size();
   const double longest = std::max({size.x, size.y, size.z});
   // Coordinates stay below 2^20 cells, and above one, so that cutting off rounds down.
@@ -31,7 +31,7 @@ FacetGrid::FacetGrid(const Box3& box, double cell) {
   origin_ = box.lo - Vec3{2 / per_cell_, 2 / per_cell_, 2 / per_cell_};
 }
 
-FacetGrid::Box FacetGrid::box_of(std::span<const Vec3> points) const {
+BoxGrid::Box BoxGrid::box_of(std::span<const Vec3> points) const {
   Box box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = static_cast<int>(axis);
@@ -46,32 +46,30 @@ FacetGrid::Box FacetGrid::box_of(std::span<const Vec3> points) const {
   return box;
 }
 
-FacetGrid::Box FacetGrid::box_of(const std::vector<Vec3>& points, const Triangle& t) const {
+BoxGrid::Box BoxGrid::box_of(const std::vector<Vec3>& points, const Triangle& t) const {
   const std::array<Vec3, 3> corners{points[t[0]], points[t[1]], points[t[2]]};
   return box_of(corners);
 }
 
-FacetGrid::Ball FacetGrid::ball(const Vec3& center, double radius) const {
-  Ball ball;
+BoxGrid::Box BoxGrid::box_around(const Vec3& center, double radius) const {
+  Box box;
   const float reach = static_cast<float>(radius * per_cell_) + 2 * margin_;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = static_cast<int>(axis);
     const auto x = static_cast<float>((center[a] - origin_[a]) * per_cell_);
-    ball.center[axis] = x;
-    // Balls may reach out of the volume's box; there is nothing to find.
-    ball.box.lo[axis] = std::clamp(x - reach, 1.0f, 0x1p21f);
-    ball.box.hi[axis] = std::clamp(x + reach, 1.0f, 0x1p21f);
+    // Outside the grid's box there is nothing to find.
+    box.lo[axis] = std::clamp(x - reach, 1.0f, 0x1p21f);
+    box.hi[axis] = std::clamp(x + reach, 1.0f, 0x1p21f);
   }
-  ball.radius2 = reach * reach;
-  return ball;
+  return box;
 }
 
-float FacetGrid::extent(const Box& box) {
+float BoxGrid::extent(const Box& box) {
   return std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
 }
 
-FacetGrid::Place FacetGrid::place_of(const Box& box) {
-  const float extent = FacetGrid::extent(box);
+BoxGrid::Place BoxGrid::place_of(const Box& box) {
+  const float extent = BoxGrid::extent(box);
   int level = 0;
   while (extent * scale_of(level) > 1) ++level;
   const float scale = scale_of(level);
@@ -81,26 +79,26 @@ FacetGrid::Place FacetGrid::place_of(const Box& box) {
   return {number_of(along(0), along(1), along(2)), level};
 }
 
-void FacetGrid::add(FaceId f, const Box& box) {
-  if (f >= places_.size()) places_.resize(f + 1);
-  DELISO_ASSERT(places_[f].level < 0);
-  places_[f] = place_of(box);
-  Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
-  if (level.facets >= level.lists.size()) grow(level);
-  append(level.list(places_[f].number), f, box);
-  ++level.facets;
+void BoxGrid::add(Id id, const Box& box) {
+  if (id >= places_.size()) places_.resize(id + 1);
+  DELISO_ASSERT(places_[id].level < 0);
+  places_[id] = place_of(box);
+  Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
+  if (level.size >= level.lists.size()) grow(level);
+  append(level.list(places_[id].number), id, box);
+  ++level.size;
   level.extent = std::max(level.extent, extent(box) + margin_);
 }
 
-void FacetGrid::Block::put(std::size_t i, FaceId f, const Box& box) {
+void BoxGrid::Block::put(std::size_t i, Id what, const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     lo[axis][i] = box.lo[axis];
     hi[axis][i] = box.hi[axis];
   }
-  facet[i] = f;
+  id[i] = what;
 }
 
-void FacetGrid::append(List& in, FaceId f, const Box& box) {
+void BoxGrid::append(List& in, Id id, const Box& box) {
   if (in.size == in.room * kWide) {  // move to a run twice as long
     const auto power = static_cast<std::size_t>(std::bit_width(in.room));
     DELISO_CHECK(power < free_.size());
@@ -119,38 +117,34 @@ void FacetGrid::append(List& in, FaceId f, const Box& box) {
   }
   Block& block = blocks_[in.first + in.size / kWide];
   if (in.size % kWide == 0) {
-    for (std::size_t i = 0; i < kWide; ++i) block.put(i, kNoId, kNowhere);
+    for (std::size_t i = 0; i < kWide; ++i) block.put(i, kNobody, kNowhere);
   }
-  block.put(in.size++ % kWide, f, box);
+  block.put(in.size++ % kWide, id, box);
 }
 
-void FacetGrid::remove(FaceId f) {
-  Level& level = levels_[static_cast<std::size_t>(places_[f].level)];
-  List& in = level.list(places_[f].number);
-  const auto slot = [&](std::uint32_t n) {
-    return std::pair<Block&, std::size_t>(blocks_[in.first + n / kWide], n % kWide);
-  };
+void BoxGrid::remove(Id id) {
+  Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
+  List& in = level.list(places_[id].number);
+  const auto block = [&](std::uint32_t n) -> Block& { return blocks_[in.first + n / kWide]; };
   std::uint32_t n = 0;
-  while (slot(n).first.facet[slot(n).second] != f) ++n;
+  while (block(n).id[n % kWide] != id) ++n;
   DELISO_ASSERT(n < in.size);
-  const auto [hole, i] = slot(n);
-  const auto [last, j] = slot(--in.size);
-  hole.put(i, last.facet[j], last.box(j));
-  last.put(j, kNoId, kNowhere);
-  --level.facets;
-  places_[f] = {};
+  const std::uint32_t last = --in.size;
+  block(n).put(n % kWide, block(last).id[last % kWide], block(last).box(last % kWide));
+  block(last).put(last % kWide, kNobody, kNowhere);
+  --level.size;
+  places_[id] = {};
 }
 
 // To twice as many lists.
-void FacetGrid::grow(Level& level) {
+void BoxGrid::grow(Level& level) {
   const std::size_t size = std::max(kFewest, 2 * level.lists.size());
   const std::vector<List> before = std::exchange(level.lists, std::vector<List>(size));
   for (const List& in : before) {
     for (std::uint32_t n = 0; n < in.size; ++n) {
-      const Block& block = blocks_[in.first + n / kWide];
-      const FaceId f = block.facet[n % kWide];
-      const Box box = block.box(n % kWide);
-      append(level.list(places_[f].number), f, box);
+      const Block block = blocks_[in.first + n / kWide];
+      const Id id = block.id[n % kWide];
+      append(level.list(places_[id].number), id, block.box(n % kWide));
     }
     if (in.room > 0)
       free_[static_cast<std::size_t>(std::bit_width(in.room)) - 1].push_back(in.first);
