@@ -258,9 +258,8 @@ double CertifiedRecovery::distance2_to_dual(VertexId v, double enough, std::size
   for (std::size_t n = 0, at = first; n < facets.size() && nearest2 > enough; ++n, ++at) {
     if (at >= facets.size()) at = 0;
     const Triangle& t = facets[at].sites;
-    const double d2 =
-        distance2_to_triangle(contour_.points[v], triangulation_.point(t[0]),
-                              triangulation_.point(t[1]), triangulation_.point(t[2]));
+    const double d2 = distance2_to_triangle(contour_.points[v], triangulation_.point(t[0]),
+                                            triangulation_.point(t[1]), triangulation_.point(t[2]));
     if (d2 >= nearest2) continue;
     nearest2 = d2;
     first = at;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is wrong with a facet: how far the worst criterion is passed, and whether it is Delaunay. By
-// the first the queue is ordered; of both together rearrangements (refine/collapse.h, refine/move.h)
-// want less.
+// the first the queue is ordered; of both together rearrangements (refine/collapse.h,
+// refine/move.h) want less.
 #pragma once
 
 #include "refine/replace_disk.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace deliso {
 namespace {
 
@@ -73,7 +72,8 @@ bool Mover::move(FaceId f, VertexId v) {
   const auto weigh = [&] {
     double sum = 0;
     const std::vector<Triangle>& in = change_.in.facets;
-    for (std::size_t k = 0; k < in.size(); ++k) sum += judge_.cost_of_shape(in[k], change_.duals[k]);
+    for (std::size_t k = 0; k < in.size(); ++k)
+      sum += judge_.cost_of_shape(in[k], change_.duals[k]);
     for (std::size_t k = 0; k < in.size() && sum < least; ++k) {
       sum += judge_.cost_of_ball(in[k], change_.duals[k]);
     }

@@ -32,6 +32,9 @@ constexpr double kFinest = 2e-3;  // voxels
 // are refined for it, smaller ones only rearranged.
 constexpr double kSmall = 0.5;
 
+// How often all facets are looked at for that: what is inserted for some is in the balls of others.
+constexpr int kRounds = 3;
+
 // How much further than facets from Sigma, at their circumcenters, points of Sigma may be from the
 // mesh. The same for both costs two in five vertices more (docs/decisions.md).
 constexpr double kReach = 2;
@@ -126,7 +129,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
     while (!full_ && !by_count_ && reach(witnesses)) refine_geom(Rungs::cheap);
     rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
-    for (int n = 0; n < 3 && !full_ && make_delaunay(); ++n) refine_geom(Rungs::all);
+    for (int n = 0; n < kRounds && !full_ && make_delaunay(); ++n) refine_geom(Rungs::all);
   }
   count_left();
 }

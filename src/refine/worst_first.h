@@ -14,6 +14,7 @@
 
 #include "base/box3.h"
 #include "base/ids.h"
+#include "volume/volume.h"
 
 namespace deliso {
 

@@ -17,7 +17,7 @@ constexpr std::size_t kFewest = 64;
 // The box of a place without anything.
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
-                                  {-kInfinity, -kInfinity, -kInfinity}};
+                                {-kInfinity, -kInfinity, -kInfinity}};
 
 }  // namespace
 

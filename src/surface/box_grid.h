@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Who is near: the boxes of things that come, go and move, by place. Facets in one grid and vertices
-// in another serve every question of that kind: does a facet cross another, does a ball hold a
-// vertex, how far is a point from the mesh.
+// Who is near: the boxes of things that come, go and move, by place. Facets in one grid and
+// vertices in another serve every question of that kind: does a facet cross another, does a ball
+// hold a vertex, how far is a point from the mesh.
 //
 // A thing is listed once, in the cell that holds the low corner of its box, in a grid whose cells
 // are at least as large as the box: grids of several sizes, each four times as coarse as the one
 // before. All their cells are wrapped into one table, those of a row side by side in memory. A list
 // holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell,
-// and compares four of them at once: a look-up reads few and short runs of memory, and passes nearly
-// everything by without a look at the mesh.
+// and compares four of them at once: a look-up reads few and short runs of memory, and passes
+// nearly everything by without a look at the mesh.
 #pragma once
 
 #include <array>

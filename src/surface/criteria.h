@@ -36,8 +36,4 @@ inline double violation(const FacetShape& s, double pole, const Criteria& k) {
   return worst;
 }
 
-inline bool is_bad(const FacetShape& s, double pole, const Criteria& k) {
-  return violation(s, pole, k) > 1;
-}
-
 }  // namespace deliso

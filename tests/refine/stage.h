@@ -17,6 +17,7 @@
 #include "embedding/triangle_pair.h"
 #include "mesh/check_mesh.h"
 #include "recover/recover_certified.h"
+#include "refine/judge.h"
 #include "refine/refine.h"
 #include "refine/replace_disk.h"
 
@@ -100,6 +101,7 @@ class Stage {
         surface_mesh(recovered.mesh),
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
         replacer(recovered.mesh, of.surface, parameters, report),
+        judge(recovered.mesh, replacer, parameters),
         kinds_(kinds_of(mesh)) {
     const ValueRange range = value_range(scene.volume);
     tolerance_ = 1e-8 * (range.max - range.min);
@@ -141,6 +143,9 @@ class Stage {
       if (!grid.any(grid.box_of(mesh.points, v),
                     [&](FaceId g, const BoxGrid::Box&) { return g == f; })) {
         return "a facet that the grid does not have";
+      }
+      if (said.on_surface && replacer.holds_vertex(v, said) == is_delaunay(f)) {
+        return "a vertex in a ball that the grid does not see, or sees where there is none";
       }
     }
     return "";
@@ -237,6 +242,7 @@ class Stage {
   SurfaceMesh& surface_mesh;
   const TriMesh& mesh;
   DiskReplacer replacer;
+  Judge judge;
 
  private:
   const TriMesh& refined_mesh() {

@@ -62,8 +62,8 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
   options.r_min = {r_min, Length::Unit::voxel};
   options.lambda = lambda;
   Stage stage(scene, options);
-  Collapser collapser(stage.surface_mesh, stage.replacer, scene.surface, stage.recovered.curves,
-                      stage.parameters, stage.report);
+  Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
+                      stage.recovered.curves, stage.parameters, stage.report);
   const std::size_t of_stage1 = stage.mesh.points.size();
   Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
                     stage.report);
@@ -133,8 +133,8 @@ TEST_CASE(
     const Scene scene = noise_scene(seed);
     Stage stage(scene);
     REQUIRE(stage.fault() == "");
-    Collapser collapser(stage.surface_mesh, stage.replacer, scene.surface, stage.recovered.curves,
-                        stage.parameters, stage.report);
+    Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
+                        stage.recovered.curves, stage.parameters, stage.report);
     for (bool any = true; any;) {
       any = false;
       for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {

@@ -23,11 +23,7 @@ Wanting count_wanting(const Stage& stage) {
   for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
     if (is_dead(stage.mesh.faces[f])) continue;
     const Dual& dual = stage.surface_mesh.duals[f];
-    FacetShape shape =
-        measure(stage.corner(f, 0), stage.corner(f, 1), stage.corner(f, 2), dual.center);
-    if (!dual.on_surface) shape.h = shape.r;
-    wanting.over_limits +=
-        is_bad(shape, stage.surface_mesh.pole(stage.mesh.faces[f].v), stage.parameters.refinement);
+    wanting.over_limits += stage.judge.violation(stage.mesh.faces[f].v, dual) > 1;
     wanting.not_delaunay += !stage.is_delaunay(f);
   }
   return wanting;
@@ -85,7 +81,7 @@ TEST_CASE("vertices pushed along the surface are moved to where facets are good 
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 20);
     Stage stage(scene, {}, true);
-    Mover mover(stage.surface_mesh, stage.replacer, stage.parameters, stage.report);
+    Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
     const auto mend = [&] {
       int moves = 0;
       for (bool any = true; any;) {
@@ -130,7 +126,7 @@ TEST_CASE("a mesh with nothing wanting stays as it is") {
   const Scene scene = builtin_scene("sphere", 16);
   Stage stage(scene, {}, true);
   REQUIRE(count_wanting(stage).over_limits + count_wanting(stage).not_delaunay == 0);
-  Mover mover(stage.surface_mesh, stage.replacer, stage.parameters, stage.report);
+  Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
   const Stage::Snapshot before = stage.snapshot();
   for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
     if (!is_dead(stage.mesh.faces[f])) CHECK_FALSE(mover.move_corner(f));
@@ -149,7 +145,7 @@ TEST_CASE(
     options.lambda = 1;
     options.max_distance = {0.02, Length::Unit::voxel};
     Stage stage(scene, options);
-    Mover mover(stage.surface_mesh, stage.replacer, stage.parameters, stage.report);
+    Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
     Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
                       stage.report);
     Random random(static_cast<std::uint64_t>(n) + 1100);

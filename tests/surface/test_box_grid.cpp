@@ -128,7 +128,7 @@ double random_size(Random& random, double longest) {
 TEST_CASE("what meets a query is found, whatever came and went, at sizes over four orders") {
   std::uint64_t seed = 0;
   for (const Vec3 sides : {Vec3{9, 7, 5}, Vec3{4, 0.01, 300}, Vec3{1e-6, 2e-6, 1e-6},
-                          Vec3{3e7, 1e7, 2e7}, Vec3{5, 0, 0}}) {
+                           Vec3{3e7, 1e7, 2e7}, Vec3{5, 0, 0}}) {
     const double longest = std::max({sides.x, sides.y, sides.z});
     for (const double cell : {1e-5, 1e-2, 0.3, 50.0}) {
       ++seed;

@@ -25,7 +25,7 @@ TEST_CASE("a facet's measures") {
 
 TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
   const FacetShape s{2, 0.5, 0.8};  // h/r = 0.25, r/l = 2.5
-  CHECK_FALSE(is_bad(s, 10, kLoose));
+  CHECK_FALSE(violation(s, 10, kLoose) > 1);
   struct Case {
     Criteria passes, fails;
     double violation;
@@ -46,21 +46,21 @@ TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
                         {with([](Criteria& k) { k.max_radius = 2.1; }),
                          with([](Criteria& k) { k.max_radius = 1.9; }), 2 / 1.9}};
   for (const Case& c : cases) {
-    CHECK_FALSE(is_bad(s, 10, c.passes));
-    CHECK(is_bad(s, 10, c.fails));
+    CHECK_FALSE(violation(s, 10, c.passes) > 1);
+    CHECK(violation(s, 10, c.fails) > 1);
     // How badly: by what share the limit is passed.
     CHECK(violation(s, 10, c.fails) == doctest::Approx(c.violation));
     Criteria small = c.fails;
     small.r_min = 2;
     small.shape_floor = 2;
-    CHECK_FALSE(is_bad(s, 10, small));
+    CHECK_FALSE(violation(s, 10, small) > 1);
     // Either floor excuses from what is its own: r_min from geometry, shape_floor from shape.
     const bool of_shape = c.fails.lambda < kInfinity;
     small.shape_floor = 0;
-    CHECK(is_bad(s, 10, small) == of_shape);
+    CHECK((violation(s, 10, small) > 1) == of_shape);
     small.r_min = 0;
     small.shape_floor = 2;
-    CHECK(is_bad(s, 10, small) != of_shape);
+    CHECK((violation(s, 10, small) > 1) != of_shape);
   }
 }
 
@@ -72,33 +72,54 @@ TEST_CASE("the worst condition tells how bad a facet is; one without end is bad"
   CHECK(violation(s, kInfinity, k) == doctest::Approx(4.0 / 3));
   // A facet of no area.
   k.r_min = k.shape_floor = 1;
-  CHECK(is_bad({kInfinity, kInfinity, 0.5}, 10, k));
+  CHECK(violation({kInfinity, kInfinity, 0.5}, 10, k) > 1);
 }
 
-TEST_CASE("the queue gives out each octave before the next, and only what was set last") {
+TEST_CASE(
+    "the queue: band by band, block by block, the worst of a block first, what was set last") {
+  const Box3 box{{-1, 0, 2}, {7, 4, 2}};  // 4 x 2 x 1 blocks
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    WorstFirst queue;
+    WorstFirst queue(box, 2);
     std::vector<double> violation(200, 0);
+    std::vector<Vec3> place(200);
     for (int n = 0; n < 1000; ++n) {
       const FaceId f = random.below(200);
       violation[f] = std::exp2(random.uniform(-2, 6));
-      queue.set(f, violation[f]);
+      place[f] = {random.uniform(-1, 7), random.uniform(0, 4), 2};
+      queue.set(f, violation[f], place[f]);
     }
     std::size_t expected = 0, got = 0;
     for (const double v : violation) expected += v > 1;
     CHECK(queue.size() == expected);
-    int octave = 100;
+    std::array<int, 3> last{-100, 0, 0};  // each may only grow while those before it stay
     for (FaceId f = queue.pop(); f != kNoId; f = queue.pop()) {
       ++got;
       REQUIRE(violation[f] > 1);
-      const int of_f = std::ilogb(violation[f]);
-      CHECK(of_f <= octave);
-      octave = of_f;
+      const int fourth = static_cast<int>(4 * std::log2(violation[f]));
+      const int block =
+          static_cast<int>(place[f].x + 1) / 2 + 4 * (static_cast<int>(place[f].y) / 2);
+      const std::array<int, 3> now{-(fourth / 8), block, -fourth};
+      CHECK(now >= last);
+      last = now;
       violation[f] = 0;  // given out once
     }
     CHECK(got == expected);
     CHECK(queue.size() == 0);
   }
+}
+
+TEST_CASE("the queue takes any violation and any place") {
+  WorstFirst queue({{0, 0, 0}, {0, 0, 0}}, 1);  // a box without size
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  queue.set(3, 2, {0, 0, 0});
+  queue.set(1, kInfinity, {5, -5, 0});
+  queue.set(2, 1e300, {0, 0, 0});
+  queue.set(0, 1, {0, 0, 0});
+  CHECK(queue.size() == 3);
+  CHECK(queue.pop() != 3);
+  CHECK(queue.pop() != 3);
+  CHECK(queue.pop() == 3);
+  CHECK(queue.pop() == kNoId);
 }
