@@ -287,15 +287,13 @@ bool Refiner::refine(FaceId f) {
 }
 
 // The dear ones. Each lowers something of its own, but all together, and flips, could go round in
-// circles: so many may succeed.
+// circles: so many are tried.
 bool Refiner::rearrange(FaceId f) {
   if (rearrangements_left_ == 0) return false;
   --rearrangements_left_;
   if (retriangulator_.retriangulate(f)) return take(retriangulator_.created());
   if (collapser_.take_out_corner(f)) return take(collapser_.created());
-  if (mover_.move_corner(f)) return take(mover_.created());
-  ++rearrangements_left_;
-  return false;
+  return mover_.move_corner(f) && take(mover_.created());
 }
 
 // Where the steepest lines through its circumcenter and through the middle of its longest edge meet
