@@ -36,62 +36,6 @@ double cosine(const Vec3& u, const Vec3& v) {
 
 }  // namespace
 
-bool Patch::link() {
-  const std::size_t n = facets.size();
-  beyond.assign(n, {kRim, kRim, kRim});
-  rim.clear();
-  corners_.clear();
-  ends_.clear();
-  for (const Triangle& t : facets) {
-    std::array<std::size_t, 3> local;  // place in corners_
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto found = std::find(corners_.begin(), corners_.end(), t[i]);
-      local[i] = static_cast<std::size_t>(found - corners_.begin());
-      if (found == corners_.end()) corners_.push_back(t[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) ends_.push_back({local[(i + 1) % 3], local[(i + 2) % 3]});
-  }
-  const std::size_t vertices = corners_.size();
-  edge_.assign(vertices * vertices, kRim);
-  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-    std::uint32_t& same = edge_[ends_[e].from * vertices + ends_[e].to];
-    if (same != kRim) return false;  // two facets run along it alike
-    same = e;
-  }
-  leaves_.assign(vertices, kRim);
-  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-    const auto [from, to] = ends_[e];
-    const std::uint32_t back = edge_[to * vertices + from];
-    if (back != kRim) {
-      beyond[e / 3][e % 3] = back / 3;
-      continue;
-    }
-    if (leaves_[from] != kRim) return false;  // the rim meets itself
-    leaves_[from] = e;
-    rim.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
-  }
-  if (rim.size() < 3 || 2 * vertices != n + rim.size() + 2) return false;
-  // One cycle.
-  std::size_t length = 0;
-  const std::uint32_t first = 3 * rim[0].facet + static_cast<std::uint32_t>(rim[0].side);
-  for (std::uint32_t e = first; e != kRim && (e != first || length == 0); ++length) {
-    e = leaves_[ends_[e].to];
-  }
-  if (length != rim.size()) return false;
-  // One piece: a closed piece beside the disk could make up for a handle.
-  reached_.assign(1, 0);
-  is_reached_.assign(n, 0);
-  is_reached_[0] = 1;
-  for (std::size_t k = 0; k < reached_.size(); ++k) {
-    for (const std::uint32_t g : beyond[reached_[k]]) {
-      if (g == kRim || is_reached_[g]) continue;
-      is_reached_[g] = 1;
-      reached_.push_back(g);
-    }
-  }
-  return reached_.size() == n;
-}
-
 DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
                            const Parameters& parameters, Report& report)
     : s_(surface_mesh),
@@ -210,35 +154,6 @@ bool DiskReplacer::is_joined_outside(VertexId a, VertexId b, const Change& chang
 }
 
 // G2.
-bool DiskReplacer::find_duals(Change& change) {
-  change.duals.clear();
-  const auto is_large = [&](const Dual& dual) {
-    return !(dual.radius2 <= parameters_.r_min * parameters_.r_min);
-  };
-  auto allowed = std::count_if(change.out.begin(), change.out.end(), [&](FaceId f) {
-    return !s_.duals[f].on_surface && is_large(s_.duals[f]);
-  });
-  for (std::size_t f = 0; f < change.in.facets.size(); ++f) {
-    const Triangle& v = change.in.facets[f];
-    change.duals.push_back(finder_.dual(point(v[0]), point(v[1]), point(v[2]), searches()));
-    const Dual& dual = change.duals.back();
-    if (dual.on_surface) continue;
-    if ((is_large(dual) || !faces_out(v, normals_[f])) && allowed-- == 0) return false;
-  }
-  return true;
-}
-
-bool DiskReplacer::faces_out(const Triangle& v, const Vec3& normal) const {
-  Vec3 sum;
-  for (const VertexId q : v) {
-    const Vec3 gradient = surface_.gradient(point(q));
-    const double steepness = length(gradient);
-    if (steepness > 0) sum = sum + gradient / steepness;
-  }
-  return dot(sum, normal) < 0;
-}
-
-// G3.
 bool DiskReplacer::turns(const Change& change) {
   double before = 1, after = 1;
   const auto normal_of = [&](FaceId f) {
@@ -270,6 +185,35 @@ bool DiskReplacer::turns(const Change& change) {
     after = std::min(after, cosine(normals_[in.rim[k].facet], normal_of(beyond_[k])));
   }
   return !(after >= std::min(change.least_cosine, before));
+}
+
+// G3.
+bool DiskReplacer::find_duals(Change& change) {
+  change.duals.clear();
+  const auto is_large = [&](const Dual& dual) {
+    return !(dual.radius2 <= parameters_.r_min * parameters_.r_min);
+  };
+  auto allowed = std::count_if(change.out.begin(), change.out.end(), [&](FaceId f) {
+    return !s_.duals[f].on_surface && is_large(s_.duals[f]);
+  });
+  for (std::size_t f = 0; f < change.in.facets.size(); ++f) {
+    const Triangle& v = change.in.facets[f];
+    change.duals.push_back(finder_.dual(point(v[0]), point(v[1]), point(v[2]), searches()));
+    const Dual& dual = change.duals.back();
+    if (dual.on_surface) continue;
+    if ((is_large(dual) || !faces_out(v, normals_[f])) && allowed-- == 0) return false;
+  }
+  return true;
+}
+
+bool DiskReplacer::faces_out(const Triangle& v, const Vec3& normal) const {
+  Vec3 sum;
+  for (const VertexId q : v) {
+    const Vec3 gradient = surface_.gradient(point(q));
+    const double steepness = length(gradient);
+    if (steepness > 0) sum = sum + gradient / steepness;
+  }
+  return dot(sum, normal) < 0;
 }
 
 // G5.

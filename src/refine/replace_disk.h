@@ -7,9 +7,9 @@
 // to dear:
 //   G1  both are disks, and nothing of the new one is in the mesh already (the link condition): the
 //       mesh stays a manifold, homeomorphic to what it was;
-//   G2  every new facet above r_min finds its surface point; smaller ones may do without where they
-//       face Sigma's outside at all three corners; no more facets fail this than did before;
-//   G3  no edge turns more sharply than asked for, or than one did before;
+//   G2  no edge turns more sharply than asked for, or than one did before;
+//   G3  every new facet above r_min finds its surface point; smaller ones may do without where they
+//       face Sigma's outside; no more facets fail this than did before;
 //   G4  what the proposer wants to fall, falls: so there is an end to it;
 //   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
 //       (Not asked with Parameters::as_published.)
@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "refine/patch.h"
 #include "surface/box_grid.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
@@ -28,40 +29,6 @@
 #include "surface/surface_point.h"
 
 namespace deliso {
-
-// A disk of facets, each by its corners, and how they hang together. Linking them takes a step for
-// every two corners.
-struct Patch {
-  static constexpr std::uint32_t kRim = 0xffffffff;
-  struct RimEdge {
-    VertexId from, to;    // as the facet runs
-    std::uint32_t facet;  // its number in the patch
-    int side;             // of that facet
-  };
-  std::vector<Triangle> facets;
-  std::vector<std::array<std::uint32_t, 3>> beyond;  // facet across side i; kRim
-  std::vector<RimEdge> rim;
-
-  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1,
-  // which only a disk has.
-  bool link();
-  // Of the facets linked last.
-  std::span<const VertexId> vertices() const { return corners_; }
-  // Vertices that are not on the rim. pre: a disk.
-  std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
-
- private:
-  std::vector<VertexId> corners_;
-  // By places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
-  struct Ends {
-    std::size_t from, to;
-  };
-  std::vector<Ends> ends_;             // per edge
-  std::vector<std::uint32_t> edge_;    // per two corners: the edge that runs from one to the other
-  std::vector<std::uint32_t> leaves_;  // per corner: the rim edge that leaves it
-  std::vector<std::uint32_t> reached_;
-  std::vector<std::uint8_t> is_reached_;
-};
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
 // was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
@@ -75,7 +42,7 @@ struct Change {
   enum class Vertex { none, comes, moves } what = Vertex::none;
   VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
   Vec3 place;
-  double least_cosine = -1;  // G3: between the normals at an edge; -1: not asked
+  double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
   // Found on the way.
   std::vector<Dual> duals;      // of `in`
   std::vector<FaceId> created;  // of `in`, once it is done
@@ -118,9 +85,9 @@ class DiskReplacer {
   std::optional<Refusal> look_at(Change& change);  // G1 to G3
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
+  bool turns(const Change& change);
   bool find_duals(Change& change);
   bool faces_out(const Triangle& v, const Vec3& normal) const;
-  bool turns(const Change& change);
   bool crosses(const Change& change);
   bool meet(const Change& change, std::size_t f, const Triangle& t) const;
   bool is_out(FaceId f) const { return marks_[f] == stamp_; }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "refine/patch.h"
+
+#include <algorithm>
+
+namespace deliso {
+
+bool Patch::link() {
+  const std::size_t n = facets.size();
+  beyond.assign(n, {kRim, kRim, kRim});
+  rim.clear();
+  corners_.clear();
+  ends_.clear();
+  for (const Triangle& t : facets) {
+    std::array<std::size_t, 3> local;  // place in corners_
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto found = std::find(corners_.begin(), corners_.end(), t[i]);
+      local[i] = static_cast<std::size_t>(found - corners_.begin());
+      if (found == corners_.end()) corners_.push_back(t[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) ends_.push_back({local[(i + 1) % 3], local[(i + 2) % 3]});
+  }
+  const std::size_t vertices = corners_.size();
+  edge_.assign(vertices * vertices, kRim);
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    std::uint32_t& same = edge_[ends_[e].from * vertices + ends_[e].to];
+    if (same != kRim) return false;  // two facets run along it alike
+    same = e;
+  }
+  leaves_.assign(vertices, kRim);
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    const auto [from, to] = ends_[e];
+    const std::uint32_t back = edge_[to * vertices + from];
+    if (back != kRim) {
+      beyond[e / 3][e % 3] = back / 3;
+      continue;
+    }
+    if (leaves_[from] != kRim) return false;  // the rim meets itself
+    leaves_[from] = e;
+    rim.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
+  }
+  if (rim.size() < 3 || 2 * vertices != n + rim.size() + 2) return false;
+  // One cycle.
+  std::size_t length = 0;
+  const std::uint32_t first = 3 * rim[0].facet + static_cast<std::uint32_t>(rim[0].side);
+  for (std::uint32_t e = first; e != kRim && (e != first || length == 0); ++length) {
+    e = leaves_[ends_[e].to];
+  }
+  if (length != rim.size()) return false;
+  // One piece: a closed piece beside the disk could make up for a handle.
+  reached_.assign(1, 0);
+  is_reached_.assign(n, 0);
+  is_reached_[0] = 1;
+  for (std::size_t k = 0; k < reached_.size(); ++k) {
+    for (const std::uint32_t g : beyond[reached_[k]]) {
+      if (g == kRim || is_reached_[g]) continue;
+      is_reached_[g] = 1;
+      reached_.push_back(g);
+    }
+  }
+  return reached_.size() == n;
+}
+
+}  // namespace deliso

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What Stage 2 replaces, and by what: a disk of facets.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// A disk of facets, each by its corners, and how they hang together. Linking them takes a step for
+// every two corners.
+struct Patch {
+  static constexpr std::uint32_t kRim = 0xffffffff;
+  struct RimEdge {
+    VertexId from, to;    // as the facet runs
+    std::uint32_t facet;  // its number in the patch
+    int side;             // of that facet
+  };
+  std::vector<Triangle> facets;
+  std::vector<std::array<std::uint32_t, 3>> beyond;  // facet across side i; kRim
+  std::vector<RimEdge> rim;
+
+  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1,
+  // which only a disk has.
+  bool link();
+  // Of the facets linked last.
+  std::span<const VertexId> vertices() const { return corners_; }
+  // Vertices that are not on the rim. pre: a disk.
+  std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
+
+ private:
+  std::vector<VertexId> corners_;
+  // By places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
+  struct Ends {
+    std::size_t from, to;
+  };
+  std::vector<Ends> ends_;             // per edge
+  std::vector<std::uint32_t> edge_;    // per two corners: the edge that runs from one to the other
+  std::vector<std::uint32_t> leaves_;  // per corner: the rim edge that leaves it
+  std::vector<std::uint32_t> reached_;
+  std::vector<std::uint8_t> is_reached_;
+};
+
+}  // namespace deliso
