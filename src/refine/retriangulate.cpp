@@ -8,9 +8,8 @@
 namespace deliso {
 namespace {
 
-// How often a patch takes in the facets around it, how many facets it may have, and how many are
-// tried to fill it.
-constexpr int kGrowths = 2, kMostTried = 300;
+// How many facets are tried to fill a patch, and how many it may have.
+constexpr int kMostTried = 80;
 constexpr std::size_t kLargestPatch = 40;
 
 template <class T>
@@ -22,18 +21,6 @@ bool has(const std::vector<T>& list, const T& item) {
 
 bool Retriangulator::in_patch(FaceId f) const {
   return has(change_.out, f);
-}
-
-void Retriangulator::grow() {
-  for (std::size_t n = change_.out.size(); n > 0; --n) {
-    const FaceId f = change_.out[n - 1];
-    for (const VertexId q : mesh_.faces[f].v) {
-      facets_around(mesh_, f, q, star_);
-      for (const FaceId g : star_) {
-        if (!in_patch(g)) change_.out.push_back(g);
-      }
-    }
-  }
 }
 
 bool Retriangulator::has_empty_ball(const Triangle& v) {
@@ -103,13 +90,9 @@ bool Retriangulator::retriangulate(FaceId f) {
   }
   change_.least_cosine = kSharpest;
   std::optional<Refusal> refusal = Refusal::not_a_disk;
-  for (int growth = 0; refusal && change_.out.size() <= kLargestPatch; ++growth) {
-    if (replacer_.take_out(change_)) {
-      refusal = fill() ? replacer_.replace(change_, [] { return true; })
-                       : std::optional(Refusal::no_gain);
-    }
-    if (growth == kGrowths) break;
-    if (refusal) grow();
+  if (replacer_.take_out(change_)) {
+    refusal =
+        fill() ? replacer_.replace(change_, [] { return true; }) : std::optional(Refusal::no_gain);
   }
   return !report_[Rung::patch].count(refusal);
 }

@@ -19,7 +19,8 @@ class Retriangulator {
   Retriangulator(SurfaceMesh& surface_mesh, DiskReplacer& replacer, Report& report)
       : s_(surface_mesh), mesh_(surface_mesh.mesh), replacer_(replacer), report_(report) {}
 
-  // Replaces a patch with f in it, one that has facets with occupied balls and comes to have none.
+  // Replaces the patch of f and the facets with occupied balls that hang together with it, by one
+  // that has none.
   bool retriangulate(FaceId f);
   std::span<const FaceId> created() const { return change_.created; }
 
@@ -30,7 +31,6 @@ class Retriangulator {
   bool is_delaunay(FaceId f) const {
     return s_.duals[f].on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f]);
   }
-  void grow();
   bool in_patch(FaceId f) const;
   // Fills the patch facet by facet, closing the edges of front_ from number `from` on.
   bool fill();
@@ -45,11 +45,10 @@ class Retriangulator {
   Change change_;
 
   std::vector<VertexId> vertices_;  // of the patch
-  std::vector<DirectedEdge> rim_, used_,
-      front_;  // of the patch; of the filling so far; to be closed
+  // Of the patch; of the filling so far; to be closed.
+  std::vector<DirectedEdge> rim_, used_, front_;
   std::map<Triangle, bool> empty_;
   int tried_ = 0;
-  std::vector<FaceId> star_;
 };
 
 }  // namespace deliso
