@@ -9,6 +9,7 @@
 #include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
+#include "contour/bounded_volume.h"
 #include "mesh/check_mesh.h"
 
 namespace deliso {
@@ -82,9 +83,17 @@ std::uint32_t most_frequent(std::vector<std::uint32_t>& votes) {
   return winner;
 }
 
+// Up to rounding, also that of a file.
+bool is_corner(const ContourMesh& contour, const Triangle& t, const Vec3& p, double voxel) {
+  constexpr double kRounding = 1e-6;
+  return std::any_of(t.begin(), t.end(), [&](VertexId v) {
+    return distance2(p, contour.points[v]) <= kRounding * kRounding * voxel * voxel;
+  });
+}
+
 // Which component of T the vertices are nearest to; kNoId when most are near none. Where sheets lie
-// closer than T is fine the nearest can be another's: vertices in voxels of one component know
-// better, and then those whose nearest triangle faces the way that Sigma does.
+// closer than T is fine the nearest can be another's: vertices of T, and those in voxels of one
+// component, know better, and then those whose nearest triangle faces the way that Sigma does.
 std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
                    const ContourMesh& contour, const TriangleTree& tree, const LoneComponents& lone,
                    const Volume& volume, double within) {
@@ -99,7 +108,7 @@ std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
     const Vec3 normal =
         area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]);
     if (dot(normal, volume.gradient(p)) < 0) facing.push_back(votes.back());
-    const std::uint32_t only = lone.at(p);
+    const std::uint32_t only = is_corner(contour, t, p, within) ? votes.back() : lone.at(p);
     if (only != kNoId) sure.push_back(only);
   }
   if (2 * votes.size() <= asked) return kNoId;
@@ -163,7 +172,16 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                                     : text(") is a further one on component ", stands_for[m])),
         middle_of(c.box));
   }
-  const std::vector<std::uint8_t> is_turned = turned(mesh, volume, count);
+  const std::vector<std::uint8_t> faces_in = turned(mesh, volume, count);
+  const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
+  std::vector<std::optional<Vec3>> origins_in_mesh(count);
+  for (std::uint32_t m = 0; m < count; ++m) {
+    if (stands_for[m] != kNoId) origins_in_mesh[m] = origins[stands_for[m]];
+  }
+  const std::vector<double> exactly_bounded =
+      bounded_volumes(contour.points, contour.triangles, contour.component, origins);
+  const std::vector<double> bounded =
+      bounded_volumes(mesh.points, mesh.triangles, mesh.component, origins_in_mesh);
   for (std::uint32_t e = 0; e < exact.size(); ++e) {
     const ContourComponent& x = exact[e];
     const Box3 box = box_of(x, volume);
@@ -192,7 +210,8 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                       topology_text(c.euler(), c.boundary_loops)),
                  middle_of(box));
     }
-    if (is_turned[m]) {
+    // What bounds a volume says by itself which way it faces; a flake's gradients do not.
+    if (origins[e] ? (bounded[m] > 0) != (exactly_bounded[e] > 0) : faces_in[m] != 0) {
       faults.add(FaultKind::turned_components,
                  text(name, " has its normals turned to the side of the greater values"),
                  middle_of(box));

@@ -11,6 +11,7 @@
 #include "base/sorted_list.h"
 #include "base/triangle.h"
 #include "contour/block_order.h"
+#include "contour/bounded_volume.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
 #include "recover/certificate.h"
@@ -38,7 +39,9 @@ class CertifiedRecovery {
         site_(contour.points.size(), kNoId),
         graph_(contour),
         labels_(contour, graph_, triangulation_, kept_components(contour, parameters)),
-        certificate_(contour, graph_, labels_) {
+        certificate_(contour, graph_, labels_),
+        origins_(component_origins(contour, surface.volume().box())),
+        bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_)) {
     for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
       if (contour_vertex_[s] == kNoId) continue;
       site_[contour_vertex_[s]] = s;
@@ -60,6 +63,14 @@ class CertifiedRecovery {
   std::size_t make_ready();
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
   std::size_t part_crossings();
+  // And to components that are inside out: four sites on a rod may be either way round.
+  std::size_t turn_out();
+  std::size_t add_sites(std::span<const VertexId> vertices);  // kNoId: none
+  struct Facets {
+    std::vector<Vec3> points;  // per site
+    std::vector<Triangle> triangles, witnesses;
+  };
+  Facets all_facets() const;
   Dual dual_of(const DualFacet& facet);
   // Finds its surface point, or is too small for Stage 2 to look at.
   bool is_ready(const DualFacet& facet);
@@ -81,6 +92,9 @@ class CertifiedRecovery {
   ContourGraph graph_;
   Labels labels_;
   Certificate certificate_;
+  // What T's components bound, and seen from where.
+  std::vector<std::optional<Vec3>> origins_;
+  std::vector<double> bounded_;
 
   std::deque<VertexId> queue_;
   std::vector<std::uint8_t> queued_;
@@ -100,7 +114,7 @@ SurfaceMesh CertifiedRecovery::run() {
   const StepTimer timer(report_.seconds_recover);
   do {
     satisfy_certificate();
-  } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0);
+  } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0 || turn_out() > 0);
   for (const std::uint8_t state : unready_) {
     report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
   }
@@ -283,17 +297,47 @@ std::size_t CertifiedRecovery::make_ready() {
   return added;
 }
 
-std::size_t CertifiedRecovery::part_crossings() {
-  std::vector<Vec3> points(facets_.size());
-  std::vector<Triangle> triangles, witnesses;
+CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {
+  Facets k;
+  k.points.resize(facets_.size());
   for (VertexId s = 1; s < facets_.size(); ++s) {
-    points[s] = triangulation_.point(s);
+    k.points[s] = triangulation_.point(s);
     for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s) continue;
-      triangles.push_back(facet.sites);
-      witnesses.push_back(facet.witness);
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
+      k.triangles.push_back(facet.sites);
+      k.witnesses.push_back(facet.witness);
     }
   }
+  return k;
+}
+
+std::size_t CertifiedRecovery::turn_out() {
+  const auto [points, triangles, witnesses] = all_facets();
+  std::vector<std::uint32_t> component(points.size(), kNoId);
+  for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
+    if (contour_vertex_[s] != kNoId) component[s] = contour_.component[contour_vertex_[s]];
+  }
+  const std::vector<double> bounded = bounded_volumes(points, triangles, component, origins_);
+  std::vector<std::uint8_t> is_turned(bounded.size(), 0);
+  for (const Triangle& t : triangles) {
+    const std::uint32_t c = component[t[0]];
+    is_turned[c] = origins_[c] && !(bounded[c] * bounded_[c] > 0);
+  }
+  std::vector<VertexId> furthest(bounded.size(), kNoId);
+  for (VertexId v = 0; v < contour_.points.size(); ++v) {
+    const std::uint32_t c = contour_.component[v];
+    if (is_turned[c]) furthest[c] = labels_.further(furthest[c], v);
+  }
+  return add_sites(furthest);
+}
+
+std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices) {
+  return static_cast<std::size_t>(std::count_if(
+      vertices.begin(), vertices.end(), [&](VertexId v) { return v != kNoId && add_site(v); }));
+}
+
+std::size_t CertifiedRecovery::part_crossings() {
+  const auto [points, triangles, witnesses] = all_facets();
   BoxGrid grid(surface_.volume().box(), fitting_cell(points, triangles));
   std::uint64_t crossings = 0;
   std::vector<VertexId> between;
@@ -307,15 +351,14 @@ std::size_t CertifiedRecovery::part_crossings() {
       VertexId worst = kNoId;
       for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
       for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);
-      if (worst != kNoId) between.push_back(worst);
+      between.push_back(worst);
       return false;
     });
     grid.add(f, box);
   }
   report_[Counter::crossings_handed_over] = crossings;
   sort_out(between);
-  return static_cast<std::size_t>(
-      std::count_if(between.begin(), between.end(), [&](VertexId v) { return add_site(v); }));
+  return add_sites(between);
 }
 
 bool CertifiedRecovery::is_ready(const DualFacet& facet) {

@@ -30,6 +30,9 @@ bool has(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
 
+// What a component has at most that a change might turn inside out.
+constexpr std::size_t kFewFacets = 32;
+
 double cosine(const Vec3& u, const Vec3& v) {
   return dot(u, v) / std::sqrt(length2(u) * length2(v));
 }
@@ -95,7 +98,9 @@ std::optional<Refusal> DiskReplacer::look_at(Change& change) {
   for (const Triangle& v : change.in.facets) {
     normals_.push_back(area_normal(point(v[0]), point(v[1]), point(v[2])));
   }
-  if (change.least_cosine > -1 && turns(change)) return Refusal::turned;
+  if ((change.least_cosine > -1 && turns(change)) || turns_inside_out(change)) {
+    return Refusal::turned;
+  }
   if (!find_duals(change)) return Refusal::no_surface_point;
   return std::nullopt;
 }
@@ -185,6 +190,64 @@ bool DiskReplacer::turns(const Change& change) {
     after = std::min(after, cosine(normals_[in.rim[k].facet], normal_of(beyond_[k])));
   }
   return !(after >= std::min(change.least_cosine, before));
+}
+
+// G2, for components of few facets: the sign of the volume that one bounds says which side is
+// which. Seen from a point in all faces of the box that it meets, what it leaves open adds nothing.
+bool DiskReplacer::turns_inside_out(const Change& change) {
+  seen_.resize(mesh_.faces.size(), 0);
+  ++seen_stamp_;
+  rest_.clear();
+  const Box3 box = surface_.volume().box();
+  Vec3 origin = point(change.in.facets[0][0]);
+  std::array<double, 3> met{};  // -1, 1: the component meets that face
+  bool is_between_faces = false;
+  const auto meet_box = [&](VertexId a, VertexId b) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = point(a)[axis];
+      if (point(b)[axis] != at || (at != box.lo[axis] && at != box.hi[axis])) continue;
+      double& before = met[static_cast<std::size_t>(axis)];
+      const double now = at == box.lo[axis] ? -1 : 1;
+      is_between_faces |= before == -now;
+      before = now;
+      origin[axis] = at;
+    }
+  };
+  const auto reach = [&](FaceId f) {
+    if (is_out(f) || seen_[f] == seen_stamp_) return;
+    seen_[f] = seen_stamp_;
+    rest_.push_back(f);
+  };
+  for (std::size_t k = 0; k < beyond_.size(); ++k) {
+    if (beyond_[k] == kNoId) {
+      meet_box(change.in.rim[k].from, change.in.rim[k].to);
+    } else {
+      reach(beyond_[k]);
+    }
+  }
+  for (std::size_t k = 0; k < rest_.size(); ++k) {
+    if (rest_.size() > kFewFacets || is_between_faces) return false;
+    const Face& face = mesh_.faces[rest_[k]];
+    for (int i = 0; i < 3; ++i) {
+      if (face.n[i] == kNoId) {
+        meet_box(face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
+      } else {
+        reach(face.n[i]);
+      }
+    }
+  }
+  const auto volume = [&](const Triangle& v, auto&& at) {
+    return dot(at(v[0]) - origin, cross(at(v[1]) - origin, at(v[2]) - origin));
+  };
+  const auto now = [&](VertexId v) { return point(v); };
+  const auto was = [&](VertexId v) {
+    return change.what == Change::Vertex::moves && v == change.vertex ? moved_from_ : point(v);
+  };
+  double rest = 0, before = 0, after = 0;
+  for (const FaceId f : rest_) rest += volume(mesh_.faces[f].v, now);
+  for (const Triangle& v : change.was.facets) before += volume(v, was);
+  for (const Triangle& v : change.in.facets) after += volume(v, now);
+  return (rest + before > 0) != (rest + after > 0);
 }
 
 // G3.

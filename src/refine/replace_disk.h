@@ -7,7 +7,8 @@
 // to dear:
 //   G1  both are disks, and nothing of the new one is in the mesh already (the link condition): the
 //       mesh stays a manifold, homeomorphic to what it was;
-//   G2  no edge turns more sharply than asked for, or than one did before;
+//   G2  no edge turns more sharply than asked for, or than one did before, and no component turns
+//       inside out;
 //   G3  every new facet above r_min finds its surface point; smaller ones may do without where they
 //       face Sigma's outside; no more facets fail this than did before;
 //   G4  what the proposer wants to fall, falls: so there is an end to it;
@@ -86,6 +87,7 @@ class DiskReplacer {
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
   bool turns(const Change& change);
+  bool turns_inside_out(const Change& change);
   bool find_duals(Change& change);
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool crosses(const Change& change);
@@ -108,6 +110,9 @@ class DiskReplacer {
   Vec3 moved_from_;
   std::vector<FaceId> beyond_;      // per rim edge of the new disk; kNoId on the boundary
   std::vector<std::uint8_t> kept_;  // and whether it was the old one's too
+  std::vector<std::uint32_t> seen_;  // per facet, seen_stamp_ when it is in rest_
+  std::uint32_t seen_stamp_ = 0;
+  std::vector<FaceId> rest_;  // of a small component, but for what is to go
   std::vector<Vec3> normals_;
   std::vector<BoxGrid::Box> boxes_;
   // Per new facet and side, the plane through it that stands upright on the facet.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "contour/bounded_volume.h"
+
+namespace deliso {
+
+std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, const Box3& box) {
+  const std::size_t count = contour.summary.components.size();
+  std::vector<int> faces(count, 0);
+  std::vector<std::optional<Vec3>> origins(count);
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    faces[contour.component[v]] |= contour.box_faces[v];
+    origins[contour.component[v]] = contour.points[v];  // near by, for accuracy
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    for (int axis = 0; axis < 3 && origins[c]; ++axis) {
+      const int met = faces[c] >> (2 * axis) & 3;
+      if (met == 1) (*origins[c])[axis] = box.lo[axis];
+      if (met == 2) (*origins[c])[axis] = box.hi[axis];
+      if (met == 3) origins[c].reset();
+    }
+  }
+  return origins;
+}
+
+std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
+                                    std::span<const std::array<VertexId, 3>> triangles,
+                                    std::span<const std::uint32_t> component,
+                                    std::span<const std::optional<Vec3>> origins) {
+  std::vector<double> volumes(origins.size(), 0);
+  for (const std::array<VertexId, 3>& t : triangles) {
+    const std::uint32_t c = component[t[0]];
+    if (c == kNoId || !origins[c]) continue;
+    const Vec3& o = *origins[c];
+    volumes[c] += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+  }
+  return volumes;
+}
+
+}  // namespace deliso
