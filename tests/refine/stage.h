@@ -60,6 +60,33 @@ inline Kinds kinds_of(const TriMesh& mesh) {
   return kinds;
 }
 
+// How many closed components have their normals outwards.
+inline int turned_out(const TriMesh& mesh) {
+  int count = 0;
+  std::vector<std::uint8_t> seen(mesh.faces.size(), 0);
+  for (FaceId start = 0; start < mesh.faces.size(); ++start) {
+    if (seen[start]) continue;
+    std::vector<FaceId> component{start};
+    seen[start] = 1;
+    bool closed = true;
+    double volume = 0;
+    const Vec3 origin = mesh.points[mesh.faces[start].v[0]];
+    for (std::size_t k = 0; k < component.size(); ++k) {
+      const Face& face = mesh.faces[component[k]];
+      const auto at = [&](std::size_t i) { return mesh.points[face.v[i]] - origin; };
+      volume += dot(at(0), cross(at(1), at(2)));
+      for (const FaceId g : face.n) {
+        closed &= g != kNoId;
+        if (g == kNoId || seen[g]) continue;
+        seen[g] = 1;
+        component.push_back(g);
+      }
+    }
+    count += closed && volume > 0;
+  }
+  return count;
+}
+
 // The first two facets that cross, of all pairs; empty when there are none.
 inline std::string crossing_in(const TriMesh& mesh) {
   std::vector<Box3> boxes;
@@ -102,7 +129,8 @@ class Stage {
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
         replacer(recovered.mesh, of.surface, parameters, report),
         judge(recovered.mesh, replacer, parameters),
-        kinds_(kinds_of(mesh)) {
+        kinds_(kinds_of(mesh)),
+        turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
     tolerance_ = 1e-8 * (range.max - range.min);
   }
@@ -116,6 +144,7 @@ class Stage {
     if (fault.empty()) fault = check_boundary_on_box(live.mesh, scene.volume.box());
     if (!fault.empty()) return fault;
     if (kinds_of(live.mesh) != kinds_) return "another topology";
+    if (turned_out(live.mesh) != turned_out_) return "a component turned inside out";
     if (live.duals.size() != live.mesh.faces.size()) return "not one dual for each facet";
     fault = fault_of_chain(live);
     if (fault.empty()) fault = fault_of_chain(surface_mesh);
@@ -270,6 +299,7 @@ class Stage {
   }
 
   Kinds kinds_;
+  int turned_out_;
   double tolerance_ = 0;
 };
 

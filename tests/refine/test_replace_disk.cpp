@@ -187,8 +187,10 @@ struct Bare {
     if (!replacer->take_out(change)) return false;
     const auto refusal = replacer->replace(change, [] { return false; });
     REQUIRE(refusal);
-    REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::no_gain));
-    return refusal == Refusal::no_gain;
+    // Of points anywhere a change turns small components inside out.
+    REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::turned ||
+             refusal == Refusal::no_gain));
+    return refusal != Refusal::not_a_disk;
   }
   SurfaceMesh surface_mesh;
   Report report;
