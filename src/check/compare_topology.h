@@ -21,12 +21,13 @@ struct ComparedComponents {
 };
 
 // A component of the mesh stands for that of T which most of its vertices are nearest to (64 of
-// them are asked, evenly spread; those in voxels that hold one component decide, where there are
-// any), provided that is no further than a voxel's diagonal from most of them. Where several stand
-// for the same, the one with most triangles counts and the others are extra. Components smaller
-// than min_component (largest side of the box of their voxels) may be missing. Reports missing,
-// extra, different and turned components into `faults`. `contour_tree` holds the contour's
-// triangles.
+// them are asked, evenly spread; those at vertices of T or in voxels that hold one component
+// decide, where there are any), provided that is no further than a voxel's diagonal from most of
+// them. Where several stand for the same, the one with most triangles counts and the others are
+// extra. Components smaller than min_component (largest side of the box of their voxels) may be
+// missing. Reports missing, extra, different and turned components into `faults`: turned by the
+// sign of what it bounds (contour/bounded_volume.h), or of those that meet opposite faces of the
+// box by most of its area. `contour_tree` holds the contour's triangles.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
                                       const TriangleTree& contour_tree, const Volume& volume,
                                       double min_component, Faults& faults);
