@@ -19,8 +19,8 @@ constexpr int kMostAlongAxis = 32, kMostCells = 4096;
 constexpr double kGrowth = 4, kLittle = 5e5;
 // How often a cell may be longer than wide.
 constexpr double kLongest = 2;
-// Where triangles cross, cells of so many to a side are tried: hardly any two with a common divisor,
-// so that what lies on a plane between cells once lies well within one the next time.
+// Where triangles cross, cells of so many to a side are tried: hardly any two with a common
+// divisor, so that what lies on a plane between cells once lies well within one the next time.
 constexpr std::array kParts{2, 3, 5, 7, 9, 11, 13, 15};
 
 // Cells of about the side `cell`, or of up to `coarsest` where those would be too many.

@@ -312,14 +312,14 @@ CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {
 }
 
 std::size_t CertifiedRecovery::turn_out() {
-  const auto [points, triangles, witnesses] = all_facets();
-  std::vector<std::uint32_t> component(points.size(), kNoId);
+  const Facets k = all_facets();
+  std::vector<std::uint32_t> component(k.points.size(), kNoId);
   for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
     if (contour_vertex_[s] != kNoId) component[s] = contour_.component[contour_vertex_[s]];
   }
-  const std::vector<double> bounded = bounded_volumes(points, triangles, component, origins_);
+  const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins_);
   std::vector<std::uint8_t> is_turned(bounded.size(), 0);
-  for (const Triangle& t : triangles) {
+  for (const Triangle& t : k.triangles) {
     const std::uint32_t c = component[t[0]];
     is_turned[c] = origins_[c] && !(bounded[c] * bounded_[c] > 0);
   }
@@ -337,20 +337,20 @@ std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices) {
 }
 
 std::size_t CertifiedRecovery::part_crossings() {
-  const auto [points, triangles, witnesses] = all_facets();
-  BoxGrid grid(surface_.volume().box(), fitting_cell(points, triangles));
+  const Facets k = all_facets();
+  BoxGrid grid(surface_.volume().box(), fitting_cell(k.points, k.triangles));
   std::uint64_t crossings = 0;
   std::vector<VertexId> between;
-  for (FaceId f = 0; f < triangles.size(); ++f) {
-    const Triangle& t = triangles[f];
-    if (collinear(points[t[0]], points[t[1]], points[t[2]])) continue;
-    const BoxGrid::Box box = grid.box_of(points, t);
+  for (FaceId f = 0; f < k.triangles.size(); ++f) {
+    const Triangle& t = k.triangles[f];
+    if (collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]])) continue;
+    const BoxGrid::Box box = grid.box_of(k.points, t);
     grid.any(box, [&](FaceId g, const BoxGrid::Box&) {
-      if (!triangles_intersect(points, t, triangles[g])) return false;
+      if (!triangles_intersect(k.points, t, k.triangles[g])) return false;
       ++crossings;
       VertexId worst = kNoId;
-      for (const VertexId v : witnesses[f]) worst = labels_.further(worst, v);
-      for (const VertexId v : witnesses[g]) worst = labels_.further(worst, v);
+      for (const VertexId v : k.witnesses[f]) worst = labels_.further(worst, v);
+      for (const VertexId v : k.witnesses[g]) worst = labels_.further(worst, v);
       between.push_back(worst);
       return false;
     });

@@ -108,8 +108,8 @@ class DiskReplacer {
   std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is to go
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
-  std::vector<FaceId> beyond_;      // per rim edge of the new disk; kNoId on the boundary
-  std::vector<std::uint8_t> kept_;  // and whether it was the old one's too
+  std::vector<FaceId> beyond_;       // per rim edge of the new disk; kNoId on the boundary
+  std::vector<std::uint8_t> kept_;   // and whether it was the old one's too
   std::vector<std::uint32_t> seen_;  // per facet, seen_stamp_ when it is in rest_
   std::uint32_t seen_stamp_ = 0;
   std::vector<FaceId> rest_;  // of a small component, but for what is to go
