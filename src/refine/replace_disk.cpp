@@ -225,9 +225,9 @@ bool DiskReplacer::turns_inside_out(const Change& change) {
       reach(beyond_[k]);
     }
   }
-  for (std::size_t k = 0; k < rest_.size(); ++k) {
+  for (std::size_t done = 0; done < rest_.size();) {
     if (rest_.size() > kFewFacets || is_between_faces) return false;
-    const Face& face = mesh_.faces[rest_[k]];
+    const Face& face = mesh_.faces[rest_[done++]];
     for (int i = 0; i < 3; ++i) {
       if (face.n[i] == kNoId) {
         meet_box(face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
