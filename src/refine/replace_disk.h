@@ -83,6 +83,7 @@ class DiskReplacer {
   void commit(Change& change);
   void relist(VertexId v);  // in vertices_, where it is now
 
+  // refine/gates.cpp
   std::optional<Refusal> look_at(Change& change);  // G1 to G3
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
