@@ -126,6 +126,7 @@ bool DiskReplacer::turns(const Change& change) {
 // G2, for components of few facets: the sign of the volume that one bounds says which side is
 // which. Seen from a point in all faces of the box that it meets, what it leaves open adds nothing.
 bool DiskReplacer::turns_inside_out(const Change& change) {
+  if (parameters_.as_published) return false;
   seen_.resize(mesh_.faces.size(), 0);
   ++seen_stamp_;
   rest_.clear();

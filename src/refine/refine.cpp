@@ -42,6 +42,9 @@ constexpr double kReach = 2;
 // The queue's blocks, in voxels: what a facet and its surroundings take of mesh and volume stays in
 // the cache.
 constexpr double kBlock = 32;
+// How wide its bands are, in fourths of an octave. Where the refinement may end before all is done,
+// what is worst anywhere comes first.
+constexpr unsigned kBand = 8, kNarrowBand = 1;
 
 class Refiner {
  public:
@@ -58,7 +61,9 @@ class Refiner {
         collapser_(surface_mesh, replacer_, judge_, surface, curves, parameters_, report),
         retriangulator_(surface_mesh, replacer_, report),
         mover_(surface_mesh, replacer_, judge_, parameters_, report),
-        queue_(surface.volume().box(), kBlock * parameters.voxel) {}
+        by_count_(parameters.target_vertices != std::numeric_limits<std::size_t>::max()),
+        queue_(surface.volume().box(), kBlock * parameters.voxel, by_count_ ? kNarrowBand : kBand) {
+  }
 
   void run(std::span<const Vec3> witnesses);
 
@@ -101,6 +106,7 @@ class Refiner {
   Retriangulator retriangulator_;
   Mover mover_;
 
+  bool by_count_;  // --vertices
   WorstFirst queue_;
   std::vector<FaceId> refused_;
   std::vector<std::uint8_t> stuck_;  // per facet: all rungs refused, and nothing changed around it
@@ -108,14 +114,13 @@ class Refiner {
   std::vector<FaceId> ends_;         // facets whose boundary edges are to be looked at
   std::vector<std::uint32_t> far_;   // witnesses that were far when they were looked at last
   std::size_t rearrangements_left_ = 0;
-  bool by_count_ = false, full_ = false;
+  bool full_ = false;
   double reached_ = 0;  // h of the facet last taken from the queue
   std::size_t steps_ = 0;
   double share_ = 0;
 };
 
 void Refiner::run(std::span<const Vec3> witnesses) {
-  by_count_ = parameters_.target_vertices != std::numeric_limits<std::size_t>::max();
   if (by_count_) parameters_.refinement.max_distance = kFinest * parameters_.voxel;
   stuck_.assign(mesh_.faces.size(), 0);
   changed_.resize(mesh_.faces.size());

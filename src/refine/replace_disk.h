@@ -13,7 +13,7 @@
 //       face Sigma's outside; no more facets fail this than did before;
 //   G4  what the proposer wants to fall, falls: so there is an end to it;
 //   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
-//       (Not asked with Parameters::as_published.)
+//       (This and the last of G2 are not asked with Parameters::as_published.)
 #pragma once
 
 #include <array>

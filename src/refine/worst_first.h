@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A queue that gives out the worst facets first, as nearly as is good for memory: in bands of two
-// octaves of how badly they violate a criterion, within a band block by block of the volume, within
-// a block by fourths of an octave. Exact order would run to and fro through a mesh that no cache
-// holds, and buys no smaller ones.
+// A queue that gives out the worst facets first, as nearly as is good for memory: in bands of how
+// badly they violate a criterion, within a band block by block of the volume, within a block by
+// fourths of an octave. Exact order would run to and fro through a mesh that no cache holds, and
+// buys no smaller ones.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,9 @@ namespace deliso {
 
 class WorstFirst {
  public:
-  // Blocks of about `side`; there are at most 2^18 of them.
-  WorstFirst(const Box3& box, double side) : low_(box.lo) {
+  // Blocks of about `side`; there are at most 2^18 of them. Bands are so many fourths of an octave
+  // wide, at most 8.
+  WorstFirst(const Box3& box, double side, unsigned fourths) : low_(box.lo), fourths_(fourths) {
     const Vec3 size = box.size();
     for (int axis = 0; axis < 3; ++axis) {
       const double wanted = std::clamp(size[axis] / side, 1.0, 64.0);
@@ -38,9 +39,8 @@ class WorstFirst {
     if (!(violation > 1)) return;
     ++size_;
     const double fourth = violation * violation * violation * violation;
-    const int most = 8 * kBands - 1;
-    const auto n = static_cast<std::uint64_t>(fourth < 0x1p63 ? std::ilogb(fourth) : most);
-    keys_[f] = n / 8 << 58 | (kBlocks - block_of(p)) << 36 | n % 8 << 32 | f;
+    const auto n = static_cast<std::uint64_t>(fourth < 0x1p63 ? std::ilogb(fourth) : 63);
+    keys_[f] = n / fourths_ << 57 | (kBlocks - block_of(p)) << 36 | n % fourths_ << 32 | f;
     queue_.push(keys_[f]);
   }
 
@@ -61,7 +61,6 @@ class WorstFirst {
   std::size_t size() const { return size_; }
 
  private:
-  static constexpr int kBands = 8;
   static constexpr std::uint64_t kNone = 0, kBlocks = std::uint64_t{1} << 20;
 
   std::uint64_t block_of(const Vec3& p) const {
@@ -77,6 +76,7 @@ class WorstFirst {
 
   Vec3 low_, per_block_;
   Index3 blocks_;
+  std::uint64_t fourths_;
   // Band, block (the first ones largest), fourth of an octave, facet: the largest comes first.
   std::priority_queue<std::uint64_t> queue_;
   std::vector<std::uint64_t> keys_;  // per facet

@@ -81,7 +81,8 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    WorstFirst queue(box, 2);
+    const unsigned fourths = 1 + random.below(8);
+    WorstFirst queue(box, 2, fourths);
     std::vector<double> violation(200, 0);
     std::vector<Vec3> place(200);
     for (int n = 0; n < 1000; ++n) {
@@ -100,7 +101,7 @@ TEST_CASE(
       const int fourth = static_cast<int>(4 * std::log2(violation[f]));
       const int block =
           static_cast<int>(place[f].x + 1) / 2 + 4 * (static_cast<int>(place[f].y) / 2);
-      const std::array<int, 3> now{-(fourth / 8), block, -fourth};
+      const std::array<int, 3> now{-(fourth / static_cast<int>(fourths)), block, -fourth};
       CHECK(now >= last);
       last = now;
       violation[f] = 0;  // given out once
@@ -111,7 +112,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the queue takes any violation and any place") {
-  WorstFirst queue({{0, 0, 0}, {0, 0, 0}}, 1);  // a box without size
+  WorstFirst queue({{0, 0, 0}, {0, 0, 0}}, 1, 8);  // a box without size
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   queue.set(3, 2, {0, 0, 0});
   queue.set(1, kInfinity, {5, -5, 0});
