@@ -32,8 +32,11 @@ constexpr double kFinest = 2e-3;  // voxels
 // are refined for it, smaller ones only rearranged.
 constexpr double kSmall = 0.5;
 
-// How often all facets are looked at for that: what is inserted for some is in the balls of others.
+// How often all facets are looked at for that, since what is inserted for some is in the balls of
+// others, and to what share their number must fall each time: between sheets that all but touch it
+// would grow.
 constexpr int kRounds = 3;
+constexpr double kFewer = 0.5;
 
 // How much further than facets from Sigma, at their circumcenters, points of Sigma may be from the
 // mesh. The same for both costs two in five vertices more (docs/decisions.md).
@@ -75,8 +78,9 @@ class Refiner {
   void refine_geom(Rungs rungs);
   // Inserts witnesses that are too far from the mesh; whether any.
   bool reach(std::span<const Vec3> witnesses);
-  // Makes facets Delaunay whose balls hold vertices, or that have no surface point; whether any.
-  bool make_delaunay();
+  // Makes facets Delaunay whose balls hold vertices, or that have no surface point.
+  void make_delaunay();
+  std::vector<FaceId> not_delaunay() const;  // but for the stuck ones
   void count_left();
 
   FacetShape shape(FaceId f) const;
@@ -134,7 +138,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
     while (!full_ && !by_count_ && reach(witnesses)) refine_geom(Rungs::cheap);
     rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
-    for (int n = 0; n < kRounds && !full_ && make_delaunay(); ++n) refine_geom(Rungs::all);
+    make_delaunay();
   }
   count_left();
 }
@@ -237,18 +241,28 @@ bool Refiner::reach(std::span<const Vec3> witnesses) {
   return any;
 }
 
-bool Refiner::make_delaunay() {
-  bool any = false;
+std::vector<FaceId> Refiner::not_delaunay() const {
+  std::vector<FaceId> found;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (is_dead(mesh_.faces[f]) || stuck_[f]) continue;
-    const Dual& dual = s_.duals[f];
-    if (dual.on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, dual)) continue;
-    const bool is_small = shape(f).r <= kSmall * parameters_.r_min;
-    const bool done = (!is_small && refine(f)) || rearrange(f);
-    stuck_[f] = !done;
-    any |= done;
+    if (!is_dead(mesh_.faces[f]) && !stuck_[f] && !replacer_.is_delaunay(f)) found.push_back(f);
   }
-  return any;
+  return found;
+}
+
+void Refiner::make_delaunay() {
+  double allowed = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < kRounds && !full_; ++n) {
+    const std::vector<FaceId> found = not_delaunay();
+    if (found.empty() || static_cast<double>(found.size()) > allowed) return;
+    allowed = kFewer * static_cast<double>(found.size());
+    for (const FaceId f : found) {
+      // An earlier one may have mended it, or taken it away.
+      if (is_dead(mesh_.faces[f]) || replacer_.is_delaunay(f)) continue;
+      const bool is_small = shape(f).r <= kSmall * parameters_.r_min;
+      stuck_[f] = !((!is_small && refine(f)) || rearrange(f));
+    }
+    refine_geom(Rungs::all);
+  }
 }
 
 // What is done, of that and what is queued; the queue grows at first, so the share is a guess.

@@ -73,6 +73,10 @@ class DiskReplacer {
 
   // Whether any vertex of the mesh but the corners of v is in the ball.
   bool holds_vertex(const Triangle& v, const Dual& ball) const;
+  // Whether f has a surface ball, without vertices of the mesh.
+  bool is_delaunay(FaceId f) const {
+    return s_.duals[f].on_surface && !holds_vertex(mesh_.faces[f].v, s_.duals[f]);
+  }
   const BoxGrid& facets() const { return facets_; }
   SurfacePointFinder& finder() { return finder_; }
   SearchCounters& searches() { return report_.searches_refine; }

@@ -81,11 +81,11 @@ bool Retriangulator::fill_from(std::size_t from) {
 }
 
 bool Retriangulator::retriangulate(FaceId f) {
-  if (is_delaunay(f)) return false;
+  if (replacer_.is_delaunay(f)) return false;
   change_.out.assign(1, f);
   for (std::size_t n = 0; n < change_.out.size() && change_.out.size() < kLargestPatch; ++n) {
     for (const FaceId g : mesh_.faces[change_.out[n]].n) {
-      if (g != kNoId && !in_patch(g) && !is_delaunay(g)) change_.out.push_back(g);
+      if (g != kNoId && !in_patch(g) && !replacer_.is_delaunay(g)) change_.out.push_back(g);
     }
   }
   change_.least_cosine = kSharpest;

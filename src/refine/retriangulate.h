@@ -17,7 +17,7 @@ class Retriangulator {
  public:
   // Keeps references.
   Retriangulator(SurfaceMesh& surface_mesh, DiskReplacer& replacer, Report& report)
-      : s_(surface_mesh), mesh_(surface_mesh.mesh), replacer_(replacer), report_(report) {}
+      : mesh_(surface_mesh.mesh), replacer_(replacer), report_(report) {}
 
   // Replaces the patch of f and the facets with occupied balls that hang together with it, by one
   // that has none.
@@ -27,10 +27,6 @@ class Retriangulator {
  private:
   using DirectedEdge = std::pair<VertexId, VertexId>;
 
-  // Whether f has a surface ball without vertices of the mesh.
-  bool is_delaunay(FaceId f) const {
-    return s_.duals[f].on_surface && !replacer_.holds_vertex(mesh_.faces[f].v, s_.duals[f]);
-  }
   bool in_patch(FaceId f) const;
   // Fills the patch facet by facet, closing the edges of front_ from number `from` on.
   bool fill();
@@ -38,7 +34,6 @@ class Retriangulator {
   bool is_free(VertexId a, VertexId b) const;
   bool has_empty_ball(const Triangle& v);
 
-  SurfaceMesh& s_;
   const TriMesh& mesh_;
   DiskReplacer& replacer_;
   Report& report_;
