@@ -80,7 +80,9 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
       // The second search need not go further than the first found something.
       const double straight = along(surface, p, normal, std::min(limit, steep), counters);
       double d = std::min(steep, straight);
-      if (d > bound) {  // both lines may run past a thin part of Sigma, or a small one
+      if (d >
+          std::min(bound,
+                   limit / 8)) {  // both lines may run past a thin part of Sigma, or a small one
         for (const Vec3& axis :
              {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
           d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));

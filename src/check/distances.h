@@ -23,8 +23,8 @@ struct Distances {
 };
 
 // From the middle of every triangle and of its edges to Sigma: along the gradient and along the
-// triangle's normal, and where that gives nothing within `bound` along the axes and towards the
-// corners; the shortest of these, hence an upper bound. Searched over `limit`.
+// triangle's normal, and where that gives nothing within `bound`, or near by, along the axes and
+// towards the corners; the shortest of these, hence an upper bound. Searched over `limit`.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                double bound);
 

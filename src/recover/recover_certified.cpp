@@ -71,7 +71,7 @@ class CertifiedRecovery {
     std::vector<Triangle> triangles, witnesses;
   };
   Facets all_facets() const;
-  Dual dual_of(const DualFacet& facet);
+  Dual dual_of(const Triangle& sites);
   // Finds its surface point, or is too small for Stage 2 to look at.
   bool is_ready(const DualFacet& facet);
   SurfaceMesh dual();
@@ -127,22 +127,19 @@ SurfaceMesh CertifiedRecovery::dual() {
   SurfaceMesh out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
   std::vector<Triangle> triangles;
-  for (VertexId s = 1; s < facets_.size(); ++s) {
-    for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
-      out.duals.push_back(dual_of(facet));
-      report_[Counter::unready_facets] += !out.duals.back().on_surface;
-      Triangle v = facet.sites;
-      for (VertexId& q : v) {
-        if (new_id[q] == kNoId) {
-          new_id[q] = static_cast<VertexId>(out.mesh.points.size());
-          out.mesh.points.push_back(triangulation_.point(q));
-          if (!poles.empty()) out.pole_heights.push_back(poles[q]);
-        }
-        q = new_id[q];
+  const Facets k = all_facets();
+  for (Triangle v : k.triangles) {
+    out.duals.push_back(dual_of(v));
+    report_[Counter::unready_facets] += !out.duals.back().on_surface;
+    for (VertexId& q : v) {
+      if (new_id[q] == kNoId) {
+        new_id[q] = static_cast<VertexId>(out.mesh.points.size());
+        out.mesh.points.push_back(triangulation_.point(q));
+        if (!poles.empty()) out.pole_heights.push_back(poles[q]);
       }
-      triangles.push_back(v);
+      q = new_id[q];
     }
+    triangles.push_back(v);
   }
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
   out.chain = chain_.renumbered(new_id);
@@ -362,13 +359,13 @@ std::size_t CertifiedRecovery::part_crossings() {
 }
 
 bool CertifiedRecovery::is_ready(const DualFacet& facet) {
-  const Dual dual = dual_of(facet);
+  const Dual dual = dual_of(facet.sites);
   return dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min;
 }
 
-Dual CertifiedRecovery::dual_of(const DualFacet& facet) {
-  return finder_.dual(triangulation_.point(facet.sites[0]), triangulation_.point(facet.sites[1]),
-                      triangulation_.point(facet.sites[2]), report_.searches_recover);
+Dual CertifiedRecovery::dual_of(const Triangle& sites) {
+  return finder_.dual(triangulation_.point(sites[0]), triangulation_.point(sites[1]),
+                      triangulation_.point(sites[2]), report_.searches_recover);
 }
 
 }  // namespace

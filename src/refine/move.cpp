@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace deliso {
@@ -18,18 +19,19 @@ constexpr double kFall = 0.05;
 
 }  // namespace
 
-// Of the star of the vertex at hand were it at p: the part of its cost that asks for no search.
+// Of the star of the vertex at hand were it at p: the part of its cost that asks for no search, as
+// if every facet's surface point were its circumcenter.
 double Mover::cost_of_needles(const Vec3& p) const {
-  const Criteria& limit = parameters_.refinement;
   double sum = 0;
   for (const Triangle& t : change_.in.facets) {
     const auto corner = [&](std::size_t i) -> const Vec3& {
       return t[i] == change_.vertex ? p : mesh_.points[t[i]];
     };
     const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
-    const double r = distance(circumcenter(a, b, c), a);
-    const double over = r / (limit.lambda * std::sqrt(shortest_edge2(a, b, c)));
-    if (!(r <= limit.shape_floor) && over > 1) sum += over;
+    const FacetShape shape = measure(a, b, c, circumcenter(a, b, c));
+    const double over =
+        violation(shape, std::numeric_limits<double>::infinity(), parameters_.refinement);
+    if (over > 1) sum += over;
   }
   return sum;
 }
