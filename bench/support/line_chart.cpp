@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/append_format.h"
-#include "base/atomic_file.h"
 #include "base/check.h"
+#include "files/atomic_file.h"
 
 namespace deliso {
 namespace {

@@ -36,7 +36,7 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
   std::string line =
       text(name, "max ", in_voxels(d.max), ", mean ", in_voxels(d.mean), ", rms ", in_voxels(d.rms),
            ", 99.9 % ", in_voxels(d.quantile_999), " voxels, furthest at ",
-           place_text(volume.orientation().to_world(d.furthest)), "\n");
+           place_text(volume.frame().to_world(d.furthest)), "\n");
   if (bound < Options::kNone) {
     line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
                  " further than ", in_voxels(bound), " voxels\n");
@@ -160,7 +160,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   if (v.small_components > 0) out += text(", ", v.small_components, " left out as small");
   if (v.solid) {
     out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
-                                       world_volume(v.solid->volume, volume.orientation()),
+                                       world_volume(v.solid->volume, volume.frame()),
                                        v.solid->quality);
     out +=
         text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
@@ -183,8 +183,8 @@ std::string verification_text(const Verification& v, const Volume& volume) {
     any = true;
     out += text("FAULT     ", name_of(kind), ": ", v.faults.count(kind), "\n");
     for (const Fault& fault : v.faults.first(kind)) {
-      out += "          " + fault.what + " at " +
-             place_text(volume.orientation().to_world(fault.at)) + "\n";
+      out +=
+          "          " + fault.what + " at " + place_text(volume.frame().to_world(fault.at)) + "\n";
     }
   }
   if (!any) out += "faults    none\n";
@@ -205,7 +205,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   json.add("max_off_surface_voxels", v.max_off_surface / voxel);
   if (v.solid) {
     add_solid(json, v.solid->cap_vertices, v.solid->cap_triangles,
-              world_volume(v.solid->volume, volume.orientation()), v.solid->quality);
+              world_volume(v.solid->volume, volume.frame()), v.solid->quality);
     json.add("caps_off_box_voxels", v.solid->off_box / voxel);
     json.add("cap_self_intersections", v.solid->self_intersections);
   }
@@ -253,7 +253,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
     json.add("count", v.faults.count(kind));
     std::size_t number = 0;
     for (const Fault& fault : v.faults.first(kind)) {
-      const Vec3 at = volume.orientation().to_world(fault.at);
+      const Vec3 at = volume.frame().to_world(fault.at);
       json.open(std::to_string(++number));
       json.add("what", fault.what);
       json.add("at", {at.x, at.y, at.z});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program is asked to do, from its arguments. One table of options drives the parsing, the
-// suggestions for misspelt names and the help text.
+// What the program is asked to do, from its arguments.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +30,7 @@ struct ClipChoice {
 
 struct CommandLine {
   Command command = Command::mesh;
+  std::optional<Command> help_of;  // for help: of this command alone
   std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; none for pictures
   std::vector<std::string> meshes;  // paths, or - for standard input: one to check, some to draw
   std::string output;               // a path, - for standard output, or empty: no mesh is written
@@ -62,7 +62,7 @@ inline bool by_count(const Options& options) {
 // that cannot be told.
 CommandLine parse_command_line(std::span<const std::string_view> arguments);
 
-// The whole text of --help, made from the table.
-std::string help_text();
+// The text of --help: of one command with all of its options, or of the program.
+std::string help_text(std::optional<Command> command);
 
 }  // namespace deliso

@@ -35,10 +35,10 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
 
 Input read_input(const CommandLine& line) {
   const Stopwatch watch;
-  std::vector<std::string> notes;
-  Volume volume = read_volume(line.input, line.read, &notes);
+  ReadLog log;
+  Volume volume = read_volume(line.input, line.read, &log);
   const ValueRange range = value_range(volume, line.input);
-  return {line.input, std::move(volume), range, std::move(notes), watch.seconds()};
+  return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
 }
 
 std::string input_text(const Input& input) {
@@ -50,21 +50,20 @@ std::string input_text(const Input& input) {
                      text_of(volume.spacing()) + ", samples " + number_text(input.range.min) +
                      " to " + number_text(input.range.max) + "\n";
 
-  const Orientation& at = volume.orientation();
-  const Orientation plain;
-  if (at.origin != plain.origin || at.axes != plain.axes || at.space != plain.space) {
+  const Frame& at = volume.frame();
+  if (at != Frame{}) {
     text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
             text_of(at.axes[1]) + " / " + text_of(at.axes[2]) +
             (at.left_handed() ? ", left-handed" : "") + ", space " +
             std::string(name_of(at.space)) + "\n";
   }
-  for (const std::string& note : input.notes) text += "          " + note + "\n";
+  for (const std::string& note : input.log.notes) text += "          " + note + "\n";
   return text;
 }
 
 void add_input(JsonWriter& json, const Input& input) {
   const Volume& volume = input.volume;
-  const Orientation& at = volume.orientation();
+  const Frame& at = volume.frame();
   const Index3 dims = volume.dims();
   json.open("volume");
   json.add("input", input.name);

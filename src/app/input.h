@@ -7,6 +7,7 @@
 
 #include "app/command_line.h"
 #include "app/json.h"
+#include "volume/read_volume.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -15,8 +16,8 @@ struct Input {
   std::string name;  // as the user gave it
   Volume volume;
   ValueRange range;
-  std::vector<std::string> notes;  // of the reader, for people
-  double seconds = 0;              // reading, and looking at every sample once
+  ReadLog log;
+  double seconds = 0;  // reading, and looking at every sample once
 };
 
 // Reads the command's input. Throws InputError, also for the first NaN or infinite sample.

@@ -21,7 +21,7 @@ int run(std::span<const std::string_view> arguments) {
   const CommandLine line = parse_command_line(arguments);
   switch (line.command) {
     case Command::help:
-      print(help_text());
+      print(help_text(line.help_of));
       return kFine;
     case Command::version:
       print("deliso " + std::string(kVersion) + "\n");

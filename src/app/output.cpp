@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
+#include "files/atomic_file.h"
 
 namespace deliso {
 

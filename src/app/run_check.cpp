@@ -20,7 +20,7 @@ namespace {
 
 // Takes the mesh from the world to the volume's scaled frame, in place, and tells how far a vertex
 // may have been moved by rounding: to float where all coordinates are floats, else to double.
-double bring_home(TriMesh& mesh, const Orientation& at) {
+double bring_home(TriMesh& mesh, const Frame& at) {
   double largest = 0;
   bool single = true;
   const auto note = [&](double x) {
@@ -57,7 +57,7 @@ int run_check(const CommandLine& line) {
   const Volume& volume = input.volume;
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
-  options.position_error = bring_home(mesh, volume.orientation());
+  options.position_error = bring_home(mesh, volume.frame());
   const Verification result =
       verify(mesh, volume, settled_isovalue(volume, *line.isovalue), options);
 

@@ -71,7 +71,7 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
     without_caps = part_of(mesh, 0, surface_triangles);
     const TriMesh caps = part_of(mesh, surface_triangles, mesh.faces.size());
     run.cap_quality = measure_quality(caps, run.line.options.lambda, 0);
-    run.volume = world_volume(enclosed_volume(mesh), volume.orientation());
+    run.volume = world_volume(enclosed_volume(mesh), volume.frame());
   }
   const TriMesh& surface = capped ? without_caps : mesh;
   if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
@@ -88,26 +88,12 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   run.seconds_check = watch.seconds();
 }
 
-std::string_view short_name_of(AnatomicalSpace space) {
-  switch (space) {
-    case AnatomicalSpace::ras:
-      return "RAS";
-    case AnatomicalSpace::lps:
-      return "LPS";
-    case AnatomicalSpace::unknown:
-      break;
-  }
-  return {};
-}
-
 void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
-  const Orientation& orientation = volume.orientation();
   const CommandLine& line = run.line;
   const DeferSignals defer;
   const Stopwatch watch;
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
-    options.frame = {orientation.origin, orientation.axes, short_name_of(orientation.space)};
     options.comment = criteria_note(line, volume, run.report);
     write_mesh(mesh, line.output, options);
   }

@@ -8,8 +8,8 @@
 
 namespace deliso {
 
-double world_volume(double scaled, const Orientation& orientation) {
-  const auto& [u, v, w] = orientation.axes;
+double world_volume(double scaled, const Frame& frame) {
+  const auto& [u, v, w] = frame.axes;
   return scaled * std::fabs(dot(cross(u, v), w));
 }
 

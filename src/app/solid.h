@@ -12,7 +12,7 @@
 namespace deliso {
 
 // A volume of the scaled frame, in world units.
-double world_volume(double scaled, const Orientation& orientation);
+double world_volume(double scaled, const Frame& frame);
 
 // "volume 12.5, caps of 7 new vertices and 31 triangles, ...", without an end of line.
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,

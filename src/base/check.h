@@ -14,9 +14,22 @@
 
 namespace deliso {
 
+// `message` as one line of bounded length, whatever names and words of files it holds: control
+// characters become '?', and the middle of what is very long goes.
+inline std::string one_line(std::string message) {
+  constexpr std::size_t kBegin = 300, kEnd = 400;
+  if (message.size() > kBegin + kEnd) {
+    message.replace(kBegin, message.size() - kBegin - kEnd, "[...]");
+  }
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return message;
+}
+
 // What the user gave cannot be used; what() is one line that names the file and the fault.
 struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 [[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {

@@ -22,6 +22,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
     if (options.cap)
       close_on_box(cubes, volume, report.kappa_effective, options.lambda, nullptr, report);
+    cubes.frame = volume.frame();
     return cubes;
   }
   report.kappa_effective = kappa;
@@ -42,6 +43,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     const BoundaryAid aid{surface, s.curves, s.mesh.chain};
     close_on_box(s.mesh.mesh, volume, surface.kappa(), options.lambda, &aid, report);
   }
+  s.mesh.mesh.frame = volume.frame();
   return std::move(s.mesh.mesh);
 }
 

@@ -9,7 +9,8 @@
 
 namespace deliso {
 
-// The mesh of {g = kappa}, in the scaled frame, facets counter-clockwise seen from g < kappa.
+// The mesh of {g = kappa}, in the scaled frame, with the frame of the volume, facets
+// counter-clockwise seen from g < kappa.
 // Empty where no voxel holds the isovalue. With options.cap the caps follow the surface, from
 // report.cap.surface_triangles on, and it may be a whole box of them. Throws InputError when
 // --max-vertices is passed. pre: all samples are finite (value_range() has been asked).

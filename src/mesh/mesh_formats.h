@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/atomic_file.h"
+#include "files/atomic_file.h"
 #include "mesh/write_mesh.h"
 
 namespace deliso {
@@ -20,21 +20,19 @@ namespace deliso {
 class WorldMesh {
  public:
   // `comment`: of printable ASCII, with no "\" and no "--" in it.
-  WorldMesh(const TriMesh& mesh, const WorldFrame& frame, std::string comment)
-      : mesh_(mesh), frame_(frame), mirrored_(frame.left_handed()), comment_(std::move(comment)) {}
+  WorldMesh(const TriMesh& mesh, std::string comment)
+      : mesh_(mesh), mirrored_(mesh.frame.left_handed()), comment_(std::move(comment)) {}
 
   std::size_t vertex_count() const { return mesh_.points.size(); }
   std::size_t face_count() const { return mesh_.faces.size(); }
-  Vec3 point(std::size_t v) const { return frame_.to_world(mesh_.points[v]); }
-  std::string_view space() const { return frame_.space; }
+  Vec3 point(std::size_t v) const { return mesh_.frame.to_world(mesh_.points[v]); }
+  std::string_view space() const { return short_name_of(mesh_.frame.space); }
   // The comment as a line between these, or nothing where there is none.
   std::string comment_line(std::string_view before, std::string_view after) const {
     return comment_.empty() ? "" : std::string(before) + comment_ + std::string(after);
   }
   // To go behind the program's name; empty where the space is not known.
-  std::string space_note() const {
-    return frame_.space.empty() ? "" : " SPACE=" + std::string(frame_.space);
-  }
+  std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
   Triangle triangle(std::size_t f) const {
     const Triangle& v = mesh_.faces[f].v;
     return mirrored_ ? Triangle{v[0], v[2], v[1]} : v;
@@ -42,7 +40,6 @@ class WorldMesh {
 
  private:
   const TriMesh& mesh_;
-  WorldFrame frame_;
   bool mirrored_;
   std::string comment_;
 };

@@ -2,47 +2,28 @@
 // Inside of read_mesh: the parsers, one per format, and what they share.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/check.h"
 #include "base/text.h"
+#include "files/text_scan.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
 
-constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
-}
-
 // Takes the next word off the front of `text`; empty when only blanks are left.
 inline std::string_view take_word(std::string_view& text) {
   std::size_t begin = 0;
-  while (begin < text.size() && is_blank(text[begin])) ++begin;
+  while (begin < text.size() && is_space(text[begin])) ++begin;
   std::size_t end = begin;
-  while (end < text.size() && !is_blank(text[end])) ++end;
+  while (end < text.size() && !is_space(text[end])) ++end;
   const std::string_view word = text.substr(begin, end - begin);
   text.remove_prefix(end);
   return word;
 }
-
-// The whole word as a number; nothing else may stand in it but a leading '+'.
-template <class T>
-std::optional<T> number_in(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-  T value{};
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
-}
-
-// What stands in a message for a word of the file: printable, and not the whole file.
-std::string quoted(std::string_view word);
 
 // The lines of a text file, counted from 1.
 class Lines {
@@ -78,8 +59,8 @@ inline constexpr std::size_t kMostComments = 100;
 
 // Rule R5. `line`: without what marks it as a comment.
 inline void keep_comment(std::string_view line, std::vector<std::string>& comments) {
-  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
   if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
 }
 

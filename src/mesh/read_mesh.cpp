@@ -1,45 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/read_mesh.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
 #include <utility>
 
+#include "files/input_file.h"
 #include "mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-std::string read_all(const std::string& path) {
-  const auto fail = [&path](int error) {
-    throw InputError(text("cannot read '", path, "': ", std::generic_category().message(error)));
-  };
-  std::unique_ptr<std::FILE, CloseFile> opened;
-  std::FILE* file = stdin;
-  if (path != "-") {
-    opened.reset(std::fopen(path.c_str(), "rb"));
-    if (!opened) fail(errno);
-    file = opened.get();
-  }
-  std::string bytes;
-  constexpr std::size_t kBlock = std::size_t{1} << 20;
-  for (std::size_t size = 0;; bytes.resize(size)) {
-    bytes.resize(size + kBlock);
-    const std::size_t count = std::fread(bytes.data() + size, 1, kBlock, file);
-    size += count;
-    if (count < kBlock) {
-      if (std::ferror(file)) fail(errno);
-      bytes.resize(size);
-      return bytes;
-    }
-  }
-}
 
 MeshFormat format_of_bytes(std::string_view bytes) {
   const std::string_view word = take_word(bytes);
@@ -48,13 +16,6 @@ MeshFormat format_of_bytes(std::string_view bytes) {
 }
 
 }  // namespace
-
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kMost = 32;
-  std::string shown = "'";
-  for (const char c : word.substr(0, kMost)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + (word.size() > kMost ? "...'" : "'");
-}
 
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
                    std::vector<std::string>* comments) {
@@ -81,12 +42,12 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
 }
 
 TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
-  if (path != "-") {
-    const MeshFormat format = mesh_format_of(path);
-    return parse_mesh(read_all(path), format, path, comments);
+  if (path == "-") {
+    const Bytes bytes = read_standard_input();
+    return parse_mesh(bytes.text(), format_of_bytes(bytes.text()), bytes.name, comments);
   }
-  const std::string bytes = read_all(path);
-  return parse_mesh(bytes, format_of_bytes(bytes), "standard input", comments);
+  const MeshFormat format = mesh_format_of(path);
+  return parse_mesh(open_file(path).text(), format, path, comments);
 }
 
 }  // namespace deliso

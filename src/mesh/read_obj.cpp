@@ -56,17 +56,16 @@ struct Forward {
 VertexId corner_in(std::string_view word, std::uint64_t vertices, const Lines& lines,
                    Forward& forward) {
   const auto index = number_in<std::int64_t>(word.substr(0, word.find('/')));
-  if (!index || *index == 0) lines.fail(text("a facet's corner is ", quoted(word)));
+  if (!index || *index == 0) lines.fail(text("a facet's corner is ", quote(word)));
   if (*index < 0) {
     const std::uint64_t back = std::uint64_t{0} - static_cast<std::uint64_t>(*index);
     if (back > vertices) {
-      lines.fail(
-          text("corner ", quoted(word), " lies before the first of ", vertices, " vertices"));
+      lines.fail(text("corner ", quote(word), " lies before the first of ", vertices, " vertices"));
     }
     return static_cast<VertexId>(vertices - back);
   }
   const auto v = static_cast<std::uint64_t>(*index) - 1;
-  if (v > kMostVertices) lines.fail(text("a facet's corner is ", quoted(word)));
+  if (v > kMostVertices) lines.fail(text("a facet's corner is ", quote(word)));
   if (v >= vertices && v >= forward.index) forward = {v, lines.number()};
   return static_cast<VertexId>(v);
 }
@@ -90,7 +89,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
         const auto value = number_in<double>(word);
         if (!value || !std::isfinite(*value)) {
           lines.fail(text("coordinate ", axis, " of vertex ", mesh.points.size() + 1, " is ",
-                          quoted(word)));
+                          quote(word)));
         }
         p[axis] = *value;
       }
@@ -105,7 +104,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
       if (corners.size() < 3) lines.fail(text("a facet of ", corners.size(), " corners"));
       mesh.add_polygon(corners);
     } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) == kSkipped.end()) {
-      lines.fail(text("unknown statement ", quoted(keyword)));
+      lines.fail(text("unknown statement ", quote(keyword)));
     }
   }
   if (take_word(bytes).empty()) lines.fail("the file is empty");

@@ -27,7 +27,7 @@ bool next_line_with_words(Lines& lines, std::vector<std::string>* comments = nul
 std::uint64_t take_count(Lines& lines, const char* what) {
   const std::string_view word = take_word(lines.line());
   const auto count = number_in<std::uint64_t>(word);
-  if (!count) lines.fail(text("the number of ", what, " is ", quoted(word)));
+  if (!count) lines.fail(text("the number of ", what, " is ", quote(word)));
   return *count;
 }
 
@@ -41,7 +41,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
   // Prefixes: ST texture, C color, N normal; 4 and n change the number of coordinates.
   if (!keyword.ends_with("OFF") ||
       keyword.find_first_not_of("STCN") != keyword.size() - std::string_view("OFF").size()) {
-    lines.fail(text("opens with ", quoted(keyword), " instead of OFF, COFF, NOFF or STOFF"));
+    lines.fail(text("opens with ", quote(keyword), " instead of OFF, COFF, NOFF or STOFF"));
   }
   std::string_view behind = lines.line();
   const std::string_view next_word = take_word(behind);
@@ -61,7 +61,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
       const std::string_view word = take_word(lines.line());
       const auto value = number_in<double>(word);
       if (!value || !std::isfinite(*value)) {
-        lines.fail(text("coordinate ", axis, " of vertex ", v, " is ", quoted(word)));
+        lines.fail(text("coordinate ", axis, " of vertex ", v, " is ", quote(word)));
       }
       p[axis] = *value;
     }
@@ -80,7 +80,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
       const std::string_view word = take_word(lines.line());
       const auto corner = number_in<std::uint64_t>(word);
       if (!corner || *corner >= vertices) {
-        lines.fail(text("corner ", i, " of facet ", f, " is ", quoted(word), ", not one of ",
+        lines.fail(text("corner ", i, " of facet ", f, " is ", quote(word), ", not one of ",
                         vertices, " vertices"));
       }
       corners.push_back(static_cast<VertexId>(*corner));

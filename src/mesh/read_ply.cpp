@@ -63,14 +63,14 @@ Type type_in(std::string_view word, const Lines& lines) {
   for (const Name& name : names) {
     if (name.text == word) return name.type;
   }
-  lines.fail(text("unknown type ", quoted(word)));
+  lines.fail(text("unknown type ", quote(word)));
 }
 
 Encoding encoding_in(std::string_view word, const Lines& lines) {
   if (word == "ascii") return Encoding::ascii;
   if (word == "binary_little_endian") return Encoding::little_endian;
   if (word == "binary_big_endian") return Encoding::big_endian;
-  lines.fail(text("unknown format ", quoted(word)));
+  lines.fail(text("unknown format ", quote(word)));
 }
 
 Property property_in(std::string_view line, const Lines& lines) {
@@ -110,14 +110,14 @@ Header parse_header(Lines& lines) {
       element.name = take_word(line);
       const std::string_view word = take_word(line);
       const auto count = number_in<std::uint64_t>(word);
-      if (!count) lines.fail(text("the number of ", quoted(element.name), " is ", quoted(word)));
+      if (!count) lines.fail(text("the number of ", quote(element.name), " is ", quote(word)));
       element.count = *count;
       header.elements.push_back(element);
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.fail("a property before the first element");
       header.elements.back().properties.push_back(property_in(line, lines));
     } else {
-      lines.fail(text("unknown header line ", quoted(keyword)));
+      lines.fail(text("unknown header line ", quote(keyword)));
     }
   }
   lines.fail("the header has no end");
@@ -139,7 +139,7 @@ class WordSource {
     const std::optional<double> value =
         type == Type::f32 ? std::optional<double>(number_in<float>(word)) : number_in<double>(word);
     if (!value || (is_integer(type) && *value != std::trunc(*value))) {
-      fail(text("there is ", quoted(word), " in place of a number"));
+      fail(text("there is ", quote(word), " in place of a number"));
     }
     return *value;
   }
@@ -184,7 +184,7 @@ class BinarySource {
   }
   void expect_end() const {
     for (std::size_t i = at_; i < bytes_.size(); ++i) {
-      if (!is_blank(bytes_[i])) fail(text(bytes_.size() - at_, " bytes follow the last element"));
+      if (!is_space(bytes_[i])) fail(text(bytes_.size() - at_, " bytes follow the last element"));
     }
   }
   [[noreturn]] void fail(const std::string& fault) const {

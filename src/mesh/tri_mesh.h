@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "base/frame.h"
 #include "base/ids.h"
 #include "base/vec3.h"
 
@@ -32,6 +33,7 @@ using Triangle = std::array<VertexId, 3>;
 struct TriMesh {
   std::vector<Vec3> points;
   std::vector<Face> faces;
+  Frame frame;  // from the points to the world
 };
 
 // Index of the corner of f opposite its neighbour g, i.e. f.n[i] == g. pre: they are neighbours.

@@ -53,7 +53,7 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
   const MeshFormat format = options.format ? *options.format
                             : path == "-"  ? MeshFormat::ply
                                            : mesh_format_of(path);
-  const WorldMesh world(mesh, options.frame, clean(options.comment));
+  const WorldMesh world(mesh, clean(options.comment));
   AtomicFile out(path, options.sync);
   switch (format) {
     case MeshFormat::ply:

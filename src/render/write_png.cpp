@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
-#include "base/checksum.h"
-#include "render/deflate.h"
+#include "files/atomic_file.h"
+#include "files/checksum.h"
+#include "files/deflate.h"
 
 namespace deliso {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/random.h"
+#include "files/text_scan.h"
 #include "volume/sample_grid.h"
-#include "volume/text_scan.h"
 
 namespace deliso {
 namespace {

@@ -3,14 +3,16 @@
 // header of 348 or 540 bytes in either byte order, in the same file as the data or beside it.
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
-#include "volume/inflate.h"
+#include "files/inflate.h"
+#include "files/text_scan.h"
 #include "volume/sample_grid.h"
-#include "volume/text_scan.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {
@@ -204,18 +206,14 @@ SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
 
 // "a.hdr" or "a.hdr.gz" -> "a.img", or "a.img.gz" if only that is there.
 Bytes open_image_file(const VolumeInput& input) {
-  std::string stem = input.name();
+  const std::size_t slash = input.name().rfind('/');
+  std::string stem = input.name().substr(slash == std::string::npos ? 0 : slash + 1);
   for (std::string_view end : {".gz", ".hdr"})
     if (stem.ends_with(end)) stem.resize(stem.size() - end.size());
-  try {
-    return open_file(stem + ".img");
-  } catch (const InputError&) {
-    try {
-      return open_file(stem + ".img.gz");
-    } catch (const InputError&) {
-      fail(input.name(), "cannot open its data file " + quote(stem + ".img"));
-    }
-  }
+  std::error_code ignored;
+  const bool plain = std::filesystem::exists(input.directory + stem + ".img", ignored);
+  const bool packed = std::filesystem::exists(input.directory + stem + ".img.gz", ignored);
+  return open_data_file(input, stem + (packed && !plain ? ".img.gz" : ".img"));
 }
 
 // scl_slope * sample + scl_inter, computed in double and rounded once.
@@ -231,7 +229,7 @@ Volume scaled(const Volume& volume, double slope, double intercept) {
   });
   const Bytes bytes = bytes_of(std::move(buffer), {});
   return Volume(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
-                bytes.owner, volume.orientation());
+                bytes.owner, volume.frame());
 }
 
 Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, Volume volume) {

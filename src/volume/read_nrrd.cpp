@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "files/text_scan.h"
 #include "volume/sample_grid.h"
-#include "volume/text_scan.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "volume/read_volume.h"
 
-#include <filesystem>
 #include <limits>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
+#include "files/text_scan.h"
 #include "volume/builtin_fields.h"
-#include "volume/text_scan.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {
@@ -67,15 +65,16 @@ std::optional<int> to_index(std::string_view text) {
 
 }  // namespace
 
-Volume read_volume(const std::string& input, const ReadOptions& options,
-                   std::vector<std::string>* notes) {
-  std::vector<std::string> own_notes;
+Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog* log) {
+  ReadLog own_log;
+  ReadLog& filled = log ? *log : own_log;
   try {
     if (input.starts_with("builtin:")) return make_builtin_volume(input, options.roi);
     const std::size_t slash = input.rfind('/');
     const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
-    return read_recognised({input == "-" ? read_standard_input() : open_file(input), directory,
-                            options, notes ? *notes : own_notes});
+    if (input == "-") return read_recognised({read_standard_input(), directory, options, filled});
+    filled.files.push_back(input);
+    return read_recognised({open_file(input), directory, options, filled});
   } catch (const std::bad_alloc&) {
     fail(input, "not enough memory to read it");
   } catch (const std::length_error&) {
@@ -87,12 +86,9 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
   if (file_name.empty()) fail(input.name(), "names no data file");
   const bool absolute = file_name[0] == '/';
   const std::string path = (absolute ? "" : input.directory) + std::string(file_name);
-  // A device could give bytes without end, a pipe none.
-  std::error_code ignored;
-  if (std::filesystem::is_other(path, ignored))
-    fail(input.name(), "its data file " + quote(path) + " is no regular file");
+  input.log.files.push_back(path);
   try {
-    return open_file(path);
+    return open_file(path, NamedBy::file);
   } catch (const InputError& error) {
     fail(input.name(), std::string("its data file ") + error.what());
   }

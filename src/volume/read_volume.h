@@ -15,11 +15,11 @@
 // 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Only
 // a
 //    NIfTI file with a scaling (scl_slope, scl_inter) is converted, to float32 (from types of up to
-//    16 bits and float32) or float64, and `notes` says so.
+//    16 bits and float32) or float64, and the log says so.
 // 2. The format is told by the content, not the name; the name decides only where the content
 //    cannot (MetaImage, .raw). A .nhdr or .mhd finds its data beside itself.
 // 3. Coordinates are those of the file, in its own unit and anatomical space, which is recorded in
-//    Orientation::space: NIfTI is RAS+, MetaImage LPS+, NRRD what its "space" says.
+//    Frame::space: NIfTI is RAS+, MetaImage LPS+, NRRD what its "space" says.
 // 4. Refused with a message, never guessed: 64-bit integers and complex samples, several components
 //    or time steps (trailing dimensions of 1 are fine), sheared grids (axes not at right angles
 //    within 1e-4), data of another size than the header says, more than one data file or piece,
@@ -59,11 +59,16 @@ struct ReadOptions {
   std::optional<Roi> roi;        // given: only this part; the origin moves along
 };
 
-// `input` is a path, "-" (standard input) or "builtin:NAME[:SIZE]". What a user should know beyond
-// the volume itself is appended to `notes`, one line each. Throws InputError: one line that names
-// the file and the fault.
+// What reading has to say beyond the volume itself.
+struct ReadLog {
+  std::vector<std::string> notes;  // what a user should know, one line each
+  std::vector<std::string> files;  // all that were opened, header and data
+};
+
+// `input` is a path, "-" (standard input) or "builtin:NAME[:SIZE]". Throws InputError: one line
+// that names the file and the fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
-                   std::vector<std::string>* notes = nullptr);
+                   ReadLog* log = nullptr);
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
 // "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned short", "float",

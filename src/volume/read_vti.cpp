@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "volume/base64.h"
-#include "volume/inflate.h"
+#include "files/base64.h"
+#include "files/inflate.h"
+#include "files/text_scan.h"
 #include "volume/sample_grid.h"
-#include "volume/text_scan.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {

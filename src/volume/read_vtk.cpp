@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "files/text_scan.h"
 #include "volume/sample_grid.h"
-#include "volume/text_scan.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {

@@ -7,13 +7,11 @@
 #include <limits>
 #include <utility>
 
-#include "volume/text_scan.h"
+#include "files/text_scan.h"
 
 namespace deliso {
 namespace {
 
-// The predicates' exactness is guaranteed for coordinates of such a size (and beyond).
-constexpr double kSmallestLength = 1e-30, kLargestLength = 1e30;
 constexpr double kShearTolerance = 1e-4;
 
 bool is_swapped(const SampleGrid& grid) {
@@ -21,23 +19,22 @@ bool is_swapped(const SampleGrid& grid) {
 }
 
 // Splits the steps into spacing and unit axes.
-std::pair<Vec3, Orientation> place(const SampleGrid& grid, std::string_view name) {
+std::pair<Vec3, Frame> place(const SampleGrid& grid, std::string_view name) {
   Vec3 spacing;
-  Orientation orientation{grid.origin, {}, grid.space};
+  Frame frame{grid.origin, {}, grid.space};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
     const double s = length(step);
     if (!(s > 0)) fail(name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
-    const double extent = s * static_cast<double>(grid.dims[static_cast<std::size_t>(axis)]);
-    if (!(s >= kSmallestLength && extent <= kLargestLength))
-      fail(name, std::string("spacing along ") + "xyz"[axis] + " is out of range");
-    if (!(std::abs(grid.origin[axis]) <= kLargestLength)) fail(name, "origin is out of range");
     spacing[axis] = s;
-    orientation.axes[static_cast<std::size_t>(axis)] = step / s;
+    frame.axes[static_cast<std::size_t>(axis)] = step / s;
   }
+  const Index3 dims{static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
+                    static_cast<int>(grid.dims[2])};
+  require_in_range(dims, spacing, frame, name);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = a + 1; b < 3; ++b) {
-      const double cosine = dot(orientation.axes[a], orientation.axes[b]);
+      const double cosine = dot(frame.axes[a], frame.axes[b]);
       if (std::abs(cosine) <= kShearTolerance) continue;
       const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
       fail(name, std::string("sheared grid: its axes ") + "xyz"[a] + " and " + "xyz"[b] +
@@ -45,7 +42,7 @@ std::pair<Vec3, Orientation> place(const SampleGrid& grid, std::string_view name
                      " degrees; only rectangular grids can be meshed (resample it)");
     }
   }
-  return {spacing, orientation};
+  return {spacing, frame};
 }
 
 // The part of the grid to keep, as checked index ranges.
@@ -167,10 +164,10 @@ std::uint64_t data_size(const SampleGrid& grid, std::string_view name) {
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const std::uint64_t expected = data_size(grid, data.name);
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
-  auto [spacing, orientation] = place(grid, data.name);
+  auto [spacing, frame] = place(grid, data.name);
   const Roi roi = region(grid, data.name);
-  orientation.origin = orientation.to_world(
-      {roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
+  frame.origin =
+      frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
 
   const bool whole_slices = dims.i == grid.dims[0] && dims.j == grid.dims[1];
@@ -179,12 +176,12 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const std::byte* start = data.data.data() + slice * static_cast<std::size_t>(roi.begin.k);
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
   if (whole_slices && aligned && !is_swapped(grid))
-    return Volume(dims, spacing, grid.type, start, data.owner, orientation);
+    return Volume(dims, spacing, grid.type, start, data.owner, frame);
 
   Buffer samples = copy_region(grid, roi, data.data);
   if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
   const Bytes bytes = bytes_of(std::move(samples), data.name);
-  return Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, orientation);
+  return Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame);
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {

@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "base/vec3.h"
-#include "volume/inflate.h"
-#include "volume/mapped_file.h"
+#include "files/inflate.h"
+#include "files/input_file.h"
 #include "volume/read_volume.h"
 #include "volume/volume.h"
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/text.h"
+
 namespace deliso {
 namespace {
 
@@ -36,16 +38,39 @@ std::string_view name_of(SampleType type) {
   return names[static_cast<std::size_t>(type)];
 }
 
+void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double s = spacing[axis];
+    const std::string_view along =
+        std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
+    if (dims[axis] < 1) {
+      throw InputError(text(name, ": has ", dims[axis], " samples along ", along));
+    }
+    if (!(s >= kSmallestSpacing && s * dims[axis] <= kLargestLength)) {
+      throw InputError(text(name, ": spacing ", s, " along ", along, " is out of range (from ",
+                            kSmallestSpacing, ", and to a box of ", kLargestLength, ")"));
+    }
+  }
+  if (!in_range(frame.origin)) {
+    throw InputError(text(name, ": its origin is further than ", kLargestLength, " away"));
+  }
+  for (const Vec3& axis : frame.axes) {
+    constexpr double kTolerance = 1e-6;
+    if (!(std::fabs(length(axis) - 1) <= kTolerance)) {
+      throw InputError(text(name, ": an axis of its frame is no unit vector"));
+    }
+  }
+}
+
 Volume::Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
-               std::shared_ptr<const void> owner, Orientation orientation)
+               std::shared_ptr<const void> owner, Frame frame)
     : dims_(dims),
       spacing_(spacing),
       type_(type),
       bytes_(bytes),
       owner_(std::move(owner)),
-      orientation_(orientation) {
-  DELISO_CHECK(dims.i >= 1 && dims.j >= 1 && dims.k >= 1);
-  DELISO_CHECK(spacing.x > 0 && spacing.y > 0 && spacing.z > 0);
+      frame_(frame) {
+  require_in_range(dims, spacing, frame, "volume");
 }
 
 Box3 Volume::box() const {

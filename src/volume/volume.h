@@ -3,7 +3,7 @@
 // interpolant g of paper §2 between them.
 //
 // Frame: sample (i,j,k) lies at (i*sx, j*sy, k*sz); all geometry runs in this scaled frame. Where
-// the file says the volume sits in the world is in `orientation`, applied when a mesh is written.
+// the file says the volume sits in the world is its Frame, which a mesh takes along.
 // Layout: x fastest, native byte order, aligned for the type, either owned or memory-mapped.
 // A voxel is the cell between eight samples; corner number m of voxel (i,j,k) is the sample
 // (i + (m&1), j + (m>>1&1), k + (m>>2)).
@@ -22,6 +22,8 @@
 
 #include "base/box3.h"
 #include "base/check.h"
+#include "base/frame.h"
+#include "base/text.h"
 #include "base/vec3.h"
 
 namespace deliso {
@@ -41,39 +43,27 @@ struct Index3 {
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
 
-// The anatomical frame of world coordinates, where the file names it: axes to the patient's right,
-// anterior, superior (RAS) or left, posterior, superior (LPS).
-enum class AnatomicalSpace : std::uint8_t { unknown, ras, lps };
-
-// World position of a point p of the scaled frame: origin + p.x * axes[0] + p.y * axes[1] + p.z *
-// axes[2], with unit axes. The axes may be left-handed; writers then turn the triangles round.
-struct Orientation {
-  Vec3 origin{0, 0, 0};
-  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  AnatomicalSpace space = AnatomicalSpace::unknown;
-
-  Vec3 to_world(const Vec3& p) const {
-    return origin + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];
-  }
-  bool left_handed() const { return dot(cross(axes[0], axes[1]), axes[2]) < 0; }
-};
+// Throws InputError, in the volume's `name`, where a dimension is below 1, a length out of range
+// (base/frame.h), or an axis no unit vector.
+void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name);
 
 class Volume {
  public:
   // `bytes` holds dims.i * dims.j * dims.k samples; `owner` keeps them alive (a vector, a mapping).
-  // pre: every dimension >= 1 (>= 2 to have a voxel), spacing > 0.
+  // Throws as require_in_range. (Two samples or more along each axis have a voxel.)
   Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
-         std::shared_ptr<const void> owner, Orientation orientation = {});
+         std::shared_ptr<const void> owner, Frame frame = {});
 
-  // Copies `samples` (dims.i * dims.j * dims.k of them).
+  // Copies `samples` (dims.i * dims.j * dims.k of them, else InputError).
   template <class T>
-  static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples);
+  static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples,
+                             Frame frame = {});
 
   Index3 dims() const { return dims_; }
   Index3 voxels() const { return {dims_.i - 1, dims_.j - 1, dims_.k - 1}; }
   Vec3 spacing() const { return spacing_; }
   SampleType type() const { return type_; }
-  const Orientation& orientation() const { return orientation_; }
+  const Frame& frame() const { return frame_; }
   std::size_t sample_count() const {
     return static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j) *
            static_cast<std::size_t>(dims_.k);
@@ -134,7 +124,7 @@ class Volume {
   SampleType type_;
   const std::byte* bytes_;
   std::shared_ptr<const void> owner_;
-  Orientation orientation_;
+  Frame frame_;
 };
 
 // Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or
@@ -204,11 +194,14 @@ constexpr SampleType sample_type_of<double>() {
 }
 
 template <class T>
-Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples) {
+Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples, Frame frame) {
   auto owner = std::make_shared<const std::vector<T>>(samples);
   Volume volume(dims, spacing, sample_type_of<T>(),
-                reinterpret_cast<const std::byte*>(owner->data()), owner);
-  DELISO_CHECK(samples.size() == volume.sample_count());
+                reinterpret_cast<const std::byte*>(owner->data()), owner, frame);
+  if (samples.size() != volume.sample_count()) {
+    throw InputError(text("a volume of ", dims.i, " x ", dims.j, " x ", dims.k,
+                          " samples is given ", samples.size()));
+  }
   return volume;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "volume/mapped_file.h"
+#include "files/input_file.h"
 #include "volume/read_volume.h"
 #include "volume/volume.h"
 
@@ -17,10 +17,10 @@ struct VolumeInput {
   Bytes bytes;            // bytes.name is the path, or "standard input"
   std::string directory;  // where detached data files are: "" or ending with a slash
   const ReadOptions& options;
-  std::vector<std::string>& notes;
+  ReadLog& log;
 
   const std::string& name() const { return bytes.name; }
-  void note(const std::string& text) const { notes.push_back(name() + ": " + text); }
+  void note(const std::string& text) const { log.notes.push_back(name() + ": " + text); }
 };
 
 bool looks_like_nrrd(const Bytes& bytes);
@@ -42,7 +42,8 @@ Volume read_vti(const VolumeInput& input);
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 
-// The file that a header of `input` names; relative names are taken from the header's folder.
+// The file that a header of `input` names, which is put down in the log; relative names are taken
+// from the header's folder.
 Bytes open_data_file(const VolumeInput& input, std::string_view file_name);
 // The sample type of that name, or InputError.
 SampleType supported_type(const VolumeInput& input, std::string_view name);

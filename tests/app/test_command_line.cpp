@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,10 +40,14 @@ struct HelpEntry {
   std::string name, argument;
 };
 
-// The options as --help lists them.
-std::vector<HelpEntry> options_in_help() {
+constexpr Command kAllCommands[] = {Command::mesh, Command::info, Command::check, Command::render};
+constexpr std::string_view kCommandNames[] = {"mesh", "info", "check", "render"};
+
+// The options as the help of these commands lists them, each once.
+std::vector<HelpEntry> options_in_help(std::span<const Command> commands = kAllCommands) {
   std::vector<HelpEntry> entries;
-  const std::string help = help_text();
+  std::string help;
+  for (const Command command : commands) help += help_text(command);
   for (std::size_t at = 0; (at = help.find("\n  ", at)) != std::string::npos; ++at) {
     std::string line = help.substr(at + 3, help.find('\n', at + 3) - at - 3);
     if (line.size() > 4 && line[0] == '-' && line[2] == ',') line.erase(0, 4);
@@ -49,7 +55,9 @@ std::vector<HelpEntry> options_in_help() {
     const std::size_t name_end = line.find(' ');
     const bool has_argument = name_end != std::string::npos && line.at(name_end + 1) != ' ';
     const std::string rest = has_argument ? line.substr(name_end + 1) : "";
-    entries.push_back({line.substr(0, name_end), rest.substr(0, rest.find(' '))});
+    const HelpEntry entry{line.substr(0, name_end), rest.substr(0, rest.find(' '))};
+    const auto same_name = [&](const HelpEntry& e) { return e.name == entry.name; };
+    if (std::ranges::none_of(entries, same_name)) entries.push_back(entry);
   }
   return entries;
 }
@@ -290,8 +298,48 @@ TEST_CASE("the criteria of a check are known as given or not") {
   CHECK(others.given.epsilon1);
 }
 
+TEST_CASE("the help of a command lists what it takes, and nothing else") {
+  for (std::size_t n = 0; n < std::size(kAllCommands); ++n) {
+    const auto listed = options_in_help({&kAllCommands[n], 1});
+    for (const HelpEntry& entry : options_in_help()) {
+      CAPTURE(entry.name);
+      const bool is_listed =
+          std::ranges::any_of(listed, [&](const HelpEntry& e) { return e.name == entry.name; });
+      std::vector<std::string_view> words{kCommandNames[n], entry.name};
+      if (!entry.argument.empty()) words.emplace_back("1");
+      std::string fault;
+      try {
+        parse_command_line(words);
+      } catch (const InputError& error) {
+        fault = error.what();
+      }
+      CHECK((fault.find("has no meaning") == std::string::npos) == is_listed);
+    }
+    const CommandLine line = parse({kCommandNames[n], "--help"});
+    CHECK(line.command == Command::help);
+    CHECK(line.help_of == kAllCommands[n]);
+    CHECK(help_text(kAllCommands[n]).starts_with("usage: deliso "));
+  }
+  CHECK_FALSE(parse({"--help"}).help_of.has_value());
+  CHECK(help_text(std::nullopt).find("deliso COMMAND --help") != std::string::npos);
+}
+
+TEST_CASE("what was meant to be a command, or an option") {
+  CHECK(refusal({"mash", "vol", "--iso", "1"}) == "unknown command 'mash'; did you mean mesh?");
+  CHECK(refusal({"rendr"}) == "unknown command 'rendr'; did you mean render?");
+  CHECK(refusal({"frobnicate", "vol", "--iso", "1"}) ==
+        "unknown command 'frobnicate'; --help lists them");
+  CHECK(refusal({"a.nrrd", "b.nrrd", "--iso", "1"}) ==
+        "more than one input: 'a.nrrd' and 'b.nrrd'");
+  CHECK(refusal({"mesh", "a", "b", "--iso", "1"}) == "more than one input: 'a' and 'b'");
+  CHECK(parse({"brain", "--iso", "1"}).input == "brain");
+  CHECK(parse({"mesh", "mash", "--iso", "1"}).input == "mash");
+  CHECK(refusal({"a", "--isovalue", "1"}) == "unknown option '--isovalue'; did you mean --iso?");
+  CHECK(refusal({"a", "--isolevel=1"}) == "unknown option '--isolevel'; did you mean --iso?");
+}
+
 TEST_CASE("the help lists the criteria under Meshing, and promises no threads") {
-  const std::string help = help_text();
+  const std::string help = help_text(Command::mesh);
   const std::size_t meshing = help.find("\nMeshing:\n"), raw = help.find("\nRaw files:\n");
   REQUIRE(meshing < raw);
   for (const std::string option : {"--max-distance", "--rmin", "--lambda", "--vertices", "--eps"}) {

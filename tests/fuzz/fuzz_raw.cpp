@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Plain samples. The first line holds what the user says, dims, type, spacing, byte order and
 // bytes to skip, parsed as the program parses it; the samples follow.
+#include "files/text_scan.h"
 #include "fuzz/reader_target.h"
-#include "volume/text_scan.h"
 
 using namespace deliso;
 using namespace deliso::fuzz;
@@ -33,11 +33,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   TextCursor text(all);
   const std::string_view line = text.line();
   const std::vector<char> copy(text.rest().begin(), text.rest().end());
-  std::vector<std::string> notes;
+  ReadLog log;
   try {
     const ReadOptions options = options_in(line);
     const Bytes input{"v.raw", std::as_bytes(std::span(copy)), nullptr};
-    check_volume(read_raw({input, "", options, notes}), input.name);
+    check_volume(read_raw({input, "", options, log}), input.name);
   } catch (const InputError& error) {
     check_message(error);
   }

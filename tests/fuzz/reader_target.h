@@ -47,8 +47,8 @@ inline void check_volume(const Volume& volume, const std::string& name) {
   require(n.i >= 2 && n.j >= 2 && n.k >= 2, "a volume without a voxel");
   for (int axis = 0; axis < 3; ++axis) {
     require(volume.spacing()[axis] > 0, "a spacing that is not positive");
-    require(std::isfinite(volume.orientation().origin[axis]), "an origin that is not finite");
-    const Vec3& direction = volume.orientation().axes[static_cast<std::size_t>(axis)];
+    require(std::isfinite(volume.frame().origin[axis]), "an origin that is not finite");
+    const Vec3& direction = volume.frame().axes[static_cast<std::size_t>(axis)];
     require(std::abs(length(direction) - 1) < 1e-12, "an axis that is no unit vector");
   }
   const ValueRange range = value_range(volume, name);
@@ -82,9 +82,9 @@ inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* 
   for (const bool part : {false, true}) {
     ReadOptions options;
     if (part) options.roi = Roi{{0, 0, 0}, {2, 2, 2}};
-    std::vector<std::string> notes;
+    ReadLog log;
     try {
-      check_volume(read({input, folder(), options, notes}), input.name);
+      check_volume(read({input, folder(), options, log}), input.name);
     } catch (const InputError& error) {
       check_message(error);
     }

@@ -8,9 +8,10 @@ src=$1
 allowed() {
   case $1 in
     base) echo base ;;
-    roots | delaunay | mesh | volume) echo "base $1" ;;
+    roots | delaunay | files) echo "base $1" ;;
+    mesh | volume) echo "base files $1" ;;
     planar) echo "base delaunay planar" ;;
-    render) echo "base mesh render" ;;
+    render) echo "base files mesh render" ;;
     kdtree | contour) echo "base volume $1" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
@@ -22,7 +23,7 @@ allowed() {
     deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
       "recover refine cap baseline deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
-    app) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
+    app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
       "recover refine cap baseline deliso check render app" ;;
     *) return 1 ;;
   esac

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "base/check.h"
-#include "base/temporary_folder.h"
 #include "base/text.h"
+#include "files/temporary_folder.h"
 #include "mesh/check_mesh.h"
 #include "mesh/meshes.h"
 #include "mesh/read_mesh.h"
@@ -438,7 +438,7 @@ TEST_CASE("faults of OBJ files") {
   CHECK(obj_error(std::string("\x7f"
                               "ELF\x01\x02") +
                   std::string(100, 'x')) ==
-        "'in' line 1: unknown statement '?ELF??xxxxxxxxxxxxxxxxxxxxxxxxxx...'");
+        "'in' line 1: unknown statement '?ELF??" + std::string(54, 'x') + "...'");
 }
 
 TEST_CASE("files that are not there or cannot be read") {
@@ -452,10 +452,9 @@ TEST_CASE("files that are not there or cannot be read") {
   };
   const TemporaryFolder folder;
   CHECK(error(folder / "absent.ply") ==
-        text("cannot read '", folder / "absent.ply", "': No such file or directory"));
+        folder / "absent.ply" + ": cannot open: No such file or directory");
   std::filesystem::create_directory(folder / "folder.ply");
-  CHECK(error(folder / "folder.ply") ==
-        text("cannot read '", folder / "folder.ply", "': Is a directory"));
+  CHECK(error(folder / "folder.ply") == folder / "folder.ply" + ": is a directory, not a file");
   CHECK(error("a.stl").find("meshes are read from") == std::string::npos);  // it is absent first
   write_bytes(folder / "a.stl", "solid");
   CHECK(error(folder / "a.stl") ==
@@ -499,9 +498,9 @@ TEST_CASE("no mutation of a file does harm") {
       ++meshes;
     } catch (const InputError& error) {
       const std::string line = error.what();
-      const bool fine =
-          line.starts_with("'in' ") && line.size() < 300 &&
-          std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; });
+      const bool fine = line.starts_with("'in' ") && line.size() < 300 &&
+                        std::all_of(line.begin(), line.end(),
+                                    [](unsigned char c) { return c >= ' ' && c != 0x7f; });
       REQUIRE_MESSAGE(fine, "seed ", seed, ": ", line);
       ++errors;
     }

@@ -11,8 +11,8 @@
 #include <locale>
 
 #include "base/check.h"
-#include "base/temporary_folder.h"
 #include "base/triangle.h"
+#include "files/temporary_folder.h"
 #include "mesh/meshes.h"
 #include "mesh/write_mesh.h"
 
@@ -218,13 +218,15 @@ TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and c
     const std::size_t at = expected.find(change.first);
     REQUIRE(at != std::string::npos);
     expected.replace(at, change.first.size(), change.second);
-    options.frame.space = "LPS";
-    CHECK(written(mesh, options) == expected);
+    TriMesh placed = mesh;
+    placed.frame.space = AnatomicalSpace::lps;
+    CHECK(written(placed, options) == expected);
   }
 }
 
 TEST_CASE("a comment is a line of its own in the head, and changes no more") {
-  const TriMesh mesh = random_sphere(4);
+  TriMesh mesh = random_sphere(4);
+  mesh.frame.space = AnatomicalSpace::ras;
   const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
   const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
       {MeshFormat::ply,
@@ -237,7 +239,6 @@ TEST_CASE("a comment is a line of its own in the head, and changes no more") {
     const std::string& now = change.second;
     CAPTURE(now);
     MeshWriteOptions options{.format = format};
-    options.frame.space = "RAS";
     std::string expected = written(mesh, options);
     const std::size_t at = expected.find(change.first);
     REQUIRE(at != std::string::npos);
@@ -248,12 +249,12 @@ TEST_CASE("a comment is a line of its own in the head, and changes no more") {
 }
 
 TEST_CASE("STL has a comment where the header has room for all of it") {
-  const TriMesh mesh = random_sphere(4);
+  TriMesh mesh = random_sphere(4);
   const std::string plain = written(mesh, {.format = MeshFormat::stl});
   for (std::size_t size = 1; size < 100; ++size) {
     for (const bool space : {false, true}) {
       MeshWriteOptions options{.format = MeshFormat::stl};
-      if (space) options.frame.space = "LPS";
+      mesh.frame.space = space ? AnatomicalSpace::lps : AnatomicalSpace::unknown;
       options.comment = std::string(size, 'x');
       const std::string bytes = written(mesh, options);
       CHECK(bytes.size() == plain.size());
@@ -333,14 +334,16 @@ TEST_CASE("the world frame moves points, and a mirroring one turns triangles rou
     return six;
   };
   // A reflection keeps the enclosed volume once the triangles are turned round; so does a rotation.
-  WorldFrame mirror{{3, 4, 5}, {Vec3{-1, 0, 0}, Vec3{0, 0.6, 0.8}, Vec3{0, -0.8, 0.6}}};
-  WorldFrame turn{{3, 4, 5}, {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}};
+  Frame mirror{{3, 4, 5}, {Vec3{-1, 0, 0}, Vec3{0, 0.6, 0.8}, Vec3{0, -0.8, 0.6}}};
+  Frame turn{{3, 4, 5}, {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}};
   CHECK(mirror.left_handed());
   CHECK_FALSE(turn.left_handed());
   std::string plain = written(mesh, {.format = MeshFormat::obj});
   plain = plain.substr(plain.find('\n'));
-  for (const WorldFrame& frame : {mirror, turn}) {
-    std::string moved = written(mesh, {.format = MeshFormat::obj, .frame = frame});
+  for (const Frame& frame : {mirror, turn}) {
+    TriMesh placed = mesh;
+    placed.frame = frame;
+    std::string moved = written(placed, {.format = MeshFormat::obj});
     moved = moved.substr(moved.find('\n'));
     CHECK(volume(moved) == doctest::Approx(volume(plain)).epsilon(1e-9));
     const Vec3 p = frame.to_world(mesh.points[0]);

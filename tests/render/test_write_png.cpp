@@ -13,9 +13,9 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "base/temporary_folder.h"
-#include "volume/deflate_writer.h"
-#include "volume/inflate.h"
+#include "files/deflate_writer.h"
+#include "files/inflate.h"
+#include "files/temporary_folder.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "base/checksum.h"
+#include "files/checksum.h"
 #include "topology_oracle.h"
 
 using namespace deliso;
@@ -70,7 +70,7 @@ TEST_CASE("a region of a built-in field is the same samples") {
   const Roi roi{{3, 5, 7}, {21, 30, 40}};
   const Volume part = make_builtin_volume("builtin:fuel:40", roi);
   REQUIRE(part.dims() == Index3{18, 25, 33});
-  CHECK(part.orientation().origin == Vec3{3, 5, 7});
+  CHECK(part.frame().origin == Vec3{3, 5, 7});
   int different = 0;
   for (int k = 0; k < 33; ++k)
     for (int j = 0; j < 25; ++j)

@@ -86,13 +86,13 @@ void damage(std::string& content, Random& random) {
 // True if a volume came out; every sample of it is touched.
 bool reads(const std::string& path, const ReadOptions& options) {
   try {
-    std::vector<std::string> notes;
-    const Volume volume = read_volume(path, options, &notes);
+    ReadLog log;
+    const Volume volume = read_volume(path, options, &log);
     REQUIRE(std::min({volume.dims().i, volume.dims().j, volume.dims().k}) >= 2);
     for (int axis = 0; axis < 3; ++axis) {
       REQUIRE(volume.spacing()[axis] > 0);
-      REQUIRE(std::isfinite(volume.orientation().origin[axis]));
-      const Vec3& direction = volume.orientation().axes[static_cast<std::size_t>(axis)];
+      REQUIRE(std::isfinite(volume.frame().origin[axis]));
+      const Vec3& direction = volume.frame().axes[static_cast<std::size_t>(axis)];
       REQUIRE(std::abs(length(direction) - 1) < 1e-12);
     }
     const ValueRange range = value_range(volume, path);

@@ -39,9 +39,9 @@ void check_same(const Volume& volume, const Truth& truth, bool has_axes, double 
   CHECK(samples_of(volume) == truth.bytes);
   CHECK(difference(volume.spacing(), truth.spacing) <= tolerance);
   if (!has_axes) return;
-  CHECK(difference(volume.orientation().origin, truth.origin) <= 30 * tolerance);
+  CHECK(difference(volume.frame().origin, truth.origin) <= 30 * tolerance);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    CHECK(difference(volume.orientation().axes[axis], truth.axes[axis]) <= tolerance);
+    CHECK(difference(volume.frame().axes[axis], truth.axes[axis]) <= tolerance);
 }
 
 // Axes of many kinds: along the world's, permuted, mirrored, turned any way.
@@ -82,12 +82,12 @@ TEST_CASE("every format, encoding, type and byte order reads back what was writt
         CAPTURE(stored.label);
         CAPTURE(stored.files.front().name);
         CAPTURE(seed);
-        std::vector<std::string> notes;
-        const Volume volume = read_volume(write_all(folder, stored), stored.options, &notes);
+        ReadLog log;
+        const Volume volume = read_volume(write_all(folder, stored), stored.options, &log);
         const double tolerance = stored.label.starts_with("nifti") ? 1e-6 : 1e-12;
         check_same(volume, truth, stored.has_axes, tolerance);
-        CHECK(volume.orientation().left_handed() == (stored.has_axes && (kind == 3 || kind == 4)));
-        CHECK(notes.empty());
+        CHECK(volume.frame().left_handed() == (stored.has_axes && (kind == 3 || kind == 4)));
+        CHECK(log.notes.empty());
         ++volumes;
       }
     }
@@ -99,7 +99,7 @@ TEST_CASE("where a file sits in the body is kept") {
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
   const auto space = [&](const std::vector<NamedFile>& files) {
-    return read_volume(folder.write(files.front().name, files.front().content)).orientation().space;
+    return read_volume(folder.write(files.front().name, files.front().content)).frame().space;
   };
   CHECK(space(nrrd(truth, std::endian::little, "raw", NrrdForm::attached)) == AnatomicalSpace::lps);
   CHECK(space(metaimage(truth, std::endian::little, "raw", MetaForm::local)) ==
@@ -140,8 +140,8 @@ TEST_CASE("a region is the same part of every format") {
                          whole.sample(i + roi.begin.i, j + roi.begin.j, k + roi.begin.k);
       CHECK(different == 0);
       // The same sample is at the same place in the world.
-      const Vec3 there = whole.orientation().to_world(whole.position(roi.begin));
-      CHECK(difference(part.orientation().to_world({0, 0, 0}), there) <= 1e-9);
+      const Vec3 there = whole.frame().to_world(whole.position(roi.begin));
+      CHECK(difference(part.frame().to_world({0, 0, 0}), there) <= 1e-9);
     }
   }
 }
@@ -167,24 +167,24 @@ TEST_CASE("NIfTI scaling is applied and said") {
   for (SampleType type : kAllTypes) {
     const Truth truth = random_truth(type, {3, 4, 5}, 11);
     NiftiForm form;
-    const auto read = [&](double slope, double intercept, std::vector<std::string>& notes) {
+    const auto read = [&](double slope, double intercept, ReadLog& log) {
       form.slope = slope;
       form.intercept = intercept;
       const auto files = nifti(truth, form);
-      return read_volume(folder.write(files[0].name, files[0].content), {}, &notes);
+      return read_volume(folder.write(files[0].name, files[0].content), {}, &log);
     };
-    std::vector<std::string> notes;
+    ReadLog log;
     for (const auto& [slope, intercept] : {std::pair{0.0, 5.0}, {1.0, 0.0}}) {
-      CHECK(samples_of(read(slope, intercept, notes)) == truth.bytes);
-      CHECK(notes.empty());
+      CHECK(samples_of(read(slope, intercept, log)) == truth.bytes);
+      CHECK(log.notes.empty());
     }
-    CHECK(samples_of(read(NAN, 0, notes)) == truth.bytes);
-    CHECK(notes.size() == 1);
-    notes.clear();
+    CHECK(samples_of(read(NAN, 0, log)) == truth.bytes);
+    CHECK(log.notes.size() == 1);
+    log.notes.clear();
 
-    const Volume plain = read(0, 0, notes), scaled = read(0.5, -3, notes);
-    REQUIRE(notes.size() == 1);
-    CHECK(notes[0].find("samples are scaled") != std::string::npos);
+    const Volume plain = read(0, 0, log), scaled = read(0.5, -3, log);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].find("samples are scaled") != std::string::npos);
     const bool wide = type == SampleType::u32 || type == SampleType::i32 || type == SampleType::f64;
     REQUIRE(scaled.type() == (wide ? SampleType::f64 : SampleType::f32));
     for (int k = 0; k < 5; ++k) {
@@ -192,7 +192,7 @@ TEST_CASE("NIfTI scaling is applied and said") {
       CHECK(scaled.sample(2, 3, k) ==
             (wide ? expected : static_cast<double>(static_cast<float>(expected))));
     }
-    CHECK_THROWS_AS(read(2, INFINITY, notes), InputError);
+    CHECK_THROWS_AS(read(2, INFINITY, log), InputError);
   }
 }
 
@@ -206,10 +206,10 @@ TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes 
   CHECK(read(three + "spacings: 0.5 2 3").spacing() == Vec3{0.5, 2, 3});
   Volume volume = read(three + "axis mins: 0 10 20\r\naxis maxs: 1 14 32");
   CHECK(volume.spacing() == Vec3{1, 2, 4});
-  CHECK(volume.orientation().origin == Vec3{0, 10, 20});
+  CHECK(volume.frame().origin == Vec3{0, 10, 20});
   volume = read(three + "axis mins: 0 10 20\r\naxismaxs: 1 16 28\r\ncenters: cell cell cell");
   CHECK(volume.spacing() == Vec3{0.5, 2, 2});
-  CHECK(volume.orientation().origin == Vec3{0.25, 11, 21});
+  CHECK(volume.frame().origin == Vec3{0.25, 11, 21});
   volume = read("dimension: 4\r\nsizes: 2 1 3 4\r\nspacings: 5 nan 6 7");
   CHECK(volume.dims() == Index3{2, 3, 4});
   CHECK(volume.spacing() == Vec3{5, 6, 7});
@@ -217,8 +217,8 @@ TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes 
       "dimension: 4\r\nsizes: 1 2 3 4\r\nspace: LAS\r\nspace directions: none (0,2,0) (1,0,0) "
       "(0,0,3)");
   CHECK(volume.spacing() == Vec3{2, 1, 3});
-  CHECK(volume.orientation().axes[0] == Vec3{0, 1, 0});
-  CHECK(volume.orientation().left_handed());
+  CHECK(volume.frame().axes[0] == Vec3{0, 1, 0});
+  CHECK(volume.frame().left_handed());
   CHECK(read(three + "spacings: 1 1 1\r\nbyte skip: 0").sample(1, 2, 3) == 'x');
 }
 

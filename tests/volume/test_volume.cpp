@@ -238,10 +238,10 @@ TEST_CASE("the first sample that is no number is named") {
 }
 
 TEST_CASE("orientation") {
-  const Orientation plain;
+  const Frame plain;
   CHECK(plain.to_world({1, 2, 3}) == Vec3{1, 2, 3});
   CHECK(!plain.left_handed());
-  const Orientation turned{{10, 20, 30}, {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}};
+  const Frame turned{{10, 20, 30}, {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}};
   CHECK(turned.to_world({1, 2, 3}) == Vec3{12, 21, 33});
   CHECK(turned.left_handed());
 }

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "deflate_writer.h"
+#include "files/deflate_writer.h"
 #include "volume/read_volume.h"
 
 namespace deliso::test {

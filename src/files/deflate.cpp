@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/deflate.h"
+#include "files/deflate.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/checksum.h"
+#include "files/checksum.h"
 
 namespace deliso {
 namespace {

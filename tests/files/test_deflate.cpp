@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is compressed comes back byte by byte through volume/inflate.h, whose own tests are
+// What is compressed comes back byte by byte through inflate.h, whose own tests are
 // independent of this compressor.
-#include "render/deflate.h"
+#include "files/deflate.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "volume/inflate.h"
+#include "files/inflate.h"
 
 using namespace deliso;
 

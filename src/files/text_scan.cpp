@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "volume/text_scan.h"
+#include "files/text_scan.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace deliso {
 namespace {
@@ -12,19 +11,10 @@ char lower(char c) {
 }
 
 template <class T>
-std::optional<T> to_number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-template <class T>
 std::optional<std::vector<T>> to_numbers(std::string_view text) {
   std::vector<T> numbers;
   for (std::string_view word : words_of(text)) {
-    const std::optional<T> number = to_number<T>(word);
+    const std::optional<T> number = number_in<T>(word);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -46,10 +36,6 @@ std::string_view TextCursor::word() {
   const std::size_t begin = position_;
   while (!at_end() && !is_space(text_[position_])) ++position_;
   return text_.substr(begin, position_ - begin);
-}
-
-bool is_space(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -78,14 +64,6 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-std::optional<std::int64_t> to_int(std::string_view text) {
-  return to_number<std::int64_t>(text);
-}
-
-std::optional<double> to_double(std::string_view text) {
-  return to_number<double>(text);
-}
-
 std::optional<std::vector<std::int64_t>> to_ints(std::string_view text) {
   return to_numbers<std::int64_t>(text);
 }
@@ -96,12 +74,9 @@ std::optional<std::vector<double>> to_doubles(std::string_view text) {
 
 std::string quote(std::string_view text) {
   constexpr std::size_t longest = 60;
-  std::string result = "'";
-  for (char c : text.substr(0, longest)) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    result += control ? '?' : c;
-  }
-  return result + (text.size() > longest ? "...'" : "'");
+  std::string quoted = "'";
+  quoted.append(text.substr(0, longest)).append(text.size() > longest ? "...'" : "'");
+  return quoted;
 }
 
 }  // namespace deliso

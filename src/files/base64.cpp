@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "volume/base64.h"
+#include "files/base64.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "volume/text_scan.h"
+#include "files/text_scan.h"
 
 namespace deliso {
 namespace {

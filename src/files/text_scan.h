@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The little text handling that volume headers need: lines, words, numbers. Nothing here throws or
+// The little text handling that files need: lines, words, numbers. Nothing here throws or
 // allocates more than its result; a fault is a missing value, and the reader names it.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace deliso {
@@ -31,20 +33,35 @@ class TextCursor {
   std::size_t position_ = 0;
 };
 
-bool is_space(char c);
+constexpr bool is_space(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::vector<std::string_view> words_of(std::string_view text);
 
 // The whole of `text` as a number ("+5" too); nothing if it is no number or does not fit.
-std::optional<std::int64_t> to_int(std::string_view text);
-std::optional<double> to_double(std::string_view text);
+template <class T>
+std::optional<T> number_in(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  T value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+inline std::optional<std::int64_t> to_int(std::string_view text) {
+  return number_in<std::int64_t>(text);
+}
+inline std::optional<double> to_double(std::string_view text) {
+  return number_in<double>(text);
+}
 // The whole of `text` as white-space separated numbers; nothing if a word is no number.
 std::optional<std::vector<std::int64_t>> to_ints(std::string_view text);
 std::optional<std::vector<double>> to_doubles(std::string_view text);
 
-// 'text' as it may stand in a one-line message: shortened, control characters replaced.
+// 'text' as it may stand in a message: shortened. (InputError sees to control characters.)
 std::string quote(std::string_view text);
 
 }  // namespace deliso

@@ -9,10 +9,10 @@
 #include <csignal>
 #include <thread>
 
-#include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/random.h"
-#include "base/temporary_folder.h"
+#include "files/atomic_file.h"
+#include "files/temporary_folder.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The bytes of an input: a regular file is mapped into memory (so a volume larger than memory works
-// and nothing is copied), anything else (a pipe, standard input) is read to its end.
+// The one door through which every file is read. A regular file is mapped into memory (so a volume
+// larger than memory works and nothing is copied), a pipe or standard input is read to its end.
 //
 // 1. A mapping is read only and private, and is undone when the last owner of its bytes is gone.
-// 2. A file that somebody shortens while it is mapped is beyond what a reader can guard against.
+// 2. Folders and devices are refused: a device could give bytes without end. What another file
+//    names (a header its data) must be a regular file: a pipe could give none.
+// 3. Where somebody shortens a file while it is mapped, reading the bytes that are gone raises
+//    SIGBUS; the program says so in one line (app/signals.h), a host has to know by itself.
 #pragma once
 
 #include <cstddef>
@@ -13,23 +16,6 @@
 #include <string_view>
 
 namespace deliso {
-
-// A read-only memory mapping of a whole file.
-class MappedFile {
- public:
-  // Maps `size` > 0 bytes of the open file `descriptor`, which may be closed afterwards; empty
-  // (data() is null) if the system refuses.
-  MappedFile(int descriptor, std::size_t size);
-  ~MappedFile();
-  MappedFile(const MappedFile&) = delete;
-  MappedFile& operator=(const MappedFile&) = delete;
-
-  const std::byte* data() const { return data_; }
-
- private:
-  const std::byte* data_ = nullptr;
-  std::size_t size_;
-};
 
 // Bytes that are kept alive by `owner`. `name` is what messages call them.
 struct Bytes {
@@ -57,11 +43,14 @@ struct Buffer {
 };
 Bytes bytes_of(Buffer buffer, std::string name);
 
-// Throw InputError if the file cannot be opened or read.
-Bytes open_file(const std::string& path);
+// Who names a file.
+enum class NamedBy { user, file };
+
+// Throw InputError if the file cannot be opened or read, or rule 2 forbids it.
+Bytes open_file(const std::string& path, NamedBy named_by = NamedBy::user);
 Bytes read_standard_input();
 
-// Throws InputError "name: message", without control characters that `name` may contain.
+// Throws InputError "name: message".
 [[noreturn]] void fail(std::string_view name, const std::string& message);
 
 }  // namespace deliso

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/checksum.h"
+#include "files/checksum.h"
 
 #include <algorithm>
 #include <array>

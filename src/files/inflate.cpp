@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "volume/inflate.h"
+#include "files/inflate.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 
-#include "base/checksum.h"
-#include "volume/prefix_code.h"
+#include "files/checksum.h"
+#include "files/prefix_code.h"
 
 namespace deliso {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compression to deflate data (RFC 1951) in a zlib wrapping (RFC 1950): the other direction of
-// volume/inflate.h. Repetitions are found by hash chains (LZ77), the rest is left to Huffman codes,
+// inflate.h. Repetitions are found by hash chains (LZ77), the rest is left to Huffman codes,
 // new ones for every block.
 //
 //   D1  the same bytes give the same data on every machine;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/command_line.h"
+#include "app/option_table.h"
+#include "volume/builtin_fields.h"
+
+namespace deliso {
+namespace {
+
+// Appends `words` to a line that has reached `column`, broken into lines that begin there.
+void append_wrapped(std::string& text, std::string_view words, std::size_t column) {
+  constexpr std::size_t kWidth = 92;
+  while (words.size() > kWidth - column) {
+    const std::size_t end = words.rfind(' ', kWidth - column);
+    text.append(words.substr(0, end)).append("\n").append(column, ' ');
+    words.remove_prefix(end + 1);
+  }
+  text += words;
+}
+
+// `left`, and behind it from kColumn on, or below it, the words.
+void append_entry(std::string& text, std::string left, std::string_view words) {
+  constexpr std::size_t kColumn = 30;
+  if (left.size() + 2 > kColumn) {
+    left.append("\n").append(kColumn, ' ');
+  } else {
+    left.resize(kColumn, ' ');
+  }
+  text += left;
+  append_wrapped(text, words, kColumn);
+  text += '\n';
+}
+
+constexpr std::string_view kVolumes =
+    "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .vtk .vti, raw data with --dims and --type,\n"
+    "builtin:NAME[:SIZE], or - for standard input.\n";
+constexpr std::string_view kMeshes = "MESH: .ply .off .obj .stl .vtp, or - for standard input.\n";
+
+std::string usage(Command command) {
+  std::string text;
+  switch (command) {
+    case Command::mesh:
+      text =
+          "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n\n"
+          "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n";
+      return text.append(kVolumes).append(
+          "The report goes to standard output, or to standard error when the mesh or the JSON goes\n"
+          "there. Exit status: 0 fine; 1 the mesh breaks a rule of its own, --check found a fault,\n"
+          "or --cap left the mesh open; 2 bad usage or input.\n");
+    case Command::info:
+      text =
+          "usage: deliso info INPUT [--iso K] [options]\n\n"
+          "Size, type and place of a volume, the histogram of its samples, isovalues to try, and\n"
+          "with --iso the exact topology of the surface.\n";
+      return text.append(kVolumes);
+    case Command::check:
+      text =
+          "usage: deliso check MESH INPUT --iso K [options]\n\n"
+          "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact\n"
+          "topology, Delaunay triangles, distances both ways, shapes. Exit status: 0 no fault,\n"
+          "1 a fault, 2 bad usage or input.\n";
+      return text.append(kMeshes).append(kVolumes);
+    case Command::render:
+      text =
+          "usage: deliso render MESH [MESH ...] -o PICTURE.png [options]\n\n"
+          "Draws a mesh, or several side by side, all seen by one camera: the side where the field\n"
+          "is below the isovalue in blue, the other in orange.\n";
+      return text.append(kMeshes);
+    case Command::help:
+    case Command::version:
+      break;
+  }
+  return text;
+}
+
+void append_options(std::string& text, Command command) {
+  const std::span<const OptionGroup> groups = option_groups();
+  std::size_t next = 0, headed = 0;  // groups that begin, and that have a heading in the text
+  for (const OptionSpec& spec : option_table()) {
+    if (next < groups.size() && spec.name == groups[next].first) ++next;
+    if ((spec.commands & flag_of(command)) == 0) continue;
+    if (headed < next) {
+      headed = next;
+      text.append("\n").append(groups[next - 1].title).append(":\n");
+    }
+    std::string left = "  ";
+    if (spec.letter != 0) left.append({'-', spec.letter, ',', ' '});
+    left += spec.name;
+    if (!spec.argument.empty()) left.append(" ").append(spec.argument);
+    const bool other = command != Command::mesh && !spec.other_help.empty();
+    append_entry(text, std::move(left), other ? spec.other_help : spec.help);
+  }
+}
+
+}  // namespace
+
+std::string help_text(std::optional<Command> command) {
+  if (command) {
+    std::string text = usage(*command);
+    append_options(text, *command);
+    if (*command == Command::render) return text;
+    text += "\nBuilt-in fields, each with an isovalue of its own as default:\n";
+    for (const BuiltinField& field : builtin_fields()) {
+      append_entry(text, "  builtin:" + std::string(field.name), field.description);
+    }
+    return text;
+  }
+  std::string text =
+      "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n"
+      "       deliso info INPUT [--iso K] [options]\n"
+      "       deliso check MESH INPUT --iso K [options]\n"
+      "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
+      "       deliso COMMAND --help                  all options of a command\n"
+      "       deliso --version\n\n"
+      "Turns volumes (CT, MRI, simulation) into Delaunay surface meshes of their isosurfaces, with\n"
+      "the exact topology, bounded triangle shapes and adaptive size.\n";
+  text.append(kVolumes).append(kMeshes);
+  text +=
+      "\nTo begin with:\n"
+      "  deliso info scan.nrrd                      what is in it, and which isovalues to try\n"
+      "  deliso scan.nrrd --iso 40 -o scan.ply      a mesh of 0.1 voxel\n"
+      "  deliso scan.nrrd --iso 40 --max-distance 0.3vox -o coarse.ply\n"
+      "  deliso scan.nrrd --iso 40 --vertices 20000 --cap -o solid.stl\n"
+      "  deliso check scan.ply scan.nrrd --iso 40   is it right?\n"
+      "  deliso render scan.ply -o scan.png         a picture\n"
+      "\nExit status: 0 fine, 1 a fault was found, 2 bad usage or input.\n";
+  return text;
+}
+
+}  // namespace deliso

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "app/option_table.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "app/parse_value.h"
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// One of the names in a list of (name, value) pairs.
+template <class T, std::size_t N>
+T choose(std::string_view option, std::string_view text,
+         const std::array<std::pair<std::string_view, T>, N>& choices) {
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    names.append(names.empty() ? "" : ", ").append(name);
+  }
+  throw InputError(std::string(option) + " wants one of " + names + ", not '" + std::string(text) +
+                   "'");
+}
+
+// The volume layer's parsers name what is wrong, but no option.
+template <class Parse>
+auto in_option(std::string_view option, std::string_view text, Parse parse) {
+  try {
+    return parse(text);
+  } catch (const InputError& error) {
+    throw InputError(std::string(option) + ": " + error.what());
+  }
+}
+
+RawLayout& raw_layout(CommandLine& line) {
+  if (!line.read.raw) line.read.raw.emplace();
+  return *line.read.raw;
+}
+
+MeshFormat parse_format(std::string_view option, std::string_view text) {
+  using enum MeshFormat;
+  return choose(option, text,
+                std::to_array<std::pair<std::string_view, MeshFormat>>(
+                    {{"ply", ply}, {"off", off}, {"obj", obj}, {"stl", stl}, {"vtp", vtp}}));
+}
+
+double parse_lambda(std::string_view option, std::string_view text) {
+  const double lambda = parse_positive(option, text);
+  if (lambda < 1) {
+    throw InputError(std::string(option) + " must be at least 1, or refinement would not end");
+  }
+  return lambda;
+}
+
+double parse_share(std::string_view option, std::string_view text) {
+  const double share = parse_positive(option, text);
+  if (share > 1) throw InputError(std::string(option) + " must be at most 1");
+  return share;
+}
+
+void require(std::string_view option, std::string_view text, std::string_view only) {
+  if (text == only) return;
+  throw InputError(std::string(option) + " " + std::string(text) + " is not in this version: use " +
+                   std::string(only));
+}
+
+using Line = CommandLine;
+using Text = std::string_view;
+
+constexpr OptionSpec kOptions[] = {
+    {"--iso", 'k', "K", kVolume, "isovalue: the surface is where the volume's interpolant is K",
+     [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
+    {"--output", 'o', "FILE", kOutput,
+     "mesh to write: .ply .off .obj .stl .vtp, or - for standard output",
+     [](Line& l, Text, Text v) { l.output = v; },
+     "picture to write: .png, or - for standard output"},
+    {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
+     [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
+    {"--ply-ascii", 0, "", kMeshOnly, "PLY as text instead of binary",
+     [](Line& l, Text, Text) { l.write.ascii = true; }},
+    {"--float", 0, "", kMeshOnly, "coordinates in single precision",
+     [](Line& l, Text, Text) { l.write.single_precision = true; }},
+    {"--double", 0, "", kMeshOnly, "coordinates in double precision (default)",
+     [](Line& l, Text, Text) { l.write.single_precision = false; }},
+    {"--json", 0, "FILE", kVolume, "all statistics as JSON, or - for standard output",
+     [](Line& l, Text, Text v) { l.json = v; }},
+    {"--quiet", 'q', "", kAll, "no report and no progress bar",
+     [](Line& l, Text, Text) { l.quiet = true; }},
+    {"--check", 0, "", kMeshOnly, "check the mesh as the check command does: exit 1 on a fault",
+     [](Line& l, Text, Text) { l.check = true; }},
+    {"--restricted", 0, "SHARE", kMeshAndCheck,
+     "with --check: least share of restricted Delaunay triangles (default 0.999)",
+     [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); },
+     "least share of restricted Delaunay triangles (default 0.999)"},
+    {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
+     [](Line& l, Text, Text) { l.allow_empty = true; }},
+    {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
+     "only these samples; the ones at X1, Y1, Z1 are left out",
+     [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
+
+    {"--max-distance", 0, "D|Dvox", kMeshAndCheck,
+     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
+     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
+     "0.1vox)",
+     [](Line& l, Text o, Text v) {
+       l.options.max_distance = parse_length(o, v, Length::Unit::world);
+     },
+     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file says, "
+     "and no exit 1 for it): world units, or voxels"},
+    {"--rmin", 0, "X|Xvox", kMeshAndCheck,
+     "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
+     "the box's smallest side",
+     [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
+     "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
+    {"--lambda", 0, "X", kMeshAndCheck,
+     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
+     [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); },
+     "r over shortest edge that is counted as too large (default: what the mesh's file says, or 2)"},
+    {"--vertices", 0, "N", kMeshOnly,
+     "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
+     "of --max-distance",
+     [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
+    {"--triangles", 0, "N", kMeshOnly, "the same, of about N triangles",
+     [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
+    {"--eps1", 0, "X", kMeshAndCheck,
+     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
+     [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); },
+     "h/r that is counted as too large (default: what the mesh's file says, or none)"},
+    {"--eps2", 0, "X", kMeshOnly,
+     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
+     [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
+    {"--max-radius", 0, "R", kMeshOnly, "largest r, in world units (default: none)",
+     [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
+    {"--paper", 0, "", kMeshAndCheck,
+     "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
+     "--max-distance",
+     [](Line& l, Text, Text) { l.paper = true; },
+     "hold the mesh against the paper's criteria, whatever its file says"},
+    {"--eps", 0, "X", kMeshOnly, "stage 1 of --recover paper: largest h/r (default 0.2)",
+     [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
+    {"--min-component", 0, "N", kMeshAndCheck,
+     "leave out components smaller than N voxels (default 0)",
+     [](Line& l, Text o, Text v) { l.options.min_component = v == "0" ? 0 : parse_positive(o, v); },
+     "the mesh was made with it"},
+    {"--samples", 0, "N", kMeshOnly, "random points to begin with (default 50)",
+     [](Line& l, Text o, Text v) { l.options.samples = parse_count(o, v); }},
+    {"--seed", 0, "N", kMeshOnly, "of all random numbers (default 1)",
+     [](Line& l, Text o, Text v) { l.options.seed = parse_count(o, v); }},
+    {"--max-vertices", 0, "N", kMeshOnly, "stop with an error beyond N vertices",
+     [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
+    {"--keep-partial", 0, "", kMeshOnly, "with --max-vertices: write the valid mesh so far",
+     [](Line& l, Text, Text) { l.options.keep_partial = true; }},
+    {"--threads", 0, "N", kMeshOnly, "threads to use, 1 or more; this version uses one",
+     [](Line& l, Text o, Text v) {
+       l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
+     }},
+    {"--recover", 0, "NAME", kMeshOnly,
+     "how stage 1 knows that it is done: certified (default), on the exact contour, or paper, by "
+     "the paper's tests",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, RecoverWay>;
+       l.options.recover = choose(o, v,
+                                  std::to_array<Choice>({{"certified", RecoverWay::certified},
+                                                         {"paper", RecoverWay::paper}}));
+     }},
+    {"--fingers", 0, "X|Xvox", kMeshOnly,
+     "certified: no point of the exact contour further than X from the mesh at the end of stage 1 "
+     "(default 1vox)",
+     [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
+    {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
+     [](Line& l, Text o, Text v) {
+       require(o, v, "recover");
+       l.options.stop_after_recover = true;
+     }},
+    {"--method", 0, "NAME", kMeshOnly,
+     "delaunay (default), or marching-cubes for comparison, which ignores the other options here "
+     "but --cap",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Method>;
+       l.options.method =
+           choose(o, v,
+                  std::to_array<Choice>({{"delaunay", Method::delaunay},
+                                         {"marching-cubes", Method::marching_cubes}}));
+     }},
+    {"--cap", 0, "", kMeshAndCheck,
+     "close the surface on the volume's box: a watertight solid",
+     [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
+    {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
+     [](Line& l, Text, Text) { l.options.single_stage = true; }},
+    {"--solver", 0, "NAME", kMeshOnly, "roots of cubics: isolation (default) or schwarze",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, CubicMethod>;
+       l.options.cubic = choose(o, v,
+                                std::to_array<Choice>({{"isolation", CubicMethod::isolation},
+                                                       {"schwarze", CubicMethod::schwarze}}));
+     }},
+
+    {"--dims", 0, "NXxNYxNZ", kVolume, "size of a raw file, in samples",
+     [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
+    {"--type", 0, "TYPE", kVolume,
+     "its sample type: uint8 int8 uint16 int16 uint32 int32 float32 float64",
+     [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
+    {"--spacing", 0, "SX,SY,SZ", kVolume, "its distance between samples (default 1,1,1)",
+     [](Line& l, Text o, Text v) { raw_layout(l).spacing = parse_spacing(o, v); }},
+    {"--endian", 0, "ORDER", kVolume, "its byte order: little (default) or big",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, std::endian>;
+       raw_layout(l).byte_order = choose(
+           o, v,
+           std::to_array<Choice>({{"little", std::endian::little}, {"big", std::endian::big}}));
+     }},
+    {"--skip", 0, "BYTES", kVolume, "its bytes before the first sample",
+     [](Line& l, Text o, Text v) { raw_layout(l).skip = parse_count(o, v); }},
+
+    {"--view", 0, "AZIMUTH,ELEVATION", kRenderOnly,
+     "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
+     "of a ring that sees most of the surface)",
+     [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
+    {"--zoom", 0, "X", kRenderOnly, "larger than to fill the picture (default 1, at most 64)",
+     [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
+    {"--look-at", 0, "X,Y,Z", kRenderOnly,
+     "what is in the middle of the picture (default: the middle of all that is drawn)",
+     [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
+    {"--size", 0, "WxH", kRenderOnly, "of the whole picture, in pixels (default 1200x900)",
+     [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
+    {"--shading", 0, "NAME", kRenderOnly, "smooth (default) or flat",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Shading>;
+       l.render.shading = choose(
+           o, v, std::to_array<Choice>({{"smooth", Shading::smooth}, {"flat", Shading::flat}}));
+     }},
+    {"--edges", 0, "WHEN", kRenderOnly,
+     "of triangles: auto (default: where they are long enough to be told apart), on or off",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, Edges>;
+       l.render.edges =
+           choose(o, v,
+                  std::to_array<Choice>(
+                      {{"auto", Edges::automatic}, {"on", Edges::drawn}, {"off", Edges::hidden}}));
+     }},
+    {"--clip", 0, "PLANE", kRenderOnly,
+     "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
+     "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
+     [](Line& l, Text o, Text v) { l.clips = parse_clips(o, v); }},
+
+    {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
+    {"--version", 0, "", kAll, "the version",
+     [](Line& l, Text, Text) { l.command = Command::version; }},
+};
+constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"},
+                             {"Meshing", "--max-distance"},
+                             {"Raw files", "--dims"},
+                             {"Pictures", "--view"},
+                             {"Help", "--help"}};
+
+}  // namespace
+
+std::span<const OptionSpec> option_table() {
+  return kOptions;
+}
+
+std::span<const OptionGroup> option_groups() {
+  return kGroups;
+}
+
+}  // namespace deliso

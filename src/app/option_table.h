@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The one table of options: it drives the parsing, the suggestions for misspelt names and the help
+// texts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "app/command_line.h"
+
+namespace deliso {
+
+// Which commands know an option.
+enum Commands : std::uint8_t {
+  kMeshOnly = 1,
+  kInfoOnly = 2,
+  kRenderOnly = 4,
+  kCheckOnly = 8,
+  kVolume = kMeshOnly | kInfoOnly | kCheckOnly,
+  kMeshAndCheck = kMeshOnly | kCheckOnly,
+  kOutput = kMeshOnly | kRenderOnly,
+  kAll = kMeshOnly | kInfoOnly | kRenderOnly | kCheckOnly
+};
+
+constexpr Commands flag_of(Command command) {
+  return command == Command::info     ? kInfoOnly
+         : command == Command::render ? kRenderOnly
+         : command == Command::check  ? kCheckOnly
+                                      : kMeshOnly;
+}
+
+struct OptionSpec {
+  std::string_view name;
+  char letter;                // of its short form; 0: none
+  std::string_view argument;  // what stands after it; empty for a switch
+  Commands commands;
+  std::string_view help;
+  // Throws InputError that names the option.
+  void (*apply)(CommandLine& line, std::string_view name, std::string_view value);
+  std::string_view other_help = {};  // of a command that is not mesh, where it means less there
+};
+
+// A heading of the help texts.
+struct OptionGroup {
+  std::string_view title;
+  std::string_view first;  // name of its first option
+};
+
+std::span<const OptionSpec> option_table();
+std::span<const OptionGroup> option_groups();
+
+}  // namespace deliso
