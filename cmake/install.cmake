@@ -1,11 +1,12 @@
-# What `cmake --install` lays down: the library, its headers, the program, and the package that
-# find_package(deliso) finds.
+# What `cmake --install` lays down: the library, its headers, the program, and the packages that
+# find_package(deliso) and pkg-config find.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS deliso EXPORT deliso_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/ ${PROJECT_BINARY_DIR}/generated/
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/deliso
-        FILES_MATCHING PATTERN "*.h" PATTERN "app" EXCLUDE)
+install(CODE "
+  include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
+  deliso_public_headers(\"${PROJECT_SOURCE_DIR}/src\" \"${PROJECT_BINARY_DIR}/generated\"
+      \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
@@ -18,3 +19,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/deliso-config-version.cma
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/deliso-config.cmake
               ${PROJECT_BINARY_DIR}/deliso-config-version.cmake DESTINATION ${package_dir})
+
+file(RELATIVE_PATH DELISO_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(cmake/deliso.pc.in ${PROJECT_BINARY_DIR}/deliso.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/deliso.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

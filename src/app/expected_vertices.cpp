@@ -20,6 +20,9 @@ constexpr int kSlices = 32;
 constexpr double kBase = 0.03;
 constexpr double kDistance = 0.035, kHeight = 0.005, kPole = 0.04;
 constexpr double kFull = 0.67;
+// At creases of the interpolant, between voxels, h/r does not fall with r: down to r_min, vertices
+// per voxel of r_min.
+constexpr double kCrease = 0.03;
 
 // Crossings of grid edges along x, y and z.
 using Crossings = std::array<double, 3>;
@@ -62,8 +65,9 @@ double density(const Options& options, const Volume& volume, double voxel) {
           : std::max({kDistance / distance, kHeight / (options.epsilon1 * options.epsilon1),
                       kPole / (options.epsilon2 * options.epsilon2), kFull / (radius * radius)});
   const double r_min = options.r_min.in(volume) / voxel;
+  const double creases = options.epsilon1 < Options::kNone ? kCrease / r_min : 0;
   // Nothing smaller than r_min is refined.
-  return 1 / (1 / (kBase + asked) + r_min * r_min / kFull);
+  return 1 / (1 / (kBase + asked + creases) + r_min * r_min / kFull);
 }
 
 }  // namespace

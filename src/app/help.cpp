@@ -49,8 +49,10 @@ std::string usage(Command command) {
           "usage: deliso [mesh] INPUT --iso K [-o FILE] [options]\n\n"
           "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio.\n";
       return text.append(kVolumes).append(
-          "The report goes to standard output, or to standard error when the mesh or the JSON goes\n"
-          "there. Exit status: 0 fine; 1 the mesh breaks a rule of its own, --check found a fault,\n"
+          "The report goes to standard output, or to standard error when the mesh or the JSON "
+          "goes\n"
+          "there. Exit status: 0 fine; 1 the mesh breaks a rule of its own, --check found a "
+          "fault,\n"
           "or --cap left the mesh open; 2 bad usage or input.\n");
     case Command::info:
       text =
@@ -68,7 +70,8 @@ std::string usage(Command command) {
     case Command::render:
       text =
           "usage: deliso render MESH [MESH ...] -o PICTURE.png [options]\n\n"
-          "Draws a mesh, or several side by side, all seen by one camera: the side where the field\n"
+          "Draws a mesh, or several side by side, all seen by one camera: the side where the "
+          "field\n"
           "is below the isovalue in blue, the other in orange.\n";
       return text.append(kMeshes);
     case Command::help:
@@ -117,7 +120,8 @@ std::string help_text(std::optional<Command> command) {
       "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
       "       deliso COMMAND --help                  all options of a command\n"
       "       deliso --version\n\n"
-      "Turns volumes (CT, MRI, simulation) into Delaunay surface meshes of their isosurfaces, with\n"
+      "Turns volumes (CT, MRI, simulation) into Delaunay surface meshes of their isosurfaces, "
+      "with\n"
       "the exact topology, bounded triangle shapes and adaptive size.\n";
   text.append(kVolumes).append(kMeshes);
   text +=

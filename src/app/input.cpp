@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/input.h"
 
+#include <array>
 #include <utility>
 
+#include "app/output.h"
 #include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -33,10 +35,13 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
 
 }  // namespace
 
-Input read_input(const CommandLine& line) {
+Input read_input(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
   ReadLog log;
   Volume volume = read_volume(line.input, line.read, &log);
+  others.insert(others.end(), log.files.begin(), log.files.end());
+  if (line.input == "-") others.push_back(line.input);
+  require_outputs(std::array{line.output, line.json}, others);
   const ValueRange range = value_range(volume, line.input);
   return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
 }

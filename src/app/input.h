@@ -20,8 +20,10 @@ struct Input {
   double seconds = 0;  // reading, and looking at every sample once
 };
 
-// Reads the command's input. Throws InputError, also for the first NaN or infinite sample.
-Input read_input(const CommandLine& line);
+// Reads the command's input. Throws InputError, also for the first NaN or infinite sample, and
+// where an output of the run cannot be written, or is one of the files that are read: of the
+// volume, and `others`.
+Input read_input(const CommandLine& line, std::vector<std::string> others = {});
 
 // Aligned lines for people, and an object "volume".
 std::string input_text(const Input& input);

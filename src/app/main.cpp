@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/run.h"
+#include "app/signals.h"
 #include "base/check.h"
 #include "base/version.h"
 
@@ -42,6 +43,7 @@ int run(std::span<const std::string_view> arguments) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string_view> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  handle_signals();
   try {
     return run(arguments);
   } catch (const std::bad_alloc&) {

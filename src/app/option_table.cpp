@@ -111,7 +111,8 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text o, Text v) {
        l.options.max_distance = parse_length(o, v, Length::Unit::world);
      },
-     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file says, "
+     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
+     "says, "
      "and no exit 1 for it): world units, or voxels"},
     {"--rmin", 0, "X|Xvox", kMeshAndCheck,
      "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
@@ -121,7 +122,8 @@ constexpr OptionSpec kOptions[] = {
     {"--lambda", 0, "X", kMeshAndCheck,
      "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
      [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); },
-     "r over shortest edge that is counted as too large (default: what the mesh's file says, or 2)"},
+     "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
+     "2)"},
     {"--vertices", 0, "N", kMeshOnly,
      "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
      "of --max-distance",
@@ -188,8 +190,7 @@ constexpr OptionSpec kOptions[] = {
                   std::to_array<Choice>({{"delaunay", Method::delaunay},
                                          {"marching-cubes", Method::marching_cubes}}));
      }},
-    {"--cap", 0, "", kMeshAndCheck,
-     "close the surface on the volume's box: a watertight solid",
+    {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
     {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
@@ -254,10 +255,10 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text, Text) { l.command = Command::version; }},
 };
 constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"},
-                             {"Meshing", "--max-distance"},
-                             {"Raw files", "--dims"},
-                             {"Pictures", "--view"},
-                             {"Help", "--help"}};
+                                   {"Meshing", "--max-distance"},
+                                   {"Raw files", "--dims"},
+                                   {"Pictures", "--view"},
+                                   {"Help", "--help"}};
 
 }  // namespace
 

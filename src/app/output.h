@@ -2,7 +2,7 @@
 // Getting results out: standard output with its errors seen, files whole or not at all.
 #pragma once
 
-#include <csignal>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,21 +14,13 @@ void print(std::string_view text);
 // Writes a file, whole or not at all; `-` is standard output. Throws InputError.
 void write_text(const std::string& path, std::string_view text);
 
-// Throws InputError where a file at `path` could not be written for a reason that can be told now
-// rather than after the work: its folder is missing or may not be written to, or it is a folder.
-void require_writable(const std::string& path);
-
-// Keeps SIGINT, SIGTERM and SIGHUP waiting for as long as it lives, so that they do not leave a
-// temporary file behind: writing takes a moment, and then the signal has its way.
-class DeferSignals {
- public:
-  DeferSignals();
-  ~DeferSignals();
-  DeferSignals(const DeferSignals&) = delete;
-  DeferSignals& operator=(const DeferSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
+// What must hold before the work begins; throws InputError where it does not. The names of files in
+// a run: `outputs`, in the order in which they are named, and all that is read. Empty names are
+// none, `-` is the standard stream.
+//   - no output has the same file, through links too, as another name: it would replace that. (What
+//     is no regular file, such as /dev/null, takes any number.)
+//   - every output could be written: its folder is there and may be written to, it is no folder
+//     itself, and nobody has made it read-only.
+void require_outputs(std::span<const std::string> outputs, std::span<const std::string> inputs);
 
 }  // namespace deliso

@@ -50,10 +50,9 @@ double bring_home(TriMesh& mesh, const Frame& at) {
 }  // namespace
 
 int run_check(const CommandLine& line) {
-  if (!line.json.empty()) require_writable(line.json);
   std::vector<std::string> comments;
   TriMesh mesh = read_mesh(line.meshes.front(), &comments);
-  const Input input = read_input(line);
+  const Input input = read_input(line, line.meshes);
   const Volume& volume = input.volume;
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);

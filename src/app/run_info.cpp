@@ -76,7 +76,6 @@ std::string info_json(const Info& info) {
 }  // namespace
 
 int run_info(const CommandLine& line) {
-  if (!line.json.empty()) require_writable(line.json);
   const Input input = read_input(line);
   Info info{input, make_histogram(input.volume, input.range, kBins), 0, line.isovalue, 0, {}, 0};
   info.suggestion = suggested_isovalue(input.volume.type(), otsu_threshold(info.histogram));

@@ -11,6 +11,7 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/signals.h"
 #include "app/solid.h"
 #include "app/stopwatch.h"
 #include "app/text.h"
@@ -25,7 +26,8 @@
 namespace deliso {
 namespace {
 
-constexpr double kMany = 1e7;  // vertices
+// Vertices that are worth a word, and more than 32-bit ids of their facets can name.
+constexpr double kMany = 1e7, kTooMany = 2e9;
 
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
@@ -37,17 +39,21 @@ std::uint64_t peak_memory_bytes() {
 void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   if (range.min < isovalue && isovalue <= range.max) return;
   throw InputError("no surface at isovalue " + number_text(isovalue) + ": the samples are " +
-                   number_text(range.min) + " to " + number_text(range.max) +
+                   number_text(range.min) + " to " + number_text(range.max) + ", everything is " +
+                   (isovalue <= range.min ? "inside" : "outside") +
                    " (--allow-empty accepts that)");
 }
 
-// One line beforehand for what may take long and much memory.
-void warn_of_size(double vertices) {
+// One line beforehand for what may take long and much memory; an InputError for what cannot be.
+void warn_of_size(double vertices, bool quiet) {
   if (vertices <= kMany) return;
-  std::fprintf(stderr,
-               "deliso: warning: about %.0f million vertices are to be expected; a larger "
-               "--max-distance or --rmin, or --vertices N, gives fewer\n",
-               vertices / 1e6);
+  char words[160];
+  std::snprintf(words, sizeof words,
+                "about %.0f million vertices are to be expected; a larger --max-distance or "
+                "--rmin, or --vertices N, gives fewer",
+                vertices / 1e6);
+  if (vertices > kTooMany) throw InputError(std::string("too large: ") + words);
+  if (!quiet) std::fprintf(stderr, "deliso: warning: %s\n", words);
 }
 
 // The facets from number `begin` to `end`, over the same vertices.
@@ -62,7 +68,6 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   const Stopwatch watch;
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
-  run.fault = check_mesh(mesh);
   // Caps are no part of what is compared with the exact surface.
   TriMesh without_caps;
   const bool capped = run.line.options.cap;
@@ -104,14 +109,11 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
 
 int run_mesh(const CommandLine& line) {
   const Stopwatch total;
-  if (!line.output.empty()) require_writable(line.output);
-  if (!line.json.empty()) require_writable(line.json);
-
   const Input input = read_input(line);
   const Volume& volume = input.volume;
   const double isovalue = *line.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
-  if (!line.quiet) warn_of_size(expected_vertices(volume, isovalue, line.options));
+  warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
   MeshRun run(line, input);
 
   TriMesh mesh;
@@ -126,6 +128,7 @@ int run_mesh(const CommandLine& line) {
                      " is empty (--allow-empty accepts that)");
   }
 
+  run.fault = check_mesh(mesh);
   const bool examined = !line.quiet || line.check || !line.json.empty();
   if (examined) examine(volume, mesh, run);
   write_results(mesh, volume, run);
@@ -142,8 +145,7 @@ int run_mesh(const CommandLine& line) {
       print(text);
     }
   }
-  const bool stayed_open = !run.report.cap.failure.empty();
-  return stayed_open || (line.check && !run.sound()) ? kFaultFound : kFine;
+  return run.sound() ? kFine : kFaultFound;
 }
 
 }  // namespace deliso

@@ -9,6 +9,7 @@
 
 #include "app/output.h"
 #include "app/run.h"
+#include "app/signals.h"
 #include "app/text.h"
 #include "base/box3.h"
 #include "base/check.h"
@@ -47,7 +48,7 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
 }  // namespace
 
 int run_render(const CommandLine& line) {
-  require_writable(line.output);
+  require_outputs({&line.output, 1}, line.meshes);
   std::vector<TriMesh> meshes;
   std::string names, triangles;
   for (const std::string& name : line.meshes) {

@@ -17,7 +17,7 @@ namespace deliso {
 // `message` as one line of bounded length, whatever names and words of files it holds: control
 // characters become '?', and the middle of what is very long goes.
 inline std::string one_line(std::string message) {
-  constexpr std::size_t kBegin = 300, kEnd = 400;
+  constexpr std::size_t kBegin = 200, kEnd = 300;
   if (message.size() > kBegin + kEnd) {
     message.replace(kBegin, message.size() - kBegin - kEnd, "[...]");
   }

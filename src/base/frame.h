@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a volume, and a mesh made from it, lies in the world. All geometry runs in the volume's
-// scaled frame (sample (i, j, k) at (i*sx, j*sy, k*sz)); a TriMesh carries its volume's frame along,
-// and files of meshes hold world coordinates.
+// scaled frame (sample (i, j, k) at (i*sx, j*sy, k*sz)); a TriMesh carries its volume's frame
+// along, and files of meshes hold world coordinates.
 #pragma once
 
 #include <array>

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+#include "base/text.h"
+
 namespace deliso {
 namespace {
 
@@ -12,6 +15,26 @@ constexpr double kShapeFloor = 0.05;
 double voxel_of(const Volume& volume) {
   const Vec3 s = volume.spacing();
   return std::min({s.x, s.y, s.z});
+}
+
+// What could not end in reasonable time (docs/what-is-proven.md, "That it ends").
+void require_an_end(const Options& o, const Volume& volume, double r_min_voxels) {
+  if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
+    throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",
+                          kSmallestRMin, ": at creases refinement would hardly end"));
+  }
+  if (!(o.lambda >= 1))
+    throw InputError("--lambda must be at least 1, or refinement would not end");
+  if (o.samples > kMostSamples) {
+    throw InputError(text("--samples is ", o.samples, ", and must be at most ", kMostSamples));
+  }
+  const Vec3 s = volume.spacing();
+  const double ratio = std::max({s.x, s.y, s.z}) / std::min({s.x, s.y, s.z});
+  if (!(ratio <= kLargestRatio)) {
+    throw InputError(text("the longest side of a voxel is ", ratio,
+                          " times the shortest, and must be at most ", kLargestRatio,
+                          " times: resample the volume"));
+  }
 }
 
 }  // namespace
@@ -40,6 +63,7 @@ Options Options::paper() {
 
 Parameters resolve(const Options& o, const Volume& volume) {
   const double voxel = voxel_of(volume), r_min = o.r_min.in(volume);
+  require_an_end(o, volume, r_min / voxel);
   Parameters p{};
   p.voxel = voxel;
   p.r_min = r_min;

@@ -71,7 +71,13 @@ struct Options {
   static Options paper();
 };
 
-// All lengths in the scaled frame of the volume.
+// Limits of what is taken on.
+inline constexpr double kSmallestRMin = 0.001;           // voxels
+inline constexpr std::size_t kMostSamples = 10'000'000;  // N0
+inline constexpr double kLargestRatio = 10'000;          // of the sides of a voxel
+
+// All lengths in the scaled frame of the volume. Throws InputError beyond the limits above, and for
+// a lambda below 1.
 Parameters resolve(const Options& options, const Volume& volume);
 
 }  // namespace deliso

@@ -36,19 +36,6 @@ std::optional<int> descriptor_named(std::string_view path) {
   return std::nullopt;
 }
 
-// The path at the end of a chain of symbolic links; it need not exist. Stops at a descriptor, whose
-// link may lead to a name like `pipe:[4711]`.
-std::string follow_links(std::string path) {
-  constexpr int kLongestChain = 40;  // what Linux allows
-  for (int i = 0; i < kLongestChain && !descriptor_named(path); ++i) {
-    std::error_code error;
-    const std::filesystem::path link = std::filesystem::read_symlink(path, error);
-    if (error) break;
-    path = (std::filesystem::path(path).parent_path() / link).string();
-  }
-  return path;
-}
-
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
@@ -74,6 +61,17 @@ auto uninterrupted(Call call) {
 }
 
 }  // namespace
+
+std::string follow_links(std::string path) {
+  constexpr int kLongestChain = 40;  // what Linux allows
+  for (int i = 0; i < kLongestChain && !descriptor_named(path); ++i) {
+    std::error_code error;
+    const std::filesystem::path link = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = (std::filesystem::path(path).parent_path() / link).string();
+  }
+  return path;
+}
 
 AtomicFile::AtomicFile(std::string path, bool sync) : path_(std::move(path)), sync_(sync) {
   buffer_.reserve(kBufferSize);

@@ -19,6 +19,10 @@
 
 namespace deliso {
 
+// The path at the end of a chain of symbolic links; it need not exist. Stops at an open descriptor
+// (/dev/stdout, /dev/fd/N), whose link may lead to a name like `pipe:[4711]`.
+std::string follow_links(std::string path);
+
 class AtomicFile {
  public:
   // Opens for writing. With `sync`, commit() also waits until the bytes are on the medium.

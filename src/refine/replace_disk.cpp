@@ -10,15 +10,20 @@
 namespace deliso {
 namespace {
 
-// Cells of the grid are near the size of most facets: in r_min once all is done, unless most are as
-// small from the first.
+// Cells of the grids are near the size of most facets: a few times what the criteria ask for once
+// all is done, unless most are as small from the first. A bound on h asks for no r below the root
+// of it, in voxels, but at creases; a small r_min asks for nothing by itself.
 constexpr double kCell = 6;
+constexpr double kFine = 0.2;  // voxels
 
-double grid_cell(const TriMesh& mesh, double r_min) {
+double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
   std::vector<Triangle> facets;
   facets.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) facets.push_back(face.v);
-  return std::min(kCell * r_min, fitting_cell(mesh.points, facets));
+  const Criteria& criteria = parameters.refinement;
+  const double asked = std::min({std::sqrt(criteria.max_distance * parameters.voxel),
+                                 criteria.max_radius, kFine * parameters.voxel});
+  return std::min(kCell * std::max(parameters.r_min, asked), fitting_cell(mesh.points, facets));
 }
 
 bool has(std::span<const VertexId> list, VertexId v) {
@@ -35,8 +40,8 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
       parameters_(parameters),
       report_(report),
       finder_(surface),
-      facets_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
-      vertices_(surface.volume().box(), grid_cell(mesh_, parameters.r_min)),
+      facets_(surface.volume().box(), grid_cell(mesh_, parameters)),
+      vertices_(surface.volume().box(), grid_cell(mesh_, parameters)),
       marks_(mesh_.faces.size(), 0) {
   if (parameters.as_published) return;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {

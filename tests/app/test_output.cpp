@@ -2,44 +2,76 @@
 #include "app/output.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
-#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/check.h"
+#include "files/temporary_folder.h"
 
 using namespace deliso;
+using namespace deliso::test;
 
 namespace {
 
-volatile std::sig_atomic_t signals_seen = 0;
+using Names = std::vector<std::string>;
 
-void count_signal(int) {
-  signals_seen = signals_seen + 1;
+// The fault of a run of these files; empty when there is none.
+std::string fault(const Names& outputs, const Names& inputs) {
+  try {
+    require_outputs(outputs, inputs);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace
 
-TEST_CASE("signals wait until writing is done, and then arrive") {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const auto before = std::signal(signal, count_signal);
-    signals_seen = 0;
-    {
-      const DeferSignals defer;
-      std::raise(signal);
-      CHECK(signals_seen == 0);
-    }
-    CHECK(signals_seen == 1);
-    std::raise(signal);
-    CHECK(signals_seen == 2);
-    std::signal(signal, before);
+TEST_CASE("what cannot be written is known before the work") {
+  CHECK(fault({"-", "", "/dev/null"}, {}) == "");
+  CHECK(fault({"mesh-of-the-test.ply"}, {}) == "");
+  CHECK_FALSE(std::filesystem::exists("mesh-of-the-test.ply"));
+  CHECK(fault({"/no/such/folder/mesh.ply"}, {}) ==
+        "cannot write '/no/such/folder/mesh.ply': No such file or directory");
+  CHECK(fault({"/"}, {}) == "cannot write '/': Is a directory");
+  CHECK(fault({"."}, {}) == "cannot write '.': Is a directory");
+  const std::string long_name(300, 'x');
+  CHECK(fault({long_name}, {}).ends_with("File name too long"));
+  if (geteuid() != 0) {  // root may write everything
+    const TemporaryFolder folder;
+    write_bytes(folder / "a.ply", "old");
+    std::filesystem::permissions(folder / "a.ply", std::filesystem::perms::owner_read);
+    CHECK(fault({folder / "a.ply"}, {}).ends_with("Permission denied"));
   }
 }
 
-TEST_CASE("what cannot be written is known before the work") {
-  CHECK_NOTHROW(require_writable("-"));
-  CHECK_NOTHROW(require_writable("/dev/null"));
-  CHECK_NOTHROW(require_writable("mesh-of-the-test.ply"));
-  CHECK_THROWS_AS(require_writable("/no/such/folder/mesh.ply"), InputError);
-  CHECK_THROWS_AS(require_writable("/"), InputError);
-  CHECK_THROWS_AS(require_writable("."), InputError);
+TEST_CASE("two names of one file in a run") {
+  const TemporaryFolder folder;
+  const std::string a = folder / "a", same = folder / "./a", hard = folder / "hard",
+                    soft = folder / "soft", b = folder / "b", absent = folder / "absent",
+                    dangling = folder / "dangling";
+  write_bytes(a, "a");
+  write_bytes(b, "b");
+  std::filesystem::create_hard_link(a, hard);
+  std::filesystem::create_symlink("a", soft);
+  std::filesystem::create_symlink("absent", dangling);
+
+  for (const std::string& name : {a, same, hard, soft}) {
+    CAPTURE(name);
+    CHECK(fault({name}, {a}) ==
+          "cannot write '" + name + "': this run reads that file as '" + a + "'");
+    CHECK(fault({b, name}, {"builtin:sphere", hard}) != "");
+    CHECK(fault({a, name}, {b}) ==
+          "cannot write '" + name + "': this run writes that file as '" + a + "'");
+    CHECK(fault({name}, {b, "builtin:a", "nowhere"}) == "");
+  }
+  CHECK(fault({absent, dangling}, {}) != "");
+  CHECK(fault({dangling, absent}, {a}) != "");
+  CHECK(fault({absent, b}, {a, dangling}) != "");
+  CHECK(fault({absent, b}, {a}) == "");
+  CHECK(fault({"/dev/null", "/dev/null"}, {"/dev/null"}) == "");
+  for (const std::string& name : {a, b}) CHECK(std::filesystem::file_size(name) == 1);
 }

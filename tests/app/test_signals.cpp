@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "app/signals.h"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+
+#include "app/run.h"
+#include "base/check.h"
+#include "files/atomic_file.h"
+#include "files/input_file.h"
+#include "files/temporary_folder.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+volatile std::sig_atomic_t signals_seen = 0;
+
+void count_signal(int) {
+  signals_seen = signals_seen + 1;
+}
+
+struct Outcome {
+  bool exited = false;
+  int status = 0;  // or the signal
+  std::string said;
+};
+
+// What becomes of a process that does this, and what it says on standard error.
+template <class Work>
+Outcome of_process(Work work) {
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDERR_FILENO);
+    work();
+    _exit(0);
+  }
+  close(ends[1]);
+  Outcome outcome;
+  char byte;
+  while (read(ends[0], &byte, 1) == 1) outcome.said += byte;
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  outcome.exited = WIFEXITED(status);
+  outcome.status = outcome.exited ? WEXITSTATUS(status) : WTERMSIG(status);
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("signals wait until writing is done, and then arrive") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, count_signal);
+    signals_seen = 0;
+    {
+      const DeferSignals defer;
+      std::raise(signal);
+      CHECK(signals_seen == 0);
+    }
+    CHECK(signals_seen == 1);
+    std::raise(signal);
+    CHECK(signals_seen == 2);
+    std::signal(signal, before);
+  }
+}
+
+TEST_CASE("a mapped file that shrinks ends in one line that names it") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "volume.raw";
+  const Outcome outcome = of_process([&] {
+    handle_signals();
+    AtomicFile out(path);
+    out.write(std::string(1 << 20, 'x'));
+    out.commit();
+    const Bytes bytes = open_file(path);
+    if (truncate(path.c_str(), 10) != 0) _exit(99);
+    unsigned sum = 0;
+    for (const std::byte b : bytes.data) sum += std::to_integer<unsigned>(b);
+    _exit(sum > 0 ? 98 : 97);  // the sum is used, so it is made
+  });
+  CHECK(outcome.exited);
+  CHECK(outcome.status == kBadUsage);
+  CHECK(outcome.said == "deliso: " + path + ": was cut short while it was read\n");
+}
+
+TEST_CASE("a bus error that no file has to do with stays one") {
+  const Outcome outcome = of_process([] {
+    handle_signals();
+    kill(getpid(), SIGBUS);
+    for (int n = 0; n < 3; ++n) kill(getpid(), SIGBUS);
+  });
+  CHECK_FALSE(outcome.exited);
+  CHECK(outcome.status == SIGBUS);
+}
+
+TEST_CASE("a file that outgrows the system's limit is a fault of writing") {
+  const TemporaryFolder folder;
+  const Outcome outcome = of_process([&] {
+    handle_signals();
+    const rlimit limit{1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      AtomicFile out(folder / "mesh.ply");
+      out.write(std::string(1 << 20, 'x'));
+      out.commit();
+    } catch (const InputError&) {
+      _exit(kBadUsage);
+    }
+  });
+  CHECK(outcome.exited);
+  CHECK(outcome.status == kBadUsage);
+  CHECK(access((folder / "mesh.ply").c_str(), F_OK) != 0);
+}

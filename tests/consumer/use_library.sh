@@ -1,0 +1,53 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The library in a project of a stranger: installed and found by CMake, by pkg-config where there is
+# one, and as a part of the project. The mesh must be the program's, byte for byte, in the world.
+# Usage: use_library.sh SOURCE BUILD PROGRAM ROTATED_NIFTI CXX
+set -eu
+source=$1
+build=$2
+deliso=$3
+rotated_nifti=$4
+cxx=$5
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$rotated_nifti" "$work/volume.nii"
+"$deliso" "$work/volume.nii" --iso 100.1 -q -o "$work/expected.off"
+head -n 1 "$work/expected.off"
+
+# The criteria in the comments are the program's alone.
+same() {
+  grep -v '^#' "$work/expected.off" >"$work/a"
+  grep -v '^#' "$1" >"$work/b"
+  cmp "$work/a" "$work/b"
+}
+
+cmake --install "$build" --prefix "$work/prefix" >/dev/null
+loose=$(grep -rhE '^ *# *include "' "$work/prefix/include" | grep -v '"deliso/' || :)
+[ -z "$loose" ] || { echo "includes that are not under deliso/: $loose"; exit 1; }
+[ "$(ls "$work/prefix/include")" = deliso ]
+
+cmake -S "$source/tests/consumer" -B "$work/found" -DCMAKE_CXX_COMPILER="$cxx" \
+  -DCMAKE_PREFIX_PATH="$work/prefix" >/dev/null
+cmake --build "$work/found" | tail -n 1
+"$work/found/consumer" "$work/volume.nii" 100.1 "$work/found.off"
+same "$work/found.off"
+
+if command -v pkg-config >/dev/null; then
+  export PKG_CONFIG_PATH
+  PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name deliso.pc)")
+  # shellcheck disable=SC2046
+  "$cxx" -std=c++20 "$source/tests/consumer/consumer.cpp" -o "$work/by_pkg_config" \
+    $(pkg-config --cflags --libs deliso)
+  "$work/by_pkg_config" "$work/volume.nii" 100.1 "$work/by_pkg_config.off"
+  same "$work/by_pkg_config.off"
+else
+  echo 'no pkg-config here: its file was not tried'
+fi
+
+# As a part of another project the headers have the same names; compiling one file shows it.
+cmake -S "$source/tests/consumer" -B "$work/part" -DCMAKE_CXX_COMPILER="$cxx" \
+  -DDELISO_SOURCE="$source" >/dev/null
+make -C "$work/part" consumer.o | tail -n 1
+echo 'the same mesh each way'
