@@ -63,23 +63,24 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   return make_tri_mesh(mesh.points, triangles);
 }
 
-// Counts, checks and measures the mesh, and sets the exact contour beside it.
-void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
-  const Stopwatch watch;
-  run.vertices = mesh.points.size();
-  run.triangles = mesh.faces.size();
-  // Caps are no part of what is compared with the exact surface.
-  TriMesh without_caps;
+// The mesh without its caps, which are no part of what is compared with the exact surface, and the
+// first rule that the mesh breaks.
+TriMesh surface_of(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
   const bool capped = run.line.options.cap;
-  if (capped) {
-    const std::size_t surface_triangles = run.report.cap.surface_triangles;
-    without_caps = part_of(mesh, 0, surface_triangles);
-    const TriMesh caps = part_of(mesh, surface_triangles, mesh.faces.size());
+  const std::size_t count = capped ? run.report.cap.surface_triangles : mesh.faces.size();
+  TriMesh surface = capped ? part_of(mesh, 0, count) : mesh;
+  run.fault = check_mesh(mesh);
+  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
+  return surface;
+}
+
+// Counts, checks and measures the mesh, and sets the exact contour beside it.
+void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, MeshRun& run) {
+  if (run.line.options.cap) {
+    const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
     run.cap_quality = measure_quality(caps, run.line.options.lambda, 0);
     run.volume = world_volume(enclosed_volume(mesh), volume.frame());
   }
-  const TriMesh& surface = capped ? without_caps : mesh;
-  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
   run.mesh = topology_of(mesh_topology(surface));
   run.exact = topology_of(summarize_contour(volume, run.report.kappa_effective));
   run.quality = measure_quality(surface, run.line.options.lambda, run.report.r_min);
@@ -90,7 +91,6 @@ void examine(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
     if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
     run.verification = verify(mesh, volume, run.report.kappa_effective, options);
   }
-  run.seconds_check = watch.seconds();
 }
 
 void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
@@ -113,6 +113,7 @@ int run_mesh(const CommandLine& line) {
   const Volume& volume = input.volume;
   const double isovalue = *line.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
+  require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
   MeshRun run(line, input);
 
@@ -128,9 +129,12 @@ int run_mesh(const CommandLine& line) {
                      " is empty (--allow-empty accepts that)");
   }
 
-  run.fault = check_mesh(mesh);
-  const bool examined = !line.quiet || line.check || !line.json.empty();
-  if (examined) examine(volume, mesh, run);
+  const Stopwatch watch;
+  run.vertices = mesh.points.size();
+  run.triangles = mesh.faces.size();
+  const TriMesh surface = surface_of(volume, mesh, run);
+  if (!line.quiet || line.check || !line.json.empty()) examine(volume, mesh, surface, run);
+  run.seconds_check = watch.seconds();
   write_results(mesh, volume, run);
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();

@@ -17,8 +17,22 @@ double voxel_of(const Volume& volume) {
   return std::min({s.x, s.y, s.z});
 }
 
-// What could not end in reasonable time (docs/what-is-proven.md, "That it ends").
-void require_an_end(const Options& o, const Volume& volume, double r_min_voxels) {
+}  // namespace
+
+double Length::in(const Volume& volume) const {
+  switch (unit) {
+    case Unit::box:
+      return value * volume.box().smallest_side();
+    case Unit::voxel:
+      return value * voxel_of(volume);
+    case Unit::world:
+      break;
+  }
+  return value;
+}
+
+void require_limits(const Options& o, const Volume& volume) {
+  const double r_min_voxels = o.r_min.in(volume) / voxel_of(volume);
   if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
     throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",
                           kSmallestRMin, ": at creases refinement would hardly end"));
@@ -37,20 +51,6 @@ void require_an_end(const Options& o, const Volume& volume, double r_min_voxels)
   }
 }
 
-}  // namespace
-
-double Length::in(const Volume& volume) const {
-  switch (unit) {
-    case Unit::box:
-      return value * volume.box().smallest_side();
-    case Unit::voxel:
-      return value * voxel_of(volume);
-    case Unit::world:
-      break;
-  }
-  return value;
-}
-
 Options Options::paper() {
   Options options;
   options.recover = RecoverWay::paper;
@@ -63,7 +63,7 @@ Options Options::paper() {
 
 Parameters resolve(const Options& o, const Volume& volume) {
   const double voxel = voxel_of(volume), r_min = o.r_min.in(volume);
-  require_an_end(o, volume, r_min / voxel);
+  require_limits(o, volume);
   Parameters p{};
   p.voxel = voxel;
   p.r_min = r_min;

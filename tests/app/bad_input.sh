@@ -158,6 +158,48 @@ refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9
 refuses 'one for each mesh' render one.off one.off -o $p --clip off/off/off
 refuses 'no/such/p.png' render one.off -o no/such/p.png
 
+# What cannot be taken on: the message names the limit.
+refuses 'at least 0.001' builtin:sphere --rmin 1e-12 -o $o
+refuses 'at most 10000000' builtin:sphere --samples 18446744073709551615 -o $o
+refuses 'million vertices' builtin:fuel --rmin 0.001vox --max-distance 1e-12 --max-radius 1e-9 -o $o
+head -c 64 /dev/urandom >noise.raw
+refuses 'at most 10000 times' noise.raw --dims 4x4x4 --type uint8 --spacing 1,1,4e9 --iso 9.5 -o $o
+refuses 'spacing 1e-30 .* out of range' noise.raw --dims 4x4x4 --type uint8 --spacing 1,1,1e-30 \
+  --iso 9.5 -o $o
+
+# One line, whatever names hold, and not all of a long one.
+refuses "wants a finite number, not '1?2'" builtin:sphere --iso '1
+2' -o $o
+refuses 'two?lines' 'two
+lines' --iso 1 -o $o
+long=$(head -c 5000 /dev/zero | tr '\0' a)
+for words in "$long --iso 1" "builtin:sphere --iso $long" "builtin:sphere --$long" \
+  "builtin:sphere -o $long.ply" "builtin:sphere -o a.$long" "check $long.ply builtin:sphere"; do
+  # shellcheck disable=SC2086
+  refuses . $words
+  [ "$(wc -c <err)" -lt 700 ] || fault "$(wc -c <err) bytes for a long name"
+done
+refuses 'everything is inside' whole.raw --dims 4x4x4 --type uint8 --iso -1 -o $o
+refuses 'everything is outside' whole.raw --dims 4x4x4 --type uint8 --iso 1 -o $o
+refuses "unknown command 'mash'; did you mean mesh" mash builtin:sphere
+refuses 'did you mean --iso' builtin:sphere --isovalue 1
+
+# No file of a run stands in for another one.
+header pair.nhdr uint8 whole.raw
+ln -s whole.raw link.raw
+cp whole.raw data.copy
+"$deliso" builtin:torus -q -o kept.ply
+cp kept.ply mesh.copy
+same='this run'
+refuses "$same reads" pair.nhdr --iso 0.5 -o whole.raw --format ply
+refuses "$same reads" pair.nhdr --iso 0.5 -o link.raw --format ply
+refuses "$same reads" pair.nhdr --iso 0.5 --json whole.raw
+refuses "$same reads" info pair.nhdr --json pair.nhdr
+refuses "$same reads" check kept.ply builtin:torus --json kept.ply
+refuses "$same writes" builtin:torus -o out/a.ply --json out/a.ply
+refuses "$same writes" builtin:torus -o out/a.ply --json out/../out/a.ply
+cmp -s whole.raw data.copy && cmp -s kept.ply mesh.copy || fault 'an input was replaced'
+
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply
 refuses 'no/such/a.json' builtin:sphere -o $o --json no/such/a.json
@@ -176,6 +218,14 @@ if [ -c /dev/full ]; then
   refuses_to /dev/full 'standard output' builtin:sphere
   refuses_to /dev/full 'standard output' builtin:sphere -q -o -
 fi
+
+# A limit of the shell's on the size of files, which the system tells of by a signal.
+cases=$((cases + 1))
+status=0
+(ulimit -f 8 && "$deliso" builtin:fuel -q -o out/large.ply) 2>err || status=$?
+[ "$status" -eq 2 ] || fault "exit $status beyond a limit on the size of files"
+grep -q 'out/large.ply' err || fault 'no name of the file that grew too large'
+[ -z "$(ls -A out)" ] || fault "left in the output folder: $(ls -A out)"
 
 # A full disk. The old mesh must survive the attempt to replace it.
 mkdir disk

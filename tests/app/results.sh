@@ -173,8 +173,24 @@ holds "and names it" grep -q '^FAULT' report
 holds "in the JSON too" grep -q '"what": ' faults.json
 "$deliso" builtin:sphere --iso 1000 --allow-empty -q -o empty.off
 holds "an empty mesh on request" grep -q -x '0 0 0' empty.off
-"$deliso" --help >help
+"$deliso" mesh --help >help
 holds "--help" grep -q -e '--lambda X' help
+# The paper's tests on samples that alternate: fans and edges of four facets, and once exit 0.
+for k in 0 1 2; do
+  for row in 0 1 2; do
+    for i in 0 1 2; do
+      [ $(((i + row + k) % 2)) -eq 0 ] && printf '\000' || printf '\377'
+    done
+  done
+done >checkerboard.raw
+for quiet in '' --quiet; do
+  status=0
+  # shellcheck disable=SC2086
+  "$deliso" checkerboard.raw --dims 3x3x3 --type uint8 --iso 127.6 --recover paper $quiet \
+    >report || status=$?
+  holds "a mesh that breaks a rule is exit 1" [ "$status" -eq 1 ]
+  [ -n "$quiet" ] || holds "and the report says which" grep -q '^fault     I[45]: ' report
+done
 "$deliso" --version >version
 holds "--version" grep -q -x 'deliso [0-9.]*' version
 "$deliso" info builtin:torus >facts
