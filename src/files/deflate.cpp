@@ -164,7 +164,9 @@ Code make_code(std::vector<std::uint32_t> counts, int deepest) {
 
 class BitWriter {
  public:
-  explicit BitWriter(std::string& out) : out_(out) {}
+  // Goes on where `pending` holds the last `count` bits, fewer than 8, and leaves such there again.
+  BitWriter(std::string& out, std::uint64_t& pending, int& count)
+      : out_(out), pending_(pending), count_(count) {}
 
   void put(std::uint32_t value, int bits) {
     pending_ |= std::uint64_t{value} << count_;
@@ -181,8 +183,8 @@ class BitWriter {
 
  private:
   std::string& out_;
-  std::uint64_t pending_ = 0;
-  int count_ = 0;
+  std::uint64_t& pending_;
+  int& count_;
 };
 
 // The lengths of both codes, themselves in a code (RFC 1951, 3.2.7), without the symbols for runs.
@@ -234,20 +236,44 @@ void put_block(BitWriter& out, std::span<const Token> tokens, bool last) {
 
 }  // namespace
 
-std::string deflate_zlib(std::string_view bytes) {
-  const std::vector<Token> tokens = find_repetitions(bytes);
-  std::string out = "\x78\x9c";
-  BitWriter writer(out);
+void ZlibStream::compress(bool last) {
+  const std::vector<Token> tokens = find_repetitions(piece_);
+  BitWriter writer(data_, bits_, bit_count_);
   std::span<const Token> rest = tokens;
   do {
     const std::size_t n = std::min(kBlockTokens, rest.size());
-    put_block(writer, rest.first(n), n == rest.size());
+    put_block(writer, rest.first(n), last && n == rest.size());
     rest = rest.subspan(n);
   } while (!rest.empty());
-  writer.finish();
-  const std::uint32_t sum = adler32(std::as_bytes(std::span(bytes)));
-  for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(sum >> shift & 0xff);
-  return out;
+  if (last) writer.finish();
+  sum_ = adler32(std::as_bytes(std::span(piece_)), sum_);
+  piece_.clear();
+}
+
+std::string ZlibStream::add(std::string_view bytes) {
+  bool ready = false;
+  while (!bytes.empty()) {
+    if (piece_.size() == kPiece) {
+      compress(false);
+      ready = true;
+    }
+    const std::size_t n = std::min(bytes.size(), kPiece - piece_.size());
+    piece_.append(bytes.substr(0, n));
+    bytes.remove_prefix(n);
+  }
+  return ready ? std::exchange(data_, {}) : std::string();
+}
+
+std::string ZlibStream::finish() {
+  compress(true);
+  for (int shift = 24; shift >= 0; shift -= 8) data_ += static_cast<char>(sum_ >> shift & 0xff);
+  return std::exchange(data_, {});
+}
+
+std::string deflate_zlib(std::string_view bytes) {
+  ZlibStream stream;
+  std::string data = stream.add(bytes);
+  return data + stream.finish();
 }
 
 }  // namespace deliso

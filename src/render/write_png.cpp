@@ -22,11 +22,12 @@ void put_big(std::string& out, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
 }
 
-void put_chunk(std::string& out, std::string_view type, std::string_view content) {
+std::string chunk(std::string_view type, std::string_view content) {
+  std::string out;
   put_big(out, static_cast<std::uint32_t>(content.size()));
-  const std::size_t begin = out.size();
   out.append(type).append(content);
-  put_big(out, crc32(std::as_bytes(std::span(out).subspan(begin))));
+  put_big(out, crc32(std::as_bytes(std::span(out).subspan(4))));
+  return out;
 }
 
 // Whichever of left, above and corner is nearest to left + above - corner.
@@ -83,11 +84,22 @@ long weight(std::string_view bytes) {
   return sum;
 }
 
-}  // namespace
-
-std::string encode_png(const Image& image) {
+// Hands the file over piece by piece, as it gets ready.
+template <class Put>
+void encode(const Image& image, Put put) {
   DELISO_CHECK(image.width >= 1 && image.height >= 1);
-  std::string rows, above(kPixel * static_cast<std::size_t>(image.width), '\0');
+  std::string header;
+  put_big(header, static_cast<std::uint32_t>(image.width));
+  put_big(header, static_cast<std::uint32_t>(image.height));
+  header += {8, 2, 0, 0, 0};  // bits, RGB, deflate, the standard filters, not interlaced
+  put("\x89PNG\r\n\x1a\n");
+  put(chunk("IHDR", header));
+
+  const auto put_data = [&](const std::string& data) {
+    if (!data.empty()) put(chunk("IDAT", data));
+  };
+  ZlibStream stream;
+  std::string above(kPixel * static_cast<std::size_t>(image.width), '\0');
   for (int y = 0; y < image.height; ++y) {
     std::string row = row_bytes(image, y);
     std::string best = filtered(0, row, above);
@@ -100,24 +112,24 @@ std::string encode_png(const Image& image) {
         best = std::move(other);
       }
     }
-    rows += best;
+    put_data(stream.add(best));
     above = std::move(row);
   }
+  put_data(stream.finish());
+  put(chunk("IEND", {}));
+}
 
-  std::string header;
-  put_big(header, static_cast<std::uint32_t>(image.width));
-  put_big(header, static_cast<std::uint32_t>(image.height));
-  header += {8, 2, 0, 0, 0};  // bits, RGB, deflate, the standard filters, not interlaced
-  std::string png = "\x89PNG\r\n\x1a\n";
-  put_chunk(png, "IHDR", header);
-  put_chunk(png, "IDAT", deflate_zlib(rows));
-  put_chunk(png, "IEND", {});
+}  // namespace
+
+std::string encode_png(const Image& image) {
+  std::string png;
+  encode(image, [&](const std::string& part) { png += part; });
   return png;
 }
 
 void write_png(const Image& image, const std::string& path) {
   AtomicFile file(path);
-  file.write(encode_png(image));
+  encode(image, [&](const std::string& part) { file.write(part); });
   file.commit();
 }
 

@@ -92,3 +92,22 @@ TEST_CASE("what repeats becomes small, what is random hardly grows") {
   for (int n = 0; n < 100000; ++n) noise += static_cast<char>(random.below(256));
   CHECK(deflate_zlib(noise).size() < 101000);
 }
+
+TEST_CASE("pieces given one by one make one stream") {
+  Random random(7);
+  const std::string content = random_content(random, 9000000);
+  ZlibStream stream;
+  std::string data;
+  std::size_t held = 0;
+  for (std::string_view rest = content; !rest.empty();) {
+    const std::size_t n = std::min<std::size_t>(rest.size(), random.below(300000));
+    const std::string ready = stream.add(rest.substr(0, n));
+    rest.remove_prefix(n);
+    held = ready.empty() ? held + n : n;
+    CHECK(held <= (std::size_t{1} << 22) + 300000);  // no more is kept back
+    data += ready;
+  }
+  data += stream.finish();
+  CHECK(inflated(data, content.size()) == content);
+  CHECK(deflate_zlib(content).size() == data.size());
+}
