@@ -65,6 +65,26 @@ double along(const Isosurface& surface, const Vec3& p, const Vec3& direction, do
 
 }  // namespace
 
+std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
+                                        const Isosurface& surface, double limit, double bound,
+                                        SearchCounters& counters) {
+  const Vec3 normal = area_normal(a, b, c);
+  std::array<Measure, 4> measures{
+      {{(a + b + c) / 3}, {0.5 * (a + b)}, {0.5 * (b + c)}, {0.5 * (c + a)}}};
+  for (auto& [p, d] : measures) {
+    const double steep = along(surface, p, surface.gradient(p), limit, counters);
+    // The second search need not go further than the first found something.
+    const double straight = along(surface, p, normal, std::min(limit, steep), counters);
+    d = std::min(steep, straight);
+    if (d > std::min(bound, limit / 8)) {  // both may run past a thin part of Sigma, or a small one
+      for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
+        d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));
+      }
+    }
+  }
+  return measures;
+}
+
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                double bound) {
   Measured measured(bound);
@@ -73,26 +93,13 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
   std::size_t not_found = 0;
   Vec3 first_not_found;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const Vec3 normal = area_normal(a, b, c);
-    for (const Vec3& p : {(a + b + c) / 3, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
-      const double steep = along(surface, p, surface.gradient(p), limit, counters);
-      // The second search need not go further than the first found something.
-      const double straight = along(surface, p, normal, std::min(limit, steep), counters);
-      double d = std::min(steep, straight);
-      if (d >
-          std::min(bound,
-                   limit / 8)) {  // both lines may run past a thin part of Sigma, or a small one
-        for (const Vec3& axis :
-             {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
-          d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));
-        }
+    for (const Measure& m : measure_triangle(mesh.points[t[0]], mesh.points[t[1]],
+                                             mesh.points[t[2]], surface, limit, bound, counters)) {
+      if (m.distance < kInfinity) {
+        measured.add(m.distance, m.at);
+      } else if (not_found++ == 0) {
+        first_not_found = m.at;
       }
-      if (d == kInfinity) {
-        if (not_found++ == 0) first_not_found = p;
-        continue;
-      }
-      measured.add(d, p);
     }
   }
   Distances result = measured.summary();

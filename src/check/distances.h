@@ -2,6 +2,7 @@
 // How far mesh and Sigma are apart, both ways, at points of each. Lengths in the scaled frame.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,9 +23,19 @@ struct Distances {
   Vec3 first_not_found;
 };
 
-// From the middle of every triangle and of its edges to Sigma: along the gradient and along the
+struct Measure {
+  Vec3 at;
+  double distance = 0;  // infinite: nothing was found
+};
+
+// From the middle of a triangle and of its edges to Sigma: along the gradient and along the
 // triangle's normal, and where that gives nothing within `bound`, or near by, along the axes and
 // towards the corners; the shortest of these, hence an upper bound. Searched over `limit`.
+std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
+                                        const Isosurface& surface, double limit, double bound,
+                                        SearchCounters& counters);
+
+// The same for all triangles.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                double bound);
 

@@ -273,7 +273,7 @@ std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box) {
   return fault;
 }
 
-MeshTopology mesh_topology(const TriMesh& mesh) {
+std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
   Sets connected(mesh.points.size());
   std::vector<bool> used(mesh.points.size(), false);
   for (const Face& face : mesh.faces) {
@@ -282,20 +282,25 @@ MeshTopology mesh_topology(const TriMesh& mesh) {
       connected.unite(face.v[0], v);
     }
   }
-
   // Number the components by their smallest vertex, which is also their representative.
-  MeshTopology topology;
   std::vector<std::uint32_t> component(mesh.points.size(), kNoId);
+  std::uint32_t count = 0;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (!used[v]) continue;
+    const VertexId root = connected.find(v);
+    component[v] = root == v ? count++ : component[root];
+  }
+  return component;
+}
+
+MeshTopology mesh_topology(const TriMesh& mesh) {
+  MeshTopology topology;
+  const std::vector<std::uint32_t> component = vertex_components(mesh);
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if (component[v] == kNoId) continue;
     ++topology.vertices_used;
     const Vec3& p = mesh.points[v];
-    const VertexId root = connected.find(v);
-    if (root == v) {
-      component[v] = static_cast<std::uint32_t>(topology.components.size());
-      topology.components.push_back({.box = {p, p}});
-    }
-    component[v] = component[root];
+    if (component[v] == topology.components.size()) topology.components.push_back({.box = {p, p}});
     ComponentTopology& c = topology.components[component[v]];
     ++c.vertices;
     for (int axis = 0; axis < 3; ++axis) {

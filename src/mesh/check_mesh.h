@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct MeshTopology {
     return static_cast<std::ptrdiff_t>(vertices_used + faces) - static_cast<std::ptrdiff_t>(edges);
   }
 };
+
+// The component of every vertex by its number in MeshTopology::components; kNoId of isolated ones.
+// pre: all corners are below the vertex count.
+std::vector<std::uint32_t> vertex_components(const TriMesh& mesh);
 
 // pre: all corners are below the vertex count.
 MeshTopology mesh_topology(const TriMesh& mesh);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "app/bring_home.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace deliso {
+
+double bring_home(TriMesh& mesh, const Frame& at) {
+  double largest = 0;
+  bool single = true;
+  const auto note = [&](double x) {
+    largest = std::max(largest, std::fabs(x));
+    single &= static_cast<double>(static_cast<float>(x)) == x;
+  };
+  const auto& [u, v, w] = at.axes;
+  const double determinant = dot(cross(u, v), w);
+  const Vec3 to_x = cross(v, w) / determinant, to_y = cross(w, u) / determinant;
+  const Vec3 to_z = cross(u, v) / determinant;
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) note(p[axis]);
+    const Vec3 q = p - at.origin;
+    if (at.origin == Vec3{} && u == Vec3{1, 0, 0} && v == Vec3{0, 1, 0} && w == Vec3{0, 0, 1}) {
+      continue;  // the frames are the same, to the last bit
+    }
+    p = {dot(to_x, q), dot(to_y, q), dot(to_z, q)};
+  }
+  if (at.left_handed()) {
+    for (Face& face : mesh.faces) std::swap(face.v[1], face.v[2]);
+  }
+  constexpr double kRounding = std::numeric_limits<double>::epsilon();
+  constexpr double kFloatRounding = std::numeric_limits<float>::epsilon();
+  return largest * (16 * kRounding + (single ? kFloatRounding : 0));
+}
+
+}  // namespace deliso
