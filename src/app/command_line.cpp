@@ -93,13 +93,45 @@ void refuse_unknown_command(std::string_view word, bool another_input) {
       (nearest.empty() ? "; --help lists them" : "; did you mean " + std::string(nearest) + "?"));
 }
 
-void check_picture(const CommandLine& line) {
+// The colors of a picture may need a volume, and an isovalue.
+void check_colors(CommandLine& line) {
+  const bool of_distance = line.color_by == ColorBy::distance;
+  if (!of_distance && line.color_by != ColorBy::gradient) {
+    if (line.input.empty() && !line.isovalue && !line.read.raw && !line.read.roi) return;
+    throw InputError("--volume and its options are for --color-by distance and gradient");
+  }
+  const std::string colors = of_distance ? "--color-by distance" : "--color-by gradient";
+  if (line.input.empty()) {
+    throw InputError(colors + " needs --volume INPUT" + (of_distance ? " --iso K" : ""));
+  }
+  if (!of_distance && line.isovalue) throw InputError(colors + " takes no --iso");
+  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
+    line.isovalue = field->isovalue;
+  }
+  if (of_distance && !line.isovalue) throw InputError(colors + " needs --iso K");
+  if (line.input == "-" && std::count(line.meshes.begin(), line.meshes.end(), "-") > 0) {
+    throw InputError("mesh and volume cannot both come from standard input");
+  }
+}
+
+void check_picture(CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
   if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 1) {
     throw InputError("only one mesh can come from standard input");
   }
   if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
     throw InputError("--clip wants one plane, or one for each mesh");
   }
+  if (!line.labels.empty() && line.labels != std::vector<std::string>{"auto"} &&
+      line.labels.size() != line.meshes.size()) {
+    throw InputError("--labels wants auto, or one text for each mesh as in 'before/after'");
+  }
+  const double largest = largest_zoom(line.render.size);
+  if (line.render.aim.zoom > largest) {
+    throw InputError("--zoom wants at most " + std::to_string(static_cast<int>(largest)) +
+                     " in a picture of that --size");
+  }
+  check_colors(line);
   if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
   if (line.output != "-" && !line.output.ends_with(".png")) {
     throw InputError("cannot write '" + line.output + "': pictures are .png");

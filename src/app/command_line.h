@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -28,10 +29,14 @@ struct ClipChoice {
   std::optional<ClipPlane> plane;  // when given, the rest means nothing
 };
 
+// What the colors of a picture stand for.
+enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient };
+
 struct CommandLine {
   Command command = Command::mesh;
   std::optional<Command> help_of;  // for help: of this command alone
-  std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; none for pictures
+  std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; pictures need it only
+                      // for some colors
   std::vector<std::string> meshes;  // paths, or - for standard input: one to check, some to draw
   std::string output;               // a path, - for standard output, or empty: no mesh is written
   std::string json;                 // a path, - or empty
@@ -41,7 +46,9 @@ struct CommandLine {
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
-  bool paper = false;                            // the options are the paper's, but for those given
+  std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
+  ColorBy color_by = ColorBy::side;
+  bool paper = false;  // the options are the paper's, but for those given
   struct Given {
     bool max_distance = false, r_min = false, lambda = false, epsilon1 = false;
   } given;  // which criteria of a check are not left to the mesh's file, or to defaults

@@ -70,10 +70,9 @@ std::string usage(Command command) {
     case Command::render:
       text =
           "usage: deliso render MESH [MESH ...] -o PICTURE.png [options]\n\n"
-          "Draws a mesh, or several side by side, all seen by one camera: the side where the "
-          "field\n"
-          "is below the isovalue in blue, the other in orange.\n";
-      return text.append(kMeshes);
+          "Draws a mesh, or several side by side, all seen by one camera: the side where the\n"
+          "field is below the isovalue in blue, the other in orange, or numbers as colors.\n";
+      return text.append(kMeshes).append(kVolumes);
     case Command::help:
     case Command::version:
       break;
@@ -106,7 +105,6 @@ std::string help_text(std::optional<Command> command) {
   if (command) {
     std::string text = usage(*command);
     append_options(text, *command);
-    if (*command == Command::render) return text;
     text += "\nBuilt-in fields, each with an isovalue of its own as default:\n";
     for (const BuiltinField& field : builtin_fields()) {
       append_entry(text, "  builtin:" + std::string(field.name), field.description);

@@ -88,7 +88,7 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text, Text) { l.write.single_precision = true; }},
     {"--double", 0, "", kMeshOnly, "coordinates in double precision (default)",
      [](Line& l, Text, Text) { l.write.single_precision = false; }},
-    {"--json", 0, "FILE", kVolume, "all statistics as JSON, or - for standard output",
+    {"--json", 0, "FILE", kReports, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar",
      [](Line& l, Text, Text) { l.quiet = true; }},
@@ -221,14 +221,17 @@ constexpr OptionSpec kOptions[] = {
 
     {"--view", 0, "AZIMUTH,ELEVATION", kRenderOnly,
      "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
-     "of a ring that sees most of the surface)",
+     "of a ring that sees most of the surface, and looks into what is clipped)",
      [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
-    {"--zoom", 0, "X", kRenderOnly, "larger than to fill the picture (default 1, at most 64)",
+    {"--zoom", 0, "X", kRenderOnly,
+     "larger than to fill the picture (default 1, at most 64; less beyond 10,000 pixels)",
      [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
     {"--look-at", 0, "X,Y,Z", kRenderOnly,
      "what is in the middle of the picture (default: the middle of all that is drawn)",
      [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
-    {"--size", 0, "WxH", kRenderOnly, "of the whole picture, in pixels (default 1200x900)",
+    {"--size", 0, "WxH", kRenderOnly,
+     "of the whole picture, in pixels (default 1600x1200, up to 16384 each); lines and text grow "
+     "with it",
      [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
     {"--shading", 0, "NAME", kRenderOnly, "smooth (default) or flat",
      [](Line& l, Text o, Text v) {
@@ -237,7 +240,7 @@ constexpr OptionSpec kOptions[] = {
            o, v, std::to_array<Choice>({{"smooth", Shading::smooth}, {"flat", Shading::flat}}));
      }},
     {"--edges", 0, "WHEN", kRenderOnly,
-     "of triangles: auto (default: where they are long enough to be told apart), on or off",
+     "of triangles: auto (default: where they can be told apart, in all panels), on or off",
      [](Line& l, Text o, Text v) {
        using Choice = std::pair<std::string_view, Edges>;
        l.render.edges =
@@ -249,6 +252,28 @@ constexpr OptionSpec kOptions[] = {
      "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
      "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
      [](Line& l, Text o, Text v) { l.clips = parse_clips(o, v); }},
+    {"--labels", 0, "TEXT", kRenderOnly,
+     "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
+     "for each mesh as in 'before/after', each of which can be auto or nothing too",
+     [](Line& l, Text o, Text v) { l.labels = parse_labels(o, v); }},
+    {"--color-by", 0, "WHAT", kRenderOnly,
+     "side (default: which side of the surface is seen), component, angle (the triangle's "
+     "smallest), distance (to the isosurface; needs --volume and --iso) or gradient (of the "
+     "samples; needs --volume)",
+     [](Line& l, Text o, Text v) {
+       using enum ColorBy;
+       using Choice = std::pair<std::string_view, ColorBy>;
+       l.color_by = choose(o, v,
+                           std::to_array<Choice>({{"side", side},
+                                                  {"component", component},
+                                                  {"angle", angle},
+                                                  {"distance", distance},
+                                                  {"gradient", gradient}}));
+     }},
+    {"--volume", 0, "INPUT", kRenderOnly, "the volume that --color-by asks",
+     [](Line& l, Text, Text v) { l.input = v; }},
+    {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
+     [](Line& l, Text o, Text v) { l.render.palette.background = parse_color(o, v); }},
 
     {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
     {"--version", 0, "", kAll, "the version",

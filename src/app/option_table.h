@@ -17,10 +17,11 @@ enum Commands : std::uint8_t {
   kInfoOnly = 2,
   kRenderOnly = 4,
   kCheckOnly = 8,
-  kVolume = kMeshOnly | kInfoOnly | kCheckOnly,
+  kReports = kMeshOnly | kInfoOnly | kCheckOnly,
+  kVolume = kReports | kRenderOnly,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
   kOutput = kMeshOnly | kRenderOnly,
-  kAll = kMeshOnly | kInfoOnly | kRenderOnly | kCheckOnly
+  kAll = kVolume
 };
 
 constexpr Commands flag_of(Command command) {

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/check.h"
+#include "render/font.h"
 
 namespace deliso {
 namespace {
@@ -119,9 +120,10 @@ View parse_view(std::string_view option, std::string_view text) {
 }
 
 double parse_zoom(std::string_view option, std::string_view text) {
-  const double zoom = parse_positive(option, text);
-  if (zoom > kLargestZoom)
-    refuse(option, text, "at most " + std::to_string(static_cast<int>(kLargestZoom)));
+  const double zoom = parse_positive(option, text), largest = largest_zoom({1, 1});
+  if (zoom > largest) {
+    refuse(option, text, "at most " + std::to_string(static_cast<int>(largest)));
+  }
   return zoom;
 }
 
@@ -144,6 +146,29 @@ std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std:
     begin = end + 1;
   }
   return clips;
+}
+
+std::vector<std::string> parse_labels(std::string_view option, std::string_view text) {
+  if (!is_drawable(text)) refuse(option, text, "printable characters of ASCII");
+  std::vector<std::string> labels;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('/', begin), text.size());
+    labels.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return labels;
+}
+
+Vec3 parse_color(std::string_view option, std::string_view text) {
+  if (text == "white") return {1, 1, 1};
+  if (text == "black") return {0, 0, 0};
+  unsigned number = 0;
+  const char *begin = text.data() + 1, *end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' || std::from_chars(begin, end, number, 16).ptr != end) {
+    refuse(option, text, "white, black or a color as in '#20242c'");
+  }
+  const auto part = [number](int shift) { return (number >> shift & 0xff) / 255.0; };
+  return {part(16), part(8), part(0)};
 }
 
 }  // namespace deliso

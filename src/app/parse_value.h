@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,12 +20,15 @@ double parse_positive(std::string_view option, std::string_view text);
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least = 0);
 // 0.5vox, or a plain number in `unit`.
 Length parse_length(std::string_view option, std::string_view text, Length::Unit unit);
-Vec3 parse_spacing(std::string_view option, std::string_view text);  // 1,1,2.5
-Vec3 parse_point(std::string_view option, std::string_view text);    // 1,-2,2.5
-View parse_view(std::string_view option, std::string_view text);     // 30,25
-double parse_zoom(std::string_view option, std::string_view text);   // up to kLargestZoom
+Vec3 parse_spacing(std::string_view option, std::string_view text);              // 1,1,2.5
+Vec3 parse_point(std::string_view option, std::string_view text);                // 1,-2,2.5
+View parse_view(std::string_view option, std::string_view text);                 // 30,25
+double parse_zoom(std::string_view option, std::string_view text);               // up to 64
 PictureSize parse_picture_size(std::string_view option, std::string_view text);  // 800x600
 // -x:0.5 or a,b,c,d; several with a / between them; nothing for "off".
 std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std::string_view text);
+// Printable characters of ASCII, with a / between one text and the next; either can be empty.
+std::vector<std::string> parse_labels(std::string_view option, std::string_view text);
+Vec3 parse_color(std::string_view option, std::string_view text);  // white, black, #rrggbb: 0 to 1
 
 }  // namespace deliso

@@ -2,11 +2,13 @@
 // The render command: meshes from files in, a picture out.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/facet_colors.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "app/signals.h"
@@ -14,6 +16,7 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "mesh/read_mesh.h"
+#include "render/font.h"
 #include "render/render.h"
 #include "render/write_png.h"
 
@@ -45,31 +48,56 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
   return plane;
 }
 
+std::string caption_of(const std::string& label, const std::string& file, const std::string& size) {
+  if (label != "auto") return label;
+  std::string caption =
+      (file == "-" ? "standard input" : std::filesystem::path(file).filename().string()) + ": " +
+      size;
+  std::replace_if(
+      caption.begin(), caption.end(),
+      [](char c) {
+        return !is_drawable({&c, 1});
+      },
+      '?');
+  return caption;
+}
+
 }  // namespace
 
 int run_render(const CommandLine& line) {
   require_outputs({&line.output, 1}, line.meshes);
   std::vector<TriMesh> meshes;
-  std::string names, triangles;
+  std::string names;
   for (const std::string& name : line.meshes) {
-    const TriMesh& mesh = meshes.emplace_back(read_mesh(name));
+    meshes.push_back(read_mesh(name));
     names += (names.empty() ? "'" : ", '") + name + "'";
-    triangles += triangles.empty() ? "" : " | ";
-    triangles += counted(mesh.faces.size(), "triangle", "triangles");
   }
+  const FacetColors colors = color_facets(meshes, line);
   const Box3 box = box_of(meshes);
-  std::vector<Subject> subjects;
-  for (std::size_t n = 0; n < meshes.size(); ++n) {
-    subjects.push_back({&meshes[n], {}});
-    if (line.clips.empty()) continue;
-    const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
-    if (clip) subjects.back().clip = plane_of(*clip, box);
-  }
   RenderOptions options = line.render;
+  options.bar = colors.bar;
+  std::vector<Subject> subjects;
+  std::string sizes;
+  for (std::size_t n = 0; n < meshes.size(); ++n) {
+    subjects.push_back({&meshes[n], {}, colors.of_mesh[n]});
+    if (!line.clips.empty()) {
+      const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
+      if (clip) subjects.back().clip = plane_of(*clip, box);
+    }
+    std::string size = counted(meshes[n].faces.size(), "triangle", "triangles");
+    if (!colors.components.empty()) {
+      size += ", " + counted(colors.components[n], "component", "components");
+    }
+    if (!line.labels.empty()) {
+      const std::string& label = line.labels[line.labels.size() == 1 ? 0 : n];
+      options.captions.push_back(caption_of(label, line.meshes[n], size));
+    }
+    sizes += (n == 0 ? "" : " | ") + size;
+  }
   Image image;
   try {
     if (!options.view) {
-      options.view = best_view(subjects, panel_size(options.size, subjects.size()));
+      options.view = best_view(subjects, layout_of(options, subjects.size()).panel);
     }
     image = render(subjects, options);
   } catch (const InputError& error) {
@@ -80,9 +108,8 @@ int run_render(const CommandLine& line) {
     write_png(image, line.output);
   }
   if (!line.quiet) {
-    const std::string report = triangles + " drawn from --view " +
-                               number_text(options.view->azimuth) + "," +
-                               number_text(options.view->elevation) + "\n";
+    const std::string report = sizes + " drawn from --view " + number_text(options.view->azimuth) +
+                               "," + number_text(options.view->elevation) + "\n";
     if (line.output == "-") {
       std::fputs(report.c_str(), stderr);
     } else {

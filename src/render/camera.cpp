@@ -14,13 +14,12 @@ namespace {
 
 constexpr double kMargin = 0.03;  // of the picture, on each side
 
+constexpr double kDegree = std::numbers::pi / 180;
+
 Camera look_from(const View& view) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  const double ca = std::cos(view.azimuth * kDegree), sa = std::sin(view.azimuth * kDegree);
-  const double ce = std::cos(view.elevation * kDegree), se = std::sin(view.elevation * kDegree);
   Camera camera;
-  camera.back = {ce * ca, ce * sa, se};
-  camera.right = {-sa, ca, 0};
+  camera.back = direction_to(view);
+  camera.right = {-std::sin(view.azimuth * kDegree), std::cos(view.azimuth * kDegree), 0};
   camera.up = cross(camera.back, camera.right);
   return camera;
 }
@@ -34,11 +33,11 @@ Vec3 along_axes(const Camera& camera, const Vec3& p) {
 Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const auto& [mesh, clip] : subjects) {
-    for (const Face& face : mesh->faces) {
+  for (const Subject& subject : subjects) {
+    for (const Face& face : subject.mesh->faces) {
       for (const VertexId v : face.v) {
-        const Vec3& p = mesh->points[v];
-        if (clip && clip->height(p) > 0) continue;
+        const Vec3& p = subject.mesh->points[v];
+        if (subject.clip && subject.clip->height(p) > 0) continue;
         const Vec3 q = along_axes(camera, p);
         for (int axis = 0; axis < 3; ++axis) {
           box.lo[axis] = std::min(box.lo[axis], q[axis]);
@@ -51,6 +50,12 @@ Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
 }
 
 }  // namespace
+
+Vec3 direction_to(const View& view) {
+  const double ca = std::cos(view.azimuth * kDegree), sa = std::sin(view.azimuth * kDegree);
+  const double ce = std::cos(view.elevation * kDegree), se = std::sin(view.elevation * kDegree);
+  return {ce * ca, ce * sa, se};
+}
 
 Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
                   PictureSize size) {

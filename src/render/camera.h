@@ -10,6 +10,8 @@
 #include <span>
 
 #include "mesh/tri_mesh.h"
+#include "render/image.h"
+#include "render/layout.h"
 
 namespace deliso {
 
@@ -19,6 +21,8 @@ struct View {
   friend constexpr bool operator==(const View&, const View&) = default;
 };
 
+Vec3 direction_to(const View& view);  // of unit length
+
 // Only what has dot(normal, p) <= offset is drawn.
 struct ClipPlane {
   Vec3 normal;
@@ -27,15 +31,12 @@ struct ClipPlane {
   double height(const Vec3& p) const { return dot(normal, p) - offset; }
 };
 
-// A mesh, and the part of it to be drawn. Keeps a pointer to the mesh.
+// A mesh, the part of it to be drawn, and the colors of its facets, the palette's where there are
+// none. Keeps a pointer to the mesh and a view of the colors.
 struct Subject {
   const TriMesh* mesh;
   std::optional<ClipPlane> clip;
-};
-
-struct PictureSize {
-  int width = 1200, height = 900;
-  friend constexpr bool operator==(const PictureSize&, const PictureSize&) = default;
+  std::span<const Rgb> colors = {};
 };
 
 struct Camera {

@@ -6,29 +6,42 @@
 #include <span>
 
 #include "base/check.h"
-#include "base/text.h"
 #include "base/triangle.h"
 #include "render/rasterize.h"
 
 namespace deliso {
 namespace {
 
-constexpr int kSamplesPerSide = 3;   // of a pixel
-constexpr double kEdgeWidth = 0.9;   // pixels
-constexpr double kShortestEdge = 4;  // pixels, on average, for edges to be drawn
-constexpr int kRule = 2;             // pixels, between panels
-constexpr Rgb kRuleColor{200, 200, 200};
+constexpr int kSamplesPerSide = 3;                // of a pixel
+constexpr double kMostInk = 0.25;                 // share of the surface that edges cover at most
+constexpr double kThinnestEdge = 0.4;             // pixels; thinner lines are no longer told apart
+constexpr double kLargestZoom = 64;               // where the picture's size allows it
+constexpr double kLargestSpan = 0x1p21;           // samples; of rasterize.h
 constexpr std::size_t kSamplesAtOnce = 1u << 22;  // bounds the memory
 
-// Mean length of the facets' edges in the picture, in pixels.
-double mean_edge(const TriMesh& mesh, const Camera& camera) {
-  double sum = 0;
+// Length of the edges per area of the surface, in the mesh's units.
+double edge_density(const TriMesh& mesh) {
+  double lines = 0, area = 0;
   for (const Face& face : mesh.faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum += distance(mesh.points[face.v[i]], mesh.points[face.v[(i + 1) % 3]]);
-    }
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    lines += 0.5 * (distance(a, b) + distance(b, c) + distance(c, a));  // two facets share an edge
+    area += 0.5 * length(area_normal(a, b, c));
   }
-  return camera.scale * sum / (3.0 * static_cast<double>(mesh.faces.size()));
+  return lines / area;
+}
+
+// One width for all panels, in pixels; 0: no edges. Lines are thinner where triangles are so small
+// that little would be left of the surface otherwise.
+double edge_width(std::span<const Subject> subjects, const RenderOptions& options,
+                  const Camera& camera, double widest) {
+  if (options.edges == Edges::hidden) return 0;
+  double density = 0;
+  for (const Subject& subject : subjects) {
+    density = std::max(density, edge_density(*subject.mesh) / camera.scale);
+  }
+  const double width = std::min(widest, kMostInk / density);
+  return options.edges == Edges::drawn || width >= kThinnestEdge ? width : 0;
 }
 
 std::uint8_t to_byte(double value) {
@@ -67,15 +80,13 @@ double area_seen(const Subject& subject, const Camera& camera) {
   return area / (camera.scale * camera.scale);
 }
 
-// Draws into the part of the image that begins at column `left` and has the camera's size.
+// Draws into the part of the image that begins at (left, top) and has the camera's size.
 void draw_panel(const Subject& subject, const Camera& camera, const RenderOptions& options,
-                Image& image, int left) {
+                double width_of_edges, Image& image, int left, int top) {
   const TriMesh& mesh = *subject.mesh;
   const ProjectedMesh projected = project(mesh, camera, kSamplesPerSide, subject.clip);
-  const bool edges = options.edges == Edges::drawn || (options.edges == Edges::automatic &&
-                                                       mean_edge(mesh, camera) >= kShortestEdge);
-  const Shader shader(mesh, projected, camera, options.shading,
-                      edges ? kEdgeWidth * kSamplesPerSide : 0, options.palette);
+  const Shader shader(subject, projected, camera, options.shading, width_of_edges * kSamplesPerSide,
+                      options.palette);
 
   const std::size_t samples_per_line =
       static_cast<std::size_t>(projected.columns) * kSamplesPerSide;
@@ -87,43 +98,63 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
         visible_faces(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide);
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < camera.size.width; ++x) {
-        image.at(left + x, y) = pixel_color(shader, options.palette.background, faces,
-                                            projected.columns, begin * kSamplesPerSide, x, y);
+        image.at(left + x, top + y) = pixel_color(shader, options.palette.background, faces,
+                                                  projected.columns, begin * kSamplesPerSide, x, y);
       }
     }
   }
 }
 
+// How much a view looks into the cuts: the cosine between it and the normal of the plane that faces
+// it least; 1 without planes.
+double facing(std::span<const Subject> subjects, const View& view) {
+  double least = 1;
+  for (const Subject& subject : subjects) {
+    if (!subject.clip) continue;
+    const Vec3& normal = subject.clip->normal;
+    least = std::min(least, dot(normal, direction_to(view)) / length(normal));
+  }
+  return least;
+}
+
 }  // namespace
 
-PictureSize panel_size(PictureSize picture, std::size_t count) {
-  const auto width = static_cast<std::size_t>(picture.width);
-  const std::size_t rules = (count - 1) * static_cast<std::size_t>(kRule);
-  if (width < rules + count) {
-    throw InputError(text("a picture ", width, " pixels wide has no room for ", count, " panels"));
-  }
-  return {static_cast<int>((width - rules) / count), picture.height};
+double largest_zoom(PictureSize size) {
+  return std::min(kLargestZoom,
+                  kLargestSpan / (kSamplesPerSide * (1 + std::max(size.width, size.height))));
+}
+
+Layout layout_of(const RenderOptions& options, std::size_t panels) {
+  return lay_out(options.size, panels, !options.captions.empty(), options.bar.has_value());
 }
 
 View best_view(std::span<const Subject> subjects, PictureSize panel) {
   constexpr double kPixels = 25000;
+  constexpr double kIntoCut = 0.5;  // 60 degrees
   const double shrink = std::sqrt(kPixels / (static_cast<double>(panel.width) * panel.height));
   const PictureSize small{std::max(1, static_cast<int>(shrink * panel.width)),
                           std::max(1, static_cast<int>(shrink * panel.height))};
-  View best;
+  std::optional<View> best;
   double most = -1;
-  for (int azimuth = 30; azimuth < 360; azimuth += 30) {
-    if (azimuth % 90 == 0) continue;  // along an axis much of a volume lies edge on
-    const View view{static_cast<double>(azimuth), 25};
-    const Camera camera = fit_camera(subjects, view, {}, small);
-    double area = 0;
-    for (const Subject& subject : subjects) area += area_seen(subject, camera);
-    if (area > most) {
-      most = area;
-      best = view;
+  const auto choose_from = [&](double elevation, double least_facing) {
+    for (int azimuth = 30; azimuth < 360; azimuth += 30) {
+      if (azimuth % 90 == 0) continue;  // along an axis much of a volume lies edge on
+      const View view{static_cast<double>(azimuth), elevation};
+      if (facing(subjects, view) < least_facing) continue;
+      const Camera camera = fit_camera(subjects, view, {}, small);
+      double area = 0;
+      for (const Subject& subject : subjects) area += area_seen(subject, camera);
+      if (area > most) {
+        most = area;
+        best = view;
+      }
     }
+  };
+  for (const double elevation : {25.0, 50.0, -25.0, -50.0}) {
+    if (!best) choose_from(elevation, kIntoCut);
   }
-  return best;
+  if (!best) choose_from(25, -1);
+  return *best;
 }
 
 Image render(std::span<const Subject> subjects, const RenderOptions& options) {
@@ -131,25 +162,24 @@ Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   DELISO_CHECK(!subjects.empty());
   DELISO_CHECK(1 <= std::min(size.width, size.height));
   DELISO_CHECK(std::max(size.width, size.height) <= kLargestSide);
-  DELISO_CHECK(0 < options.aim.zoom && options.aim.zoom <= kLargestZoom);
+  DELISO_CHECK(0 < options.aim.zoom && options.aim.zoom <= largest_zoom(size));
+  DELISO_CHECK(options.captions.empty() || options.captions.size() == subjects.size());
 
-  const PictureSize panel = panel_size(size, subjects.size());
-  const View view = options.view ? *options.view : best_view(subjects, panel);
-  const Camera camera = fit_camera(subjects, view, options.aim, panel);
+  const Layout layout = layout_of(options, subjects.size());
+  const View view = options.view ? *options.view : best_view(subjects, layout.panel);
+  const Camera camera = fit_camera(subjects, view, options.aim, layout.panel);
+  const double width_of_edges = edge_width(subjects, options, camera, layout.line);
 
-  const Vec3& background = options.palette.background;
-  Image image(size.width, size.height,
-              {to_byte(background.x), to_byte(background.y), to_byte(background.z)});
-  int left = 0;
-  for (const Subject& subject : subjects) {
-    if (left > 0) {
-      for (int y = 0; y < size.height; ++y) {
-        for (int x = left - kRule; x < left; ++x) image.at(x, y) = kRuleColor;
-      }
-    }
-    draw_panel(subject, camera, options, image, left);
-    left += panel.width + kRule;
+  const Vec3& b = options.palette.background;
+  const Rgb background{to_byte(b.x), to_byte(b.y), to_byte(b.z)}, ink = ink_on(background);
+  Image image(size.width, size.height, background);
+  for (std::size_t n = 0; n < subjects.size(); ++n) {
+    draw_panel(subjects[n], camera, options, width_of_edges, image, layout.left(n),
+               layout.captions);
+    if (!options.captions.empty()) draw_caption(image, layout, n, options.captions[n], ink);
   }
+  draw_rules(image, layout, subjects.size(), mixed(background, ink, 0.25));
+  if (options.bar) draw_color_bar(image, layout, *options.bar, ink);
   return image;
 }
 

@@ -2,16 +2,21 @@
 // Draws triangle meshes: z-buffer (rasterize.h), colors (shade.h), and the mean over all samples of
 // a pixel against jagged edges. The same meshes and options give the same picture.
 //
-//   P1  several subjects are drawn side by side, in panels of one size with a thin rule between
-//       them, all by one camera: what lies at the same place in space does so in every panel.
+//   P1  several subjects are drawn side by side (layout.h), in panels of one size, all by one
+//       camera: what lies at the same place in space does so in every panel;
+//   P2  edges are drawn in all panels or in none, by lines of one width and strength.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "mesh/tri_mesh.h"
 #include "render/camera.h"
+#include "render/color_bar.h"
 #include "render/image.h"
+#include "render/layout.h"
 #include "render/shade.h"
 
 namespace deliso {
@@ -23,22 +28,28 @@ struct RenderOptions {
   Shading shading = Shading::smooth;
   Edges edges = Edges::automatic;
   Palette palette;
+  std::vector<std::string> captions;  // none, or one for each panel; drawable characters
+  std::optional<ColorBar> bar;
 };
 
-inline constexpr int kLargestSide = 8192;   // pixels of a picture
-inline constexpr double kLargestZoom = 64;  // with it, the bound that rasterize.h asks for
+inline constexpr int kLargestSide = 16384;  // pixels of a picture
 
-// The size of each of `count` panels of a picture; what does not divide evenly is left at its
-// right. Throws InputError where the picture is too narrow. pre: count >= 1.
-PictureSize panel_size(PictureSize picture, std::size_t count);
+// What a camera may be aimed by, for the bound that rasterize.h asks for; 64, or less where the
+// picture is very large.
+double largest_zoom(PictureSize size);
+
+// Throws InputError where the picture is too small for its parts.
+Layout layout_of(const RenderOptions& options, std::size_t panels);
 
 // Of a ring of views from above, the one that sees most of the surfaces, clipped as they shall be
 // drawn: area of the surface through every pixel of a small picture, of the proportions of `panel`.
-// Throws as fit_camera.
+// Where there are clipping planes, only views that look into every cut count, from further above or
+// from below where it takes that; and all again where cuts face away from each other. Throws as
+// fit_camera.
 View best_view(std::span<const Subject> subjects, PictureSize panel);
 
-// pre: at least one subject, sides from 1 to kLargestSide, 0 < zoom <= kLargestZoom. Throws as
-// fit_camera and panel_size.
+// pre: at least one subject, sides from 1 to kLargestSide, 0 < zoom <= largest_zoom. Throws as
+// fit_camera and layout_of. Memory: the image, and beside it the same whatever its size.
 Image render(std::span<const Subject> subjects, const RenderOptions& options);
 
 }  // namespace deliso

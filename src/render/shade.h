@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/tri_mesh.h"
@@ -18,7 +19,7 @@ enum class Shading : std::uint8_t {
 };
 
 enum class Edges : std::uint8_t {
-  automatic,  // drawn where the picture is large enough to tell them apart
+  automatic,  // drawn where the picture is large enough to tell them apart in every panel
   drawn,
   hidden,
 };
@@ -34,21 +35,23 @@ std::vector<Vec3> vertex_normals(const TriMesh& mesh);
 class Shader {
  public:
   // Keeps references to all but the palette. edge_width in samples, 0: no edges.
-  Shader(const TriMesh& mesh, const ProjectedMesh& projected, const Camera& camera, Shading shading,
-         double edge_width, const Palette& palette);
+  Shader(const Subject& subject, const ProjectedMesh& projected, const Camera& camera,
+         Shading shading, double edge_width, const Palette& palette);
 
   // The color of the facet at a sample that it covers, each part from 0 to 1.
   Vec3 color(FaceId face, int column, int row) const;
 
  private:
-  double edge_strength(const Triangle& triangle, const CornerWeights& corners) const;
+  double edge_share(const Triangle& triangle, const CornerWeights& corners) const;
+  Vec3 surface_color(FaceId face, bool outside) const;
   Vec3 lit(const Vec3& base, const Vec3& normal) const;
 
   const TriMesh& mesh_;
+  std::span<const Rgb> colors_;
   const ProjectedMesh& projected_;
   const Camera& camera_;
   Palette palette_;
-  double edge_reach_;          // snapped units
+  double edge_reach_;          // samples
   Vec3 key_, fill_, gloss_;    // unit directions to the lights, and that of the highlight
   std::vector<Vec3> normals_;  // one per vertex; empty for flat shading
 };

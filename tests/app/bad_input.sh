@@ -142,6 +142,7 @@ refuses '10' builtin:fuel --max-vertices 10 -o $o
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >none.off
 printf 'OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 1e300 0\n3 0 1 2\n' >huge.off
+printf 'OFF\n3 1 0\n1e6 0 0\n1e6 1 0\n1e6 0 1\n3 0 1 2\n' >far.off
 : >one.stl
 p=out/picture.png
 refuses 'no picture' render one.off
@@ -151,7 +152,25 @@ refuses 'none.off.*no facets' render none.off -o $p
 refuses 'huge.off.*too large' render huge.off -o $p
 refuses 'one.off.*clipped' render one.off -o $p --clip 0,0,1,-1
 refuses 'view' render one.off -o $p --view 30
-refuses 'no meaning' render one.off -o $p --iso 1
+refuses 'no mesh' render -o $p --volume builtin:fuel
+refuses 'no input' render -o $p
+refuses 'are for --color-by distance and gradient' render one.off -o $p --iso 1
+refuses 'are for --color-by distance and gradient' render one.off -o $p --volume builtin:fuel
+refuses 'needs --volume INPUT --iso K' render one.off -o $p --color-by distance
+refuses 'needs --iso K' render one.off -o $p --color-by distance --volume short.nhdr
+refuses 'needs --volume INPUT' render one.off -o $p --color-by gradient
+refuses 'takes no --iso' render one.off -o $p --color-by gradient --volume short.nhdr --iso 1
+refuses 'short' render one.off -o $p --color-by gradient --volume short.nhdr
+refuses 'both come from standard input' render - -o $p --color-by gradient --volume -
+refuses 'no triangle is near' render far.off -o $p --color-by distance --volume builtin:sphere
+refuses 'color-by' render one.off -o $p --color-by mood
+refuses 'background' render one.off -o $p --background '#12'
+refuses 'one text for each mesh' render one.off -o $p --labels a/b
+refuses 'printable characters' render one.off -o $p --labels "$(printf 'a\033b')"
+refuses 'no room for labels' render one.off -o $p --labels auto --size 20x20
+refuses 'no room for a color bar' render one.off -o $p --color-by angle --size 20x20
+refuses 'size' render one.off -o $p --size 16385x10
+refuses 'at most 42' render one.off -o $p --size 16384x10 --zoom 64
 refuses 'read from .ply, .off and .obj' render one.off one.stl -o $p
 refuses 'no room for 3 panels' render one.off one.off one.off -o $p --size 6x6
 refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9

@@ -215,6 +215,10 @@ holds "a clipped picture is another" differ clipped.png ply.png
 holds "several meshes, one picture" \
   grep -q '^[0-9,]* triangles | [0-9,]* triangles drawn from --view' stdout
 holds "of the size asked for" [ "$(od -An -tu1 -j16 -N8 pair.png | tr -s ' ')" = " 0 0 1 146 0 0 0 150" ]
+"$deliso" render drawn.ply -q -o red.png --size 200x150 --color-by component
+holds "colors change a picture" differ red.png ply.png
+"$deliso" render drawn.ply -q -o angle.png --size 200x150 --color-by angle --labels auto
+holds "and so do labels and a color bar" differ angle.png red.png
 
 # A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
 # The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.
@@ -228,6 +232,10 @@ set -- --dims 4x4x4 --type uint8 --iso 100 -q
 "$deliso" block.raw "$@" -o roi.ply --roi 0:4,0:4,0:4
 holds "standard input gives the file's mesh" cmp -s file.ply stdin.ply
 holds "the whole as --roi gives the file's mesh" cmp -s file.ply roi.ply
+"$deliso" render - -o far.png --color-by distance --volume block.raw "$@" <file.ply
+"$deliso" render file.ply -o far2.png --color-by distance --volume - "$@" <block.raw
+holds "pictures get the volume of their colors from a file or from standard input" \
+  cmp -s far.png far2.png
 
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]

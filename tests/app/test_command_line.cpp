@@ -18,8 +18,8 @@ using namespace deliso;
 
 namespace {
 
-CommandLine parse(std::initializer_list<std::string_view> arguments) {
-  return parse_command_line(std::vector<std::string_view>(arguments));
+CommandLine parse(const std::vector<std::string_view>& arguments) {
+  return parse_command_line(arguments);
 }
 
 // The message with which these arguments are refused; empty when they are not.
@@ -401,16 +401,82 @@ TEST_CASE("render takes any number of meshes, and one plane or as many as meshes
   CHECK(refusal({"render", "a", "", "-o", "m.png"}) != "");
 }
 
+TEST_CASE("labels: auto for all, or one text for each mesh") {
+  const auto labels = [](std::vector<std::string_view> meshes, std::string_view text) {
+    meshes.insert(meshes.begin(), "render");
+    meshes.insert(meshes.end(), {"-o", "m.png", "--labels", text});
+    return parse(meshes).labels;
+  };
+  using Labels = std::vector<std::string>;
+  CHECK(parse({"render", "a", "-o", "m.png"}).labels.empty());
+  CHECK(labels({"a", "b"}, "auto") == Labels{"auto"});
+  CHECK(labels({"a"}, "Marching Cubes") == Labels{"Marching Cubes"});
+  CHECK(labels({"a", "b", "c"}, "one/auto/") == Labels{"one", "auto", ""});
+  for (const std::string_view text : {"one", "one/two/three", "auto/auto/auto"}) {
+    CHECK(refusal({"render", "a", "b", "-o", "m.png", "--labels", text}) ==
+          "--labels wants auto, or one text for each mesh as in 'before/after'");
+  }
+}
+
+TEST_CASE("colors, their volume and their isovalue") {
+  const CommandLine line =
+      parse({"render", "m.off", "-o", "m.png", "--color-by", "distance", "--volume", "v.raw",
+             "--dims", "2x3x4", "--type", "uint8", "--iso", "7", "--background", "#ff8000"});
+  CHECK(line.color_by == ColorBy::distance);
+  CHECK(line.input == "v.raw");
+  CHECK(line.read.raw->dims == Index3{2, 3, 4});
+  CHECK(line.isovalue == 7);
+  CHECK(line.render.palette.background == Vec3{1, 128 / 255.0, 0});
+  CHECK(parse({"render", "m", "-o", "m.png"}).color_by == ColorBy::side);
+  CHECK(parse({"render", "m", "-o", "-", "--background", "black"}).render.palette.background ==
+        Vec3{});
+  // A built-in field has an isovalue of its own; a gradient needs none.
+  CHECK(parse({"render", "m", "-o", "-", "--color-by", "distance", "--volume", "builtin:fuel"})
+            .isovalue.has_value());
+  parse({"render", "m", "-o", "-", "--color-by", "gradient", "--volume", "v.nrrd"});
+
+  const auto refused = [](std::vector<std::string_view> more) {
+    more.insert(more.begin(), {"render", "m", "-o", "m.png"});
+    return refusal(more);
+  };
+  CHECK(refused({"--color-by", "distance"}) == "--color-by distance needs --volume INPUT --iso K");
+  CHECK(refused({"--color-by", "distance", "--volume", "v"}) ==
+        "--color-by distance needs --iso K");
+  CHECK(refused({"--color-by", "gradient"}) == "--color-by gradient needs --volume INPUT");
+  CHECK(refused({"--color-by", "gradient", "--volume", "v", "--iso", "1"}) ==
+        "--color-by gradient takes no --iso");
+  const std::string idle = "--volume and its options are for --color-by distance and gradient";
+  CHECK(refused({"--volume", "v"}) == idle);
+  CHECK(refused({"--iso", "1"}) == idle);
+  CHECK(refused({"--roi", "0:2,0:2,0:2", "--color-by", "angle"}) == idle);
+  CHECK(refused({"--dims", "2x2x2", "--type", "uint8"}) == idle);
+  CHECK(refused({"-", "--color-by", "gradient", "--volume", "-"})
+            .starts_with("mesh and volume cannot both"));
+  CHECK(refusal({"render", "--volume", "v", "-o", "m.png"}).starts_with("no mesh given"));
+}
+
+TEST_CASE("the larger the picture, the less it can be zoomed into") {
+  CHECK(parse({"render", "m", "-o", "-", "--size", "9933x14043", "--zoom", "40"}).render.size ==
+        PictureSize{9933, 14043});
+  CHECK(refusal({"render", "m", "-o", "-", "--zoom", "64", "--size", "9933x14043"}) ==
+        "--zoom wants at most 49 in a picture of that --size");
+  parse({"render", "m", "-o", "-", "--zoom", "64", "--size", "8192x8192"});
+}
+
 TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quotes it") {
   const std::pair<std::string_view, std::vector<std::string_view>> never[] = {
       {"--view", {"1", "1,2,3", "1,", ",1", "1,91", "361,0", "nan,0", "a,b", "1;2"}},
-      {"--size", {"1", "0x5", "5x0", "-5x5", "5x5x5", "9000x5", "5.5x5", "x", "5X5"}},
+      {"--size", {"1", "0x5", "5x0", "-5x5", "5x5x5", "16385x5", "5.5x5", "x", "5X5"}},
       {"--zoom", {"0", "-1", "65", "inf", "x"}},
       {"--clip",
        {"x", "x:", "w:0.5", "x:2", "x:-1", "--x:0.5", "1,2,3", "0,0,0,1", "x:nan", "-", "OFF"}},
       {"--look-at", {"1", "1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3"}},
       {"--shading", {"round", "SMOOTH"}},
-      {"--edges", {"yes", "1"}}};
+      {"--edges", {"yes", "1"}},
+      {"--labels", {"\xc3\xa4", "a\tb", "a/\x7f"}},
+      {"--color-by", {"hue", "ANGLE"}},
+      {"--background",
+       {"pink", "#12345", "#1234567", "#12345g", "#+12345", "123456", "#", "White"}}};
   for (const auto& refused : never) {
     const std::string_view option = refused.first;
     for (const std::string_view text : refused.second) {
@@ -551,7 +617,8 @@ TEST_CASE("options that do not go together") {
   CHECK(refusal({"render", "a"}) != "");
   CHECK(refusal({"render", "-o", "a.png"}) != "");
   CHECK(refusal({"render", "a", "-o", "a.gif"}).find("'a.gif'") != std::string::npos);
-  CHECK(refusal({"render", "a", "-o", "a.png", "--iso", "1"}).starts_with("--iso has no meaning"));
+  CHECK(
+      refusal({"render", "a", "-o", "a.png", "--json", "j"}).starts_with("--json has no meaning"));
   CHECK(refusal({"a", "--iso", "1", "--zoom", "2"}).starts_with("--zoom has no meaning"));
 }
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "app/facet_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/triangle.h"
+#include "check/distances.h"
+#include "contour/contour.h"
+#include "isosurface/isosurface.h"
+#include "kdtree/voxel_tree.h"
+#include "mesh/check_mesh.h"
+
+namespace deliso {
+namespace {
+
+// f(a, b, c) of every facet's corners.
+template <class F>
+std::vector<double> of_facets(const TriMesh& mesh, F f) {
+  std::vector<double> values;
+  values.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    values.push_back(f(mesh.points[face.v[0]], mesh.points[face.v[1]], mesh.points[face.v[2]]));
+  }
+  return values;
+}
+
+double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
+  return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
+}
+
+}  // namespace
+
+FacetComponents facet_components(const TriMesh& mesh) {
+  const std::vector<std::uint32_t> component = vertex_components(mesh);
+  std::vector<std::size_t> facets;
+  for (const Face& face : mesh.faces) {
+    const std::uint32_t c = component[face.v[0]];
+    if (c >= facets.size()) facets.resize(c + 1, 0);
+    ++facets[c];
+  }
+  std::vector<std::uint32_t> by_size(facets.size()), rank(facets.size());
+  std::iota(by_size.begin(), by_size.end(), 0u);
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return facets[a] > facets[b]; });
+  for (std::uint32_t n = 0; n < by_size.size(); ++n) rank[by_size[n]] = n;
+
+  FacetComponents result{{}, facets.size()};
+  result.of_facet.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) result.of_facet.push_back(rank[component[face.v[0]]]);
+  return result;
+}
+
+std::vector<double> smallest_angles(const TriMesh& mesh) {
+  return of_facets(mesh, [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double least = std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
+    return least * 180 / std::numbers::pi;
+  });
+}
+
+std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume,
+                                        double isovalue) {
+  constexpr double kSearch = 4;  // diagonals of a voxel
+  constexpr double kNear = 0.1;  // voxels; what is further is looked for in more directions
+  const Vec3 spacing = volume.spacing();
+  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const VoxelTree voxels(volume);
+  const Isosurface surface(volume, voxels, settled_isovalue(volume, isovalue));
+  SearchCounters counters;
+  return of_facets(home, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    double furthest = 0;
+    for (const Measure& m :
+         measure_triangle(a, b, c, surface, kSearch * length(spacing), kNear * voxel, counters)) {
+      furthest = std::max(furthest, m.distance);
+    }
+    return furthest / voxel;
+  });
+}
+
+std::vector<double> gradient_sizes(const TriMesh& home, const Volume& volume) {
+  return of_facets(home, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return length(volume.gradient((a + b + c) / 3));
+  });
+}
+
+}  // namespace deliso

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The numbers behind --color-by, against triangles and fields where they are known.
+#include "app/facet_values.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "app/command_line.h"
+#include "app/facet_colors.h"
+#include "base/check.h"
+#include "base/random.h"
+#include "render/color_map.h"
+
+using namespace deliso;
+
+namespace {
+
+using Triangles = std::vector<Triangle>;
+
+// x + 2 y - 2 z, whose gradient is 3 everywhere: trilinear interpolation reproduces it.
+Volume slope() {
+  std::vector<float> samples;
+  for (int k = 0; k < 9; ++k) {
+    for (int j = 0; j < 9; ++j) {
+      for (int i = 0; i < 9; ++i) samples.push_back(0.5f * static_cast<float>(i + 2 * j - 2 * k));
+    }
+  }
+  return Volume::from_samples({9, 9, 9}, {0.5, 0.5, 0.5}, samples);
+}
+
+}  // namespace
+
+TEST_CASE("smallest angles: of an equilateral, a right, a flat triangle and one without area") {
+  const TriMesh mesh = make_tri_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {0, 1, 0}, {2, 0, 0}, {0.5, 0, 1e-3}},
+      Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 5}, {0, 1, 4}});
+  const std::vector<double> angles = smallest_angles(mesh);
+  REQUIRE(angles.size() == 4);
+  CHECK(angles[0] == doctest::Approx(60));
+  CHECK(angles[1] == doctest::Approx(45));
+  CHECK(angles[2] == doctest::Approx(std::atan(2e-3) * 180 / 3.14159265358979));
+  CHECK(angles[3] == 0);
+}
+
+TEST_CASE("components are numbered from the largest on, and share vertices") {
+  // Sizes 1, 3, 2, 1; the second is a fan around one vertex, two of whose facets share no edge.
+  std::vector<Vec3> points(20);
+  const TriMesh mesh = make_tri_mesh(
+      points,
+      Triangles{
+          {0, 1, 2}, {3, 4, 5}, {10, 11, 12}, {3, 5, 6}, {3, 7, 8}, {11, 10, 13}, {17, 18, 19}});
+  const FacetComponents components = facet_components(mesh);
+  CHECK(components.count == 4);
+  CHECK(components.of_facet == std::vector<std::uint32_t>{2, 0, 1, 0, 0, 1, 3});
+  CHECK(facet_components(TriMesh{}).count == 0);
+}
+
+TEST_CASE("distances of triangles beside a plane, in voxels") {
+  const Volume volume = slope();
+  const Vec3 normal = Vec3{1, 2, -2} / 3;
+  const Vec3 across{2 / std::sqrt(5), -1 / std::sqrt(5), 0}, other = cross(normal, across);
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const double kappa = random.uniform(0.5, 2.5), off = random.uniform(-0.3, 0.3);
+    // Where the plane has the value kappa, and `off` beside it.
+    const Vec3 middle{2, 2, 2};
+    const Vec3 on = middle + (kappa - dot({1, 2, -2}, middle)) / 3 * normal;
+    const Vec3 p = on + off * normal;
+    const TriMesh mesh =
+        make_tri_mesh({p, p + 0.2 * across, p + 0.3 * other}, Triangles{{0, 1, 2}});
+    CHECK(distances_in_voxels(mesh, volume, kappa)[0] ==
+          doctest::Approx(std::abs(off) / 0.5).epsilon(1e-4));
+    CHECK(gradient_sizes(mesh, volume)[0] == doctest::Approx(3));
+  }
+  TriMesh far = make_tri_mesh({{1e3, 0, 0}, {1e3, 1, 0}, {1e3, 0, 1}}, Triangles{{0, 1, 2}});
+  CHECK(distances_in_voxels(far, volume, 1)[0] == std::numeric_limits<double>::infinity());
+}
+
+namespace {
+
+FacetColors colors_of(std::span<const TriMesh> meshes, std::vector<std::string_view> more) {
+  std::vector<std::string_view> arguments{"render"};
+  for (std::size_t n = 0; n < meshes.size(); ++n) arguments.push_back("m.ply");
+  arguments.insert(arguments.end(), {"-o", "m.png"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return color_facets(meshes, parse_command_line(arguments));
+}
+
+}  // namespace
+
+TEST_CASE("colors of a known mesh by side, component and angle") {
+  const std::array meshes{
+      make_tri_mesh({{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {0, 1, 0}},
+                    Triangles{{0, 1, 2}, {0, 1, 3}}),
+      make_tri_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {4, 4, 4}, {5, 4, 4}, {4, 5, 4}},
+                    Triangles{{0, 1, 2}, {3, 4, 5}})};
+  const FacetColors sides = colors_of(meshes, {});
+  REQUIRE(sides.of_mesh.size() == 2);
+  CHECK(sides.of_mesh[0].empty());
+  CHECK_FALSE(sides.bar.has_value());
+  CHECK(sides.components.empty());
+
+  const FacetColors components = colors_of(meshes, {"--color-by", "component"});
+  CHECK(components.components == std::vector<std::size_t>{1, 2});
+  CHECK(components.of_mesh[1] == std::vector<Rgb>{category_color(0), category_color(1)});
+  CHECK_FALSE(components.bar.has_value());
+
+  const FacetColors angles = colors_of(meshes, {"--color-by", "angle"});
+  REQUIRE(angles.bar.has_value());
+  CHECK(angles.bar->hi == 60);
+  CHECK_FALSE(angles.bar->open);
+  CHECK(angles.of_mesh[0] == std::vector<Rgb>{sequential_color(1), sequential_color(0.75)});
+}
+
+TEST_CASE("colors by the volume: triangles that touch shells around a sphere") {
+  // The built-in sphere: radius 0.7 of half the box, which is 31.5 voxels; its field grows by 1
+  // over that half, and its own isovalue is the default.
+  const Vec3 top{31.5, 31.5, 31.5 + 0.7 * 31.5};
+  std::vector<TriMesh> meshes;
+  for (const double above : {0.0, 0.5, 1.0}) {
+    const Vec3 p = top + Vec3{0, 0, above};
+    meshes.push_back(make_tri_mesh(
+        {p + Vec3{0.1, 0, 0}, p + Vec3{0, 0.1, 0}, p - Vec3{0.1, 0.1, 0}}, Triangles{{0, 1, 2}}));
+  }
+  const FacetColors distances =
+      colors_of(meshes, {"--color-by", "distance", "--volume", "builtin:sphere"});
+  REQUIRE(distances.bar.has_value());
+  CHECK(distances.bar->hi >= 1);
+  CHECK(distances.bar->hi <= 1.2);
+  const FacetColors gradients =
+      colors_of(meshes, {"--color-by", "gradient", "--volume", "builtin:sphere"});
+  REQUIRE(gradients.bar.has_value());
+  CHECK(gradients.bar->hi == doctest::Approx(0.04));  // from 1 / 31.5 up
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Rgb expected = sequential_color(0.5 * static_cast<double>(n) / distances.bar->hi);
+    const Rgb is = distances.of_mesh[n].at(0);
+    CHECK(std::abs(is.green - expected.green) < 12);
+    CHECK(std::abs(gradients.of_mesh[n].at(0).green -
+                   sequential_color(1 / 31.5 / gradients.bar->hi).green) < 4);
+  }
+  std::vector<TriMesh> far{meshes[0]};
+  for (Vec3& p : far[0].points) p.x += 1e6;
+  CHECK_THROWS_WITH_AS(colors_of(far, {"--color-by", "distance", "--volume", "builtin:sphere"}),
+                       "no triangle is near the isosurface of the volume", InputError);
+}
