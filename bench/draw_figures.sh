@@ -72,6 +72,7 @@ draw() {
   shift
   # Words of file names and options of this script, without blanks.
   # shellcheck disable=SC2086
+  set -- "$@" --labels auto
   "$build/deliso" render $panels -q "$@" -o "$work/pictures/$picture"
   {
     printf '\n## %s\n\n![%s](%s)\n\n' "$title" "$title" "$picture"
@@ -98,15 +99,15 @@ cat >"$work/README.md" <<'END'
 
 The paper's figures that show meshes, drawn by `make figures DATA=folder`. The commands are those that
 made the pictures; volumes are those of [bench/datasets.tsv](../../bench/datasets.tsv). The outside of a
-surface is blue, the inside orange. The panels of a picture are seen by one camera. Edges fade where
-triangles get too small to be told apart. Plots (`.svg`) belong to [the results](../results.md) that
-`make tables` writes.
+surface is blue, the inside orange. The panels of a picture are seen by one camera, and have edges
+all or none, of one width: thinner where triangles are small. Plots (`.svg`) belong to
+[the results](../results.md) that `make tables` writes.
 END
 
 section 'The picture of the README: Marching Cubes | DelIso'
 panel cubes.ply builtin:fuel 70.1 --method marching-cubes
 panel fuel.ply builtin:fuel 70.1
-draw fuel.png --size 900x330 <<'END'
+draw fuel.png --size 1400x540 <<'END'
 
 A field in the likeness of FUEL, which needs no data. Look for triangles that follow the curvature
 instead of the grid. The inside is seen through the opening at the box.
@@ -115,7 +116,7 @@ END
 section 'Figure 1: ATOM, Marching Cubes | DelIso' ATOM
 panel_of ATOM atom-cubes.ply --method marching-cubes
 panel_of ATOM atom.ply
-figure 01-atom ATOM '--view 300,25' --size 1000x340 --edges on <<'END'
+figure 01-atom ATOM '--view 300,25' --size 1500x540 --edges on <<'END'
 
 Look for large triangles on the lobes, smaller ones on the ring, the smallest on the ellipsoid within
 it. The patches of small triangles on the lobes are not in the paper's figure: they follow the steps
@@ -125,7 +126,7 @@ END
 section 'Figure 2: FUEL, Marching Cubes | DelIso' FUEL
 panel_of FUEL fuel-cubes.ply --method marching-cubes
 panel_of FUEL fuel-delaunay.ply
-figure 02-fuel FUEL '--view 150,25' --size 1100x340 --edges on <<'END'
+figure 02-fuel FUEL '--view 150,25' --size 1600x540 --edges on <<'END'
 
 Look for small triangles around the holes of the head, and for the slivers along the barrel that the
 right panel has not. The right panel's mesh follows the creases that the trilinear surface has where
@@ -135,17 +136,17 @@ END
 section 'Figure 6: ENGINE after Recover | at the end' ENGINE
 panel_of ENGINE engine-recover.ply --stop-after recover
 panel_of ENGINE engine.ply
-figure 06-engine ENGINE '--view 210,25' --size 900x390 <<'END'
+figure 06-engine ENGINE '--view 210,25' --size 1400x640 <<'END'
 
 After the first stage the topology is right and edges are cut across; the second brings the bolts, the
-rims and the bores. Edges of the final mesh are too short to be drawn at this scale: see the next.
+rims and the bores.
 END
 if ! is_analogue ENGINE; then
   section 'Figure 6, closer: a bolt of ENGINE' ENGINE
   panel_of ENGINE engine-recover.ply --stop-after recover
   panel_of ENGINE engine.ply
   figure 06-engine-bolt ENGINE '--view 210,25 --zoom 8 --look-at 83,112,155' \
-    --size 800x380 --edges on <<'END'
+    --size 1400x700 --edges on <<'END'
 
 The same meshes. Look for triangles that shrink towards the edges of the head and grow again between
 them, without slivers.
@@ -155,7 +156,7 @@ fi
 section 'Figure 7: LEG after Recover | at the end' LEG
 panel_of LEG leg-recover.ply --stop-after recover
 panel_of LEG leg.ply
-figure 07-leg LEG '--view 30,20' --size 800x600 --edges on <<'END'
+figure 07-leg LEG '--view 30,20' --size 1200x930 --edges on <<'END'
 
 The voxels are four times as high as wide; the surface is cut by the box at the top, where the inside
 is seen. Specks at the left belong to the data. Look, on the left, for triangles as wide as high.
@@ -164,7 +165,7 @@ END
 section 'Figure 8: TOOTH after Recover | at the end, clipped' TOOTH
 panel_of TOOTH tooth-recover.ply --stop-after recover
 panel_of TOOTH tooth.ply
-figure 08-tooth TOOTH '--view 30,25' --size 700x560 --edges on --clip x:0.5 <<'END'
+figure 08-tooth TOOTH '--view 30,25' --size 1200x960 --edges on --clip x:0.5 <<'END'
 
 The half towards the eye is taken away. The pulp chamber is seen from within the tooth's substance
 (orange) and, through the cut, from within the chamber (blue); in this crop it opens at the root, so
@@ -174,7 +175,7 @@ END
 section 'Figure 10: CHEST | clipped' CHEST
 panel_of CHEST chest.ply
 panels="$panels chest.ply"
-figure 10-chest CHEST '' --size 700x350 --edges on --clip off/-y:0.5 --view 250,25 <<'END'
+figure 10-chest CHEST '' --size 1400x740 --edges on --clip off/-y:0.5 --view 250,25 <<'END'
 
 The whole, and with its front taken away the lungs and the bronchi.
 END
@@ -182,7 +183,7 @@ END
 section 'Figure 11: BABY2 | BABY1' BABY2 BABY1
 panel_of BABY2 baby2.ply
 panel_of BABY1 baby1.ply
-figure 11-baby BABY1 '--view 300,15' --size 1000x440 <<'END'
+figure 11-baby BABY1 '--view 300,15' --size 1500x700 <<'END'
 
 Skull and skin of one volume, at one scale and place; both are cut by the box at the top. The shell
 around the head is the head rest, the wire-like pieces are tubes, and all else that floats is in the
@@ -193,7 +194,7 @@ if ! is_analogue BABY1; then
   panel_of BABY2 baby2.ply
   panel_of BABY1 baby1.ply
   figure 11-baby-mouth BABY1 '--view 300,15 --zoom 7 --look-at 126,30,26' \
-    --size 800x380 --edges on <<'END'
+    --size 1400x700 --edges on <<'END'
 
 The same meshes: tube, teeth and lips are meshed densely, the cheek with larger triangles.
 END

@@ -13,7 +13,7 @@ namespace deliso {
 namespace {
 
 constexpr int kSamplesPerSide = 3;                // of a pixel
-constexpr double kMostInk = 0.25;                 // share of the surface that edges cover at most
+constexpr double kMostInk = 0.2;                  // share of the surface that edges cover at most
 constexpr double kThinnestEdge = 0.4;             // pixels; thinner lines are no longer told apart
 constexpr double kLargestZoom = 64;               // where the picture's size allows it
 constexpr double kLargestSpan = 0x1p21;           // samples; of rasterize.h

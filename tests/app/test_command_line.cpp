@@ -473,7 +473,7 @@ TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quo
       {"--look-at", {"1", "1,2", "1,2,3,4", "1,2,x", "nan,0,0", "1;2;3"}},
       {"--shading", {"round", "SMOOTH"}},
       {"--edges", {"yes", "1"}},
-      {"--labels", {"\xc3\xa4", "a\tb", "a/\x7f"}},
+      {"--labels", {"\xc3\xa4", "a/\xe2\x82\xac"}},
       {"--color-by", {"hue", "ANGLE"}},
       {"--background",
        {"pink", "#12345", "#1234567", "#12345g", "#+12345", "123456", "#", "White"}}};
