@@ -139,7 +139,7 @@ panel_of ENGINE engine.ply
 figure 06-engine ENGINE '--view 210,25' --size 1400x640 <<'END'
 
 After the first stage the topology is right and edges are cut across; the second brings the bolts, the
-rims and the bores.
+rims and the bores. Edges of the final mesh are too short to be told apart at this scale: see the next.
 END
 if ! is_analogue ENGINE; then
   section 'Figure 6, closer: a bolt of ENGINE' ENGINE
