@@ -32,7 +32,7 @@ ColorBar scale_for(const Values& values, const char* title) {
   const auto rank = static_cast<std::ptrdiff_t>(share) - 1;
   std::nth_element(all.begin(), all.begin() + rank, all.end());
   const double most = all[static_cast<std::size_t>(rank)];
-  const double hi = most > 0 ? round_up(most) : 1;
+  const double hi = most > 0 ? round_up(std::clamp(most, 1e-300, 1e300)) : 1;
   return {title, hi, greatest > hi};
 }
 
