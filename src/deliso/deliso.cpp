@@ -20,8 +20,14 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (options.method == Method::marching_cubes) {
     report.kappa_effective = settled_isovalue(volume, kappa);
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
-    if (options.cap)
-      close_on_box(cubes, volume, report.kappa_effective, options.lambda, nullptr, report);
+    if (options.cap) {
+      const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
+      const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
+      SurfaceMesh s{std::move(cubes), {}, {}, {}};
+      s.duals.resize(s.mesh.faces.size());
+      close_on_box(s, surface, {surface, {}}, parameters, report);
+      cubes = std::move(s.mesh);
+    }
     cubes.frame = volume.frame();
     return cubes;
   }
@@ -40,8 +46,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
   if (options.cap) {
-    const BoundaryAid aid{surface, s.curves, s.mesh.chain};
-    close_on_box(s.mesh.mesh, volume, surface.kappa(), options.lambda, &aid, report);
+    close_on_box(s.mesh, surface, s.curves, parameters, report);
   }
   s.mesh.mesh.frame = volume.frame();
   return std::move(s.mesh.mesh);

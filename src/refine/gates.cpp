@@ -179,6 +179,7 @@ bool DiskReplacer::turns_inside_out(const Change& change) {
   for (const FaceId f : rest_) rest += volume(mesh_.faces[f].v, now);
   for (const Triangle& v : change.was.facets) before += volume(v, was);
   for (const Triangle& v : change.in.facets) after += volume(v, now);
+  if (change.leaves_box && rest + before == 0) return false;
   return (rest + before > 0) != (rest + after > 0);
 }
 
@@ -196,6 +197,7 @@ bool DiskReplacer::find_duals(Change& change) {
     change.duals.push_back(finder_.dual(point(v[0]), point(v[1]), point(v[2]), searches()));
     const Dual& dual = change.duals.back();
     if (dual.on_surface) continue;
+    if (change.leaves_box) continue;
     if ((is_large(dual) || !faces_out(v, normals_[f])) && allowed-- == 0) return false;
   }
   return true;

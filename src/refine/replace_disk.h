@@ -44,6 +44,9 @@ struct Change {
   VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
   Vec3 place;
   double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
+  // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 is not asked, and
+  // a component flat in that face, which bounds nothing yet, may be turned either way.
+  bool leaves_box = false;
   // Found on the way.
   std::vector<Dual> duals;      // of `in`
   std::vector<FaceId> created;  // of `in`, once it is done

@@ -9,8 +9,8 @@ std::string_view name_of(Counter counter) {
       "bogus_hits",          "capped_insertions",  "refused_splits",          "unresolved_facets",
       "unresolved_vertices", "facets_closed",      "components_put_back",     "voxels_cut",
       "uncertified_sites",   "unready_facets",     "crossings_handed_over",   "unrefined_facets",
-      "points_far",          "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_edges_split",
-      "cap_refused"};
+      "points_far",          "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
+      "cap_edges_split",     "cap_refused"};
   static_assert(sizeof(names) / sizeof(names[0]) == kCounterCount);
   return names[static_cast<std::size_t>(counter)];
 }

@@ -39,6 +39,7 @@ enum class Counter : std::uint8_t {
   // --cap
   cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
   cap_lifts_off_surface,  // those of them that found no point of Sigma
+  cap_not_lifted,         // vertices, edges and triangles that had to stay in a face of the box
   cap_edges_split,        // boundary edges that crossed another one
   cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
   count_
@@ -87,7 +88,8 @@ struct RungCounts {
 // With --cap: the surface is what comes first in the mesh, the caps follow.
 struct CapReport {
   std::size_t surface_vertices = 0, surface_triangles = 0;
-  std::string failure;  // why the mesh stayed open; empty: it is closed
+  std::string failure;        // why the mesh stayed open; empty: it is closed
+  std::size_t crossings = 0;  // pairs of its triangles, caps and surface, when it is closed
 };
 
 struct Report {

@@ -18,7 +18,7 @@ allowed() {
     surface) echo "base mesh embedding volume isosurface surface" ;;
     recover) echo "base delaunay mesh embedding volume contour isosurface surface recover" ;;
     refine) echo "base delaunay/predicates.h mesh embedding volume isosurface surface refine" ;;
-    cap) echo "base delaunay planar mesh embedding volume isosurface surface cap" ;;
+    cap) echo "base delaunay planar mesh embedding volume isosurface surface refine/replace_disk.h cap" ;;
     baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
       "recover refine cap baseline deliso" ;;

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "cap/leave_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/triangle.h"
+#include "cap/box_caps.h"
+#include "mesh/flip.h"
+#include "refine/replace_disk.h"
+
+namespace deliso {
+
+namespace {
+
+// How far off a face: as far as that is, in hairs, and nearer where it is refused. A mesh that is
+// embedded stays so when a vertex is moved, if it is by little enough.
+constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12};
+
+// Where along an edge.
+constexpr double kShares[] = {0.5, 0.25, 0.75};
+
+// The sum of the box's normals, inwards, over `faces`.
+Vec3 inwards(unsigned faces) {
+  Vec3 sum;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((faces >> (2 * axis) & 1) != 0) sum[axis] += 1;
+    if ((faces >> (2 * axis + 1) & 1) != 0) sum[axis] -= 1;
+  }
+  return sum;
+}
+
+class BoxLeaver {
+ public:
+  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, const Parameters& parameters, Report& report)
+      : s_(s),
+        mesh_(s.mesh),
+        box_(surface.volume().box()),
+        hair_(kHair * parameters.voxel),
+        surface_(surface),
+        parameters_(parameters),
+        report_(report),
+        finder_(surface) {}
+
+  std::size_t run();
+
+ private:
+  unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_); }
+  // The faces that both ends of the edge of f opposite its corner i lie on, or all corners of f.
+  unsigned faces_at_edge(FaceId f, int i) const {
+    const Triangle& v = mesh_.faces[f].v;
+    return faces_at(v[(i + 1) % 3]) & faces_at(v[(i + 2) % 3]);
+  }
+  // The first interior edge of f that lies in a face; 3 when f itself does, and has none; -1.
+  int in_face(FaceId f) const;
+  bool move_off(FaceId f, VertexId v);
+  bool lift(FaceId f, int i);
+
+  struct Line {
+    Vec3 at, direction;
+  };
+  // Points of Sigma off the box, each the nearest one along its line within the limit; those
+  // nearest to `middle` first.
+  std::vector<Vec3> find_off_box(std::span<const Line> lines, const Vec3& middle, double limit);
+  Vec3 normal(FaceId f) const {
+    const Triangle& v = mesh_.faces[f].v;
+    return area_normal(mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]);
+  }
+  Vec3 middle(FaceId f) const {
+    const Triangle& v = mesh_.faces[f].v;
+    return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
+  }
+  // The cone from p over the rim of change_.out.
+  bool put_cone(const Vec3& p, bool near_surface);
+  bool flip(FaceId f, int i, bool near_surface);
+  bool replace(bool near_surface);
+
+  // Made when it is needed first: most meshes have nothing to mend.
+  DiskReplacer& replacer() {
+    if (!replacer_) replacer_.emplace(s_, surface_, parameters_, report_);
+    return *replacer_;
+  }
+
+  SurfaceMesh& s_;
+  const TriMesh& mesh_;
+  const Box3 box_;
+  const double hair_;
+  const Isosurface& surface_;
+  Parameters parameters_;
+  Report& report_;
+  SurfacePointFinder finder_;
+  std::optional<DiskReplacer> replacer_;
+  Change change_;
+};
+
+std::size_t BoxLeaver::run() {
+  parameters_.as_published = false;  // all gates
+  std::size_t left = 0;
+  std::vector<std::uint8_t> on_boundary(mesh_.points.size(), 0);
+  for (const Face& face : mesh_.faces) {
+    for (int i = 0; i < 3; ++i) {
+      if (face.n[i] != kNoId) continue;
+      on_boundary[face.v[(i + 1) % 3]] = on_boundary[face.v[(i + 2) % 3]] = 1;
+    }
+  }
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    const Triangle corners = mesh_.faces[f].v;
+    for (const VertexId v : corners) {
+      if (on_boundary[v] || faces_at(v) == 0) continue;
+      on_boundary[v] = 1;  // once is enough
+      left += !move_off(f, v);
+    }
+  }
+  std::vector<FaceId> again;
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    for (int i = in_face(f); i >= 0; i = in_face(f)) {
+      if (lift(f, i)) continue;
+      again.push_back(f);
+      break;
+    }
+  }
+  for (const FaceId f : again) {
+    int i = in_face(f);
+    while (i >= 0 && lift(f, i)) i = in_face(f);
+    left += i >= 0;
+  }
+  return left;
+}
+
+int BoxLeaver::in_face(FaceId f) const {
+  const Face& face = mesh_.faces[f];
+  for (int i = 0; i < 3; ++i) {
+    if (face.n[i] != kNoId && faces_at_edge(f, i) != 0) return i;
+  }
+  return (faces_at_edge(f, 0) & faces_at(face.v[0])) != 0 ? 3 : -1;
+}
+
+bool BoxLeaver::replace(bool near_surface) {
+  change_.least_cosine = near_surface ? kSharpest : -1;
+  change_.leaves_box = !near_surface;
+  return !replacer().replace(change_, [] { return true; });
+}
+
+bool BoxLeaver::move_off(FaceId f, VertexId v) {
+  facets_around(mesh_, f, v, change_.out);
+  if (!replacer().take_out(change_)) return false;
+  change_.in.facets = change_.was.facets;
+  change_.what = Change::Vertex::moves;
+  change_.vertex = v;
+  const Vec3 from = mesh_.points[v], inward = inwards(faces_at(v));
+  return std::any_of(std::begin(kHairs), std::end(kHairs), [&](double hairs) {
+    change_.place = from + hairs * hair_ * inward;
+    return replace(false);
+  });
+}
+
+std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec3& middle,
+                                          double limit) {
+  std::vector<Vec3> found;
+  for (const Line& line : lines) {
+    const double size = length(line.direction);
+    if (!(size > 0)) continue;
+    const auto x = finder_.nearest(line.at, line.direction / size, limit, report_.searches_refine);
+    if (x && box_faces_at(*x, box_) == 0) found.push_back(*x);
+  }
+  std::sort(found.begin(), found.end(), [&](const Vec3& p, const Vec3& q) {
+    return distance2(p, middle) < distance2(q, middle);
+  });
+  return found;
+}
+
+bool BoxLeaver::put_cone(const Vec3& p, bool near_surface) {
+  change_.what = Change::Vertex::comes;
+  change_.vertex = static_cast<VertexId>(mesh_.points.size());
+  change_.place = p;
+  change_.in.facets.clear();
+  for (const Patch::RimEdge& edge : change_.was.rim) {
+    change_.in.facets.push_back({edge.from, edge.to, change_.vertex});
+  }
+  return replace(near_surface);
+}
+
+bool BoxLeaver::flip(FaceId f, int i, bool near_surface) {
+  const Quad q = quad_at(mesh_, f, i);
+  if ((faces_at(q.a) & faces_at(q.d)) != 0) return false;
+  change_.what = Change::Vertex::none;
+  change_.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
+  return replace(near_surface);
+}
+
+// The edge of f opposite its corner i, or with 3 f itself: a new vertex on Sigma is best, then the
+// other diagonal. Where Sigma all but lies in the face neither may do by what Stage 2 asks, and
+// they are tried without that; at last a vertex next to the edge, which changes next to nothing.
+bool BoxLeaver::lift(FaceId f, int i) {
+  const bool is_edge = i < 3;
+  const FaceId g = is_edge ? mesh_.faces[f].n[i] : f;
+  const Triangle v = mesh_.faces[f].v;
+  const unsigned faces =
+      is_edge ? faces_at_edge(f, i) : faces_at(v[0]) & faces_at(v[1]) & faces_at(v[2]);
+  const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
+  const Vec3 a = mesh_.points[v[(i + 1) % 3]], b = mesh_.points[v[(i + 2) % 3]],
+             c = mesh_.points[v[i % 3]];
+  std::vector<Vec3> bases{middle(f)};
+  double limit = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  if (is_edge) {
+    limit = distance(a, b);
+    bases.clear();
+    for (const double share : kShares) bases.push_back(a + share * (b - a));
+  }
+  std::vector<Line> lines;
+  for (const Vec3& base : bases) {
+    lines.push_back({base, out});
+    lines.push_back({base, dot(out, inward) < 0 ? -inward : inward});
+    lines.push_back({base, -1.0 * surface_.gradient(base)});
+  }
+  lines.push_back({middle(f), normal(f)});
+  lines.push_back({middle(g), normal(g)});
+  const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
+
+  change_.out.assign(1, f);
+  if (is_edge) change_.out.push_back(g);
+  ++report_[Counter::cap_edges_lifted];
+  if (!replacer().take_out(change_)) return false;
+  for (const bool near_surface : {true, false}) {
+    for (const Vec3& p : on_surface) {
+      if (put_cone(p, near_surface)) return true;
+    }
+    if (is_edge && flip(f, i, near_surface)) return true;
+  }
+  for (const double hairs : kHairs) {
+    for (const Vec3& base : bases) {
+      if (!put_cone(base + hairs * hair_ * inward, false)) continue;
+      ++report_[Counter::cap_lifts_off_surface];
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, const Parameters& parameters,
+                      Report& report) {
+  return BoxLeaver(s, surface, parameters, report).run();
+}
+
+}  // namespace deliso
