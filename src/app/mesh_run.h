@@ -37,8 +37,7 @@ struct MeshRun {
   std::uint64_t peak_bytes = 0;  // of the process
 
   bool sound() const {
-    return fault.empty() && report.cap.failure.empty() &&
-           !(verification && verification->faults.any());
+    return fault.empty() && report.cap.sound() && !(verification && verification->faults.any());
   }
 };
 

@@ -147,6 +147,7 @@ std::string report_json(const MeshRun& run) {
     add_solid(json, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
     json.add("cap_failure", report.cap.failure);
+    json.add("cap_crossings", report.cap.crossings);
   }
   json.close();
   if (run.verification) add_verification(json, *run.verification, run.input.volume);

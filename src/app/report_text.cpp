@@ -125,7 +125,8 @@ std::string report_text(const MeshRun& run) {
     text += "solid     " +
             solid_text(run.vertices - report.cap.surface_vertices,
                        run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality) +
-            "\n";
+            "\n          " + (report.cap.crossings > 0 ? "FAULT: " : "") +
+            counted(report.cap.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
   }

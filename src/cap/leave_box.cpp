@@ -21,7 +21,17 @@ namespace {
 constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12};
 
 // Where along an edge.
-constexpr double kShares[] = {0.5, 0.25, 0.75};
+constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
+
+// Where the steepest line stays in the face, from so far inside, as a share of the edge, it does
+// not.
+constexpr double kDeeper = 0x1p-4;
+
+// What is tried for an edge or facet in a face of the box, the next only where the one before has
+// left some: a vertex on Sigma, or the other diagonal, as Stage 2 would allow it; the same, though
+// Sigma all but lies in the face and facets find no surface points; a vertex next to the edge, off
+// Sigma as far as the edge is, which changes next to nothing.
+enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 
 // The sum of the box's normals, inwards, over `faces`.
 Vec3 inwards(unsigned faces) {
@@ -49,15 +59,17 @@ class BoxLeaver {
 
  private:
   unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_); }
-  // The faces that both ends of the edge of f opposite its corner i lie on, or all corners of f.
+  // The faces that both ends of the edge of f opposite its corner i lie on.
   unsigned faces_at_edge(FaceId f, int i) const {
     const Triangle& v = mesh_.faces[f].v;
     return faces_at(v[(i + 1) % 3]) & faces_at(v[(i + 2) % 3]);
   }
-  // The first interior edge of f that lies in a face; 3 when f itself does, and has none; -1.
-  int in_face(FaceId f) const;
+  // Whether the interior edge of f opposite its corner i lies in a face; with 3 f itself, where it
+  // has boundary edges alone.
+  bool lies_in_face(FaceId f, int i) const;
+  std::size_t lift_all(Effort effort);
   bool move_off(FaceId f, VertexId v);
-  bool lift(FaceId f, int i);
+  bool lift(FaceId f, int i, Effort effort);
 
   struct Line {
     Vec3 at, direction;
@@ -114,28 +126,35 @@ std::size_t BoxLeaver::run() {
       left += !move_off(f, v);
     }
   }
-  std::vector<FaceId> again;
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    for (int i = in_face(f); i >= 0; i = in_face(f)) {
-      if (lift(f, i)) continue;
-      again.push_back(f);
-      break;
-    }
+  std::size_t flat = 1;
+  for (const Effort effort : {Effort::as_stage2, Effort::on_surface, Effort::next_to_it}) {
+    if (flat > 0) flat = lift_all(effort);
   }
-  for (const FaceId f : again) {
-    int i = in_face(f);
-    while (i >= 0 && lift(f, i)) i = in_face(f);
-    left += i >= 0;
-  }
-  return left;
+  return left + flat;
 }
 
-int BoxLeaver::in_face(FaceId f) const {
+bool BoxLeaver::lies_in_face(FaceId f, int i) const {
   const Face& face = mesh_.faces[f];
-  for (int i = 0; i < 3; ++i) {
-    if (face.n[i] != kNoId && faces_at_edge(f, i) != 0) return i;
+  if (i < 3) return face.n[i] != kNoId && faces_at_edge(f, i) != 0;
+  return face.n == std::array{kNoId, kNoId, kNoId} &&
+         (faces_at_edge(f, 0) & faces_at(face.v[0])) != 0;
+}
+
+// Returns how many are left.
+std::size_t BoxLeaver::lift_all(Effort effort) {
+  std::size_t left = 0;
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    for (int i = 0; i <= 3; ++i) {
+      if (!lies_in_face(f, i)) continue;
+      if (lift(f, i, effort)) {
+        ++report_[Counter::cap_edges_lifted];
+        i = -1;  // the facet is another one now
+      } else {
+        ++left;
+      }
+    }
   }
-  return (faces_at_edge(f, 0) & faces_at(face.v[0])) != 0 ? 3 : -1;
+  return left;
 }
 
 bool BoxLeaver::replace(bool near_surface) {
@@ -191,53 +210,50 @@ bool BoxLeaver::flip(FaceId f, int i, bool near_surface) {
   return replace(near_surface);
 }
 
-// The edge of f opposite its corner i, or with 3 f itself: a new vertex on Sigma is best, then the
-// other diagonal. Where Sigma all but lies in the face neither may do by what Stage 2 asks, and
-// they are tried without that; at last a vertex next to the edge, which changes next to nothing.
-bool BoxLeaver::lift(FaceId f, int i) {
+bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   const bool is_edge = i < 3;
   const FaceId g = is_edge ? mesh_.faces[f].n[i] : f;
   const Triangle v = mesh_.faces[f].v;
-  const unsigned faces =
-      is_edge ? faces_at_edge(f, i) : faces_at(v[0]) & faces_at(v[1]) & faces_at(v[2]);
-  const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
   const Vec3 a = mesh_.points[v[(i + 1) % 3]], b = mesh_.points[v[(i + 2) % 3]],
              c = mesh_.points[v[i % 3]];
-  std::vector<Vec3> bases{middle(f)};
-  double limit = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  unsigned faces = faces_at(v[(i + 1) % 3]) & faces_at(v[(i + 2) % 3]);
+  double limit = distance(a, b);
+  std::vector<Vec3> bases;
   if (is_edge) {
-    limit = distance(a, b);
-    bases.clear();
     for (const double share : kShares) bases.push_back(a + share * (b - a));
+  } else {
+    faces &= faces_at(v[0]);
+    limit = std::max({limit, distance(b, c), distance(c, a)});
+    bases.push_back(middle(f));
   }
-  std::vector<Line> lines;
-  for (const Vec3& base : bases) {
-    lines.push_back({base, out});
-    lines.push_back({base, dot(out, inward) < 0 ? -inward : inward});
-    lines.push_back({base, -1.0 * surface_.gradient(base)});
-  }
-  lines.push_back({middle(f), normal(f)});
-  lines.push_back({middle(g), normal(g)});
-  const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
+  const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
 
   change_.out.assign(1, f);
   if (is_edge) change_.out.push_back(g);
-  ++report_[Counter::cap_edges_lifted];
   if (!replacer().take_out(change_)) return false;
-  for (const bool near_surface : {true, false}) {
-    for (const Vec3& p : on_surface) {
-      if (put_cone(p, near_surface)) return true;
+  if (effort == Effort::next_to_it) {
+    for (const double hairs : kHairs) {
+      for (const Vec3& base : bases) {
+        if (!put_cone(base + hairs * hair_ * inward, false)) continue;
+        ++report_[Counter::cap_lifts_off_surface];
+        return true;
+      }
     }
-    if (is_edge && flip(f, i, near_surface)) return true;
+    return false;
   }
-  for (const double hairs : kHairs) {
-    for (const Vec3& base : bases) {
-      if (!put_cone(base + hairs * hair_ * inward, false)) continue;
-      ++report_[Counter::cap_lifts_off_surface];
-      return true;
+  std::vector<Line> lines{{middle(f), normal(f)}, {middle(g), normal(g)}};
+  for (const Vec3& base : bases) {
+    lines.push_back({base, out});
+    lines.push_back({base, dot(out, inward) < 0 ? -inward : inward});
+    for (const Vec3& from : {base, base + kDeeper * limit * inward}) {
+      lines.push_back({from, -surface_.gradient(from)});
     }
   }
-  return false;
+  const bool near_surface = effort == Effort::as_stage2;
+  const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
+  return std::any_of(on_surface.begin(), on_surface.end(),
+                     [&](const Vec3& p) { return put_cone(p, near_surface); }) ||
+         (is_edge && flip(f, i, near_surface));
 }
 
 }  // namespace

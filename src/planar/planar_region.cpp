@@ -36,6 +36,10 @@ bool mark_inside(ConstrainedTriangulation& triangulation, bool otherwise) {
 
 namespace {
 
+// Of the rectangle's diagonal: circumcenters of smaller triangles are rounded by so much of their
+// size that no ratio need ever fall.
+constexpr double kSmallest = 0x1p-40;
+
 Vec2 circumcenter(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
   const double d = 2 * (u.x * v.y - u.y * v.x), uu = dot(u, u), vv = dot(v, v);
@@ -45,7 +49,10 @@ Vec2 circumcenter(const Vec2& a, const Vec2& b, const Vec2& c) {
 }  // namespace
 
 RegionRefiner::RegionRefiner(ConstrainedTriangulation& triangulation, double lambda)
-    : triangulation_(triangulation), lambda2_(lambda * lambda) {
+    : triangulation_(triangulation),
+      lambda2_(lambda * lambda),
+      smallest2_(kSmallest * kSmallest *
+                 distance2(triangulation.point(0), triangulation.point(2))) {
   for (FaceId t = 0; t < triangulation.triangles().size(); ++t) judge(t);
 }
 
@@ -76,8 +83,12 @@ void RegionRefiner::judge(FaceId t) {
   const Vec2 &a = triangulation_.point(at.v[0]), &b = triangulation_.point(at.v[1]),
              &c = triangulation_.point(at.v[2]);
   const double shortest2 = std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
-  const double ratio2 = distance2(circumcenter(a, b, c), a) / shortest2;
+  const double r2 = distance2(circumcenter(a, b, c), a), ratio2 = r2 / shortest2;
   if (ratio2 <= lambda2_) return;
+  if (r2 < smallest2_) {
+    ++refused_;
+    return;
+  }
   queue_.push_back({ratio2, t, at.v});
   std::push_heap(queue_.begin(), queue_.end());
 }

@@ -18,7 +18,7 @@ bool mark_inside(ConstrainedTriangulation& triangulation, bool otherwise);
 // Puts circumcenters into the inside until every triangle there has r/l <= lambda, r its
 // circumradius and l its shortest edge. Segments are kept whole: a point in the circle about one is
 // refused. Sides of the rectangle are the caller's to split, since others may share them: run()
-// says which are to be, and stops there.
+// says which are to be, and stops there. Triangles as small as rounding are left as they are.
 class RegionRefiner {
  public:
   // Keeps a reference. pre: lambda >= 1, or refinement need not end.
@@ -56,6 +56,7 @@ class RegionRefiner {
 
   ConstrainedTriangulation& triangulation_;
   double lambda2_;
+  double smallest2_;          // the circumradius, squared
   std::vector<Bad> queue_;    // a heap
   std::vector<Bad> waiting_;  // for sides to be split
   std::vector<std::pair<VertexId, VertexId>> wanted_, whole_;
