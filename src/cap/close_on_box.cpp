@@ -91,16 +91,6 @@ void CrossingParter::part(const std::vector<std::pair<VertexId, VertexId>>& coin
   }
 }
 
-std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
-  const Index3 last = volume.voxels();
-  std::array<bool, 8> inside;
-  for (int m = 0; m < 8; ++m) {
-    const auto at = [&](int axis) { return (m >> axis & 1) != 0 ? last[axis] : 0; };
-    inside[static_cast<std::size_t>(m)] = volume.sample(at(0), at(1), at(2)) >= kappa;
-  }
-  return inside;
-}
-
 // Pairs of triangles that cross.
 std::size_t count_crossings(const TriMesh& mesh) {
   std::vector<Triangle> triangles;
@@ -112,8 +102,18 @@ std::size_t count_crossings(const TriMesh& mesh) {
 
 }  // namespace
 
+std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
+  const Index3 last = volume.voxels();
+  std::array<bool, 8> inside;
+  for (int m = 0; m < 8; ++m) {
+    const auto at = [&](int axis) { return (m >> axis & 1) != 0 ? last[axis] : 0; };
+    inside[static_cast<std::size_t>(m)] = volume.sample(at(0), at(1), at(2)) >= kappa;
+  }
+  return inside;
+}
+
 void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                  const Parameters& parameters, Report& report) {
+                  const std::array<bool, 8>& inside, const Parameters& parameters, Report& report) {
   const StepTimer timer(report.seconds_cap);
   const Volume& volume = surface.volume();
   TriMesh& mesh = s.mesh;
@@ -126,7 +126,6 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
   report[Counter::cap_not_lifted] += leave_box(s, surface, parameters, report);
-  const std::array<bool, 8> inside = corners_inside(volume, surface.kappa());
   CrossingParter parter(s, curves, volume.box(), kHair * parameters.voxel, report);
   std::optional<BoxCaps> caps;
   for (int round = 0; round < kRounds; ++round) {

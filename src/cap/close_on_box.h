@@ -7,6 +7,8 @@
 // asymptotes.
 #pragma once
 
+#include <array>
+
 #include "isosurface/isosurface.h"
 #include "surface/boundary.h"
 #include "surface/parameters.h"
@@ -15,12 +17,17 @@
 
 namespace deliso {
 
+// Which corners of the box are inside: corner m is at the high end of axis k where bit k of m is
+// set. pre: the volume has a voxel.
+std::array<bool, 8> corners_inside(const Volume& volume, double kappa);
+
 // Appends the caps to s.mesh; where there is no surface, but the volume is inside, they are the
 // whole box. The r/l that the refinement is bounded by bounds theirs where boundary edges allow.
 // Sets report.cap: what could not be closed stays open, and report.cap.failure says why; pairs of
 // triangles that cross are counted when it is closed.
+// `inside` says of corners of the box what the mesh does not: where a face has no boundary edge.
 // pre: the mesh is linked.
 void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                  const Parameters& parameters, Report& report);
+                  const std::array<bool, 8>& inside, const Parameters& parameters, Report& report);
 
 }  // namespace deliso

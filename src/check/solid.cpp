@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/text.h"
-#include "base/triangle.h"
+#include "delaunay/predicates.h"
 #include "mesh/quality.h"
 
 namespace deliso {
@@ -53,9 +53,12 @@ SolidParts part_solid(const TriMesh& mesh, const Box3& box, double tolerance, Fa
     caps.push_back(t);
     parts.is_cap[f] = true;
     parts.off_box = std::max(parts.off_box, plane.off);
-    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const double outwards = area_normal(a, b, c)[plane.axis];
-    if (plane.high ? outwards < 0 : outwards > 0) {
+    Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+    // Exactly, since caps may be very thin: seen from a point outside.
+    a[plane.axis] = b[plane.axis] = c[plane.axis] = 0;
+    Vec3 eye = a;
+    eye[plane.axis] = plane.high ? 1 : -1;
+    if (orient3d(a, b, c, eye) < 0) {
       faults.add(
           FaultKind::turned_caps,
           text("triangle ", f, " (", t[0], " ", t[1], " ", t[2], ") on the box faces into it"),

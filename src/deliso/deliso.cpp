@@ -4,6 +4,7 @@
 #include "baseline/marching_cubes.h"
 #include "cap/close_on_box.h"
 #include "contour/contour.h"
+#include "contour/dissolve.h"
 #include "kdtree/voxel_tree.h"
 #include "recover/recover_certified.h"
 #include "recover/recover_paper.h"
@@ -15,7 +16,7 @@ namespace deliso {
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options,
                         Report& report) {
   const StepTimer total(report.seconds_total);
-  const Parameters parameters = resolve(options, volume);
+  Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
   if (options.method == Method::marching_cubes) {
     report.kappa_effective = settled_isovalue(volume, kappa);
@@ -25,7 +26,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
       const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
       SurfaceMesh s{std::move(cubes), {}, {}, {}};
       s.duals.resize(s.mesh.faces.size());
-      close_on_box(s, surface, {surface, {}}, parameters, report);
+      close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
+                   report);
       cubes = std::move(s.mesh);
     }
     cubes.frame = volume.frame();
@@ -37,6 +39,13 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   });
   const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
   const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
+  std::array<bool, 8> inside{};
+  if (options.cap) inside = corners_inside(volume, surface.kappa());
+  if (options.cap && options.min_component > 0) {
+    Dissolved dissolved = dissolve_small(contour, volume, surface.kappa(), options.min_component);
+    parameters.kept = std::move(dissolved.kept);
+    inside = dissolved.corner_inside;
+  }
 
   Recovered s =
       options.recover == RecoverWay::certified
@@ -46,7 +55,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
   if (options.cap) {
-    close_on_box(s.mesh, surface, s.curves, parameters, report);
+    close_on_box(s.mesh, surface, s.curves, inside, parameters, report);
   }
   s.mesh.mesh.frame = volume.frame();
   return std::move(s.mesh.mesh);

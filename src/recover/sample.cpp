@@ -294,6 +294,7 @@ BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& con
 
 std::vector<std::uint8_t> kept_components(const ContourMesh& contour,
                                           const Parameters& parameters) {
+  if (!parameters.kept.empty()) return parameters.kept;
   std::vector<std::uint8_t> kept;
   for (const ContourComponent& c : contour.summary.components) {
     kept.push_back(!(largest_side(c) < parameters.min_component));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace deliso {
 
@@ -45,6 +46,9 @@ struct Parameters {
   std::uint64_t seed = 1;
   std::size_t samples = 50;  // N0, random points to begin with
   double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
+  // Per component of T whether it is kept, where that is not for min_component to say: of what a
+  // solid is to be closed from, no more is left out than contour/dissolve.h can do without.
+  std::vector<std::uint8_t> kept;
   std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).

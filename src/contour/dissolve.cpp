@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "contour/dissolve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// The samples, joined to the regions that they lie in.
+class SampleRegions {
+ public:
+  using Node = std::uint32_t;  // a sample; once numbered, a region
+
+  explicit SampleRegions(const Volume& volume) : parent_(volume.sample_count()) {
+    if (volume.sample_count() >= kNoId) {
+      throw InputError("--min-component with --cap is for less than 2^32 samples");
+    }
+    std::iota(parent_.begin(), parent_.end(), Node{0});
+  }
+
+  void unite(Node a, Node b) {
+    const auto [low, high] = std::minmax({root(a), root(b)});
+    parent_[high] = low;
+  }
+
+  // Numbers the regions, by their first samples, and returns how many there are.
+  Node number() {
+    Node count = 0;
+    // Parents come before their children, so theirs is a number already.
+    for (Node n = 0; n < parent_.size(); ++n) {
+      parent_[n] = parent_[n] == n ? count++ : parent_[parent_[n]];
+    }
+    return count;
+  }
+  Node operator[](std::size_t sample) const { return parent_[sample]; }
+
+ private:
+  Node root(Node n) {
+    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
+    return n;
+  }
+
+  std::vector<Node> parent_;
+};
+
+template <class Visit>
+void for_each_sample(Index3 dims, Visit&& visit) {
+  Index3 p;
+  for (p.k = 0; p.k < dims.k; ++p.k) {
+    for (p.j = 0; p.j < dims.j; ++p.j) {
+      for (p.i = 0; p.i < dims.i; ++p.i) visit(p);
+    }
+  }
+}
+
+// The two samples of the grid edge that a vertex of T lies on; nothing for other vertices, and
+// where rounding has put it on a sample.
+std::optional<std::array<Index3, 2>> grid_edge(const Volume& volume, const Vec3& p) {
+  std::array<Index3, 2> ends;
+  int along = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spacing = volume.spacing()[axis];
+    const auto nearest = static_cast<int>(std::lround(p[axis] / spacing));
+    ends[0][axis] = ends[1][axis] = nearest;
+    if (p[axis] == nearest * spacing) continue;
+    ++along;
+    const int low = nearest - (p[axis] < nearest * spacing);
+    ends[0][axis] = std::clamp(low, 0, volume.dims()[axis] - 2);
+    ends[1][axis] = ends[0][axis] + 1;
+  }
+  return along == 1 ? std::optional(ends) : std::nullopt;
+}
+
+struct Region {
+  std::uint64_t samples = 0;
+  Index3 lo, hi;
+  bool inside = false;
+  std::vector<std::uint32_t> components = {};  // that bound it
+
+  void add(const Region& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = samples == 0 ? other.lo[axis] : std::min(lo[axis], other.lo[axis]);
+      hi[axis] = samples == 0 ? other.hi[axis] : std::max(hi[axis], other.hi[axis]);
+    }
+    samples += other.samples;
+  }
+  int side() const { return std::max({hi.i - lo.i, hi.j - lo.j, hi.k - lo.k}); }
+};
+
+}  // namespace
+
+Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, double kappa,
+                         double voxels) {
+  const Index3 dims = volume.dims();
+  const auto number = [&](Index3 p) {
+    return static_cast<std::uint32_t>(volume.index(p.i, p.j, p.k));
+  };
+  const auto is_inside = [&](Index3 p) { return volume.sample(p.i, p.j, p.k) >= kappa; };
+
+  SampleRegions region_of(volume);
+  for_each_sample(dims, [&](Index3 p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Index3 q = p;
+      if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) region_of.unite(number(q), number(p));
+    }
+  });
+  // Along one side of a component there is one region, though no grid edge may run there.
+  const std::vector<ContourComponent>& components = contour.summary.components;
+  std::vector<std::array<std::uint32_t, 2>> sides(components.size(), {kNoId, kNoId});
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const auto ends = grid_edge(volume, contour.points[v]);
+    if (!ends || is_inside((*ends)[0]) == is_inside((*ends)[1])) continue;
+    for (const Index3 end : *ends) {
+      std::uint32_t& side = sides[contour.component[v]][is_inside(end)];
+      if (side == kNoId) side = number(end);
+      region_of.unite(side, number(end));
+    }
+  }
+
+  std::vector<Region> regions(region_of.number());
+  for_each_sample(dims, [&](Index3 p) {
+    Region& region = regions[region_of[number(p)]];
+    region.add({1, p, p});
+    region.inside = is_inside(p);
+  });
+  for (std::uint32_t c = 0; c < components.size(); ++c) {
+    const bool is_known = sides[c][0] != kNoId && sides[c][1] != kNoId;
+    for (std::uint32_t& side : sides[c]) {
+      if (side == kNoId) continue;
+      side = region_of[side];
+      // One whose other side nobody knows is to stay: it counts as two.
+      regions[side].components.insert(regions[side].components.end(), is_known ? 1 : 2, c);
+    }
+  }
+
+  Dissolved result;
+  result.kept.assign(components.size(), 1);
+  std::vector<std::uint32_t> into(regions.size());
+  std::iota(into.begin(), into.end(), 0);
+  const auto now = [&](std::uint32_t r) {
+    while (into[r] != r) r = into[r] = into[into[r]];
+    return r;
+  };
+  using Leaf = std::pair<std::uint64_t, std::uint32_t>;  // by its samples
+  std::set<Leaf> leaves;
+  const auto look_at = [&](std::uint32_t r) {
+    Region& region = regions[r];
+    std::erase_if(region.components, [&](std::uint32_t c) { return !result.kept[c]; });
+    if (region.components.size() == 1) leaves.emplace(region.samples, r);
+  };
+  for (std::uint32_t r = 0; r < regions.size(); ++r) look_at(r);
+  while (!leaves.empty()) {
+    const std::uint32_t r = leaves.begin()->second;
+    leaves.erase(leaves.begin());
+    const std::uint32_t c = regions[r].components[0];
+    const ContourComponent& x = components[c];
+    const int side = 1 + std::max({x.hi.i - x.lo.i, x.hi.j - x.lo.j, x.hi.k - x.lo.k});
+    if (!result.kept[c] || !(side < voxels && regions[r].side() < voxels)) continue;
+    const std::uint32_t a = now(sides[c][0]), b = now(sides[c][1]), beyond = a == r ? b : a;
+    result.kept[c] = 0;
+    into[r] = beyond;
+    leaves.erase({regions[beyond].samples, beyond});
+    regions[beyond].add(regions[r]);
+    look_at(beyond);
+  }
+  for (unsigned m = 0; m < 8; ++m) {
+    Index3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = (m >> axis & 1) != 0 ? dims[axis] - 1 : 0;
+    result.corner_inside[m] = regions[now(region_of[number(p)])].inside;
+  }
+  return result;
+}
+
+}  // namespace deliso
