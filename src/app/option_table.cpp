@@ -147,7 +147,8 @@ constexpr OptionSpec kOptions[] = {
     {"--eps", 0, "X", kMeshOnly, "stage 1 of --recover paper: largest h/r (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
     {"--min-component", 0, "N", kMeshAndCheck,
-     "leave out components smaller than N voxels (default 0)",
+     "leave out components smaller than N voxels (default 0); with --cap "
+     "dissolve the regions of inside and outside that they bound",
      [](Line& l, Text o, Text v) { l.options.min_component = v == "0" ? 0 : parse_positive(o, v); },
      "the mesh was made with it"},
     {"--samples", 0, "N", kMeshOnly, "random points to begin with (default 50)",

@@ -13,7 +13,6 @@
 #include "refine/replace_disk.h"
 
 namespace deliso {
-
 namespace {
 
 // How far off a face: as far as that is, in hairs, and nearer where it is refused. A mesh that is
@@ -23,8 +22,8 @@ constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12};
 // Where along an edge.
 constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
 
-// Where the steepest line stays in the face, from so far inside, as a share of the edge, it does
-// not.
+// The steepest line from a face may stay in it; from so far inside, as a share of the edge's
+// length, it does not.
 constexpr double kDeeper = 0x1p-4;
 
 // What is tried for an edge or facet in a face of the box, the next only where the one before has
