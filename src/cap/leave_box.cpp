@@ -17,7 +17,7 @@ namespace {
 
 // How far off a face: as far as that is, in hairs, and nearer where it is refused. A mesh that is
 // embedded stays so when a vertex is moved, if it is by little enough.
-constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12};
+constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24};
 
 // Where along an edge.
 constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
