@@ -8,20 +8,21 @@
 #include <type_traits>
 
 namespace deliso {
-namespace {
 
 bool is_integer(SampleType type) {
   return type != SampleType::f32 && type != SampleType::f64;
 }
 
-}  // namespace
-
 Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins) {
   const double span = range.max - range.min;
-  if (is_integer(volume.type()) && span < bins) bins = static_cast<int>(span) + 1;
   Histogram histogram;
   histogram.range = range;
-  histogram.width = is_integer(volume.type()) ? (span + 1) / bins : span / bins;
+  if (is_integer(volume.type())) {
+    histogram.width = std::ceil((span + 1) / bins);
+    bins = static_cast<int>(std::ceil((span + 1) / histogram.width));
+  } else {
+    histogram.width = span / bins;
+  }
   histogram.counts.assign(static_cast<std::size_t>(bins), 0);
 
   const double per_value = histogram.width > 0 ? 1 / histogram.width : 0;
@@ -29,7 +30,9 @@ Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins
   const std::size_t count = volume.sample_count();
   volume.visit([&](const auto* samples) {
     for (std::size_t n = 0; n < count; ++n) {
-      const double bin = (static_cast<double>(samples[n]) - range.min) * per_value;
+      const auto sample = static_cast<double>(samples[n]);
+      if (sample < range.min || sample > range.max) continue;
+      const double bin = (sample - range.min) * per_value;
       // Neither a range too wide for a double nor a single value may lead out of the bins.
       ++histogram.counts[bin > 0 ? static_cast<std::size_t>(std::min(bin, last)) : 0];
     }
@@ -62,10 +65,6 @@ double otsu_threshold(const Histogram& histogram) {
     if (variance >= best_variance) last_best = b + 1;
   }
   return histogram.range.min + histogram.width * static_cast<double>(first_best + last_best) / 2;
-}
-
-double suggested_isovalue(SampleType type, double threshold) {
-  return is_integer(type) ? std::ceil(threshold) - 0.4 : threshold;
 }
 
 std::string histogram_text(const Histogram& histogram, int rows) {

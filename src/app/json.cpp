@@ -28,23 +28,35 @@ std::size_t utf8_length(std::string_view s) {
 
 }  // namespace
 
-JsonWriter::JsonWriter() : text_("{") {}
+JsonWriter::JsonWriter() {
+  open_bracket('{');
+}
 
 void JsonWriter::open(std::string_view key) {
   begin_member(key);
-  text_ += '{';
-  ++depth_;
-  first_ = true;
+  open_bracket('{');
+}
+
+void JsonWriter::open_list(std::string_view key) {
+  begin_member(key);
+  open_bracket('[');
+}
+
+void JsonWriter::open_item() {
+  DELISO_CHECK(open_.ends_with('['));
+  begin_line();
+  open_bracket('{');
 }
 
 void JsonWriter::close() {
-  DELISO_CHECK(depth_ > 0);
-  --depth_;
+  DELISO_CHECK(!open_.empty());
+  const char closing = open_.back() == '{' ? '}' : ']';
+  open_.pop_back();
   if (!first_) {
     text_ += '\n';
-    text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+    text_.append(2 * open_.size(), ' ');
   }
-  text_ += '}';
+  text_ += closing;
   first_ = false;
 }
 
@@ -76,17 +88,28 @@ void JsonWriter::add(std::string_view key, bool value) {
 }
 
 std::string JsonWriter::finish() {
-  DELISO_CHECK(depth_ == 1);
+  DELISO_CHECK(open_.size() == 1);
   close();
   return std::move(text_) + '\n';
 }
 
-void JsonWriter::begin_member(std::string_view key) {
+void JsonWriter::open_bracket(char bracket) {
+  text_ += bracket;
+  open_ += bracket;
+  first_ = true;
+}
+
+void JsonWriter::begin_line() {
   text_ += first_ ? "\n" : ",\n";
-  text_.append(static_cast<std::size_t>(2 * depth_), ' ');
+  text_.append(2 * open_.size(), ' ');
+  first_ = false;
+}
+
+void JsonWriter::begin_member(std::string_view key) {
+  DELISO_CHECK(open_.ends_with('{'));
+  begin_line();
   append_string(key);
   text_ += ": ";
-  first_ = false;
 }
 
 void JsonWriter::append_number(double value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small writer of JSON (RFC 8259): nested objects, flat arrays, two-space indentation. Keys come
+// A small writer of JSON (RFC 8259): nested objects and lists, two-space indentation. Keys come
 // out in the order they are added, numbers in the shortest form that reads back the same, so equal
 // content gives equal bytes.
 #pragma once
@@ -12,12 +12,18 @@
 
 namespace deliso {
 
+// The version of what the program writes, "schema" in it; docs/report.schema.json says when it
+// rises.
+inline constexpr int kSchema = 1;
+
 class JsonWriter {
  public:
   JsonWriter();
 
-  void open(std::string_view key);  // begins an object within the current one
-  void close();                     // ends it
+  void open(std::string_view key);       // begins an object within the current one
+  void open_list(std::string_view key);  // begins a list of objects there
+  void open_item();                      // begins an object in the current list
+  void close();                          // ends the innermost object or list
 
   void add(std::string_view key, std::string_view value);
   void add(std::string_view key, const char* value) { add(key, std::string_view(value)); }
@@ -30,16 +36,18 @@ class JsonWriter {
   }
 
   // Ends the outermost object and gives the whole text, with a newline at its end.
-  // pre: every open() has had its close().
+  // pre: everything opened has been closed.
   std::string finish();
 
  private:
+  void open_bracket(char bracket);
+  void begin_line();
   void begin_member(std::string_view key);
   void append_number(double value);
   void append_string(std::string_view s);
 
   std::string text_;
-  int depth_ = 1;
+  std::string open_;  // the brackets that are not closed
   bool first_ = true;
 };
 

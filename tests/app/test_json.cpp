@@ -43,6 +43,23 @@ TEST_CASE("objects nest, members are separated, keys keep their order") {
   CHECK(JsonWriter().finish() == "{}\n");
 }
 
+TEST_CASE("lists of objects") {
+  JsonWriter json;
+  json.open_list("none");
+  json.close();
+  json.open_list("some");
+  json.open_item();
+  json.add("a", 1);
+  json.close();
+  json.open_item();
+  json.close();
+  json.close();
+  json.add("b", 2);
+  CHECK(json.finish() ==
+        "{\n  \"none\": [],\n  \"some\": [\n    {\n      \"a\": 1\n    },\n    {}\n  ],\n  \"b\": "
+        "2\n}\n");
+}
+
 TEST_CASE("numbers read back as they were; what JSON has no number for is null") {
   for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
     Random random(seed);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "app/info.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "app/expected_vertices.h"
+#include "app/json.h"
+#include "app/stopwatch.h"
+#include "app/text.h"
+#include "app/topology.h"
+#include "base/append_format.h"
+#include "base/text.h"
+
+namespace deliso {
+namespace {
+
+constexpr int kBins = 256;
+constexpr int kRows = 16;
+constexpr std::size_t kSuggestions = 5;
+// The surface's components are counted where this takes a second or two at most.
+constexpr std::size_t kSamples = std::size_t{1} << 25;
+constexpr double kCrossings = 1 << 22;
+
+Suggestion suggestion_of(const Valley& valley, const Volume& volume, const Options& options) {
+  Suggestion s{valley, expected_vertices(volume, valley.isovalue, options), std::nullopt};
+  if (volume.sample_count() <= kSamples &&
+      estimate_surface(volume, valley.isovalue).crossings <= kCrossings) {
+    s.components = summarize_contour(volume, valley.isovalue).components.size();
+  }
+  return s;
+}
+
+std::string percent(double share) {
+  return rounded(100 * share, 3) + " %";
+}
+
+// "about 71,000 vertices, 24 components"; two digits are more than is known.
+std::string size_text(const Suggestion& s) {
+  const double digit = std::pow(10, std::floor(std::log10(std::max(s.vertices, 10.0))) - 1);
+  const double about = std::round(s.vertices / digit) * digit;
+  std::string text = "about " + grouped(static_cast<std::uint64_t>(about)) + " vertices";
+  if (s.components) text += ", " + counted(*s.components, "component", "components");
+  return text;
+}
+
+std::string suggestions_text(const Info& info) {
+  std::string text;
+  for (const Padding& p : info.padding) {
+    text += (text.empty() ? "padding   " : "          ") + number_text(p.value) + ", " +
+            percent(p.share) + " of the samples: left out of what follows\n";
+  }
+  const char* heading = "try     ";
+  for (const Suggestion& s : info.suggestions) {
+    const Valley& v = s.valley;
+    append_format(text, "%s  --iso %-10s  %s\n", heading, number_text(v.isovalue).c_str(),
+                  size_text(s).c_str());
+    text += "                            parts " + percent(v.below) + " below from " +
+            percent(v.above) + " above";
+    text += info.one_mode ? ", by Otsu's rule: there is one mode\n"
+                          : ", between the modes at " + rounded(v.mode_below) + " and " +
+                                rounded(v.mode_above) + "\n";
+    heading = "        ";
+  }
+  return text;
+}
+
+}  // namespace
+
+Info find_info(const Input& input, const CommandLine& line) {
+  const Volume& volume = input.volume;
+  Info info{input, make_histogram(volume, input.range, kBins), {}, {}, false, 0, {}, 0, {}, 0};
+  const Stopwatch to_suggest;
+  const Modes modes = find_modes(volume, input.range, kSuggestions);
+  info.padding = modes.padding;
+  info.one_mode = modes.by_otsu;
+  for (const Valley& valley : modes.valleys) {
+    info.suggestions.push_back(suggestion_of(valley, volume, line.options));
+  }
+  info.seconds_suggestions = to_suggest.seconds();
+  info.isovalue = line.isovalue;
+  if (line.isovalue) {
+    const Stopwatch watch;
+    info.effective = settled_isovalue(volume, *line.isovalue);
+    info.contour = summarize_contour(volume, info.effective);
+    info.seconds_contour = watch.seconds();
+  }
+  return info;
+}
+
+std::string info_text(const Info& info) {
+  std::string text = input_text(info.input);
+  text += '\n';
+  text += histogram_text(info.histogram, kRows);
+  text += '\n';
+  text += suggestions_text(info);
+  append_format(text, "read      %.3f s, isovalues to try %.3f s\n", info.input.seconds,
+                info.seconds_suggestions);
+  if (info.isovalue) {
+    text += "\nisovalue  " + number_text(*info.isovalue);
+    if (info.effective != *info.isovalue) {
+      text += ", lowered to " + number_text(info.effective) + " as samples or saddles equal it";
+    }
+    text += "\nsurface   " + topology_text(topology_of(info.contour)) + "\n          in " +
+            std::to_string(info.contour.active_voxels) + " voxels";
+    append_format(text, ", found in %.3f s\n", info.seconds_contour);
+  }
+  return text;
+}
+
+std::string info_json(const Info& info) {
+  JsonWriter json;
+  json.add("schema", kSchema);
+  add_input(json, info.input);
+  json.open_list("padding");
+  for (const Padding& p : info.padding) {
+    json.open_item();
+    json.add("value", p.value);
+    json.add("share", p.share);
+    json.close();
+  }
+  json.close();
+  json.open_list("suggestions");
+  for (const Suggestion& s : info.suggestions) {
+    json.open_item();
+    json.add("isovalue", s.valley.isovalue);
+    json.add("rule", info.one_mode ? "otsu" : "valley");
+    json.add("share_below", s.valley.below);
+    json.add("share_above", s.valley.above);
+    if (!info.one_mode) {
+      json.add("mode_below", s.valley.mode_below);
+      json.add("mode_above", s.valley.mode_above);
+    }
+    json.add("expected_vertices", std::round(s.vertices));
+    if (s.components) json.add("components", *s.components);
+    json.close();
+  }
+  json.close();
+  json.add("seconds_read", info.input.seconds);
+  json.add("seconds_suggestions", info.seconds_suggestions);
+  if (info.isovalue) {
+    json.open("surface");
+    json.add("isovalue", *info.isovalue);
+    json.add("isovalue_effective", info.effective);
+    add_topology(json, "topology", topology_of(info.contour));
+    json.add("active_voxels", info.contour.active_voxels);
+    json.add("seconds_contour", info.seconds_contour);
+    json.close();
+  }
+  return json.finish();
+}
+
+}  // namespace deliso

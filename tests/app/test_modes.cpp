@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Mixtures whose modes are known, and what is padding and what is none.
+#include "app/modes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "app/histogram.h"
+#include "base/random.h"
+
+using namespace deliso;
+
+namespace {
+
+template <class T>
+Volume volume_of(const std::vector<T>& samples) {
+  return Volume::from_samples({static_cast<int>(samples.size()), 1, 1}, {1, 1, 1}, samples);
+}
+
+template <class T>
+Modes modes_of(const std::vector<T>& samples, std::size_t most = 9) {
+  const Volume volume = volume_of(samples);
+  return find_modes(volume, value_range(volume), most);
+}
+
+double normal(Random& random) {
+  const double u = 1 - random.uniform();
+  return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * random.uniform());
+}
+
+struct Normal {
+  double mean, deviation, share;
+};
+
+// Two to five, at least seven deviations apart; one may be a hundredth of the largest.
+std::vector<Normal> random_mixture(Random& random) {
+  std::vector<Normal> parts;
+  double at = -1000, total = 0;
+  const std::size_t count = 2 + random.below(4);
+  for (std::size_t n = 0; n < count; ++n) {
+    const double deviation = random.uniform(8, 30);
+    at += (n > 0 ? random.uniform(7, 20) : 0) *
+          std::max(deviation, n > 0 ? parts[n - 1].deviation : 0);
+    parts.push_back({at, deviation, std::exp(random.uniform(std::log(0.03), 0))});
+    total += parts.back().share;
+  }
+  for (Normal& part : parts) part.share /= total;
+  return parts;
+}
+
+template <class T>
+std::vector<T> draw(Random& random, const std::vector<Normal>& parts, std::size_t count) {
+  std::vector<T> samples;
+  for (std::size_t n = 0; n < count; ++n) {
+    double u = random.uniform();
+    std::size_t k = 0;
+    while (k + 1 < parts.size() && u >= parts[k].share) u -= parts[k++].share;
+    const double x = parts[k].mean + parts[k].deviation * normal(random);
+    samples.push_back(static_cast<T>(std::is_integral_v<T> ? std::round(x) : x));
+  }
+  return samples;
+}
+
+template <class T>
+void check_mixture(std::uint64_t seed) {
+  CAPTURE(seed);
+  Random random(seed);
+  const std::vector<Normal> parts = random_mixture(random);
+  std::vector<T> samples = draw<T>(random, parts, 40000);
+  const std::size_t padded = random.below(2) * (samples.size() / 4);
+  samples.insert(samples.end(), padded, static_cast<T>(-3024));
+  // Metal, far away.
+  const std::size_t outliers = random.below(4);
+  for (std::size_t n = 0; n < outliers; ++n) {
+    samples.push_back(static_cast<T>(random.uniform(5000, 30000)));
+  }
+  const Modes modes = modes_of(samples);
+  REQUIRE(modes.padding.size() == (padded > 0));
+  if (padded > 0) {
+    CHECK(modes.padding[0].value == -3024);
+    CHECK(modes.padding[0].share == double(padded) / double(samples.size()));
+  }
+  CHECK(!modes.by_otsu);
+  REQUIRE(modes.valleys.size() == parts.size() - 1);
+  CHECK(std::ranges::is_sorted(modes.valleys, std::greater<>(), &Valley::score));
+  std::vector<Valley> valleys = modes.valleys;
+  std::ranges::sort(valleys, {}, &Valley::isovalue);
+  double below = 0;
+  for (std::size_t n = 0; n < valleys.size(); ++n) {
+    CAPTURE(n);
+    const Valley& v = valleys[n];
+    const Normal &low = parts[n], &high = parts[n + 1];
+    CHECK(v.isovalue > low.mean + 2 * low.deviation);
+    CHECK(v.isovalue < high.mean - 2 * high.deviation);
+    CHECK(std::abs(v.mode_below - low.mean) < low.deviation);
+    CHECK(std::abs(v.mode_above - high.mean) < high.deviation);
+    below += low.share;
+    CHECK(v.below == doctest::Approx(below).epsilon(0.05));
+    CHECK(v.below + v.above == doctest::Approx(1));
+    if (std::is_integral_v<T>) CHECK(v.isovalue != std::floor(v.isovalue));
+  }
+}
+
+// Labels of a slice of a chest: air and padding around a body with lungs, fat and bones, with noise
+// and with the mixed values that voxels at borders have.
+std::vector<std::int16_t> synthetic_chest(double noise) {
+  constexpr int kSide = 96;
+  Random random(7);
+  std::vector<std::int16_t> samples;
+  const auto within = [](double x, double y, double cx, double cy, double rx, double ry) {
+    const double d = 1 - std::hypot((x - cx) / rx, (y - cy) / ry);
+    return std::clamp(d * std::min(rx, ry) + 0.5, 0.0, 1.0);
+  };
+  for (int k = 0; k < kSide; ++k) {
+    for (int j = 0; j < kSide; ++j) {
+      for (int i = 0; i < kSide; ++i) {
+        // Slices differ by parts of a voxel, lest the mixed values repeat.
+        const double x = i - 47.5 + 0.02 * k, y = j - 47.5 + 0.03 * k;
+        if (x * x + y * y > 47.5 * 47.5) {
+          samples.push_back(-2000);
+          continue;
+        }
+        double value = -1000;
+        const auto lay = [&](double what, double share) { value += share * (what - value); };
+        lay(-100, within(x, y, 0, 0, 42, 33));
+        lay(40, within(x, y, 0, 0, 37, 28));
+        lay(-850, within(x, y, -16, -3, 13, 16));
+        lay(-850, within(x, y, 16, -3, 13, 16));
+        lay(random.uniform(300, 1500), within(x, y, 0, 17, 9, 9));
+        samples.push_back(static_cast<std::int16_t>(std::round(value + noise * normal(random))));
+      }
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("the valleys of mixtures of normal distributions, with padding and outliers") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) check_mixture<std::int16_t>(seed);
+  for (std::uint64_t seed = 201; seed <= 300; ++seed) check_mixture<float>(seed);
+  for (std::uint64_t seed = 301; seed <= 400; ++seed) check_mixture<std::int32_t>(seed);
+}
+
+TEST_CASE("one mode is not parted by its noise, nor by a comb") {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Normal part{random.uniform(-500, 500), random.uniform(3, 200), 1};
+    std::vector<std::int16_t> samples =
+        draw<std::int16_t>(random, {part}, 500 + random.below(20000));
+    const int factor = 1 + static_cast<int>(random.below(5));
+    for (auto& s : samples) s = static_cast<std::int16_t>(s * factor);
+    const Modes modes = modes_of(samples);
+    CHECK(modes.padding.empty());
+    CHECK(modes.by_otsu);
+    REQUIRE(modes.valleys.size() == 1);
+    CHECK(modes.valleys[0].below == doctest::Approx(0.5).epsilon(0.3));
+  }
+}
+
+TEST_CASE("a chest: padding is named and parted from nothing, tissues are parted") {
+  for (const double noise : {10.0, 20.0}) {
+    CAPTURE(noise);
+    const Modes modes = modes_of(synthetic_chest(noise));
+    REQUIRE(modes.padding.size() == 1);
+    CHECK(modes.padding[0].value == -2000);
+    CHECK(modes.padding[0].share == doctest::Approx(0.23).epsilon(0.05));
+    const auto parts = [&](double low, double high) {
+      return std::ranges::any_of(modes.valleys, [&](const Valley& v) {
+        return v.isovalue > low + 30 && v.isovalue < high - 30 &&
+               std::abs(v.mode_below - low) < 15 && std::abs(v.mode_above - high) < 15;
+      });
+    };
+    CHECK(parts(-1000, -850));
+    CHECK(parts(-850, -100));
+    CHECK(parts(-100, 40));
+    CHECK(std::ranges::any_of(modes.valleys,
+                              [](const Valley& v) { return v.isovalue > 80 && v.isovalue < 520; }));
+    for (const Valley& v : modes.valleys) CHECK(v.isovalue > -1000);
+  }
+}
+
+TEST_CASE("what is padding, at either end and at both") {
+  Random random(3);
+  const std::vector<Normal> parts{{100, 10, 0.5}, {300, 20, 0.5}};
+  const auto padded = [&](std::vector<double> values) {
+    std::vector<double> samples = draw<double>(random, parts, 20000);
+    for (const double v : values) samples.insert(samples.end(), 5000, v);
+    return modes_of(samples);
+  };
+  const double largest = std::numeric_limits<double>::max();
+  for (const std::vector<double>& values : {std::vector<double>{},
+                                            {-2000},
+                                            {-32768},
+                                            {65535},
+                                            {1e20},
+                                            {-2000, -1024},
+                                            {-3024, 65535},
+                                            {-1e20, 1e20},
+                                            {-largest, largest}}) {
+    CAPTURE(values);
+    const Modes modes = padded(values);
+    REQUIRE(modes.padding.size() == values.size());
+    std::vector<double> found;
+    for (const Padding& p : modes.padding) found.push_back(p.value);
+    std::ranges::sort(found);
+    std::vector<double> expected = values;
+    std::ranges::sort(expected);
+    CHECK(found == expected);
+    REQUIRE(modes.valleys.size() == 1);
+    CHECK(modes.valleys[0].isovalue > 130);
+    CHECK(modes.valleys[0].isovalue < 240);
+    CHECK(modes.valleys[0].below == doctest::Approx(0.5).epsilon(0.05));
+  }
+}
+
+TEST_CASE("what is no padding: masks, labels, a background next to the rest, few samples") {
+  const auto repeated = [](std::vector<std::uint8_t> values, std::size_t times) {
+    std::vector<std::uint8_t> samples;
+    for (const std::uint8_t v : values) samples.insert(samples.end(), times, v);
+    return samples;
+  };
+  for (const auto& mask : {repeated({0, 1}, 500), repeated({0, 255}, 500)}) {
+    const Modes modes = modes_of(mask);
+    CHECK(modes.padding.empty());
+    REQUIRE(modes.valleys.size() == 1);
+    CHECK(modes.valleys[0].below == 0.5);
+    CHECK(modes.valleys[0].above == 0.5);
+  }
+  const Modes labels = modes_of(repeated({0, 50, 100, 200}, 500));
+  CHECK(labels.padding.empty());
+  CHECK(labels.valleys.size() == 3);
+  std::vector<std::uint8_t> ramp = repeated({0}, 100000);
+  for (int v = 1; v < 256; ++v) ramp.insert(ramp.end(), 100, static_cast<std::uint8_t>(v));
+  CHECK(modes_of(ramp).padding.empty());
+  Random random(5);
+  std::vector<std::int16_t> stray = draw<std::int16_t>(random, {{100, 10, 1}}, 20000);
+  stray.insert(stray.end(), 50, -2000);
+  CHECK(modes_of(stray).padding.empty());
+}
+
+TEST_CASE("single values and the widest range of doubles do no harm") {
+  const double largest = std::numeric_limits<double>::max();
+  CHECK(modes_of(std::vector<double>{3, 3, 3}).valleys.empty());
+  for (const std::vector<double>& samples :
+       {std::vector<double>{-largest, largest}, {0, largest}, {0, 5e-324}, {1, 2, 3}, {1, 1e300}}) {
+    const Modes modes = modes_of(samples);
+    for (const Valley& v : modes.valleys) {
+      CHECK(std::isfinite(v.isovalue));
+      CHECK(v.isovalue > samples.front());
+      CHECK(v.isovalue <= samples.back());
+    }
+  }
+}
+
+TEST_CASE("the best ones stay where only some are asked for") {
+  Random random(11);
+  const auto samples = draw<float>(
+      random, {{0, 1, 0.2}, {10, 1, 0.2}, {20, 1, 0.2}, {30, 1, 0.2}, {40, 1, 0.2}}, 50000);
+  const Modes all = modes_of(samples), some = modes_of(samples, 2);
+  REQUIRE(all.valleys.size() == 4);
+  REQUIRE(some.valleys.size() == 2);
+  CHECK(some.valleys[0].isovalue == all.valleys[0].isovalue);
+  CHECK(some.valleys[1].isovalue == all.valleys[1].isovalue);
+}
