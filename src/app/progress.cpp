@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
-#include <string_view>
+#include <utility>
+
+#include "base/append_format.h"
 
 namespace deliso {
 namespace {
@@ -22,24 +25,107 @@ bool can_redraw() {
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
+int terminal_columns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+// "0:07", "1:02:03".
+std::string time_text(double seconds) {
+  const auto all = static_cast<unsigned long>(std::max(0.0, seconds));
+  std::string text;
+  if (all >= 3600) {
+    append_format(text, "%lu:%02lu:%02lu", all / 3600, all / 60 % 60, all % 60);
+  } else {
+    append_format(text, "%lu:%02lu", all / 60, all % 60);
+  }
+  return text;
+}
+
 }  // namespace
 
-Progress::Progress(bool wanted)
-    : visible_(wanted && can_redraw()), coloured_(!is_set("NO_COLOR")), last_(Clock::now()) {}
+std::vector<StageCost> mesh_stages(const CommandLine& line) {
+  const Options& options = line.options;
+  const bool certified = options.recover == RecoverWay::certified;
+  std::vector<StageCost> stages{{"reading", 1}};
+  const auto add = [&](bool is_run, std::string_view stage, double cost) {
+    if (is_run) stages.push_back({stage, cost});
+  };
+  const bool cubes = options.method == Method::marching_cubes;
+  add(cubes, "cubes", 20);
+  add(!cubes, "contour", 4);
+  add(!cubes && certified, "cutting", 4);
+  add(!cubes && certified, "labels", 6);
+  add(!cubes && !certified, "initial", 3);
+  add(!cubes, "recover", certified ? 20 : 32);
+  add(!cubes && options.epsilon2 < Options::kNone, "poles", 2);
+  add(!cubes && !options.stop_after_recover, "refine", 45);
+  add(options.cap, "cap", 3);
+  const bool examined = !line.quiet || line.check || !line.json.empty();
+  add(examined, "check", line.check ? 150 : 18);
+  add(!line.output.empty(), "writing", 1);
+  return stages;
+}
 
-void Progress::show(const char* stage, double share) {
+ProgressModel::ProgressModel(std::vector<StageCost> stages) : stages_(std::move(stages)) {
+  for (const StageCost& stage : stages_) total_ += stage.cost;
+}
+
+double ProgressModel::at(std::string_view stage, double share) {
+  double before = 0;
+  for (const StageCost& s : stages_) {
+    if (s.stage == stage) {
+      // Of a share that is no number nothing is done.
+      const double done = share > 0 ? std::min(share, 1.0) : 0;
+      reached_ = std::max(reached_, std::min(1.0, (before + s.cost * done) / total_));
+      break;
+    }
+    before += s.cost;
+  }
+  return reached_;
+}
+
+std::string progress_line(std::string_view stage, double share, double seconds, int columns,
+                          bool coloured) {
+  constexpr int kWidest = 30, kNarrowest = 5;
+  const double done = std::clamp(share, 0.0, 1.0);
+  std::string text;
+  // Rounded down: 100 % is the end.
+  append_format(text, "%3.0f %%  %-8s %s", std::floor(100 * done), std::string(stage).c_str(),
+                time_text(seconds).c_str());
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
+  constexpr std::string_view kBefore = "meshing  [", kAfter = "] ";
+  const int width = std::min(
+      kWidest, columns - 1 - static_cast<int>(kBefore.size() + kAfter.size() + text.size()));
+  if (width < kNarrowest) return text.substr(0, room);
+  const auto full = static_cast<std::size_t>(done * width);
+  std::string line(kBefore);
+  if (coloured) line += "\033[32m";
+  line.append(full, '#');
+  if (coloured) line += "\033[0m";
+  line.append(static_cast<std::size_t>(width) - full, '.');
+  return line.append(kAfter) + text;
+}
+
+Progress::Progress(std::vector<StageCost> stages, bool wanted)
+    : model_(std::move(stages)),
+      visible_(wanted && can_redraw()),
+      coloured_(!is_set("NO_COLOR")),
+      start_(Clock::now()),
+      last_(start_) {}
+
+void Progress::show(std::string_view stage, double share) {
   if (!visible_) return;
+  const double of_all = model_.at(stage, share);
   const Clock::time_point now = Clock::now();
-  if (now - last_ < std::chrono::milliseconds(100)) return;
+  if (stage == stage_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
-
-  constexpr int kWidth = 30;
-  const int done = static_cast<int>(std::clamp(share, 0.0, 1.0) * kWidth);
-  const std::string full(static_cast<std::size_t>(done), '#');
-  const std::string rest(static_cast<std::size_t>(kWidth - done), '.');
-  std::fprintf(stderr, "\r\033[K%-12s [%s%s%s%s] %3.0f %%", stage, coloured_ ? "\033[32m" : "",
-               full.c_str(), coloured_ ? "\033[0m" : "", rest.c_str(),
-               100 * std::clamp(share, 0.0, 1.0));
+  stage_ = stage;
+  const std::string line =
+      progress_line(stage, of_all, std::chrono::duration<double>(now - start_).count(),
+                    terminal_columns(), coloured_);
+  std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -109,7 +109,10 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
 
 int run_mesh(const CommandLine& line) {
   const Stopwatch total;
+  Progress progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
   const Input input = read_input(line);
+  progress.clear();
   const Volume& volume = input.volume;
   const double isovalue = *line.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
@@ -117,25 +120,24 @@ int run_mesh(const CommandLine& line) {
   warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
   MeshRun run(line, input);
 
-  TriMesh mesh;
-  {
-    Progress progress(!line.quiet);
-    Options options = line.options;
-    options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
-    mesh = mesh_isosurface(volume, isovalue, options, run.report);
-  }
+  Options options = line.options;
+  options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
+  const TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
   if (mesh.faces.empty() && !line.allow_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");
   }
 
+  progress.show("check", 0);
   const Stopwatch watch;
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
   const TriMesh surface = surface_of(volume, mesh, run);
   if (!line.quiet || line.check || !line.json.empty()) examine(volume, mesh, surface, run);
   run.seconds_check = watch.seconds();
+  progress.show("writing", 0);
   write_results(mesh, volume, run);
+  progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();
 

@@ -9,6 +9,7 @@
 #include "recover/recover_certified.h"
 #include "recover/recover_paper.h"
 #include "refine/refine.h"
+#include "surface/stage_progress.h"
 
 namespace deliso {
 
@@ -18,10 +19,13 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const StepTimer total(report.seconds_total);
   Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
+  const auto begin = [&](const char* stage) { StageProgress(options.progress, stage); };
   if (options.method == Method::marching_cubes) {
+    begin("cubes");
     report.kappa_effective = settled_isovalue(volume, kappa);
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
     if (options.cap) {
+      begin("cap");
       const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
       const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
       SurfaceMesh s{std::move(cubes), {}, {}, {}};
@@ -34,6 +38,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     return cubes;
   }
   report.kappa_effective = kappa;
+  begin("contour");
   ContourMesh contour = timed(report.seconds_contour, [&] {
     return build_settled_contour(volume, report.kappa_effective);
   });
@@ -55,6 +60,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
   if (options.cap) {
+    begin("cap");
     close_on_box(s.mesh, surface, s.curves, inside, parameters, report);
   }
   s.mesh.mesh.frame = volume.frame();

@@ -63,7 +63,8 @@ struct Options {
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
   bool keep_partial = false;
 
-  // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
+  // Called when a stage begins (contour, cutting, labels, recover, ...) and now and then, with its
+  // name and the share of it that is done, in [0, 1], which never falls; may be empty.
   std::function<void(const char* stage, double share)> progress;
   Profile* profile = nullptr;  // surface/profile.h: filled when given
 

@@ -19,10 +19,15 @@
 #include "recover/poles.h"
 #include "recover/sample.h"
 #include "surface/box_grid.h"
+#include "surface/stage_progress.h"
 #include "surface/surface_point.h"
 
 namespace deliso {
 namespace {
+
+// A round of sites for the certificate and then for fingers and the rest takes so much of the time
+// that is left, and the certificate so much of the round: typical of the paper's volumes.
+constexpr double kRound = 0.4, kCertificate = 0.6;
 
 class CertifiedRecovery {
  public:
@@ -32,6 +37,7 @@ class CertifiedRecovery {
         finder_(surface),
         contour_(contour),
         parameters_(parameters),
+        progress_(parameters.progress, "recover"),
         report_(report),
         triangulation_(std::move(initial.triangulation)),
         chain_(std::move(initial.chain)),
@@ -84,6 +90,7 @@ class CertifiedRecovery {
   SurfacePointFinder finder_;
   ContourMesh& contour_;
   const Parameters& parameters_;
+  StageProgress progress_;
   Report& report_;
   Triangulation triangulation_;
   BoundaryChain chain_;
@@ -113,7 +120,9 @@ class CertifiedRecovery {
 SurfaceMesh CertifiedRecovery::run() {
   const StepTimer timer(report_.seconds_recover);
   do {
+    progress_.begin_part_of_rest(kRound * kCertificate);
     satisfy_certificate();
+    progress_.begin_part_of_rest(kRound * (1 - kCertificate));
   } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0 || turn_out() > 0);
   for (const std::uint8_t state : unready_) {
     report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
@@ -220,13 +229,8 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
 }
 
 void CertifiedRecovery::satisfy_certificate() {
-  constexpr std::size_t kEvery = 1024;
-  for (std::size_t done = 1; !queue_.empty(); ++done) {
-    if (parameters_.progress && done % kEvery == 0) {
-      const double left = static_cast<double>(queue_.size());
-      parameters_.progress("recover",
-                           static_cast<double>(done) / (static_cast<double>(done) + left));
-    }
+  while (!queue_.empty()) {
+    progress_.step(queue_.size());
     const VertexId s = queue_.front();
     queue_.pop_front();
     queued_[s] = 0;
@@ -373,10 +377,12 @@ Dual CertifiedRecovery::dual_of(const Triangle& sites) {
 Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
                             const Parameters& parameters, Report& report) {
   std::optional<StepTimer> timer(report.seconds_contour);
+  StageProgress(parameters.progress, "cutting");
   ContourMesh contour = fine_contour(std::move(plain), surface.volume(), surface.kappa(), report);
   order_by_blocks(contour, surface.volume());
   BoundaryCurves curves = boundary_curves(surface, contour);
   timer.emplace(report.seconds_labels);
+  StageProgress(parameters.progress, "labels");
   CertifiedRecovery recovery(surface, contour,
                              init_sites(contour, curves, surface.volume(), parameters, report),
                              parameters, report);

@@ -23,6 +23,9 @@ constexpr double kFloor = 0.01;
 // A hit is real only if no vertex lies deeper in its ball than rounding explains.
 constexpr double kBallTolerance = 0.999;
 
+// What the topology and ApproximateGeom take of Recover's time; in one stage, of all that follows.
+constexpr double kTopology = 0.1, kGeometry = 0.8, kRefinement = 0.9;
+
 }  // namespace
 
 Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
@@ -39,12 +42,18 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
 }
 
 void Recovery::recover() {
+  begin("recover");
+  const bool has_geometry = std::isfinite(parameters_.recovery.h_over_r);
+  begin_part(0.5 * (has_geometry ? kTopology : 1));
   protect_boundary();
   multi_intersect();
+  begin_part(0.5 * (has_geometry ? kTopology : 1));
   extract_manifold();
-  if (!std::isfinite(parameters_.recovery.h_over_r)) return;
+  if (!has_geometry) return;
   std::vector<double> no_poles;
+  begin_part(kGeometry);
   approximate_geom(parameters_.recovery, no_poles);
+  begin_part(1 - kTopology - kGeometry);
   extract_manifold();
 }
 
@@ -192,6 +201,7 @@ void Recovery::multi_intersect() {
   }
   const Triangulation& t = restricted_.triangulation();
   while (!queue.empty()) {
+    show_progress(queue.size());
     const auto [r, generation] = queue.front();
     queue.pop_front();
     if (!restricted_.is_live(r) || restricted_.generation(r) != generation) continue;
@@ -231,6 +241,7 @@ void Recovery::extract_manifold() {
   const Triangulation& t = restricted_.triangulation();
   Profile* const profile = restricted_.profile();
   while (!vertex_queue_.empty()) {
+    show_progress(vertex_queue_.size());
     const VertexId q = vertex_queue_.front();
     vertex_queue_.pop_front();
     vertex_queued_[q] = 0;
@@ -289,6 +300,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
   while (!queue.empty()) {
+    show_progress(queue.size());
     const Item item = queue.top();
     queue.pop();
     const RecordId r = item.record;
@@ -338,6 +350,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report) {
   BoundaryCurves curves = boundary_curves(surface, contour);
   std::optional<StepTimer> timer(report.seconds_init);
+  StageProgress(parameters.progress, "initial");
   InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);
   timer.emplace(report.seconds_recover);
   RestrictedDelaunay restricted(surface, std::move(initial.triangulation), parameters.r_min, report,
@@ -350,11 +363,15 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
       report.points_recovered - std::min(report.points_recovered, report.points_initial);
 
   timer.reset();
+  if (parameters.asks_for_poles()) StageProgress(parameters.progress, "poles");
   std::vector<double> poles;
   if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report, parameters.pole_side);
   timer.emplace(report.seconds_refine);
   if (single_stage) {
+    recovery.begin("refine");
+    recovery.begin_part(kRefinement);
     recovery.approximate_geom(parameters.refinement, poles);
+    recovery.begin_part(1 - kRefinement);
     recovery.extract_manifold();
     if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
   }

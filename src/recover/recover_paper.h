@@ -13,6 +13,7 @@
 
 #include "recover/recovered.h"
 #include "recover/restricted.h"
+#include "surface/stage_progress.h"
 
 namespace deliso {
 
@@ -25,6 +26,9 @@ class Recovery {
 
   // Figure 5.
   void recover();
+  // What follows is a part of the stage called so, and takes that share of its time.
+  void begin(const char* stage) { progress_.emplace(parameters_.progress, stage); }
+  void begin_part(double width) { progress_->begin_part(width); }
 
   // Splits edges of the boundary chain until none has a vertex in its diametral ball.
   void protect_boundary();
@@ -55,12 +59,16 @@ class Recovery {
   // The mean pole height over v's neighbours in Del S|Sigma, appended to poles.
   void estimate_pole(VertexId v, std::vector<double>& poles);
   void queue_vertex(VertexId v);
+  void show_progress(std::size_t queued) {
+    if (progress_) progress_->step(queued);
+  }
   void check_room() const;
 
   RestrictedDelaunay& restricted_;
   const BoundaryCurves& curves_;
   BoundaryChain& chain_;
   const Parameters& parameters_;
+  std::optional<StageProgress> progress_;
   Report& report_;
   double floor_;  // no ball and no boundary edge smaller than this is worked on
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// The bar's shares and lines, whatever it is told; what the stages tell.
+#include "app/progress.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "base/random.h"
+#include "deliso/deliso.h"
+#include "surface/stage_progress.h"
+#include "volume/builtin_fields.h"
+
+using namespace deliso;
+
+namespace {
+
+CommandLine command_line(std::vector<std::string_view> more) {
+  std::vector<std::string_view> arguments{"builtin:fuel:24", "-o", "mesh.ply"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return parse_command_line(arguments);
+}
+
+// Columns that a line takes: without what sets colours.
+std::size_t width_of(std::string line) {
+  for (const std::string_view colour : {"\033[32m", "\033[0m"}) {
+    const std::size_t at = line.find(colour);
+    if (at != std::string::npos) line.erase(at, colour.size());
+  }
+  return line.size();
+}
+
+}  // namespace
+
+TEST_CASE("the bar never goes back, whatever it is told") {
+  const std::vector<StageCost> stages = mesh_stages(command_line({}));
+  REQUIRE(stages.size() > 5);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    ProgressModel model(stages);
+    double last = 0;
+    for (int n = 0; n < 200; ++n) {
+      const std::size_t stage = random.below(static_cast<std::uint32_t>(stages.size() + 1));
+      const double shares[] = {random.uniform(), random.uniform(-2, 3), kNan, 0, 1};
+      const double at = model.at(stage < stages.size() ? stages[stage].stage : "no such stage",
+                                 shares[random.below(5)]);
+      REQUIRE(at >= last);
+      REQUIRE(at <= 1);
+      last = at;
+    }
+  }
+}
+
+TEST_CASE("from 0 to 100 % in order, and not there before the last stage ends") {
+  for (const std::vector<std::string_view>& more :
+       std::vector<std::vector<std::string_view>>{{},
+                                                  {"--paper"},
+                                                  {"--check"},
+                                                  {"--cap", "-q"},
+                                                  {"--method", "marching-cubes"},
+                                                  {"--stop-after", "recover"}}) {
+    const std::vector<StageCost> stages = mesh_stages(command_line(more));
+    ProgressModel model(stages);
+    CHECK(model.at(stages.front().stage, 0) == 0);
+    for (const StageCost& s : stages) {
+      const double begin = model.at(s.stage, 0);
+      CHECK(begin < 1);
+      CHECK(model.at(s.stage, 1) > begin);
+    }
+    CHECK(model.at(stages.back().stage, 1) == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("a stage tells shares that do not fall, within its parts") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    double last = 0;
+    int told = 0;
+    const StageProgress::Callback callback = [&](const char*, double share) {
+      REQUIRE(share >= last);
+      REQUIRE(share <= 1);
+      last = share;
+      ++told;
+    };
+    StageProgress progress(callback, "stage");
+    for (int n = 0; n < 20; ++n) {
+      random.below(2) == 0 ? progress.begin_part(random.uniform(0, 0.4))
+                           : progress.begin_part_of_rest(random.uniform());
+      for (std::uint32_t steps = random.below(5000); steps > 0; --steps) {
+        progress.step(random.below(100000));
+      }
+      progress.reach(random.uniform(-1, 2));
+    }
+    CHECK(told > 20);
+  }
+}
+
+TEST_CASE("the program knows every stage that a run tells of") {
+  for (const std::vector<std::string_view>& more :
+       std::vector<std::vector<std::string_view>>{{},
+                                                  {"--paper"},
+                                                  {"--cap"},
+                                                  {"--single-stage", "--recover", "paper"},
+                                                  {"--method", "marching-cubes"},
+                                                  {"--vertices", "500"},
+                                                  {"--stop-after", "recover"}}) {
+    CommandLine line = command_line(more);
+    std::map<std::string, double> last;
+    std::vector<std::string> order;
+    line.options.progress = [&](const char* stage, double share) {
+      if (!last.contains(stage)) order.push_back(stage);
+      CHECK(share >= last[stage]);
+      last[stage] = share;
+    };
+    const Volume volume = make_builtin_volume("builtin:fuel:24");
+    Report report;
+    mesh_isosurface(volume, 0.3, line.options, report);
+    std::vector<std::string> known;
+    for (const StageCost& s : mesh_stages(line)) {
+      if (s.stage != "reading" && s.stage != "check" && s.stage != "writing") {
+        known.emplace_back(s.stage);
+      }
+    }
+    CHECK(order == known);
+  }
+}
+
+TEST_CASE("no line is as wide as the terminal") {
+  for (int columns = 0; columns <= 120; ++columns) {
+    CAPTURE(columns);
+    for (const double seconds : {0.0, 7.9, 65.0, 3723.0, 1e6}) {
+      for (const double share : {0.0, 0.5, 1.0}) {
+        const std::string line = progress_line("recover", share, seconds, columns, true);
+        CHECK(width_of(line) <= static_cast<std::size_t>(std::max(0, columns - 1)));
+        CHECK(progress_line("recover", share, seconds, columns, false).find('\033') ==
+              std::string::npos);
+      }
+    }
+  }
+}
+
+TEST_CASE("what a line says") {
+  CHECK(progress_line("recover", 0.42, 7.9, 80, false) ==
+        "meshing  [############..................]  42 %  recover  0:07");
+  CHECK(progress_line("recover", 0.42, 7.9, 45, false) ==
+        "meshing  [#####.......]  42 %  recover  0:07");
+  CHECK(progress_line("recover", 0.42, 7.9, 30, false) == " 42 %  recover  0:07");
+  CHECK(progress_line("recover", 0.42, 7.9, 10, false) == " 42 %  re");
+  CHECK(progress_line("refine", 0.999, 3723, 80, false).find(" 99 %  refine   1:02:03") !=
+        std::string::npos);
+  CHECK(progress_line("writing", 1, 0, 80, true).find("\033[32m##############################") !=
+        std::string::npos);
+}
