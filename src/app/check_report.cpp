@@ -251,14 +251,15 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
     if (v.faults.count(kind) == 0) continue;
     json.open(name_of(kind));
     json.add("count", v.faults.count(kind));
-    std::size_t number = 0;
+    json.open_list("first");
     for (const Fault& fault : v.faults.first(kind)) {
       const Vec3 at = volume.frame().to_world(fault.at);
-      json.open(std::to_string(++number));
+      json.open_item();
       json.add("what", fault.what);
       json.add("at", {at.x, at.y, at.z});
       json.close();
     }
+    json.close();
     json.close();
   }
   json.close();

@@ -110,8 +110,7 @@ std::string info_text(const Info& info) {
 }
 
 std::string info_json(const Info& info) {
-  JsonWriter json;
-  json.add("schema", kSchema);
+  JsonWriter json("info");
   add_input(json, info.input);
   json.open_list("padding");
   for (const Padding& p : info.padding) {

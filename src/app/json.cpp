@@ -6,6 +6,7 @@
 
 #include "app/text.h"
 #include "base/check.h"
+#include "base/version.h"
 
 namespace deliso {
 namespace {
@@ -30,6 +31,12 @@ std::size_t utf8_length(std::string_view s) {
 
 JsonWriter::JsonWriter() {
   open_bracket('{');
+}
+
+JsonWriter::JsonWriter(std::string_view command) : JsonWriter() {
+  add("schema", kSchema);
+  add("command", command);
+  add("version", kVersion);
 }
 
 void JsonWriter::open(std::string_view key) {

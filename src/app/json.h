@@ -12,13 +12,14 @@
 
 namespace deliso {
 
-// The version of what the program writes, "schema" in it; docs/report.schema.json says when it
-// rises.
+// The version of what the commands write; docs/report.schema.json says when it rises.
 inline constexpr int kSchema = 1;
 
 class JsonWriter {
  public:
   JsonWriter();
+  // What a command writes: begins with "schema", "command" and "version".
+  explicit JsonWriter(std::string_view command);
 
   void open(std::string_view key);       // begins an object within the current one
   void open_list(std::string_view key);  // begins a list of objects there

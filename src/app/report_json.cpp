@@ -4,7 +4,6 @@
 #include "app/mesh_run.h"
 #include "app/solid.h"
 #include "app/text.h"
-#include "base/version.h"
 
 namespace deliso {
 namespace {
@@ -83,8 +82,7 @@ void add_quality(JsonWriter& json, const MeshQuality& quality) {
 
 std::string report_json(const MeshRun& run) {
   const Report& report = run.report;
-  JsonWriter json;
-  json.add("version", kVersion);
+  JsonWriter json("mesh");
   add_input(json, run.input);
   json.add("isovalue", *run.line.isovalue);
   json.add("isovalue_effective", report.kappa_effective);

@@ -24,7 +24,7 @@ int run_check(const CommandLine& line) {
       verify(mesh, volume, settled_isovalue(volume, *line.isovalue), options);
 
   if (!line.json.empty()) {
-    JsonWriter json;
+    JsonWriter json("check");
     json.add("mesh", line.meshes.front());
     json.add("criteria_of_file", noted.has_value());
     add_input(json, input);
