@@ -75,7 +75,8 @@ TriMesh surface_of(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
 }
 
 // Counts, checks and measures the mesh, and sets the exact contour beside it.
-void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, MeshRun& run) {
+void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, Progress& progress,
+             MeshRun& run) {
   if (run.line.options.cap) {
     const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
     run.cap_quality = measure_quality(caps, run.line.options.lambda, 0);
@@ -89,6 +90,7 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
     if (by_count(run.line.options)) options.limits.max_distance = run.report.max_distance;
     // Marching Cubes promises no Delaunay triangles.
     if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
+    options.progress = [&](double share) { progress.show("check", share); };
     run.verification = verify(mesh, volume, run.report.kappa_effective, options);
   }
 }
@@ -133,7 +135,8 @@ int run_mesh(const CommandLine& line) {
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
   const TriMesh surface = surface_of(volume, mesh, run);
-  if (!line.quiet || line.check || !line.json.empty()) examine(volume, mesh, surface, run);
+  if (!line.quiet || line.check || !line.json.empty())
+    examine(volume, mesh, surface, progress, run);
   run.seconds_check = watch.seconds();
   progress.show("writing", 0);
   write_results(mesh, volume, run);
