@@ -17,6 +17,7 @@ namespace deliso {
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options,
                         Report& report) {
   const StepTimer total(report.seconds_total);
+  require_limits(options, volume);
   Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
   const auto begin = [&](const char* stage) { StageProgress(options.progress, stage); };

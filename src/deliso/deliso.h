@@ -10,10 +10,10 @@
 namespace deliso {
 
 // The mesh of {g = kappa}, in the scaled frame, with the frame of the volume, facets
-// counter-clockwise seen from g < kappa.
-// Empty where no voxel holds the isovalue. With options.cap the caps follow the surface, from
-// report.cap.surface_triangles on, and it may be a whole box of them. Throws InputError when
-// --max-vertices is passed. pre: all samples are finite (value_range() has been asked).
+// counter-clockwise seen from g < kappa. Empty where no voxel holds the isovalue. With options.cap
+// the caps follow the surface, from report.cap.surface_triangles on, and it may be a whole box of
+// them. Throws InputError beyond the limits of options.h, and when --max-vertices is passed. pre:
+// all samples are finite (value_range() has been asked).
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
 
 }  // namespace deliso

@@ -42,13 +42,6 @@ void require_limits(const Options& o, const Volume& volume) {
   if (o.samples > kMostSamples) {
     throw InputError(text("--samples is ", o.samples, ", and must be at most ", kMostSamples));
   }
-  const Vec3 s = volume.spacing();
-  const double ratio = std::max({s.x, s.y, s.z}) / std::min({s.x, s.y, s.z});
-  if (!(ratio <= kLargestRatio)) {
-    throw InputError(text("the longest side of a voxel is ", ratio,
-                          " times the shortest, and must be at most ", kLargestRatio,
-                          " times: resample the volume"));
-  }
 }
 
 Options Options::paper() {
@@ -63,7 +56,6 @@ Options Options::paper() {
 
 Parameters resolve(const Options& o, const Volume& volume) {
   const double voxel = voxel_of(volume), r_min = o.r_min.in(volume);
-  require_limits(o, volume);
   Parameters p{};
   p.voxel = voxel;
   p.r_min = r_min;

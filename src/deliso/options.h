@@ -76,12 +76,11 @@ struct Options {
 // (docs/what-is-proven.md, "What ends, and why").
 inline constexpr double kSmallestRMin = 0.001;           // voxels
 inline constexpr std::size_t kMostSamples = 10'000'000;  // N0
-inline constexpr double kLargestRatio = 10'000;          // of the sides of a voxel
 
 // Throws InputError beyond them, and for a lambda below 1.
 void require_limits(const Options& options, const Volume& volume);
 
-// All lengths in the scaled frame of the volume. Throws as require_limits.
+// All lengths in the scaled frame of the volume.
 Parameters resolve(const Options& options, const Volume& volume);
 
 }  // namespace deliso
