@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "delaunay/predicates.h"
+
 namespace deliso {
 
 double bring_home(TriMesh& mesh, const Frame& at) {
@@ -26,6 +28,12 @@ double bring_home(TriMesh& mesh, const Frame& at) {
       continue;  // the frames are the same, to the last bit
     }
     p = {dot(to_x, q), dot(to_y, q), dot(to_z, q)};
+  }
+  // What the predicates cannot take as it is far below all rounding.
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(p[axis]) < kSmallestCoordinate) p[axis] = 0;
+    }
   }
   if (at.left_handed()) {
     for (Face& face : mesh.faces) std::swap(face.v[1], face.v[2]);

@@ -9,6 +9,7 @@ namespace deliso {
 
 // Takes the mesh from the world to the volume's scaled frame, in place, and tells how far a vertex
 // may have been moved by rounding: to float where all coordinates are floats, else to double.
+// Coordinates too small for the predicates become 0.
 double bring_home(TriMesh& mesh, const Frame& at);
 
 }  // namespace deliso

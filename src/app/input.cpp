@@ -62,6 +62,13 @@ std::string input_text(const Input& input) {
             (at.left_handed() ? ", left-handed" : "") + ", space " +
             std::string(name_of(at.space)) + "\n";
   }
+  std::string arrays;
+  for (const NamedArray& array : input.log.arrays) {
+    arrays += (arrays.empty() ? "          arrays " : ", ") + array.name + " (" + array.type;
+    if (array.components != 1) arrays += " x " + std::to_string(array.components);
+    arrays += array.read ? ", read)" : ")";
+  }
+  if (!arrays.empty()) text += one_line(arrays) + "\n";
   for (const std::string& note : input.log.notes) text += "          " + note + "\n";
   return text;
 }
@@ -81,6 +88,15 @@ void add_input(JsonWriter& json, const Input& input) {
   add_vector(json, "axis_z", at.axes[2]);
   json.add("space", name_of(at.space));
   json.add("range", {input.range.min, input.range.max});
+  if (!input.log.arrays.empty()) json.open("arrays");
+  for (const NamedArray& array : input.log.arrays) {
+    json.open(array.name);
+    json.add("type", array.type);
+    json.add("components", array.components);
+    json.add("read", array.read);
+    json.close();
+  }
+  if (!input.log.arrays.empty()) json.close();
   json.close();
 }
 

@@ -103,6 +103,10 @@ constexpr OptionSpec kOptions[] = {
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
      "only these samples; the ones at X1, Y1, Z1 are left out",
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
+    {"--array", 0, "NAME", kVolume,
+     "which array of a VTK file (default: the one that it calls active, or the first that can be "
+     "meshed; the info command lists them)",
+     [](Line& l, Text, Text v) { l.read.array = v; }},
 
     {"--max-distance", 0, "D|Dvox", kMeshAndCheck,
      "no triangle further than D from the surface at its circumcenter, and no point of the surface "

@@ -8,7 +8,8 @@
 //       ("strongly nonoverlapping"), so the last term has the sign of the sum;
 //   X2  no term is zero; the empty expansion is 0;
 //   X3  the bound N on the number of terms is part of the type and follows from the operation:
-//       a sum of M and N terms has at most M + N, a product by a double at most 2 N.
+//       a sum of M and N terms appends at most M + N, a product by a double at most 2 N, by their
+//       loops alone, NaN and infinities included.
 #pragma once
 
 #include <array>
@@ -97,7 +98,7 @@ class Expansion {
   // Appends the next larger term; drops zeros (X2).
   void append(double term) {
     if (term == 0) return;
-    DELISO_ASSERT(size_ < N);
+    DELISO_CHECK(size_ < N);
     term_[size_++] = term;
   }
 
@@ -123,8 +124,9 @@ Expansion<M + N> operator+(const Expansion<M>& e, const Expansion<N>& f) {
     return from_e ? e[i++] : f[j++];
   };
   const int count = e.size() + f.size();
-  double carry = 0;
-  for (int k = 0; k < count; ++k) {
+  if (count == 0) return h;
+  double carry = smallest_left();
+  for (int k = 1; k < count; ++k) {
     const TwoTerms s = two_sum(carry, smallest_left());
     h.append(s.error);
     carry = s.value;
@@ -142,9 +144,12 @@ Expansion<M + N> operator-(const Expansion<M>& e, const Expansion<N>& f) {
 template <int N>
 Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   Expansion<2 * N> h;
+  if (e.size() == 0) return h;
   const Halves halves = split(b);
-  double carry = 0;
-  for (int i = 0; i < e.size(); ++i) {
+  const TwoTerms first = two_product(e[0], b, halves);
+  h.append(first.error);
+  double carry = first.value;
+  for (int i = 1; i < e.size(); ++i) {
     const TwoTerms p = two_product(e[i], b, halves);
     const TwoTerms low = two_sum(carry, p.error);
     h.append(low.error);

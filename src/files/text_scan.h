@@ -23,6 +23,8 @@ class TextCursor {
   std::size_t position() const { return position_; }
   std::string_view rest() const { return text_.substr(position_); }
 
+  // Moves over so many characters. pre: so many are left.
+  void skip(std::size_t count) { position_ += count; }
   // The next line without its end ("\n" or "\r\n"); empty at the end of the text.
   std::string_view line();
   // The next run of characters other than white space; empty at the end of the text.

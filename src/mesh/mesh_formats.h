@@ -44,6 +44,10 @@ class WorldMesh {
   std::string comment_;
 };
 
+// STL begins with so many free bytes, of which the writer's begin with this.
+inline constexpr std::size_t kStlHeader = 80;
+inline constexpr std::string_view kStlTitle = "binary STL by DelIso";
+
 template <class T>
 concept Number = std::integral<T> || std::floating_point<T>;
 

@@ -64,7 +64,8 @@ inline void keep_comment(std::string_view line, std::vector<std::string>& commen
   if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
 }
 
-// What the parsers fill. Corners are checked by the parser, which knows where it is.
+// What the parsers fill. Corners are checked by the parser, which knows where it is; points, finite
+// or not, by parse_mesh.
 struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
@@ -85,5 +86,10 @@ inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 MeshParts parse_ply(std::string_view bytes, const std::string& name);
 MeshParts parse_off(std::string_view bytes, const std::string& name);
 MeshParts parse_obj(std::string_view bytes, const std::string& name);
+MeshParts parse_stl(std::string_view bytes, const std::string& name);
+MeshParts parse_vtp(std::string_view bytes, const std::string& name);
+
+// Whether the bytes can be binary STL and no text.
+bool looks_like_binary_stl(std::string_view bytes);
 
 }  // namespace deliso

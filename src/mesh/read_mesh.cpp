@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/read_mesh.h"
 
+#include <cmath>
 #include <utility>
 
 #include "files/input_file.h"
+#include "files/vtk_xml.h"
 #include "mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
 
 MeshFormat format_of_bytes(std::string_view bytes) {
+  const std::string_view all = bytes;
   const std::string_view word = take_word(bytes);
   if (word == "ply") return MeshFormat::ply;
-  return word.ends_with("OFF") ? MeshFormat::off : MeshFormat::obj;
+  if (word.ends_with("OFF")) return MeshFormat::off;
+  if (word == "solid" || looks_like_binary_stl(all)) return MeshFormat::stl;
+  return looks_like_vtk_xml(all) ? MeshFormat::vtp : MeshFormat::obj;
+}
+
+// What the predicates can take. `first`: where the format counts vertices from.
+void require_in_range(const std::vector<Vec3>& points, const std::string& name, std::size_t first) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (int axis = 0; axis < 3 && !in_range(points[v]); ++axis) {
+      const double x = points[v][axis];
+      if (std::fabs(x) <= kLargestLength) continue;
+      throw InputError(text("'", name, "': coordinate ",
+                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
+                            " of vertex ", first + v, " is ", x, ", not a number up to ",
+                            kLargestLength, " in size"));
+    }
+  }
 }
 
 }  // namespace
@@ -31,12 +50,16 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
       parts = parse_obj(bytes, name);
       break;
     case MeshFormat::stl:
+      parts = parse_stl(bytes, name);
+      break;
     case MeshFormat::vtp:
-      throw InputError(text("'", name, "': meshes are read from .ply, .off and .obj alone"));
+      parts = parse_vtp(bytes, name);
+      break;
   }
   if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
     throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
   }
+  require_in_range(parts.points, name, format == MeshFormat::obj ? 1 : 0);
   if (comments != nullptr) *comments = std::move(parts.comments);
   return make_tri_mesh(std::move(parts.points), parts.triangles);
 }

@@ -4,7 +4,6 @@
 // negative. A facet may name vertices that come later.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "mesh/mesh_parsers.h"
 
@@ -87,7 +86,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
       for (int axis = 0; axis < 3; ++axis) {
         const std::string_view word = take_word(statement);
         const auto value = number_in<double>(word);
-        if (!value || !std::isfinite(*value)) {
+        if (!value) {
           lines.fail(text("coordinate ", axis, " of vertex ", mesh.points.size() + 1, " is ",
                           quote(word)));
         }

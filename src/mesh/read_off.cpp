@@ -2,7 +2,6 @@
 // OFF (Geomview): the keyword, the counts, a line per vertex, a line per facet. '#' opens a
 // comment. Numbers behind the first three of a vertex (normals, colors) and behind a facet's
 // corners (colors) are skipped.
-#include <cmath>
 
 #include "mesh/mesh_parsers.h"
 
@@ -60,7 +59,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = take_word(lines.line());
       const auto value = number_in<double>(word);
-      if (!value || !std::isfinite(*value)) {
+      if (!value) {
         lines.fail(text("coordinate ", axis, " of vertex ", v, " is ", quote(word)));
       }
       p[axis] = *value;

@@ -244,11 +244,7 @@ void read_vertices(Source& source, const Element& element, MeshParts& mesh) {
         skip_property(source, property);
         continue;
       }
-      const double value = source.next(property.type);
-      if (!std::isfinite(value)) {
-        source.fail(text("coordinate ", property.name, " of vertex ", v, " is not finite"));
-      }
-      p[axis_of[i]] = value;
+      p[axis_of[i]] = source.next(property.type);
     }
     mesh.points.push_back(p);
   }

@@ -12,8 +12,6 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kHeader = 80;
-
 void put_vector(AtomicFile& out, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) put_binary(out, static_cast<float>(p[axis]));
 }
@@ -33,10 +31,10 @@ void write_stl(AtomicFile& out, const WorldMesh& mesh) {
         text("cannot write '", out.path(), "': STL holds no ", mesh.face_count(), " facets"));
   }
   // Readers take a file that opens with "solid" for the ASCII kind.
-  std::string header = "binary STL by DelIso" + mesh.space_note();
+  std::string header = std::string(kStlTitle) + mesh.space_note();
   const std::string comment = mesh.comment_line(" ", "");
-  if (header.size() + comment.size() <= kHeader) header += comment;
-  header.resize(kHeader, ' ');
+  if (header.size() + comment.size() <= kStlHeader) header += comment;
+  header.resize(kStlHeader, ' ');
   out.write(header);
   put_binary(out, static_cast<std::uint32_t>(mesh.face_count()));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

@@ -229,6 +229,7 @@ Volume make_builtin_volume(std::string_view input, const std::optional<Roi>& roi
   }
   Samples samples = kMakers[field - kFields](size);
   SampleGrid grid;
+  grid.name = input;
   grid.dims.fill(size);
   grid.type = samples.type;
   grid.roi = roi;

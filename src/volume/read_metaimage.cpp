@@ -102,8 +102,7 @@ void read_geometry(const MetaHeader& header, std::size_t dimension, SampleGrid& 
 }
 
 SampleGrid read_grid(const VolumeInput& input, const MetaHeader& header) {
-  SampleGrid grid;
-  grid.roi = input.options.roi;
+  SampleGrid grid = grid_of(input);
   grid.type = element_type(input, header.get("ElementType"));
   grid.byte_order = header.is_true({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false)
                         ? std::endian::big
@@ -122,7 +121,7 @@ SampleGrid read_grid(const VolumeInput& input, const MetaHeader& header) {
     header.fail_key("DimSize", header.get("DimSize"),
                     "only three-dimensional volumes can be meshed");
   for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = (*sizes)[n];
-  data_size(grid, input.name());
+  data_size(grid);
   read_geometry(header, sizes->size(), grid);
   return grid;
 }
@@ -151,7 +150,7 @@ Volume read_metaimage(const VolumeInput& input) {
   Bytes data = local ? input.bytes.from(header.data_offset()) : open_data_file(input, file);
 
   const std::int64_t skip = header.has("headersize") ? header.integer("HeaderSize") : 0;
-  const std::uint64_t size = data_size(grid, data.name);
+  const std::uint64_t size = data_size(grid);
   const bool compressed = header.is_true({"CompressedData"}, false);
   if (skip < -1 || (skip == -1 && compressed))
     header.fail_key("HeaderSize", header.get("HeaderSize"), "cannot be followed");

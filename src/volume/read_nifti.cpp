@@ -184,8 +184,7 @@ void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
 }
 
 SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
-  SampleGrid grid;
-  grid.roi = input.options.roi;
+  SampleGrid grid = grid_of(input);
   grid.type = sample_type(input, h.datatype);
   if (h.swapped)
     grid.byte_order =
@@ -199,7 +198,7 @@ SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
                            ": only one scalar volume without time steps can be meshed");
   }
   for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = h.dim[n + 1];
-  data_size(grid, input.name());
+  data_size(grid);
   read_geometry(h, grid);
   return grid;
 }

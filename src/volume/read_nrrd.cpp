@@ -164,8 +164,7 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
 }
 
 SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
-  SampleGrid grid;
-  grid.roi = input.options.roi;
+  SampleGrid grid = grid_of(input);
   grid.type = supported_type(input, header.get("type"));
   const std::int64_t dimension = header.integer("dimension");
   const std::optional<std::vector<std::int64_t>> sizes = to_ints(header.get("sizes"));
@@ -174,7 +173,7 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
     header.fail_field("sizes", "not " + std::to_string(dimension) + " numbers as 'dimension' says");
   const std::vector<std::size_t> axes = spatial_axes(input, header, *sizes);
   for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = (*sizes)[axes[n]];
-  data_size(grid, input.name());
+  data_size(grid);
   read_geometry(input, header, axes, sizes->size(), grid);
   return grid;
 }
@@ -224,7 +223,7 @@ Volume read_nrrd(const VolumeInput& input) {
   if (skip < -1 || (skip == -1 && !raw)) header.fail_field("byteskip", "cannot be followed");
   if (gzip)
     return volume_from_compressed(grid, data, Wrapping::gzip, static_cast<std::uint64_t>(skip));
-  const std::uint64_t size = data_size(grid, data.name);
+  const std::uint64_t size = data_size(grid);
   if (skip == -1) {  // the data stands at the end
     if (data.size() > size) data = data.from(data.size() - static_cast<std::size_t>(size));
   } else {

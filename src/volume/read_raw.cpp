@@ -7,12 +7,11 @@ namespace deliso {
 
 Volume read_raw(const VolumeInput& input) {
   const RawLayout& layout = *input.options.raw;
-  SampleGrid grid;
+  SampleGrid grid = grid_of(input);
   for (int axis = 0; axis < 3; ++axis)
     grid.dims[static_cast<std::size_t>(axis)] = layout.dims[axis];
   grid.type = layout.type;
   grid.byte_order = layout.byte_order;
-  grid.roi = input.options.roi;
   grid.set_spacing(layout.spacing);
   if (layout.skip > input.bytes.size())
     fail(input.name(), "has " + std::to_string(input.bytes.size()) + " bytes, fewer than the " +

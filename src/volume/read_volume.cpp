@@ -1,42 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "volume/read_volume.h"
 
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "files/text_scan.h"
 #include "volume/builtin_fields.h"
+#include "volume/foreign_formats.h"
 #include "volume/volume_formats.h"
 
 namespace deliso {
 namespace {
 
-bool ends_with_ignoring_case(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() &&
-         starts_with_ignoring_case(text.substr(text.size() - end.size()), end);
-}
+struct Format {
+  bool (*is_of)(const Bytes& bytes);
+  Volume (*read)(const VolumeInput& input);
+  bool has_named_arrays = false;
+};
+constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
+                               {looks_like_vtk, read_vtk, true},
+                               {looks_like_nifti, read_nifti},
+                               {looks_like_vti, read_vti, true},
+                               {looks_like_metaimage, read_metaimage}};
 
-[[noreturn]] void fail_unknown(const Bytes& bytes) {
-  if (bytes.size() == 0) fail(bytes.name, "is empty");
-  if (ends_with_ignoring_case(bytes.name, ".raw") || ends_with_ignoring_case(bytes.name, ".img"))
-    fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
-  if (ends_with_ignoring_case(bytes.name, ".hdr"))
-    fail(bytes.name, "is no NIfTI header (ANALYZE 7.5 is not supported)");
-  fail(bytes.name,
-       "is in no known format (NRRD, MetaImage, NIfTI, VTK; raw data needs dimensions "
-       "and type)");
+void refuse_array(const std::string& name, const ReadOptions& options) {
+  if (options.array)
+    fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
 }
 
 Volume read_recognised(const VolumeInput& input) {
-  const Bytes& bytes = input.bytes;
-  if (input.options.raw) return read_raw(input);
-  if (looks_like_nrrd(bytes)) return read_nrrd(input);
-  if (looks_like_vtk(bytes)) return read_vtk(input);
-  if (looks_like_nifti(bytes)) return read_nifti(input);
-  if (looks_like_vti(bytes)) return read_vti(input);
-  if (looks_like_metaimage(bytes)) return read_metaimage(input);
-  fail_unknown(bytes);
+  if (input.options.raw) {
+    refuse_array(input.name(), input.options);
+    return read_raw(input);
+  }
+  for (const Format& format : kFormats) {
+    if (!format.is_of(input.bytes)) continue;
+    if (!format.has_named_arrays) refuse_array(input.name(), input.options);
+    return format.read(input);
+  }
+  refuse_file(input.bytes);
 }
 
 [[noreturn]] void fail_option(std::string_view text, const char* wanted) {
@@ -69,10 +74,15 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   ReadLog own_log;
   ReadLog& filled = log ? *log : own_log;
   try {
-    if (input.starts_with("builtin:")) return make_builtin_volume(input, options.roi);
+    if (input.starts_with("builtin:")) {
+      refuse_array(input, options);
+      return make_builtin_volume(input, options.roi);
+    }
     const std::size_t slash = input.rfind('/');
     const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
     if (input == "-") return read_recognised({read_standard_input(), directory, options, filled});
+    std::error_code ignored;
+    if (std::filesystem::is_directory(input, ignored)) refuse_folder(input);
     filled.files.push_back(input);
     return read_recognised({open_file(input), directory, options, filled});
   } catch (const std::bad_alloc&) {
@@ -80,6 +90,13 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   } catch (const std::length_error&) {
     fail(input, "not enough memory to read it");
   }
+}
+
+SampleGrid grid_of(const VolumeInput& input) {
+  SampleGrid grid;
+  grid.name = input.name();
+  grid.roi = input.options.roi;
+  return grid;
 }
 
 Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {

@@ -6,7 +6,7 @@
 //   NRRD 1-5        .nrrd; .nhdr + one data file      raw, gzip, ascii
 //   MetaImage       .mha; .mhd + one data file        raw, zlib or gzip (CompressedData), ascii
 //   NIfTI-1, -2     .nii, .nii.gz; .hdr + .img[.gz]   raw, gzip
-//   VTK legacy      .vtk, STRUCTURED_POINTS           BINARY, ASCII; one scalar per point
+//   VTK legacy      .vtk, STRUCTURED_POINTS           BINARY, ASCII; one scalar array
 //   VTK XML         .vti, one piece                   appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor
 //   plain           any, dims and type from options   raw
@@ -23,8 +23,11 @@
 // 4. Refused with a message, never guessed: 64-bit integers and complex samples, several components
 //    or time steps (trailing dimensions of 1 are fine), sheared grids (axes not at right angles
 //    within 1e-4), data of another size than the header says, more than one data file or piece,
-//    bzip2, hex, lz4 and lzma encodings, ANALYZE 7.5.
-// 5. A hostile or damaged file gives an InputError or a valid volume, whatever it holds; memory is
+//    bzip2, hex, lz4 and lzma encodings. Of other formats that are told from their first bytes the
+//    message says how to convert them (foreign_formats.h).
+// 5. Of several arrays (VTK) the options name one; else it is the one that the file calls active,
+//    else the first that can be meshed, and the log says so.
+// 6. A hostile or damaged file gives an InputError or a valid volume, whatever it holds; memory is
 //    taken only for data that is there. NaN and infinite samples are found by value_range().
 #pragma once
 
@@ -55,14 +58,24 @@ struct RawLayout {
 };
 
 struct ReadOptions {
-  std::optional<RawLayout> raw;  // given: the input is plain raw data, whatever its name
-  std::optional<Roi> roi;        // given: only this part; the origin moves along
+  std::optional<RawLayout> raw;        // given: the input is plain raw data, whatever its name
+  std::optional<Roi> roi;              // given: only this part; the origin moves along
+  std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
+};
+
+// An array of a file that has several, with names: what it holds for every point.
+struct NamedArray {
+  std::string name;
+  std::string type;  // as --type has it; what that does not know, as the file has it
+  std::uint64_t components = 1;
+  bool read = false;  // the volume is this one
 };
 
 // What reading has to say beyond the volume itself.
 struct ReadLog {
   std::vector<std::string> notes;  // what a user should know, one line each
   std::vector<std::string> files;  // all that were opened, header and data
+  std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
 // `input` is a path, "-" (standard input) or "builtin:NAME[:SIZE]". Throws InputError: one line

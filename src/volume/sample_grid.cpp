@@ -19,34 +19,34 @@ bool is_swapped(const SampleGrid& grid) {
 }
 
 // Splits the steps into spacing and unit axes.
-std::pair<Vec3, Frame> place(const SampleGrid& grid, std::string_view name) {
+std::pair<Vec3, Frame> place(const SampleGrid& grid) {
   Vec3 spacing;
   Frame frame{grid.origin, {}, grid.space};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
     const double s = length(step);
-    if (!(s > 0)) fail(name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
+    if (!(s > 0)) fail(grid.name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
     spacing[axis] = s;
     frame.axes[static_cast<std::size_t>(axis)] = step / s;
   }
   const Index3 dims{static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
                     static_cast<int>(grid.dims[2])};
-  require_in_range(dims, spacing, frame, name);
+  require_in_range(dims, spacing, frame, grid.name);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = a + 1; b < 3; ++b) {
       const double cosine = dot(frame.axes[a], frame.axes[b]);
       if (std::abs(cosine) <= kShearTolerance) continue;
       const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
-      fail(name, std::string("sheared grid: its axes ") + "xyz"[a] + " and " + "xyz"[b] +
-                     " enclose " + std::to_string(degrees) +
-                     " degrees; only rectangular grids can be meshed (resample it)");
+      fail(grid.name, std::string("sheared grid: its axes ") + "xyz"[a] + " and " + "xyz"[b] +
+                          " enclose " + std::to_string(degrees) +
+                          " degrees; only rectangular grids can be meshed (resample it)");
     }
   }
   return {spacing, frame};
 }
 
 // The part of the grid to keep, as checked index ranges.
-Roi region(const SampleGrid& grid, std::string_view name) {
+Roi region(const SampleGrid& grid) {
   Roi whole{{0, 0, 0},
             {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
              static_cast<int>(grid.dims[2])}};
@@ -54,9 +54,9 @@ Roi region(const SampleGrid& grid, std::string_view name) {
   for (int axis = 0; axis < 3; ++axis) {
     const int lo = grid.roi->begin[axis], hi = grid.roi->end[axis];
     if (lo >= 0 && hi <= whole.end[axis] && hi - lo >= 2) continue;
-    fail(name, std::string("region ") + std::to_string(lo) + ":" + std::to_string(hi) + " along " +
-                   "xyz"[axis] +
-                   " is not two or more of the samples 0:" + std::to_string(whole.end[axis]));
+    fail(grid.name, std::string("region ") + std::to_string(lo) + ":" + std::to_string(hi) +
+                        " along " + "xyz"[axis] +
+                        " is not two or more of the samples 0:" + std::to_string(whole.end[axis]));
   }
   return *grid.roi;
 }
@@ -146,26 +146,27 @@ std::string describe(const SampleGrid& grid) {
          std::to_string(grid.dims[2]) + " " + std::string(name_of(grid.type)) + " samples";
 }
 
-std::uint64_t data_size(const SampleGrid& grid, std::string_view name) {
+std::uint64_t data_size(const SampleGrid& grid) {
   std::uint64_t bytes = size_of(grid.type);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int64_t n = grid.dims[axis];
     const auto text = [&] { return std::to_string(n) + " samples along " + "xyz"[axis]; };
-    if (n < 1) fail(name, text() + ": dimensions must be positive");
-    if (n < 2) fail(name, text() + ": a volume needs two or more along each axis");
-    if (n > std::numeric_limits<int>::max()) fail(name, text() + " are too many");
+    if (n < 1) fail(grid.name, text() + ": dimensions must be positive");
+    if (n < 2) fail(grid.name, text() + ": a volume needs two or more along each axis");
+    if (n > std::numeric_limits<int>::max()) fail(grid.name, text() + " are too many");
     const std::uint64_t limit = std::numeric_limits<std::ptrdiff_t>::max();
-    if (bytes > limit / static_cast<std::uint64_t>(n)) fail(name, describe(grid) + " are too many");
+    if (bytes > limit / static_cast<std::uint64_t>(n))
+      fail(grid.name, describe(grid) + " are too many");
     bytes *= static_cast<std::uint64_t>(n);
   }
   return bytes;
 }
 
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
-  const std::uint64_t expected = data_size(grid, data.name);
+  const std::uint64_t expected = data_size(grid);
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
-  auto [spacing, frame] = place(grid, data.name);
-  const Roi roi = region(grid, data.name);
+  auto [spacing, frame] = place(grid);
+  const Roi roi = region(grid);
   frame.origin =
       frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
@@ -185,7 +186,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {
-  const std::uint64_t expected = data_size(grid, data.name);
+  const std::uint64_t expected = data_size(grid);
   const std::uint64_t count = expected / size_of(grid.type);
   // n numbers take 2n - 1 characters at least.
   if (count > data.size() / 2 + 1)
@@ -228,7 +229,7 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
 
 Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrapping wrapping,
                               std::uint64_t skip) {
-  const std::uint64_t expected = data_size(grid, data.name);
+  const std::uint64_t expected = data_size(grid);
   const std::uint64_t possible = largest_inflated(data.size());
   if (skip > possible || expected > possible - skip)
     fail(data.name, size_fault(grid, expected, data.size()) + " compressed");

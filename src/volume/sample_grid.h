@@ -24,6 +24,8 @@
 namespace deliso {
 
 struct SampleGrid {
+  std::string name;  // of the input, whose faults those of the grid are
+  std::optional<Roi> roi{};
   std::array<std::int64_t, 3> dims{0, 0, 0};
   SampleType type = SampleType::u8;
   std::endian byte_order = std::endian::native;
@@ -31,16 +33,15 @@ struct SampleGrid {
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> steps{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   AnatomicalSpace space = AnatomicalSpace::unknown;
-  std::optional<Roi> roi;
 
   // Steps along the world's axes. Spacings are checked later, with the steps.
   void set_spacing(const Vec3& spacing);
 };
 
-// All of these throw InputError in the name of the bytes (or `name`).
+// All of these throw InputError: in the name of the grid, or of the bytes where these are at fault.
 
 // Checks the dimensions (2 or more each) and that the sizes fit the address space.
-std::uint64_t data_size(const SampleGrid& grid, std::string_view name);
+std::uint64_t data_size(const SampleGrid& grid);
 // "64 x 64 x 32 uint16", for messages.
 std::string describe(const SampleGrid& grid);
 

@@ -9,6 +9,7 @@
 
 #include "files/input_file.h"
 #include "volume/read_volume.h"
+#include "volume/sample_grid.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -22,6 +23,9 @@ struct VolumeInput {
   const std::string& name() const { return bytes.name; }
   void note(const std::string& text) const { log.notes.push_back(name() + ": " + text); }
 };
+
+// With its name and region filled in.
+SampleGrid grid_of(const VolumeInput& input);
 
 bool looks_like_nrrd(const Bytes& bytes);
 Volume read_nrrd(const VolumeInput& input);

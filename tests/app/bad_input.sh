@@ -138,6 +138,14 @@ for count in --vertices --triangles; do
 done
 refuses '10' builtin:fuel --max-vertices 10 -o $o
 
+# Arrays that are not there, and formats without names.
+refuses 'no named arrays' builtin:sphere --array density -o $o
+refuses 'no named arrays' info whole.raw --dims 4x4x4 --type uint8 --array density
+
+# A mesh of numbers that no exact predicate can take. It was checked for ever.
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1e306 0\n3 0 1 2\n' >inf.off
+refuses 'inf.off.*coordinate y of vertex 2 is 1e+306' check inf.off builtin:fuel
+
 # Pictures.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >one.off
 printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >none.off
@@ -149,7 +157,7 @@ refuses 'no picture' render one.off
 refuses 'out/picture.gif' render one.off -o out/picture.gif
 refuses 'missing.off' render missing.off -o $p
 refuses 'none.off.*no facets' render none.off -o $p
-refuses 'huge.off.*too large' render huge.off -o $p
+refuses 'huge.off.*coordinate x of vertex 1 is 1e+300' render huge.off -o $p
 refuses 'one.off.*clipped' render one.off -o $p --clip 0,0,1,-1
 refuses 'view' render one.off -o $p --view 30
 refuses 'no mesh' render -o $p --volume builtin:fuel
@@ -171,7 +179,7 @@ refuses 'no room for labels' render one.off -o $p --labels auto --size 20x20
 refuses 'no room for a color bar' render one.off -o $p --color-by angle --size 20x20
 refuses 'size' render one.off -o $p --size 16385x10
 refuses 'at most 42' render one.off -o $p --size 16384x10 --zoom 64
-refuses 'read from .ply, .off and .obj' render one.off one.stl -o $p
+refuses 'one.stl.*ends within the header' render one.off one.stl -o $p
 refuses 'no room for 3 panels' render one.off one.off one.off -o $p --size 6x6
 refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9
 refuses 'one for each mesh' render one.off one.off -o $p --clip off/off/off

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/random.h"
 #include "delaunay/big_int.h"
@@ -105,4 +106,25 @@ TEST_CASE("sums and products of expansions are exact and keep X1 and X2") {
     expect(d0 * v[1] - (d1 + d0) * v[2], at_unit(i0 * i[1] - (i1 + i0) * i[2], 3));
   }
   CHECK(zeros > 30'000);
+}
+
+// With NaN or infinities every error term is one, and a sum wrote one term behind its array.
+TEST_CASE("what is no number cannot make an expansion longer than its type says") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double values[] = {nan, infinity, -infinity, 1e308, 1, 0};
+  for (const double a : values) {
+    for (const double b : values) {
+      for (const double c : values) {
+        const Expansion<4> minor = determinant(a, b, c, 1e300);
+        const Expansion<8> sum = minor + minor;
+        const Expansion<8> product = minor * a;
+        const auto both = (product + minor * b) * c - minor * nan;
+        CHECK(minor.size() <= 4);
+        CHECK(sum.size() <= 8);
+        CHECK(product.size() <= 8);
+        CHECK(both.size() <= 40);
+      }
+    }
+  }
 }

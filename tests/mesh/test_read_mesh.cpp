@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "files/temporary_folder.h"
 #include "mesh/check_mesh.h"
+#include "mesh/mesh_files.h"
 #include "mesh/meshes.h"
 #include "mesh/read_mesh.h"
 
@@ -172,13 +173,23 @@ std::vector<Sample> samples() {
   all.push_back({MeshFormat::ply, rich_ply(false, true)});
   all.push_back({MeshFormat::off, rich_off()});
   all.push_back({MeshFormat::obj, rich_obj()});
+  for (const TriMesh& mesh : meshes) {
+    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::vtp}) {
+      write_mesh(mesh, folder / "mesh", {.format = format});
+      all.push_back({format, file_bytes(folder / "mesh")});
+    }
+    all.push_back({MeshFormat::stl, stl_text(mesh)});
+  }
+  for (const VtkForm& form : all_vtk_forms()) {
+    all.push_back({MeshFormat::vtp, vtp(kRichPoints, {{0, 1, 2, 3}, {2, 4, 3}}, form, false)});
+  }
   return all;
 }
 
 // Rule R4.
 bool is_sound(const TriMesh& mesh) {
   for (const Vec3& p : mesh.points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+    if (!in_range(p)) return false;
   }
   for (const Face& face : mesh.faces) {
     for (const VertexId v : face.v) {
@@ -208,6 +219,13 @@ std::string mutated(std::string bytes, Random& random) {
                                         "element vertex 1\n",
                                         "element face 4000000000\n",
                                         "end_header\n",
+                                        "endsolid\nsolid\n",
+                                        "vertex 1 2 3\n",
+                                        "</Polys><Polys>",
+                                        "<Piece NumberOfPoints=\"4000000000\">",
+                                        "UInt8",
+                                        "offsets",
+                                        "AAAA",
                                         "\xff\xff\xff\xff"};
   const auto at = [&] {
     return bytes.empty() ? 0 : random.below(static_cast<std::uint32_t>(bytes.size()));
@@ -348,6 +366,28 @@ TEST_CASE("comments of the head, and no others, whatever their bytes and length"
   }
 }
 
+// A mesh with a vertex at 1e306 was checked for ever: no exact predicate ends there.
+TEST_CASE("coordinates that the predicates cannot take are refused, by vertex and value") {
+  const auto line = [](const std::string& what) {
+    return "'in': coordinate " + what + ", not a number up to 1e+30 in size";
+  };
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\n"
+      "property double y\nproperty double z\nend_header\n0 0 0\n";
+  for (const std::string x : {"1e306", "-1.5e+30", "inf", "-inf", "nan"}) {
+    const std::string value = x == "1e306" ? "1e+306" : x;
+    CHECK(ply_error(ply + "0 " + x + " 0\n") == line("y of vertex 1 is " + value));
+    CHECK(off_error("OFF\n2 0 0\n0 0 0\n0 0 " + x) == line("z of vertex 1 is " + value));
+    CHECK(obj_error("v 0 0 0\nv " + x + " 0 0\n") == line("x of vertex 2 is " + value));
+    const std::string vtp_file =
+        "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"2\"><Points>"
+        "<DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 0 0 " +
+        x + " 0</DataArray>";
+    CHECK(error_of({MeshFormat::vtp, vtp_file}) == line("y of vertex 1 is " + value));
+  }
+  CHECK(off_error("OFF\n2 0 0\n1e30 -1e30 0\n4e-320 0 0\n") == "no error");
+}
+
 TEST_CASE("the counts of OFF may stand on the first line") {
   CHECK(
       parse_mesh("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MeshFormat::off, "in").faces.size() ==
@@ -384,7 +424,6 @@ TEST_CASE("faults of PLY files") {
   CHECK(ply_error(head + points) == "'in' line 12: the file ends too early");
   CHECK(ply_error(head + "0 0 0\n1 zero 0\n") ==
         "'in' line 11: there is 'zero' in place of a number");
-  CHECK(ply_error(head + "0 nan 0\n") == "'in' line 10: coordinate y of vertex 0 is not finite");
   CHECK(ply_error(head + points + "3 0 1 3\n") ==
         "'in' line 13: corner 2 of facet 0 is 3, not one of 3 vertices");
   CHECK(ply_error(head + points + "3 0 1 -1\n") ==
@@ -422,7 +461,6 @@ TEST_CASE("faults of OBJ files") {
   CHECK(obj_error("") == "'in' line 0: the file is empty");
   CHECK(obj_error("\n \r\n") == "'in' line 2: the file is empty");
   CHECK(obj_error("v 0 0\n") == "'in' line 1: coordinate 2 of vertex 1 is ''");
-  CHECK(obj_error("v 0 0 inf\n") == "'in' line 1: coordinate 2 of vertex 1 is 'inf'");
   CHECK(obj_error("v 0 0 0\nf 1 1\n") == "'in' line 2: a facet of 2 corners");
   CHECK(obj_error("v 0 0 0\nf 1 1 0\n") == "'in' line 2: a facet's corner is '0'");
   CHECK(obj_error("v 0 0 0\nf 1 1 -2\n") ==
@@ -455,10 +493,9 @@ TEST_CASE("files that are not there or cannot be read") {
         folder / "absent.ply" + ": cannot open: No such file or directory");
   std::filesystem::create_directory(folder / "folder.ply");
   CHECK(error(folder / "folder.ply") == folder / "folder.ply" + ": is a directory, not a file");
-  CHECK(error("a.stl").find("meshes are read from") == std::string::npos);  // it is absent first
   write_bytes(folder / "a.stl", "solid");
   CHECK(error(folder / "a.stl") ==
-        text("'", folder / "a.stl", "': meshes are read from .ply, .off and .obj alone"));
+        text("'", folder / "a.stl", "' line 1: the file ends before 'endsolid'"));
   CHECK(error("a.xyz") == "'a.xyz' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
 }
 
@@ -479,6 +516,8 @@ TEST_CASE("every truncation of a binary PLY is noticed, of the others most") {
     const bool empty = sample.bytes.find("element vertex 0") != std::string::npos;
     if (binary)
       CHECK(unnoticed <= std::size_t{empty});
+    else if (sample.format == MeshFormat::vtp)  // which ends with markup that nobody needs
+      CHECK(unnoticed <= 4 * 80);
     else if (sample.format != MeshFormat::obj)
       CHECK(unnoticed <= 24);
   }
@@ -487,7 +526,7 @@ TEST_CASE("every truncation of a binary PLY is noticed, of the others most") {
 TEST_CASE("no mutation of a file does harm") {
   std::size_t meshes = 0, errors = 0;
   const std::vector<Sample> all = samples();
-  REQUIRE(all.size() == 23);
+  REQUIRE(all.size() == 69);
   for (std::uint64_t seed = 1; seed <= 400000; ++seed) {
     Random random(seed);
     const Sample& sample = all[seed % all.size()];
@@ -498,7 +537,7 @@ TEST_CASE("no mutation of a file does harm") {
       ++meshes;
     } catch (const InputError& error) {
       const std::string line = error.what();
-      const bool fine = line.starts_with("'in' ") && line.size() < 300 &&
+      const bool fine = line.starts_with("'in'") && line.size() < 300 &&
                         std::all_of(line.begin(), line.end(),
                                     [](unsigned char c) { return c >= ' ' && c != 0x7f; });
       REQUIRE_MESSAGE(fine, "seed ", seed, ": ", line);
@@ -520,7 +559,8 @@ TEST_CASE("noise and promises") {
                                  "element face 18446744073709551615\n"
                                  "property list uint uint vertex_indices\nend_header\n"};
     for (const std::string& head : heads) {
-      for (const MeshFormat format : {MeshFormat::ply, MeshFormat::off, MeshFormat::obj}) {
+      for (const MeshFormat format :
+           {MeshFormat::ply, MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::vtp}) {
         try {
           const TriMesh mesh = parse_mesh(head + noise, format, "in");
           REQUIRE(is_sound(mesh));

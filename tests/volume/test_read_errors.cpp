@@ -109,7 +109,7 @@ TEST_CASE("files that are not there, not readable, empty, no volumes") {
   CHECK(fault_of(folder, "v.raw", "abc") ==
         "v.raw: is read with its header, or as raw data with dimensions and type given");
   CHECK(fault_of(folder, "v.hdr", std::string(348, 'x')) ==
-        "v.hdr: is no NIfTI header (ANALYZE 7.5 is not supported)");
+        "v.hdr: is no NIfTI header");
   CHECK(fault_of(folder, "a\nb.nrrd", "x").starts_with("a?b.nrrd: is in no known format"));
 }
 
@@ -336,21 +336,23 @@ TEST_CASE("VTK files") {
         "v.vtk: DIMENSIONS is 'four', not an integer");
   CHECK(legacy("SPACING 1 1 1", "SPACING 1 -1 1") == "v.vtk: spacing along y is not positive");
   CHECK(legacy("POINT_DATA", "CELL_DATA") ==
-        "v.vtk: keyword 'cell_data' before POINT_DATA is not supported");
+        "v.vtk: ends before the samples");
+  CHECK(legacy("SCALARS", "SCALES") == "v.vtk: keyword 'scales' is not supported");
   CHECK(legacy("unsigned_char 1", "unsigned_char 3") ==
-        "v.vtk: has 3 components per point: only scalar volumes can be meshed");
+        "v.vtk: array 'values' has 3 components per point: only scalar volumes can be meshed");
   CHECK(legacy("unsigned_char", "bit").starts_with("v.vtk: sample type 'bit' is not supported"));
-  CHECK(legacy("SCALARS", "VECTORS") == "v.vtk: has 'vectors' where SCALARS or FIELD is expected");
+  CHECK(legacy("SCALARS", "VECTORS") ==
+        "v.vtk: array 'values' has 3 components per point: only scalar volumes can be meshed");
   CHECK(legacy("LOOKUP_TABLE", "LOOKUP") == "v.vtk: has 'lookup' where 'lookup_table' is expected");
   CHECK(fault_of(folder, "v.vtk", vtk(small_truth(), true, false)[0].content.substr(0, 100)) ==
         "v.vtk: ends before the samples");
 
-  const auto xml = [&](const VtiForm& form, const std::string& old, const std::string& now) {
+  const auto xml = [&](const VtkForm& form, const std::string& old, const std::string& now) {
     std::string file = vti(small_truth(SampleType::i16), form)[0].content;
     replace(file, old, now);
     return fault_of(folder, "v.vti", file);
   };
-  const VtiForm raw, binary{"binary", "", std::endian::little, 4, 0},
+  const VtkForm raw, binary{"binary", "", std::endian::little, 4, 0},
       blocks{"appended", "raw", std::endian::little, 4, 20};
   CHECK(xml(raw, "VTKFile", "VTKFile") == "");
   CHECK(xml(raw, "\"ImageData\"", "\"PolyData\"") ==
@@ -384,7 +386,7 @@ TEST_CASE("VTK files") {
             std::string("\x03\0\0\0\x14\0\0\0\x09", 9))
             .find("3 blocks of 20 bytes and a rest of 9 do not give that") != std::string::npos);
   CHECK(xml(blocks, std::string("\x03\0\0\0\x14", 5), std::string("\xff\xff\xff\xff\x14", 5)) ==
-        "v.vti: ends before its samples");
+        "v.vti: ends before 2 x 3 x 4 int16 samples");
 }
 
 TEST_CASE("raw data and regions") {

@@ -87,7 +87,8 @@ TEST_CASE("every format, encoding, type and byte order reads back what was writt
         const double tolerance = stored.label.starts_with("nifti") ? 1e-6 : 1e-12;
         check_same(volume, truth, stored.has_axes, tolerance);
         CHECK(volume.frame().left_handed() == (stored.has_axes && (kind == 3 || kind == 4)));
-        CHECK(log.notes.empty());
+        // The .vti files have a second array.
+        CHECK(log.notes.size() == (stored.label.starts_with("vti") ? 1 : 0));
         ++volumes;
       }
     }

@@ -18,6 +18,7 @@
 
 #include "base/random.h"
 #include "files/deflate_writer.h"
+#include "files/vtk_array.h"
 #include "volume/read_volume.h"
 
 namespace deliso::test {
@@ -147,23 +148,6 @@ inline std::string ascii_samples(const Truth& truth) {
   });
   return text;
 }
-inline std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t n = 0; n < bytes.size(); n += 3) {
-    std::uint32_t group = 0;
-    const std::size_t have = std::min<std::size_t>(3, bytes.size() - n);
-    for (std::size_t b = 0; b < 3; ++b)
-      group = group << 8 | (b < have ? static_cast<unsigned char>(bytes[n + b]) : 0u);
-    for (std::size_t d = 0; d < 4; ++d)
-      text += d <= have ? digits[group >> (18 - 6 * d) & 63] : '=';
-  }
-  return text;
-}
-inline std::string ordered(std::uint64_t value, int bytes, std::endian order) {
-  return order == std::endian::little ? little(value, bytes) : big(value, bytes);
-}
-
 // ---- NRRD
 
 enum class NrrdForm { attached, detached, detached_skips, detached_at_end };
@@ -335,36 +319,10 @@ inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
 
 // ---- VTK XML
 
-struct VtiForm {
-  std::string format = "appended";  // "ascii", "binary"
-  std::string encoding = "raw";     // of the appended data: "base64"
-  std::endian order = std::endian::little;
-  int header_size = 4;
-  std::size_t block = 0;  // 0: not compressed
-};
-
-inline std::vector<NamedFile> vti(const Truth& t, const VtiForm& form) {
+inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
   const char* const types[] = {"UInt8",  "Int8",  "UInt16",  "Int16",
                                "UInt32", "Int32", "Float32", "Float64"};
-  const auto number = [&](std::uint64_t n) { return ordered(n, form.header_size, form.order); };
-  const auto coded = [&](const std::string& bytes) {
-    return form.format == "appended" && form.encoding == "raw" ? bytes : base64(bytes);
-  };
-  const std::string samples = t.in_order(form.order);
-  std::string block;
-  if (form.block == 0) {
-    block = coded(number(samples.size()) + samples);
-  } else {
-    const std::size_t rest = samples.size() % form.block;
-    std::string sizes, data;
-    std::uint64_t blocks = 0;
-    for (std::size_t at = 0; at < samples.size(); at += form.block, ++blocks) {
-      const std::string piece = zlibbed(samples.substr(at, form.block), t.seed + blocks);
-      sizes += number(piece.size());
-      data += piece;
-    }
-    block = coded(number(blocks) + number(form.block) + number(rest) + sizes) + coded(data);
-  }
+  const std::string block = vtk_array(t.in_order(form.order), form, t.seed);
   // The extent starts at (2,-1,0), so the file's origin lies before the first sample.
   const Vec3 origin = t.origin - 2 * t.step(0) + t.step(1);
   std::string direction;
