@@ -39,6 +39,7 @@ class VtpParser {
   void read_structure() {
     std::string_view inside;  // the section that began last
     int pieces = 0;
+    bool whole = false;
     for (XmlTag tag = xml_.next(); !tag.name.empty(); tag = xml_.next()) {
       if (tag.name == "Piece") {
         if (++pieces > 1) fail("has several pieces: only one is supported");
@@ -48,6 +49,8 @@ class VtpParser {
           fail("has triangle strips, which are not supported");
         if (points_ > kMostVertices) fail(text(points_, " points are too many"));
         if (polygons_ > kMostFaces) fail(text(polygons_, " polygons are too many"));
+      } else if (tag.name == "/PolyData") {
+        whole = true;
       } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
         inside = tag.name;
       } else if (tag.name == "DataArray" && inside == "Points") {
@@ -57,6 +60,7 @@ class VtpParser {
         if (tag.attribute("Name") == "connectivity") connectivity_ = tag;
       }
     }
+    if (!whole) fail("ends before </PolyData>");
   }
 
   void read_points(MeshParts& mesh) const {

@@ -14,8 +14,14 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr const char* kDicom = "is DICOM: convert it with 'dcm2niix -o OUT FOLDER'";
+constexpr const char* kTiff =
+    "is TIFF: make it raw with 'convert FILE -endian LSB gray:volume.raw', and give --dims and "
+    "--type";
 constexpr const char* kPicture =
     "is a picture: make one raw file of the slices with 'convert SLICES -depth 8 "
+    "gray:volume.raw', and give --dims and --type";
+constexpr const char* kPictures =
+    "is a folder of pictures: make one raw file of the slices with 'convert SLICES -depth 8 "
     "gray:volume.raw', and give --dims and --type";
 constexpr const char* kZarr =
     "is Zarr: write the array with Python's zarr.open(PATH)[:].tofile('volume.raw'), and give "
@@ -29,10 +35,8 @@ struct Signature {
 };
 constexpr Signature kSignatures[] = {
     {128, "DICM"sv, kDicom},
-    {0, "II*\0"sv,
-     "is TIFF: make it raw with 'convert FILE gray:volume.raw', and give --dims and --type"},
-    {0, "MM\0*"sv,
-     "is TIFF: make it raw with 'convert FILE gray:volume.raw', and give --dims and --type"},
+    {0, "II*\0"sv, kTiff},
+    {0, "MM\0*"sv, kTiff},
     {0, "\x93NUMPY"sv,
      "is a NumPy array: write it with the array's tofile('volume.raw'), and give --dims and "
      "--type"},
@@ -85,9 +89,7 @@ void refuse_folder(const std::string& path) {
       fail(path, "is a folder of DICOM slices: convert it with 'dcm2niix -o OUT FOLDER'");
     if (has_ending(name, ".png") || has_ending(name, ".tif") || has_ending(name, ".tiff") ||
         has_ending(name, ".jpg"))
-      fail(path,
-           "is a folder of pictures: make one raw file of the slices with 'convert SLICES -depth 8 "
-           "gray:volume.raw', and give --dims and --type");
+      fail(path, kPictures);
   }
   fail(path, "is a directory, not a file");
 }

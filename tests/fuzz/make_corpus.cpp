@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "fuzz/reader_target.h"
+#include "mesh/mesh_files.h"
 #include "mesh/write_mesh.h"
 #include "volume/volume_files.h"
 
@@ -77,14 +78,19 @@ void add_meshes(Corpus& corpus, const TemporaryFolder& folder) {
     corpus.add(target, content);
     corpus.add("stdin", content);
   };
-  add("off", {});
-  add("obj", {});
+  for (const char* target : {"off", "obj", "stl", "vtp"}) add(target, {});
   for (const bool ascii : {false, true}) {
     for (const bool single : {false, true}) {
       MeshWriteOptions options;
       options.ascii = ascii;
       options.single_precision = single;
       add("ply", options);
+    }
+  }
+  corpus.add("stl", stl_text(mesh));
+  for (const VtkForm& form : all_vtk_forms()) {
+    for (const bool wide : {false, true}) {
+      corpus.add("vtp", vtp(mesh.points, {{0, 2, 1}, {0, 1, 3, 2}}, form, wide));
     }
   }
   corpus.add("ply",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the targets of the mesh readers share: bytes give an InputError of one line, or a mesh whose
-// corners are vertices and whose points are finite.
+// corners are vertices and whose points are in range.
 #pragma once
 
 #include "fuzz/reader_target.h"
@@ -11,7 +11,7 @@ namespace deliso::fuzz {
 
 inline void check_read_mesh(const TriMesh& mesh) {
   for (const Vec3& p : mesh.points) {
-    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "a point not finite");
+    require(in_range(p), "a point out of range");
   }
   for (const Face& face : mesh.faces) {
     for (const VertexId v : face.v) require(v < mesh.points.size(), "a corner that is no vertex");

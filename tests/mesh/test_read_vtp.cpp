@@ -103,5 +103,7 @@ TEST_CASE("faults of VTP files") {
             replaced(raw, "type=\"Float64\" Name=\"Points\"", "type=\"String\" Name=\"Points\"")) ==
         "'in': type 'String' of the coordinates of 5 points is not supported");
   CHECK(error_of(replaced(raw, "<AppendedData", "<Nothing")) == "'in': has no AppendedData");
-  CHECK(error_of(raw.substr(0, raw.size() - 60)).starts_with("'in': "));
+  CHECK(error_of(raw.substr(0, raw.size() - 60))
+            .starts_with("'in': data is too short: the corners of 2 polygons need 56 bytes"));
+  CHECK(text_with("</PolyData>", "") == "'in': ends before </PolyData>");
 }

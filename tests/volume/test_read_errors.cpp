@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <string>
+#include <tuple>
 
 #include "volume/read_volume.h"
 #include "volume_files.h"
@@ -108,8 +110,7 @@ TEST_CASE("files that are not there, not readable, empty, no volumes") {
   CHECK(fault_of(folder, "v.nii", std::string(1000, '\0')) == "v.nii" + unknown);
   CHECK(fault_of(folder, "v.raw", "abc") ==
         "v.raw: is read with its header, or as raw data with dimensions and type given");
-  CHECK(fault_of(folder, "v.hdr", std::string(348, 'x')) ==
-        "v.hdr: is no NIfTI header");
+  CHECK(fault_of(folder, "v.hdr", std::string(348, 'x')) == "v.hdr: is no NIfTI header");
   CHECK(fault_of(folder, "a\nb.nrrd", "x").starts_with("a?b.nrrd: is in no known format"));
 }
 
@@ -335,8 +336,7 @@ TEST_CASE("VTK files") {
   CHECK(legacy("DIMENSIONS 2 3 4", "DIMENSIONS 2 3 four") ==
         "v.vtk: DIMENSIONS is 'four', not an integer");
   CHECK(legacy("SPACING 1 1 1", "SPACING 1 -1 1") == "v.vtk: spacing along y is not positive");
-  CHECK(legacy("POINT_DATA", "CELL_DATA") ==
-        "v.vtk: ends before the samples");
+  CHECK(legacy("POINT_DATA", "CELL_DATA") == "v.vtk: ends before the samples");
   CHECK(legacy("SCALARS", "SCALES") == "v.vtk: keyword 'scales' is not supported");
   CHECK(legacy("unsigned_char 1", "unsigned_char 3") ==
         "v.vtk: array 'values' has 3 components per point: only scalar volumes can be meshed");
@@ -361,7 +361,8 @@ TEST_CASE("VTK files") {
         "v.vti: compressor 'vtkLZ4DataCompressor' is not supported (vtkZLibDataCompressor is)");
   CHECK(xml(raw, "\"Int16\"", "\"Int64\"")
             .starts_with("v.vti: sample type 'Int64' is not supported"));
-  CHECK(xml(raw, "\"values\"", "\"velocity\"").find("components per point") != std::string::npos);
+  CHECK(xml(raw, "\"values\"", "\"other\"") ==
+        "v.vti: array 'other' has 3 components per point: only scalar volumes can be meshed");
   CHECK(xml(raw, "Extent=\"2 3 -1 1 0 3\"", "Extent=\"2 3 -1 1\"") ==
         "v.vti: WholeExtent is '2 3 -1 1', not six integers");
   CHECK(xml(raw, "</Piece>", "</Piece><Piece Extent=\"2 3 -1 1 4 6\">") ==
@@ -387,6 +388,89 @@ TEST_CASE("VTK files") {
             .find("3 blocks of 20 bytes and a rest of 9 do not give that") != std::string::npos);
   CHECK(xml(blocks, std::string("\x03\0\0\0\x14", 5), std::string("\xff\xff\xff\xff\x14", 5)) ==
         "v.vti: ends before 2 x 3 x 4 int16 samples");
+}
+
+TEST_CASE("formats of others are named, with a way to one of ours") {
+  const TemporaryFolder folder;
+  const std::string nothing(400, '\0');
+  const auto at = [&](std::size_t offset, const std::string& magic) {
+    std::string file = nothing;
+    return file.replace(offset, magic.size(), magic);
+  };
+  const std::tuple<std::string, std::string, std::string> files[] = {
+      {"slice", at(128, "DICM"), "is DICOM: convert it with 'dcm2niix"},
+      {"slice.dcm", nothing, "is DICOM: convert it with 'dcm2niix"},
+      {"a.tif", at(0, std::string("II*\0", 4)), "is TIFF: "},
+      {"a.tif", at(0, std::string("MM\0*", 4)), "is TIFF: "},
+      {"a.npy", at(0, "\x93NUMPY"), "is a NumPy array: write it with the array's tofile("},
+      {"a.h5", at(0, "\x89HDF\r\n\x1a\n"), "is HDF5: make it raw with 'h5dump"},
+      {"a.mrc", at(208, "MAP "), "is MRC: "},
+      {"a.png", at(0, "\x89PNG\r\n\x1a\n"), "is a picture: "},
+      {"a.jpg", at(0, "\xff\xd8\xff\xe0"), "is a picture: "},
+      {"a.hdr", at(0, std::string("\x5c\x01\0\0", 4)), "is ANALYZE 7.5: "},
+      {"a.hdr", at(0, std::string("\0\0\x01\x5c", 4)), "is ANALYZE 7.5: "}};
+  for (const auto& [name, content, message] : files) {
+    CAPTURE(message);
+    CHECK(fault_of(folder, name, content).find(message) != std::string::npos);
+  }
+  const std::pair<std::string, std::string> folders[] = {
+      {".zarray", "is Zarr: "},
+      {"zarr.json", "is Zarr: "},
+      {"IM1.DCM", "is a folder of DICOM slices: "},
+      {"0001.png", "is a folder of pictures: "}};
+  for (const auto& [file, message] : folders) {
+    CAPTURE(message);
+    const TemporaryFolder slices;
+    slices.write(file, "");
+    CHECK(fault(slices, "").find(message) != std::string::npos);
+  }
+}
+
+TEST_CASE("axes and origins that are no numbers, or too large, in every format") {
+  const TemporaryFolder folder;
+  int refused = 0;
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, 1e31}) {
+    for (const int part : {0, 1, 2}) {
+      Truth truth = small_truth();
+      if (part == 0) truth.axes[1].y = bad;
+      if (part == 1) truth.axes[0].z = bad;
+      if (part == 2) truth.origin.y = bad;
+      for (const StoredVolume& stored : all_forms(truth)) {
+        if (!stored.has_axes && (part != 2 || stored.label.starts_with("raw"))) continue;
+        if (stored.label.ends_with("qform") && part != 2) continue;  // no rotation
+        CAPTURE(stored.label);
+        CAPTURE(bad);
+        CAPTURE(part);
+        for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
+        for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
+        CHECK(fault(folder, stored.files[0].name) != "");
+        ++refused;
+      }
+    }
+  }
+  CHECK(refused > 500);
+  NiftiForm form;
+  form.placement = NiftiForm::Placement::qform;
+  for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e38f}) {
+    std::string file = nifti(small_truth(), form)[0].content;
+    file.replace(256 + 4, 4, little(std::bit_cast<std::uint32_t>(bad), 4));
+    // A quaternion that is too large is made a unit one, as NIfTI's own code does.
+    CHECK((fault_of(folder, "v.nii", file) != "") == !std::isfinite(bad));
+  }
+}
+
+// The fault was blamed on the data file, which the user had not named.
+TEST_CASE("a region beyond the grid is a fault of the file that was named") {
+  const TemporaryFolder folder;
+  ReadOptions options;
+  options.roi = Roi{{0, 0, 0}, {3, 3, 4}};
+  const std::string message = ": region 0:3 along x is not two or more of the samples 0:2";
+  for (const StoredVolume& stored : all_forms(small_truth())) {
+    if (stored.label.starts_with("raw")) continue;
+    for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
+    for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
+    CHECK(fault(folder, stored.files[0].name, options) == stored.files[0].name + message);
+  }
 }
 
 TEST_CASE("raw data and regions") {

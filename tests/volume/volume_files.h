@@ -160,7 +160,7 @@ inline std::vector<NamedFile> nrrd(const Truth& t, std::endian order, const std:
   header += types[static_cast<int>(t.type)];
   header += "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + join(t.dims) +
             "\nspace directions: ";
-  for (std::size_t a = 0; a < 3; ++a) header += "(" + join(t.step(a), ",") + ") ";
+  for (std::size_t a = 0; a < 3; ++a) header.append("(").append(join(t.step(a), ",")).append(") ");
   header += "\nspace origin: (" + join(t.origin, ", ") + ")\nencoding: " + encoding + "\n";
   if (encoding != "ascii" && size_of(t.type) > 1)
     header += order == std::endian::little ? "endian: little\n" : "endian: big\n";
@@ -385,7 +385,8 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
           for (auto placement : {NiftiForm::Placement::qform, NiftiForm::Placement::sform}) {
             NiftiForm form{version, order, pair, compressed};
             form.placement = placement;
-            all.push_back({"nifti " + to_text(version) + name(order), nifti(t, form)});
+            const char* way = placement == NiftiForm::Placement::qform ? " qform" : " sform";
+            all.push_back({"nifti " + to_text(version) + name(order) + way, nifti(t, form)});
           }
         }
       }
