@@ -62,13 +62,11 @@ std::string input_text(const Input& input) {
             (at.left_handed() ? ", left-handed" : "") + ", space " +
             std::string(name_of(at.space)) + "\n";
   }
-  std::string arrays;
   for (const NamedArray& array : input.log.arrays) {
-    arrays += (arrays.empty() ? "          arrays " : ", ") + array.name + " (" + array.type;
-    if (array.components != 1) arrays += " x " + std::to_string(array.components);
-    arrays += array.read ? ", read)" : ")";
+    std::string of = array.name + ": " + array.type;
+    if (array.components != 1) of += " x " + std::to_string(array.components);
+    text += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
   }
-  if (!arrays.empty()) text += one_line(arrays) + "\n";
   for (const std::string& note : input.log.notes) text += "          " + note + "\n";
   return text;
 }

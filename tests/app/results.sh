@@ -248,7 +248,8 @@ holds "its corners at 0 are one" grep -q '^FAULT ' report
 } >two.vtk
 "$deliso" info two.vtk --json two.json >facts
 holds "the first array is read" grep -q 'samples 0 to 7$' facts
-holds "all are listed" grep -q -x '          arrays first (float32, read), second (int16)' facts
+holds "all are listed" grep -q -x '          array first: float32, read' facts
+holds "with their types" grep -q -x '          array second: int16' facts
 holds "which one was taken is said" grep -q "array 'first' is read, one of 2" facts
 holds "the JSON has them" grep -q '^      "second": {$' two.json
 "$deliso" info two.vtk --array second >facts
