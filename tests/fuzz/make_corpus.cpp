@@ -55,6 +55,7 @@ void add_volumes(Corpus& corpus) {
       }
     }
   }
+  for (const bool binary : {false, true}) corpus.add("vtk", vtk_of_many(binary));
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     Random random(seed);
     std::string data;

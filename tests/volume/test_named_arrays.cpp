@@ -16,37 +16,6 @@ namespace {
 constexpr Index3 kDims{2, 3, 4};
 constexpr int kPoints = 24;
 
-// Big-endian values, or words.
-std::string values(bool binary, int count, int bytes, int from) {
-  std::string all;
-  for (int n = 0; n < count; ++n) {
-    all += binary ? big(static_cast<std::uint64_t>(from + n), bytes) : to_text(from + n) + " ";
-  }
-  return all + "\n";
-}
-
-// Everything that may stand in a legacy file, with two scalar arrays behind the rest.
-std::string legacy(bool binary, const std::string& end = "") {
-  const auto v = [&](int count, int bytes, int from = 0) {
-    return values(binary, count, bytes, from);
-  };
-  const std::string metadata =
-      "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n";
-  return "# vtk DataFile Version 4.2\ntitle\n" + std::string(binary ? "BINARY" : "ASCII") +
-         "\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\nSPACING 1 1 1\nORIGIN 0 0 0\n" +
-         "FIELD FieldData 1\nTIME 1 1 double\n" + v(1, 8) + metadata +
-         "CELL_DATA 6\nSCALARS of_cells int 1\nLOOKUP_TABLE default\n" + v(6, 4) +
-         "POINT_DATA 24\nVECTORS velocity float\n" + v(3 * kPoints, 4) + metadata +
-         "NORMALS normals double\n" + v(3 * kPoints, 8) + "TENSORS stress float\n" +
-         v(9 * kPoints, 4) + "TEXTURE_COORDINATES uv 2 float\n" + v(2 * kPoints, 4) +
-         "LOOKUP_TABLE colors 3\n" + v(4 * 3, 1) + "SCALARS wide unsigned_short 2\n" +
-         "LOOKUP_TABLE colors\n" + v(2 * kPoints, 2) + "SCALARS ids vtktypeint64\n" +
-         "LOOKUP_TABLE default\n" + v(kPoints, 8) + "SCALARS density unsigned_char\n" +
-         "LOOKUP_TABLE default\n" + v(kPoints, 1, 10) + metadata +
-         "FIELD FieldData 3\nNULL_ARRAY\nshort 1 5 int\n" + v(5, 4) + metadata +
-         "pressure 1 24 int\n" + v(kPoints, 4, 1000) + end;
-}
-
 struct Outcome {
   std::string error;
   double first = 0, last = 0;
@@ -80,7 +49,7 @@ std::string vti_of_three() {
        {"type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"",
         "type=\"Int16\" Name=\"density\"", "type=\"Float64\" Name=\"pressure\""}) {
     file += std::string("<DataArray ") + tag + " format=\"ascii\">" +
-            values(false, from == 0 ? 3 * kPoints : kPoints, 0, from) + "</DataArray>";
+            vtk_values(false, from == 0 ? 3 * kPoints : kPoints, 0, from) + "</DataArray>";
     from += 100;
   }
   return file +
@@ -96,7 +65,7 @@ TEST_CASE("the array that is named is read, wherever it stands") {
     CAPTURE(binary);
     for (const std::string end :
          {"", "METADATA", "garbage 12", "SCALARS", "FIELD x 3\na 1 1 int\n"}) {
-      const std::string file = legacy(binary, end);
+      const std::string file = vtk_of_many(binary, end);
       const Outcome density = read(folder, "v.vtk", file, "density");
       CHECK(density.error == "");
       CHECK(density.first == 10);
@@ -116,7 +85,7 @@ TEST_CASE("the array that is named is read, wherever it stands") {
 TEST_CASE("without a name the first that can be meshed is read, and that is said") {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
-    const Outcome first = read(folder, "v.vtk", legacy(binary), std::nullopt);
+    const Outcome first = read(folder, "v.vtk", vtk_of_many(binary), std::nullopt);
     CHECK(first.first == 10);
     REQUIRE(first.log.notes.size() == 1);
     CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 8; --array names another"));
@@ -139,7 +108,7 @@ TEST_CASE("names that are not there, arrays that cannot be meshed, formats witho
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
     const auto error = [&](const std::string& name) {
-      return read(folder, "v.vtk", legacy(binary), name).error;
+      return read(folder, "v.vtk", vtk_of_many(binary), name).error;
     };
     CHECK(error("Density") ==
           "v.vtk: has no array 'Density', but 'velocity', 'normals', 'stress', 'uv', 'wide', "
@@ -148,7 +117,7 @@ TEST_CASE("names that are not there, arrays that cannot be meshed, formats witho
     CHECK(error("wide") ==
           "v.vtk: array 'wide' has 2 components per point: only scalar volumes can be meshed");
     CHECK(error("ids").starts_with("v.vtk: sample type 'vtktypeint64' is not supported"));
-    const std::string whole = legacy(binary);
+    const std::string whole = vtk_of_many(binary);
     const std::string cut = whole.substr(0, whole.find("NORMALS") + 100);
     CHECK(read(folder, "v.vtk", cut, "density").error == "v.vtk: ends within its array 'normals'");
   }

@@ -317,6 +317,39 @@ inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
   return {{"v.vtk", file + "\nMETADATA\nINFORMATION 0\n"}};
 }
 
+// Big-endian values, or words.
+inline std::string vtk_values(bool binary, int count, int bytes, int from) {
+  std::string all;
+  for (int n = 0; n < count; ++n) {
+    all += binary ? big(static_cast<std::uint64_t>(from + n), bytes) : to_text(from + n) + " ";
+  }
+  return all + "\n";
+}
+
+// Everything that may stand in a legacy file, with two scalar arrays of 2 x 3 x 4 points, density
+// (10 to 33) and pressure (1000 to 1023), behind the rest.
+inline std::string vtk_of_many(bool binary, const std::string& end = "") {
+  constexpr int points = 24;
+  const auto v = [&](int count, int bytes, int from = 0) {
+    return vtk_values(binary, count, bytes, from);
+  };
+  const std::string metadata =
+      "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n";
+  return "# vtk DataFile Version 4.2\ntitle\n" + std::string(binary ? "BINARY" : "ASCII") +
+         "\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\nSPACING 1 1 1\nORIGIN 0 0 0\n" +
+         "FIELD FieldData 1\nTIME 1 1 double\n" + v(1, 8) + metadata +
+         "CELL_DATA 6\nSCALARS of_cells int 1\nLOOKUP_TABLE default\n" + v(6, 4) +
+         "POINT_DATA 24\nVECTORS velocity float\n" + v(3 * points, 4) + metadata +
+         "NORMALS normals double\n" + v(3 * points, 8) + "TENSORS stress float\n" +
+         v(9 * points, 4) + "TEXTURE_COORDINATES uv 2 float\n" + v(2 * points, 4) +
+         "LOOKUP_TABLE colors 3\n" + v(4 * 3, 1) + "SCALARS wide unsigned_short 2\n" +
+         "LOOKUP_TABLE colors\n" + v(2 * points, 2) + "SCALARS ids vtktypeint64\n" +
+         "LOOKUP_TABLE default\n" + v(points, 8) + "SCALARS density unsigned_char\n" +
+         "LOOKUP_TABLE default\n" + v(points, 1, 10) + metadata +
+         "FIELD FieldData 3\nNULL_ARRAY\nshort 1 5 int\n" + v(5, 4) + metadata +
+         "pressure 1 24 int\n" + v(points, 4, 1000) + end;
+}
+
 // ---- VTK XML
 
 inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
