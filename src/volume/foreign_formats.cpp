@@ -44,7 +44,7 @@ constexpr Signature kSignatures[] = {
      "is HDF5: make it raw with 'h5dump -d DATASET -b LE -o volume.raw FILE', and give --dims and "
      "--type"},
     {208, "MAP "sv,
-     "is MRC: read it as raw data behind its header, with --skip 1024, --dims and --type"},
+     "is MRC: read it as raw data, with --skip 1024 (and its extended header), --dims and --type"},
     {0, "\x89PNG\r\n\x1a\n"sv, kPicture},
     {0, "\xff\xd8\xff"sv, kPicture},
     // The size of the header, in either byte order; NIfTI has a magic number as well.
