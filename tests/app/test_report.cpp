@@ -92,6 +92,11 @@ std::vector<json::Value> all_reports() {
   }
   out.close();
   all.push_back(written(folder, {"info", padded, "--dims", "20x20x20", "--type", "uint8"}));
+  const std::string named = folder.file("named.vtk");
+  std::ofstream(named) << "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET STRUCTURED_POINTS\n"
+                          "DIMENSIONS 2 2 2\nSPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 8\n"
+                          "SCALARS density float\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n";
+  all.push_back(written(folder, {"info", named, "--array", "density"}));
   return all;
 }
 
