@@ -15,9 +15,26 @@
 namespace deliso {
 namespace {
 
-// How far off a face: as far as that is, in hairs, and nearer where it is refused. A mesh that is
-// embedded stays so when a vertex is moved, if it is by little enough.
-constexpr double kHairs[] = {1, 0x1p-4, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24};
+// How far off a face: a hair, and nearer where that is refused, each time by this factor. A mesh
+// that is embedded stays so when a vertex is moved, if it is by little enough.
+constexpr double kNearer = 0x1p-4;
+// But off by so much, as a share of the largest coordinate, here or in the world: what is nearer
+// may be on the face when it has been to the world and back.
+constexpr double kOff = 0x1p-46;
+
+// From a hair to what is just off a face.
+std::vector<double> distances_off(const Volume& volume, double voxel) {
+  std::vector<double> off;
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, volume.box().hi[axis], std::fabs(volume.frame().origin[axis])});
+  }
+  const double least = kOff * largest;
+  for (double d = kHair * voxel; off.empty() || d > least; d *= kNearer) {
+    off.push_back(std::max(d, 2 * least));
+  }
+  return off;
+}
 
 // Where along an edge.
 constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
@@ -48,7 +65,7 @@ class BoxLeaver {
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
-        hair_(kHair * parameters.voxel),
+        off_(distances_off(surface.volume(), parameters.voxel)),
         surface_(surface),
         parameters_(parameters),
         report_(report),
@@ -58,6 +75,8 @@ class BoxLeaver {
 
  private:
   unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_); }
+  // Those that p does not lie off by enough.
+  unsigned faces_near(const Vec3& p) const { return box_faces_at(p, box_, 0.5 * off_.back()); }
   // The faces that both ends of the edge of f opposite its corner i lie on.
   unsigned faces_at_edge(FaceId f, int i) const {
     const Triangle& v = mesh_.faces[f].v;
@@ -98,7 +117,7 @@ class BoxLeaver {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   const Box3 box_;
-  const double hair_;
+  const std::vector<double> off_;  // descending
   const Isosurface& surface_;
   Parameters parameters_;
   Report& report_;
@@ -120,7 +139,7 @@ std::size_t BoxLeaver::run() {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     const Triangle corners = mesh_.faces[f].v;
     for (const VertexId v : corners) {
-      if (on_boundary[v] || faces_at(v) == 0) continue;
+      if (on_boundary[v] || faces_near(mesh_.points[v]) == 0) continue;
       on_boundary[v] = 1;  // once is enough
       left += !move_off(f, v);
     }
@@ -168,9 +187,9 @@ bool BoxLeaver::move_off(FaceId f, VertexId v) {
   change_.in.facets = change_.was.facets;
   change_.what = Change::Vertex::moves;
   change_.vertex = v;
-  const Vec3 from = mesh_.points[v], inward = inwards(faces_at(v));
-  return std::any_of(std::begin(kHairs), std::end(kHairs), [&](double hairs) {
-    change_.place = from + hairs * hair_ * inward;
+  const Vec3 from = mesh_.points[v], inward = inwards(faces_near(from));
+  return std::any_of(off_.begin(), off_.end(), [&](double off) {
+    change_.place = from + off * inward;
     return replace(false);
   });
 }
@@ -182,7 +201,7 @@ std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec
     const double size = length(line.direction);
     if (!(size > 0)) continue;
     const auto x = finder_.nearest(line.at, line.direction / size, limit, report_.searches_refine);
-    if (x && box_faces_at(*x, box_) == 0) found.push_back(*x);
+    if (x && faces_near(*x) == 0) found.push_back(*x);
   }
   std::sort(found.begin(), found.end(), [&](const Vec3& p, const Vec3& q) {
     return distance2(p, middle) < distance2(q, middle);
@@ -231,9 +250,9 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   if (is_edge) change_.out.push_back(g);
   if (!replacer().take_out(change_)) return false;
   if (effort == Effort::next_to_it) {
-    for (const double hairs : kHairs) {
+    for (const double off : off_) {
       for (const Vec3& base : bases) {
-        if (!put_cone(base + hairs * hair_ * inward, false)) continue;
+        if (!put_cone(base + off * inward, false)) continue;
         ++report_[Counter::cap_lifts_off_surface];
         return true;
       }
