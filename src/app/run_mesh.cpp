@@ -63,17 +63,6 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   return make_tri_mesh(mesh.points, triangles);
 }
 
-// The mesh without its caps, which are no part of what is compared with the exact surface, and the
-// first rule that the mesh breaks.
-TriMesh surface_of(const Volume& volume, const TriMesh& mesh, MeshRun& run) {
-  const bool capped = run.line.options.cap;
-  const std::size_t count = capped ? run.report.cap.surface_triangles : mesh.faces.size();
-  TriMesh surface = capped ? part_of(mesh, 0, count) : mesh;
-  run.fault = check_mesh(mesh);
-  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
-  return surface;
-}
-
 // Counts, checks and measures the mesh, and sets the exact contour beside it.
 void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, Progress& progress,
              MeshRun& run) {
@@ -134,7 +123,12 @@ int run_mesh(const CommandLine& line) {
   const Stopwatch watch;
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
-  const TriMesh surface = surface_of(volume, mesh, run);
+  // Caps are no part of what is compared with the exact surface.
+  TriMesh without_caps;
+  if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
+  const TriMesh& surface = line.options.cap ? without_caps : mesh;
+  run.fault = check_mesh(mesh);
+  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
   if (!line.quiet || line.check || !line.json.empty())
     examine(volume, mesh, surface, progress, run);
   run.seconds_check = watch.seconds();
