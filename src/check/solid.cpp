@@ -2,8 +2,9 @@
 #include "check/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
+#include <optional>
 
 #include "base/text.h"
 #include "delaunay/predicates.h"
@@ -15,24 +16,35 @@ namespace {
 struct PlaneOfBox {
   int axis = 0;
   bool high = false;
-  double off = 0;  // the furthest of the corners
+  double at = 0;
+  double tolerance = 0;  // of vertices on it
+
+  double off(const Vec3& p) const { return std::fabs(p[axis] - at); }
+  // The distance of the furthest corner; nothing where it is not on the plane.
+  std::optional<double> off(const TriMesh& mesh, const Triangle& t) const {
+    const double most =
+        std::max({off(mesh.points[t[0]]), off(mesh.points[t[1]]), off(mesh.points[t[2]])});
+    return most <= tolerance ? std::optional(most) : std::nullopt;
+  }
 };
 
-// The face of the box that all corners lie on; `found` is set when there is one.
-PlaneOfBox face_of(const TriMesh& mesh, const Triangle& t, const Box3& box, double tolerance,
-                   bool& found) {
-  found = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const bool high : {false, true}) {
-      const double plane = high ? box.hi[axis] : box.lo[axis];
-      double off = 0;
-      for (const VertexId v : t) off = std::max(off, std::fabs(mesh.points[v][axis] - plane));
-      if (!(off <= tolerance)) continue;
-      found = true;
-      return {axis, high, off};
+// The planes of the box. Where most vertices next to one are exactly on it, the mesh was written in
+// this frame: then the others are off it, by however little.
+std::array<PlaneOfBox, 6> planes_of(const TriMesh& mesh, const Box3& box, double tolerance) {
+  std::array<PlaneOfBox, 6> planes;
+  for (int n = 0; n < 6; ++n) {
+    const int axis = n / 2;
+    const bool high = n % 2 == 1;
+    PlaneOfBox plane{axis, high, (high ? box.hi : box.lo)[axis], tolerance};
+    std::size_t near = 0, exact = 0;
+    for (const Vec3& p : mesh.points) {
+      near += plane.off(p) <= tolerance;
+      exact += plane.off(p) == 0;
     }
+    if (2 * exact > near) plane.tolerance = 0;
+    planes[static_cast<std::size_t>(n)] = plane;
   }
-  return {};
+  return planes;
 }
 
 }  // namespace
@@ -40,19 +52,21 @@ PlaneOfBox face_of(const TriMesh& mesh, const Triangle& t, const Box3& box, doub
 SolidParts part_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults) {
   SolidParts parts;
   parts.is_cap.resize(mesh.faces.size());
+  const std::array<PlaneOfBox, 6> planes = planes_of(mesh, box, tolerance);
   std::vector<Triangle> surface, caps;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& t = mesh.faces[f].v;
-    bool on_box = false;
-    const PlaneOfBox plane = face_of(mesh, t, box, tolerance, on_box);
-    if (!on_box) {
+    const auto on = std::find_if(planes.begin(), planes.end(),
+                                 [&](const PlaneOfBox& p) { return p.off(mesh, t).has_value(); });
+    if (on == planes.end()) {
       surface.push_back(t);
       parts.surface_id.push_back(f);
       continue;
     }
     caps.push_back(t);
     parts.is_cap[f] = true;
-    parts.off_box = std::max(parts.off_box, plane.off);
+    const PlaneOfBox& plane = *on;
+    parts.off_box = std::max(parts.off_box, *plane.off(mesh, t));
     Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
     // Exactly, since caps may be very thin: seen from a point outside.
     a[plane.axis] = b[plane.axis] = c[plane.axis] = 0;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/triangle.h"
+#include "check/solid.h"
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -463,6 +464,32 @@ TEST_CASE("a solid: sound as it is, and one fault in its caps is one fault") {
   Vec3& corner = p.points.back();
   corner = corner + 0.01 * (0.5 * (volume.box().lo + volume.box().hi) - corner);
   CHECK(run(p).faults.any());
+}
+
+// A facet of the surface whose corners are all within the tolerance of a face was taken for a cap,
+// and reported as turned. A pyramid in the corner of the box, and its base: the apex is a hair off.
+TEST_CASE("what is a hair off the box is no cap, where the other vertices are exactly on it") {
+  const Box3 box{{0, 0, 0}, {1, 1, 1}};
+  constexpr double kTolerance = 1e-9;
+  for (const double hair : {1e-12, 0.5}) {
+    for (const bool exact : {true, false}) {
+      std::vector<Vec3> points{{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.5, 0.8, 0}, {0.5, 0.4, hair}};
+      // To the world and back, with no two roundings alike.
+      for (std::size_t v = 0; v < 3 && !exact; ++v)
+        points[v].z = 1e-13 * static_cast<double>(v + 1);
+      const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+      Faults faults;
+      const SolidParts parts =
+          part_solid(make_tri_mesh(points, triangles), box, kTolerance, faults);
+      CAPTURE(hair);
+      CAPTURE(exact);
+      // Without a vertex exactly on the face nothing tells a hair from a rounding.
+      const bool told_apart = exact || hair > kTolerance;
+      CHECK(parts.caps.faces.size() == (told_apart ? 1 : 4));
+      CHECK(parts.is_cap[0]);
+      CHECK(faults.count(FaultKind::turned_caps) == (told_apart ? 0 : 3));
+    }
+  }
 }
 
 // The same component may be missing where it is smaller than min_component, and only there.
