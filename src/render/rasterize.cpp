@@ -42,6 +42,24 @@ class Linear {
   double inverse_;
 };
 
+struct Steps {
+  std::int64_t begin, end;
+};
+
+// The steps to the right, of `count`, at which the facet covers the sample: where no weight has
+// another sign than the area. Slivers cost as much as they cover, not as much as their box.
+Steps covered(const CornerWeights& first, const std::int64_t (&right)[3], std::int64_t count) {
+  Steps steps{0, count};
+  const std::int64_t sign = first.area > 0 ? 1 : -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t weight = sign * first.weight[i], change = sign * right[i];
+    if (weight < 0 && change <= 0) return {0, 0};
+    if (weight < 0) steps.begin = std::max(steps.begin, (-weight + change - 1) / change);
+    if (weight >= 0 && change < 0) steps.end = std::min(steps.end, weight / -change + 1);
+  }
+  return steps;
+}
+
 }  // namespace
 
 ProjectedMesh project(const TriMesh& mesh, const Camera& camera, int samples_per_side,
@@ -103,11 +121,13 @@ std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& proj
     const std::int64_t right[3] = {kUnit * (b.y - c.y), kUnit * (c.y - a.y), kUnit * (a.y - b.y)};
     const std::int64_t down[3] = {kUnit * (c.x - b.x), kUnit * (a.x - c.x), kUnit * (b.x - a.x)};
     for (std::int64_t row = row0; row < row1; ++row) {
+      const auto [begin, end] = covered(at_row, right, column1 - column0);
       CornerWeights corners = at_row;
-      std::size_t at =
-          static_cast<std::size_t>(row - row_begin) * columns + static_cast<std::size_t>(column0);
-      for (std::int64_t column = column0; column < column1; ++column, ++at) {
-        if (corners.inside() && !(clipped && height.at(corners) > 0)) {
+      for (std::size_t i = 0; i < 3; ++i) corners.weight[i] += begin * right[i];
+      std::size_t at = static_cast<std::size_t>(row - row_begin) * columns +
+                       static_cast<std::size_t>(column0 + begin);
+      for (std::int64_t step = begin; step < end; ++step, ++at) {
+        if (!(clipped && height.at(corners) > 0)) {
           const double here = depth.at(corners);
           if (here > nearest[at]) {
             nearest[at] = here;

@@ -41,10 +41,6 @@ struct CornerWeights {
   std::array<std::int64_t, 3> weight;  // w[0] + w[1] + w[2] = area; no sign differs from area's
   std::int64_t area = 0;               // twice the signed area; 0: seen from its edge
 
-  bool inside() const {
-    return area > 0 ? weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0
-                    : area < 0 && weight[0] <= 0 && weight[1] <= 0 && weight[2] <= 0;
-  }
   double share(int i) const {
     return static_cast<double>(weight[static_cast<std::size_t>(i)]) / static_cast<double>(area);
   }
