@@ -19,6 +19,7 @@
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
+#include "embedding/self_intersections.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 #include "mesh/write_mesh.h"
@@ -84,6 +85,15 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   }
 }
 
+// Single precision and turned axes round: what is counted is the solid in the file.
+void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
+  const CommandLine& line = run.line;
+  CapReport& cap = run.report.cap;
+  if (!line.options.cap || !cap.failure.empty() || line.output.empty()) return;
+  const std::vector<Vec3> written = written_points(mesh, line.write);
+  if (written != mesh.points) cap.crossings = count_crossings(written, mesh.faces);
+}
+
 void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
   const CommandLine& line = run.line;
   const DeferSignals defer;
@@ -129,6 +139,7 @@ int run_mesh(const CommandLine& line) {
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   run.fault = check_mesh(mesh);
   if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
+  count_crossings_as_written(mesh, run);
   if (!line.quiet || line.check || !line.json.empty())
     examine(volume, mesh, surface, progress, run);
   run.seconds_check = watch.seconds();

@@ -91,15 +91,6 @@ void CrossingParter::part(const std::vector<std::pair<VertexId, VertexId>>& coin
   }
 }
 
-// Pairs of triangles that cross.
-std::size_t count_crossings(const TriMesh& mesh) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
-  const TriangleTree tree(mesh.points, triangles);
-  return self_intersections(mesh.points, triangles, tree).size();
-}
-
 }  // namespace
 
 std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
@@ -156,7 +147,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
                           " are no manifold");
     return;
   }
-  result.crossings = count_crossings(mesh);
+  result.crossings = count_crossings(mesh.points, mesh.faces);
 }
 
 }  // namespace deliso

@@ -2,6 +2,8 @@
 #include "embedding/self_intersections.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
@@ -24,6 +26,25 @@ std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3
   });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces) {
+  std::vector<VertexId> order(points.size()), merged(points.size());
+  std::iota(order.begin(), order.end(), VertexId{0});
+  const auto key = [&](VertexId v) { return std::tie(points[v].x, points[v].y, points[v].z); };
+  std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) { return key(a) < key(b); });
+  std::vector<Vec3> places;
+  for (const VertexId v : order) {
+    if (places.empty() || places.back() != points[v]) places.push_back(points[v]);
+    merged[v] = static_cast<VertexId>(places.size() - 1);
+  }
+  std::vector<Triangle> triangles;
+  triangles.reserve(faces.size());
+  for (const Face& face : faces) {
+    const Triangle t{merged[face.v[0]], merged[face.v[1]], merged[face.v[2]]};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+  }
+  return self_intersections(places, triangles, TriangleTree(places, triangles)).size();
 }
 
 }  // namespace deliso

@@ -4,6 +4,7 @@
 // are apart.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,5 +19,9 @@ namespace deliso {
 std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
                                                           std::span<const Triangle> triangles,
                                                           const TriangleTree& tree);
+
+// How many such pairs a mesh of these facets has over `points`; vertices at one position count as
+// one, and facets without area or that twice name one are passed over.
+std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces);
 
 }  // namespace deliso

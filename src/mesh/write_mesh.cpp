@@ -49,6 +49,18 @@ MeshFormat mesh_format_of(std::string_view path) {
   throw InputError(text("'", path, "' has no mesh format's ending (", known, ")"));
 }
 
+std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
+  const bool single = options.single_precision || options.format == MeshFormat::stl;
+  std::vector<Vec3> points;
+  points.reserve(mesh.points.size());
+  for (const Vec3& p : mesh.points) {
+    Vec3 q = mesh.frame.to_world(p);
+    for (int axis = 0; single && axis < 3; ++axis) q[axis] = static_cast<float>(q[axis]);
+    points.push_back(q);
+  }
+  return points;
+}
+
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
   const MeshFormat format = options.format ? *options.format
                             : path == "-"  ? MeshFormat::ply

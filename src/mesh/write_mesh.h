@@ -39,6 +39,10 @@ struct MeshWriteOptions {
   std::string comment{};               // empty: none
 };
 
+// The points as the file will hold them: in the world, rounded to float where that is asked for, or
+// by STL. pre: options.format.
+std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
+
 // In world coordinates: the mesh's frame is applied. Its space is written as SPACE=RAS or LPS where
 // it is known, in VTP as field data, where 3D Slicer looks for it; not in OFF.
 // Throws InputError on an unknown ending and on every fault of the file system.

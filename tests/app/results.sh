@@ -255,6 +255,14 @@ holds "the JSON has them" grep -q '^      "second": {$' two.json
 "$deliso" info two.vtk --array second >facts
 holds "the one that is named is read" grep -q 'samples 10 to 19$' facts
 
+# A solid in a file that rounds: the crossings counted are those of the file.
+"$deliso" builtin:gyroid:24 --cap -o solid.stl >report
+holds "a solid in single precision crosses nothing" \
+  grep -q '^ *0 crossing pairs of triangles' report
+status=0
+"$deliso" check solid.stl builtin:gyroid:24 --cap --restricted 0 >report || status=$?
+holds "and check finds the same" [ "$status" -eq 0 ]
+
 # A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
 # The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.
 head -c 64 /dev/zero >block.raw

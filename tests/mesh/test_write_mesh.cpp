@@ -14,6 +14,7 @@
 #include "base/triangle.h"
 #include "files/temporary_folder.h"
 #include "mesh/meshes.h"
+#include "mesh/read_mesh.h"
 #include "mesh/write_mesh.h"
 
 using namespace deliso;
@@ -352,6 +353,21 @@ TEST_CASE("the world frame moves points, and a mirroring one turns triangles rou
     CHECK(p == q);
   }
   CHECK(turn.to_world({1, 2, 3}) == Vec3{6, 5, 7});
+}
+
+TEST_CASE("the points as written are those that are read back") {
+  TriMesh mesh = random_sphere(6);
+  mesh.frame = {{30, -4, 5.5}, {Vec3{0, 0.6, 0.8}, Vec3{1, 0, 0}, Vec3{0, -0.8, 0.6}}};
+  for (const bool single : {false, true}) {
+    const MeshWriteOptions options{.format = MeshFormat::ply, .single_precision = single};
+    const TriMesh read = parse_mesh(written(mesh, options), MeshFormat::ply, "m");
+    CHECK(read.points == written_points(mesh, options));
+  }
+  const MeshWriteOptions stl{.format = MeshFormat::stl};
+  const TriMesh read = parse_mesh(written(mesh, stl), MeshFormat::stl, "m");
+  for (const Vec3& p : written_points(mesh, stl)) {
+    CHECK(std::find(read.points.begin(), read.points.end(), p) != read.points.end());
+  }
 }
 
 TEST_CASE("the ending names the format") {

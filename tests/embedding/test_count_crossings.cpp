@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/random.h"
+#include "embedding/self_intersections.h"
+#include "embedding/triangle_pair.h"
+
+using namespace deliso;
+
+namespace {
+
+std::size_t crossings(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+  return count_crossings(points, make_tri_mesh(points, triangles).faces);
+}
+
+}  // namespace
+
+TEST_CASE("as many crossings as brute force finds among random triangles") {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    for (VertexId v = 0; v < 90; v += 3) {
+      const Vec3 at{random.uniform(0, 3), random.uniform(0, 3), random.uniform(0, 3)};
+      for (int n = 0; n < 3; ++n) {
+        points.push_back(at + Vec3{random.uniform(), random.uniform(), random.uniform()});
+      }
+      triangles.push_back({v, v + 1, v + 2});
+    }
+    std::size_t expected = 0;
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (std::size_t g = f + 1; g < triangles.size(); ++g) {
+        expected += triangles_intersect(points, triangles[f], triangles[g]);
+      }
+    }
+    CAPTURE(seed);
+    CHECK(crossings(points, triangles) == expected);
+  }
+}
+
+// Rounding to float puts vertices together: what then touches at a corner does not cross.
+TEST_CASE("vertices at one position are one, and facets that name one twice are none") {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 1}, {0, -1, 1}};
+  CHECK(crossings(points, {{0, 1, 2}, {3, 4, 5}}) == 0);
+  CHECK(crossings(points, {{0, 1, 2}, {3, 4, 5}, {0, 3, 1}}) == 0);
+  std::vector<Vec3> apart = points;
+  apart[3] = {0.1, 0.1, 0};
+  CHECK(crossings(apart, {{0, 1, 2}, {3, 4, 5}}) == 1);
+}
