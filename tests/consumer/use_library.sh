@@ -47,7 +47,8 @@ else
 fi
 
 # As a part of another project the headers have the same names; compiling one file shows it.
-cmake -S "$source/tests/consumer" -B "$work/part" -DCMAKE_CXX_COMPILER="$cxx" \
+cmake -G "Unix Makefiles" -S "$source/tests/consumer" -B "$work/part" \
+  -DCMAKE_CXX_COMPILER="$cxx" \
   -DDELISO_SOURCE="$source" >/dev/null
 make -C "$work/part" consumer.o | tail -n 1
 echo 'the same mesh each way'
