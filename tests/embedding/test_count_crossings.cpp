@@ -43,7 +43,8 @@ TEST_CASE("as many crossings as brute force finds among random triangles") {
 
 // Rounding to float puts vertices together: what then touches at a corner does not cross.
 TEST_CASE("vertices at one position are one, and facets that name one twice are none") {
-  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 1}, {0, -1, 1}};
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0},  {0, 1, 0},
+                                 {0, 0, 0}, {-1, 0, 1}, {0, -1, 1}};
   CHECK(crossings(points, {{0, 1, 2}, {3, 4, 5}}) == 0);
   CHECK(crossings(points, {{0, 1, 2}, {3, 4, 5}, {0, 3, 1}}) == 0);
   std::vector<Vec3> apart = points;
