@@ -87,8 +87,8 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
   return {crossings[0] + crossings[1] + crossings[2], area / (1.5 * voxel * voxel)};
 }
 
-double expected_vertices(const Volume& volume, double kappa, const Options& options) {
-  const SurfaceEstimate surface = estimate_surface(volume, kappa);
+double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
+                         const Options& options) {
   if (options.method == Method::marching_cubes) return surface.crossings;
   const Vec3 s = volume.spacing();
   const double vertices = surface.area * density(options, volume, std::min({s.x, s.y, s.z}));

@@ -20,6 +20,11 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 // By the bound on the distance, within a factor of 3 for surfaces whose curvature is that of most
 // data, a few voxels in radius; up to 6 too few for noise. By the paper's criteria no more than an
 // order of magnitude, since what they spend on a crease depends on its angle.
-double expected_vertices(const Volume& volume, double kappa, const Options& options);
+// `surface`: the volume's at the isovalue.
+double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
+                         const Options& options);
+inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {
+  return expected_vertices(estimate_surface(volume, kappa), volume, options);
+}
 
 }  // namespace deliso

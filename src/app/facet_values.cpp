@@ -62,17 +62,16 @@ std::vector<double> smallest_angles(const TriMesh& mesh) {
 
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume,
                                         double isovalue) {
-  constexpr double kSearch = 4;  // diagonals of a voxel
   constexpr double kNear = 0.1;  // voxels; what is further is looked for in more directions
   const Vec3 spacing = volume.spacing();
   const double voxel = std::min({spacing.x, spacing.y, spacing.z});
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, settled_isovalue(volume, isovalue));
+  const double limit = kSearchDiagonals * length(spacing);
   SearchCounters counters;
   return of_facets(home, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     double furthest = 0;
-    for (const Measure& m :
-         measure_triangle(a, b, c, surface, kSearch * length(spacing), kNear * voxel, counters)) {
+    for (const Measure& m : measure_triangle(a, b, c, surface, limit, kNear * voxel, counters)) {
       furthest = std::max(furthest, m.distance);
     }
     return furthest / voxel;

@@ -24,9 +24,9 @@ constexpr std::size_t kSamples = std::size_t{1} << 25;
 constexpr double kCrossings = 1 << 22;
 
 Suggestion suggestion_of(const Valley& valley, const Volume& volume, const Options& options) {
-  Suggestion s{valley, expected_vertices(volume, valley.isovalue, options), std::nullopt};
-  if (volume.sample_count() <= kSamples &&
-      estimate_surface(volume, valley.isovalue).crossings <= kCrossings) {
+  const SurfaceEstimate surface = estimate_surface(volume, valley.isovalue);
+  Suggestion s{valley, expected_vertices(surface, volume, options), std::nullopt};
+  if (volume.sample_count() <= kSamples && surface.crossings <= kCrossings) {
     s.components = summarize_contour(volume, valley.isovalue).components.size();
   }
   return s;

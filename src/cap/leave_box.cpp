@@ -234,7 +234,7 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   const Triangle v = mesh_.faces[f].v;
   const Vec3 a = mesh_.points[v[(i + 1) % 3]], b = mesh_.points[v[(i + 2) % 3]],
              c = mesh_.points[v[i % 3]];
-  unsigned faces = faces_at(v[(i + 1) % 3]) & faces_at(v[(i + 2) % 3]);
+  unsigned faces = faces_at_edge(f, i);
   double limit = distance(a, b);
   std::vector<Vec3> bases;
   if (is_edge) {

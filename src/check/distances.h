@@ -23,6 +23,9 @@ struct Distances {
   Vec3 first_not_found;
 };
 
+// How far Sigma is looked for, in diagonals of a voxel.
+inline constexpr double kSearchDiagonals = 4;
+
 struct Measure {
   Vec3 at;
   double distance = 0;  // infinite: nothing was found

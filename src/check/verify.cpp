@@ -23,9 +23,6 @@ namespace {
 // How far a vertex may be from Sigma beyond its rounding, in voxels.
 constexpr double kOnSurface = 1e-6;
 
-// How far Sigma is looked for, in diagonals of a voxel.
-constexpr double kSearch = 4;
-
 // How much further than the mesh from Sigma points of Sigma may be from the mesh.
 constexpr double kReach = 2;
 
@@ -230,7 +227,8 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   tell(0.65);
 
   const double bound = options.limits.max_distance;
-  result.to_surface = distances_to_surface(clean, surface, kSearch * length(spacing), bound);
+  result.to_surface =
+      distances_to_surface(clean, surface, kSearchDiagonals * length(spacing), bound);
   result.from_surface = distances_from_surface(contour, tree, kReach * bound);
   if (options.require_distance) {
     require_distance(result.to_surface, voxel, "a point of the mesh", faults);
