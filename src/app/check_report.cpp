@@ -132,6 +132,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   const Options& asked = line.options;
   const CommandLine::Given& given = line.given;
   VerifyOptions options;
+  options.threads = asked.threads;
   options.min_component = asked.min_component;
   options.restricted_share = line.restricted_share;
   options.solid = asked.cap;

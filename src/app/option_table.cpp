@@ -163,7 +163,8 @@ constexpr OptionSpec kOptions[] = {
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--keep-partial", 0, "", kMeshOnly, "with --max-vertices: write the valid mesh so far",
      [](Line& l, Text, Text) { l.options.keep_partial = true; }},
-    {"--threads", 0, "N", kMeshOnly, "threads to use, 1 or more; this version uses one",
+    {"--threads", 0, "N", kMeshAndCheck,
+     "threads to use (default: as many as the machine has); the result is the same with any number",
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},

@@ -75,6 +75,7 @@ Parameters resolve(const Options& o, const Volume& volume) {
   // Fingers would ask for more than so many vertices.
   if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
   p.pole_side = o.pole_side;
+  p.threads = o.threads;
   p.seed = o.seed;
   p.samples = o.samples;
   p.min_component = o.min_component;

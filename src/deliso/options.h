@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "base/parallel.h"
 #include "roots/cubic.h"
 #include "surface/parameters.h"
 #include "volume/volume.h"
@@ -52,7 +53,8 @@ struct Options {
   std::size_t samples = 50;  // N0, random points to begin with
   double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
   CubicMethod cubic = CubicMethod::isolation;
-  int threads = 1;
+  // How many to use; the mesh is the same with any number.
+  int threads = hardware_threads();
 
   bool single_stage = false;  // Table 2's baseline: all refinement on the 3D triangulation
   bool stop_after_recover = false;

@@ -43,6 +43,7 @@ struct Parameters {
   bool as_published = false;
   PoleSide pole_side = PoleSide::nearer;
 
+  int threads = 1;
   std::uint64_t seed = 1;
   std::size_t samples = 50;  // N0, random points to begin with
   double min_component = 0;  // components whose bounding box is smaller (voxels) are left out

@@ -338,7 +338,7 @@ TEST_CASE("what was meant to be a command, or an option") {
   CHECK(refusal({"a", "--isolevel=1"}) == "unknown option '--isolevel'; did you mean --iso?");
 }
 
-TEST_CASE("the help lists the criteria under Meshing, and promises no threads") {
+TEST_CASE("the help lists the criteria under Meshing") {
   const std::string help = help_text(Command::mesh);
   const std::size_t meshing = help.find("\nMeshing:\n"), raw = help.find("\nRaw files:\n");
   REQUIRE(meshing < raw);
@@ -349,7 +349,7 @@ TEST_CASE("the help lists the criteria under Meshing, and promises no threads") 
     CHECK(at < raw);
   }
   CHECK(help.find("--turns") == std::string::npos);
-  CHECK(help.find("this version uses one") != std::string::npos);
+  CHECK(help.find("the same with any number") != std::string::npos);
 }
 
 TEST_CASE("every option of pictures reaches its field") {

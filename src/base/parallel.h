@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Work in several threads that gives the same bytes as in one: it is cut into tasks that are the
+// same for every number of threads, and what a task leaves behind depends on its number alone,
+// never on who runs it or when.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace deliso {
+
+// How many threads this machine runs at once.
+inline int hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Calls task(n) once for every n below `tasks`, in at most so many threads, this one among them;
+// tasks begin in order. What they throw is thrown here: of several the one with the smallest
+// number, which is the same with any number of threads. Tasks after it need not have run.
+template <class Task>
+void for_each_task(int threads, std::size_t tasks, Task&& task) {
+  if (threads <= 1 || tasks <= 1) {
+    for (std::size_t n = 0; n < tasks; ++n) task(n);
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::size_t failed = tasks;
+  std::exception_ptr thrown;
+  const auto work = [&] {
+    for (std::size_t n = next++; n < tasks; n = next++) {
+      try {
+        task(n);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        next = tasks;
+        if (n < failed) {
+          failed = n;
+          thrown = std::current_exception();
+        }
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    try {
+      for (std::size_t n = 1; n < std::min(tasks, static_cast<std::size_t>(threads)); ++n) {
+        others.emplace_back(work);
+      }
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do it all.
+    }
+    work();
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+// The same for runs of at most `grain` of `size` things: calls task(begin, end), or with the
+// number of the run as well, task(n, begin, end).
+inline std::size_t runs_of(std::size_t size, std::size_t grain) {
+  return (size + grain - 1) / grain;
+}
+template <class Task>
+void for_each_run(int threads, std::size_t size, std::size_t grain, Task&& task) {
+  for_each_task(threads, runs_of(size, grain), [&](std::size_t n) {
+    const std::size_t begin = n * grain, end = std::min(size, begin + grain);
+    if constexpr (requires { task(n, begin, end); }) {
+      task(n, begin, end);
+    } else {
+      task(begin, end);
+    }
+  });
+}
+
+}  // namespace deliso
