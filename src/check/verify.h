@@ -41,7 +41,7 @@ struct VerifyOptions {
   // counted, and no fault. Points of the mesh further than max_distance from Sigma are counted too,
   // and points of Sigma further than twice that from the mesh (as Stage 2 has it).
   Limits limits;
-  bool require_distance = false;         // these points are faults
+  bool require_distance = false;  // these points are faults
   int threads = 1;
   std::function<void(double)> progress;  // called with the share that is done; may be empty
   bool solid = false;  // the mesh is to be closed on the box; what is said of it holds without caps

@@ -30,6 +30,14 @@ struct SearchCounters {
   std::uint64_t searches_with_hit = 0;
   std::uint64_t computations = 0;           // voxel-ray intersections solved
   std::uint64_t computations_with_hit = 0;  // those of searches that found something (CPI*)
+
+  SearchCounters& operator+=(const SearchCounters& o) {
+    searches += o.searches;
+    searches_with_hit += o.searches_with_hit;
+    computations += o.computations;
+    computations_with_hit += o.computations_with_hit;
+    return *this;
+  }
 };
 
 struct Hit {

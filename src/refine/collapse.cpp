@@ -17,7 +17,7 @@ constexpr double kWorse = 2;
 
 Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
                      const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, Report& report)
+                     const Parameters& parameters, std::size_t of_stage1, Report& report)
     : s_(surface_mesh),
       mesh_(surface_mesh.mesh),
       replacer_(replacer),
@@ -26,7 +26,7 @@ Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Ju
       curves_(curves),
       parameters_(parameters),
       report_(report),
-      of_stage1_(surface_mesh.mesh.points.size()) {}
+      of_stage1_(of_stage1) {}
 
 // Whether the mesh, and the chain, can do without v.
 bool Collapser::may_go(VertexId v) const {

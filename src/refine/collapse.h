@@ -13,10 +13,10 @@ namespace deliso {
 
 class Collapser {
  public:
-  // Keeps references. The mesh's vertices at this moment are those of Stage 1.
+  // Keeps references. The first `of_stage1` vertices are those of Stage 1.
   Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
             const Isosurface& surface, const BoundaryCurves& curves, const Parameters& parameters,
-            Report& report);
+            std::size_t of_stage1, Report& report);
 
   // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than
   // r_min, unless the worst r/l there would more than double.

@@ -159,6 +159,7 @@ bool DiskReplacer::turns_inside_out(const Change& change) {
   }
   for (std::size_t done = 0; done < rest_.size();) {
     if (rest_.size() > kFewFacets || is_between_faces) return false;
+    if (is_fixed(rest_[done])) return false;  // it may go on where nothing is seen of it
     const Face& face = mesh_.faces[rest_[done++]];
     for (int i = 0; i < 3; ++i) {
       if (face.n[i] == kNoId) {

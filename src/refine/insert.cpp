@@ -48,6 +48,7 @@ std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
   find_encroached(start, p);
   if (!opened) {
     if (const auto edge = encroached_boundary(p)) {
+      if (replacer_.is_fixed(edge->face)) return replacer_.refuse_beyond();
       return split_boundary(*edge) ? std::nullopt : std::optional(Refusal::boundary);
     }
   }

@@ -9,6 +9,7 @@
 // so the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "surface/parameters.h"
@@ -17,10 +18,14 @@
 
 namespace deliso {
 
-// Refines `mesh` in place. `witnesses`: points of Sigma that are to be no further from the mesh
-// than the criteria say, as far as r_min allows. Throws InputError at max_vertices unless
-// keep_partial.
+// A mesh of more facets is cut (refine/parts.h): the fewer a part has, the more lie at its edges.
+inline constexpr std::size_t kLargestPart = 3000;
+
+// Refines `mesh` in place, in parameters.threads threads. `witnesses`: points of Sigma that are to
+// be no further from the mesh than the criteria say, as far as r_min allows. Throws InputError at
+// max_vertices unless keep_partial.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::span<const Vec3> witnesses, const Parameters& parameters, Report& report);
+            std::span<const Vec3> witnesses, const Parameters& parameters, Report& report,
+            std::size_t largest_part = kLargestPart);
 
 }  // namespace deliso

@@ -19,7 +19,9 @@ constexpr double kFine = 0.2;  // voxels
 double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
   std::vector<Triangle> facets;
   facets.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) facets.push_back(face.v);
+  for (const Face& face : mesh.faces) {
+    if (!is_dead(face)) facets.push_back(face.v);
+  }
   const Criteria& criteria = parameters.refinement;
   const double asked = std::min({std::sqrt(criteria.max_distance * parameters.voxel),
                                  criteria.max_radius, kFine * parameters.voxel});
@@ -33,22 +35,30 @@ bool has(std::span<const VertexId> list, VertexId v) {
 }  // namespace
 
 DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
-                           const Parameters& parameters, Report& report)
+                           const Parameters& parameters, Report& report, const Part& part)
     : s_(surface_mesh),
       mesh_(surface_mesh.mesh),
       surface_(surface),
       parameters_(parameters),
       report_(report),
+      part_(part),
       finder_(surface),
       facets_(surface.volume().box(), grid_cell(mesh_, parameters)),
       vertices_(surface.volume().box(), grid_cell(mesh_, parameters)),
       marks_(mesh_.faces.size(), 0) {
   if (parameters.as_published) return;
+  std::vector<std::uint8_t> is_used(mesh_.points.size(), 0);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    facets_.add(f, facets_.box_of(mesh_.points, mesh_.faces[f].v));
+    const Triangle& v = mesh_.faces[f].v;
+    if (is_dead(mesh_.faces[f])) {
+      free_.push_back(f);
+      continue;
+    }
+    facets_.add(f, facets_.box_of(mesh_.points, v));
+    for (const VertexId q : v) is_used[q] = 1;
   }
   for (VertexId v = 0; v < mesh_.points.size(); ++v) {
-    vertices_.add(v, vertices_.box_of(mesh_.points[v]));
+    if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));
   }
 }
 
@@ -60,6 +70,11 @@ bool DiskReplacer::take_out(Change& change) {
     change.was.facets.push_back(mesh_.faces[f].v);
   }
   return change.was.link();
+}
+
+bool DiskReplacer::leaves_part(const Change& change) const {
+  return std::any_of(change.out.begin(), change.out.end(), [&](FaceId f) { return is_fixed(f); }) ||
+         (change.what != Change::Vertex::none && !part_.holds(change.place));
 }
 
 void DiskReplacer::put_in_place(const Change& change) {

@@ -5,6 +5,7 @@
 //
 // What Stage 1 hands over no replacement can take away, because each passes these gates, from cheap
 // to dear:
+//   G0  all of it is in the part of the mesh that is being refined (refine/parts.h);
 //   G1  both are disks, and nothing of the new one is in the mesh already (the link condition): the
 //       mesh stays a manifold, homeomorphic to what it was;
 //   G2  no edge turns more sharply than asked for, or than one did before, and no component turns
@@ -22,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "refine/parts.h"
 #include "refine/patch.h"
 #include "surface/box_grid.h"
 #include "surface/parameters.h"
@@ -54,9 +56,9 @@ struct Change {
 
 class DiskReplacer {
  public:
-  // Keeps references.
+  // Keeps references, but for `part`.
   DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface, const Parameters& parameters,
-               Report& report);
+               Report& report, const Part& part = {});
 
   // Fills change.was; whether change.out is a disk. Comes before replace().
   bool take_out(Change& change);
@@ -66,6 +68,7 @@ class DiskReplacer {
   // caller's.
   template <class Accept>
   std::optional<Refusal> replace(Change& change, Accept&& accept) {
+    if (leaves_part(change)) return refuse_beyond();
     put_in_place(change);
     std::optional<Refusal> refusal = look_at(change);
     if (!refusal && !accept()) refusal = Refusal::no_gain;
@@ -80,11 +83,21 @@ class DiskReplacer {
   bool is_delaunay(FaceId f) const {
     return s_.duals[f].on_surface && !holds_vertex(mesh_.faces[f].v, s_.duals[f]);
   }
+  // Facet f stays as it is: it is of no part, or of another.
+  bool is_fixed(FaceId f) const { return f < part_.first; }
+  // What would have to change such a facet is refused, and counted.
+  Refusal refuse_beyond() {
+    ++refused_beyond_;
+    return Refusal::beyond_part;
+  }
+  // How many changes have been refused for the sake of other parts.
+  std::size_t refused_beyond() const { return refused_beyond_; }
   const BoxGrid& facets() const { return facets_; }
   SurfacePointFinder& finder() { return finder_; }
   SearchCounters& searches() { return report_.searches_refine; }
 
  private:
+  bool leaves_part(const Change& change) const;  // G0
   void put_in_place(const Change& change);
   void take_back(const Change& change);
   void commit(Change& change);
@@ -108,6 +121,8 @@ class DiskReplacer {
   const Isosurface& surface_;
   const Parameters& parameters_;
   Report& report_;
+  const Part part_;
+  std::size_t refused_beyond_ = 0;
   SurfacePointFinder finder_;
   BoxGrid facets_, vertices_;
   std::vector<FaceId> free_;  // dead facets

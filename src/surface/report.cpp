@@ -23,10 +23,20 @@ std::string_view name_of(Rung rung) {
 }
 
 std::string_view name_of(Refusal refusal) {
-  constexpr std::string_view names[] = {"not_a_disk", "no_surface_point", "too_close", "boundary",
-                                        "turned",     "no_gain",          "crossing"};
+  constexpr std::string_view names[] = {"not_a_disk", "no_surface_point", "too_close",
+                                        "boundary",   "turned",           "no_gain",
+                                        "crossing",   "beyond_part"};
   static_assert(sizeof(names) / sizeof(names[0]) == kRefusals);
   return names[static_cast<std::size_t>(refusal)];
+}
+
+void Report::add_refinement(const Report& part) {
+  searches_refine += part.searches_refine;
+  insertions_refine += part.insertions_refine;
+  for (std::size_t r = 0; r < kRungs; ++r) {
+    rungs[r].done += part.rungs[r].done;
+    for (std::size_t k = 0; k < kRefusals; ++k) rungs[r].refused[k] += part.rungs[r].refused[k];
+  }
 }
 
 }  // namespace deliso

@@ -67,6 +67,7 @@ enum class Refusal : std::uint8_t {
   turned,            // an edge would be too sharp
   no_gain,           // nothing would be better
   crossing,          // a new facet would cross another
+  beyond_part,       // it would change facets of another part, and is tried again later
   count_
 };
 inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
@@ -114,6 +115,9 @@ struct Report {
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<RungCounts, kRungs> rungs{};
+
+  // What Stage 2 did in a part of the mesh.
+  void add_refinement(const Report& part);
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }
   std::uint64_t operator[](Counter c) const { return counters[static_cast<std::size_t>(c)]; }
