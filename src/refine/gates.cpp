@@ -219,17 +219,15 @@ bool DiskReplacer::crosses(const Change& change) {
   if (parameters_.as_published) return false;
   const std::vector<Triangle>& in = change.in.facets;
   boxes_.clear();
-  sides_.clear();
-  for (std::size_t f = 0; f < in.size(); ++f) {
-    const Triangle& t = in[f];
+  for (const Triangle& t : in) {
     if (collinear(point(t[0]), point(t[1]), point(t[2]))) return true;
     boxes_.push_back(facets_.box_of(mesh_.points, t));
-    const auto side = [&](int i) { return upright(t, normals_[f], i); };
-    sides_.push_back({side(0), side(1), side(2)});
   }
-  for (std::size_t f = 0; f < in.size(); ++f) {
-    for (std::size_t g = f + 1; g < in.size(); ++g) {
-      if (BoxGrid::meet(boxes_[f], boxes_[g]) && meet(change, f, in[g])) return true;
+  if (!is_fan(change)) {
+    for (std::size_t f = 0; f < in.size(); ++f) {
+      for (std::size_t g = f + 1; g < in.size(); ++g) {
+        if (BoxGrid::meet(boxes_[f], boxes_[g]) && meet(change, f, in[g])) return true;
+      }
     }
   }
   BoxGrid::Box all = boxes_[0];
@@ -239,29 +237,77 @@ bool DiskReplacer::crosses(const Change& change) {
       all.hi[axis] = std::max(all.hi[axis], box.hi[axis]);
     }
   }
-  // Where one of these planes has all of the disk before it, it parts a facet behind from all.
-  walls_.clear();
-  for (const Patch::RimEdge& edge : change.in.rim) {
-    const Side& side = sides_[edge.facet][static_cast<std::size_t>(edge.side)];
-    const std::span<const VertexId> vertices = change.in.vertices();
-    if (std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
-          return v == side.from || v == side.to || is_off(side, v, -1);
-        })) {
-      walls_.push_back(side);
-    }
-  }
+  raise_walls(change);
   return facets_.any(all, [&](FaceId g, const BoxGrid::Box& box) {
     if (is_out(g)) return false;
     const Triangle& there = mesh_.faces[g].v;
-    if (std::any_of(walls_.begin(), walls_.end(),
-                    [&](const Side& wall) { return is_beyond(wall, there); })) {
-      return false;
-    }
+    if ((behind(there[0]) & behind(there[1]) & behind(there[2])) != 0) return false;
     for (std::size_t f = 0; f < in.size(); ++f) {
       if (BoxGrid::meet(boxes_[f], box) && meet(change, f, there)) return true;
     }
     return false;
   });
+}
+
+// The facets are all those at one inner vertex, and seen along the mean of their normals, by more
+// than rounding, each runs around that vertex the same way, and all of them together once: then
+// they lie side by side there, and do not cross.
+bool DiskReplacer::is_fan(const Change& change) const {
+  const std::vector<Triangle>& in = change.in.facets;
+  if (change.what != Change::Vertex::comes || change.in.inner_vertices() != 1) return false;
+  const Vec3& center = change.place;
+  Vec3 along;
+  double longest2 = 0;
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    if (in[f][2] != change.vertex) return false;
+    along = along + normals_[f];
+    longest2 = std::max(longest2, distance2(point(in[f][0]), center));
+  }
+  const double margin =
+      kMargin * longest2 * (std::fabs(along.x) + std::fabs(along.y) + std::fabs(along.z));
+  const VertexId first = in[0][0];
+  const Vec3 across = cross(along, point(first) - center);
+  int rounds = 0;
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    if (!(dot(normals_[f], along) > margin)) return false;
+    const double from = in[f][0] == first ? 0 : dot(across, point(in[f][0]) - center);
+    const double to = in[f][1] == first ? 0 : dot(across, point(in[f][1]) - center);
+    if (in[f][0] != first && !(std::fabs(from) > margin)) return false;
+    rounds += from < 0 && to >= 0;
+  }
+  return rounds == 1;
+}
+
+// The planes that stand upright on facets of the new disk, through its rim, and have all of it
+// before them.
+void DiskReplacer::raise_walls(const Change& change) {
+  walls_.clear();
+  ++wall_stamp_;
+  behind_.resize(mesh_.points.size());
+  for (const Patch::RimEdge& edge : change.in.rim) {
+    const Side side = upright(change.in.facets[edge.facet], normals_[edge.facet], edge.side);
+    const std::span<const VertexId> vertices = change.in.vertices();
+    if (walls_.size() < kMostWalls &&
+        std::all_of(vertices.begin(), vertices.end(), [&](VertexId v) {
+          return v == side.from || v == side.to || is_off(side, v, -1);
+        })) {
+      walls_.push_back(side);
+    }
+  }
+}
+
+// Bit n: v lies behind wall n, or at its foot. Where all corners of a facet do, the wall parts it
+// from the disk.
+std::uint32_t DiskReplacer::behind(VertexId v) {
+  Behind& known = behind_[v];
+  if (known.stamp == wall_stamp_) return known.walls;
+  known = {wall_stamp_, 0};
+  for (std::size_t n = 0; n < walls_.size(); ++n) {
+    const Side& wall = walls_[n];
+    const bool is_behind = v == wall.from || v == wall.to || is_off(wall, v, 1);
+    known.walls |= static_cast<std::uint32_t>(is_behind) << n;
+  }
+  return known.walls;
 }
 
 DiskReplacer::Side DiskReplacer::upright(const Triangle& t, const Vec3& normal, int i) const {
@@ -295,9 +341,7 @@ bool DiskReplacer::meet(const Change& change, std::size_t f, const Triangle& t) 
   const Triangle& s = change.in.facets[f];
   // The side that an insertion's cone has on the rim first.
   for (const int i : {2, 0, 1}) {
-    if (parts(sides_[f][static_cast<std::size_t>(i)], s[static_cast<std::size_t>(i)], t)) {
-      return false;
-    }
+    if (parts(upright(s, normals_[f], i), s[static_cast<std::size_t>(i)], t)) return false;
   }
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
   const Vec3 normal = area_normal(a, b, c);

@@ -112,6 +112,9 @@ class DiskReplacer {
   bool find_duals(Change& change);
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool crosses(const Change& change);
+  bool is_fan(const Change& change) const;
+  void raise_walls(const Change& change);
+  std::uint32_t behind(VertexId v);
   bool meet(const Change& change, std::size_t f, const Triangle& t) const;
   bool is_out(FaceId f) const { return marks_[f] == stamp_; }
   const Vec3& point(VertexId v) const { return mesh_.points[v]; }
@@ -148,8 +151,13 @@ class DiskReplacer {
   bool is_off(const Side& side, VertexId v, double sign) const;
   bool is_beyond(const Side& side, const Triangle& t) const;
   bool parts(const Side& side, VertexId inside, const Triangle& other) const;
-  std::vector<std::array<Side, 3>> sides_;
   std::vector<Side> walls_;
+  static constexpr std::size_t kMostWalls = 32;
+  struct Behind {
+    std::uint32_t stamp = 0, walls = 0;
+  };
+  std::vector<Behind> behind_;  // per vertex, of the walls when stamp is wall_stamp_
+  std::uint32_t wall_stamp_ = 0;
   std::vector<FaceId> star_;
 };
 
