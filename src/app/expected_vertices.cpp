@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "app/command_line.h"
 
@@ -27,9 +28,22 @@ constexpr double kCrease = 0.03;
 // Crossings of grid edges along x, y and z.
 using Crossings = std::array<double, 3>;
 
+// How many of n samples lie on the other side of the threshold than those they are compared with.
+template <class Sample>
+std::size_t count_changes(const Sample* samples, const Sample* others, std::size_t n,
+                          Sample threshold) {
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    changes += (samples[i] >= threshold) != (others[i] >= threshold);
+  }
+  return changes;
+}
+
 // Those in every `stride`th slice and between it and the next, times how many slices it stands for.
 template <class Sample>
 Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int stride) {
+  const std::optional<Sample> threshold = inside_threshold<Sample>(kappa);
+  if (!threshold) return {};
   const auto nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
   std::array<std::uint64_t, 3> counts{};
   int slices = 0, pairs = 0;
@@ -39,13 +53,9 @@ Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int 
     ++slices;
     pairs += !is_last;
     for (std::size_t j = 0; j < ny; ++j, row += nx) {
-      const auto inside = [kappa](Sample s) { return static_cast<double>(s) >= kappa; };
-      for (std::size_t i = 0; i < nx; ++i) {
-        const bool here = inside(row[i]);
-        if (i + 1 < nx) counts[0] += here != inside(row[i + 1]);
-        if (j + 1 < ny) counts[1] += here != inside(row[i + nx]);
-        if (!is_last) counts[2] += here != inside(row[i + nx * ny]);
-      }
+      counts[0] += count_changes(row, row + 1, nx - 1, *threshold);
+      if (j + 1 < ny) counts[1] += count_changes(row, row + nx, nx, *threshold);
+      if (!is_last) counts[2] += count_changes(row, row + nx * ny, nx, *threshold);
     }
   }
   const double in_slice = static_cast<double>(dims.k) / slices;
