@@ -17,6 +17,9 @@
 namespace deliso {
 namespace {
 
+// What refining the parts takes of the stage's time, by one thread or many.
+constexpr double kPartsShare = 0.75;
+
 // Whether the mesh may be cut: where the refinement may end before all is done, and where it is
 // the paper's, what is worst anywhere comes first.
 bool in_parts(const Parameters& p) {
@@ -26,7 +29,7 @@ bool in_parts(const Parameters& p) {
 
 void refine_parts(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                   std::span<const Vec3> witnesses, const Parameters& parameters,
-                  std::size_t largest_part, Work& work, Report& report) {
+                  std::size_t largest_part, Work& work, StageProgress& progress, Report& report) {
   const Cut cut(mesh, largest_part);
   if (cut.size() < 2) return;
   std::vector<MeshPart> parts(cut.size());
@@ -40,18 +43,18 @@ void refine_parts(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCu
     works[box].far.push_back(n);
     return true;
   });
-  StageProgress progress(parameters.progress, "refine");
-  progress.begin_part(1);
+  progress.begin_part(kPartsShare);
+  const StageProgress::Callback nobody;
   std::mutex mutex;
   std::size_t done = 0;
-  Parameters own = parameters;
-  own.progress = {};
   for_each_task(parameters.profile ? 1 : parameters.threads, cut.size(), [&](std::size_t n) {
     parts[n] = cut.take(mesh, n);
     works[n].part = parts[n].part;
     works[n].of_stage1 = parts[n].vertices.size();
     works[n].settled.assign(parts[n].facets.size(), 0);
-    refine_geom(parts[n].surface, surface, curves, witnesses, own, works[n], reports[n]);
+    StageProgress silent(nobody, "refine");
+    refine_geom(parts[n].surface, surface, curves, witnesses, parameters, works[n], silent,
+                reports[n]);
     const std::lock_guard lock(mutex);
     progress.reach(static_cast<double>(++done) / static_cast<double>(cut.size()));
   });
@@ -74,15 +77,17 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
             std::span<const Vec3> witnesses, const Parameters& parameters, Report& report,
             std::size_t largest_part) {
   const StepTimer timer(report.seconds_refine);
+  StageProgress progress(parameters.progress, "refine");
   Work work;
   work.of_stage1 = mesh.mesh.points.size();
   work.settled.assign(mesh.mesh.faces.size(), 0);
   work.far.resize(witnesses.size());
   std::iota(work.far.begin(), work.far.end(), 0);
   if (in_parts(parameters)) {
-    refine_parts(mesh, surface, curves, witnesses, parameters, largest_part, work, report);
+    refine_parts(mesh, surface, curves, witnesses, parameters, largest_part, work, progress,
+                 report);
   }
-  refine_geom(mesh, surface, curves, witnesses, parameters, work, report);
+  refine_geom(mesh, surface, curves, witnesses, parameters, work, progress, report);
   remove_dead(mesh);
 }
 

@@ -46,18 +46,18 @@ constexpr double kBlock = 32;
 // what is worst anywhere comes first.
 constexpr unsigned kBand = 8, kNarrowBand = 1;
 
-// What refining takes of Stage 2's time, and what the points of Sigma do that are too far; the dear
-// rungs take the rest. Typical of the paper's volumes.
-constexpr double kRefining = 0.7, kReaching = 0.15;
+// What refining takes of the time, and what the points of Sigma that are too far take of the rest;
+// the dear rungs take what is left. Typical of the paper's volumes.
+constexpr double kRefining = 0.7, kReaching = 0.5;
 
 class Refiner {
  public:
   Refiner(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
-          const Parameters& parameters, Work& work, Report& report)
+          const Parameters& parameters, Work& work, StageProgress& progress, Report& report)
       : s_(surface_mesh),
         mesh_(surface_mesh.mesh),
         parameters_(parameters),
-        progress_(parameters_.progress, "refine"),
+        progress_(progress),
         report_(report),
         work_(work),
         replacer_(surface_mesh, surface, parameters_, report, work.part),
@@ -109,7 +109,7 @@ class Refiner {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   Parameters parameters_;  // its bound on the distance gives way to target_vertices
-  StageProgress progress_;
+  StageProgress& progress_;
   Report& report_;
   Work& work_;
   DiskReplacer replacer_;
@@ -144,12 +144,12 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   legalize();
   judge_all();
   follow_curves();
-  progress_.begin_part(parameters_.as_published ? 1 : kRefining);
+  progress_.begin_part_of_rest(parameters_.as_published ? 1 : kRefining);
   refine_geom(Rungs::cheap);
   if (!parameters_.as_published) {
-    progress_.begin_part(kReaching);
+    progress_.begin_part_of_rest(kReaching);
     while (!full_ && !by_count_ && reach(witnesses)) refine_geom(Rungs::cheap);
-    progress_.begin_part(1 - kRefining - kReaching);
+    progress_.begin_part_of_rest(1);
     rearrangements_left_ = mesh_.faces.size();
     refine_geom(Rungs::all);
     make_delaunay();
@@ -412,8 +412,8 @@ void Refiner::settle() {
 
 void refine_geom(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                  std::span<const Vec3> witnesses, const Parameters& parameters, Work& work,
-                 Report& report) {
-  Refiner(mesh, surface, curves, parameters, work, report).run(witnesses);
+                 StageProgress& progress, Report& report) {
+  Refiner(mesh, surface, curves, parameters, work, progress, report).run(witnesses);
 }
 
 }  // namespace deliso

@@ -10,6 +10,7 @@
 #include "refine/parts.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
+#include "surface/stage_progress.h"
 #include "surface/surface_mesh.h"
 
 namespace deliso {
@@ -30,6 +31,6 @@ inline constexpr double kReach = 2;
 // Throws InputError at max_vertices unless keep_partial.
 void refine_geom(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                  std::span<const Vec3> witnesses, const Parameters& parameters, Work& work,
-                 Report& report);
+                 StageProgress& progress, Report& report);
 
 }  // namespace deliso
