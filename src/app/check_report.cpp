@@ -6,6 +6,7 @@
 
 #include "app/solid.h"
 #include "app/text.h"
+#include "app/topology.h"
 #include "base/text.h"
 
 namespace deliso {
@@ -40,6 +41,9 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
   if (bound < Options::kNone) {
     line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
                  " further than ", in_voxels(bound), " voxels\n");
+  }
+  if (d.given_up > 0) {
+    line += "          " + counted(d.given_up, "point", "points") + " given up\n";
   }
   if (d.not_found > 0) {
     line += "          " + counted(d.not_found, "point", "points") + " with no surface near by\n";
@@ -109,20 +113,22 @@ void add_distances(JsonWriter& json, std::string_view key, const Distances& d, d
   json.add("quantile_999", d.quantile_999 / voxel);
   json.add("beyond_bound", d.beyond);
   json.add("not_found", d.not_found);
+  json.add("given_up", d.given_up);
   json.close();
+}
+
+std::string delaunay_text(const DelaunayShare& d) {
+  if (!d.measured) return "delaunay  not measured\n";
+  return text("delaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
+              d.restricted, " restricted ones (", rounded(100 * d.share(), 5), " %)\n          ",
+              d.missing, " restricted facets are missing, ", d.multiple,
+              " Voronoi edges meet the surface twice or more\n          ", d.occupied,
+              " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
 }
 
 std::string counts_text(const TopologyCounts& t) {
   return text(t.components, " components, Euler number ", t.euler, ", ", t.boundary_loops,
               " boundary loops");
-}
-
-void add_counts(JsonWriter& json, std::string_view key, const TopologyCounts& t) {
-  json.open(key);
-  json.add("components", t.components);
-  json.add("euler", t.euler);
-  json.add("boundary_loops", t.boundary_loops);
-  json.close();
 }
 
 }  // namespace
@@ -154,7 +160,6 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
 
 std::string verification_text(const Verification& v, const Volume& volume) {
   const double voxel = voxel_of(volume);
-  const DelaunayShare& d = v.delaunay;
   std::string out = "check     " + counts_text(v.mesh) +
                     "\n          exact: " + counts_text(v.exact) + "; " +
                     text(v.equal_components, " alike");
@@ -167,11 +172,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
         text("\n          caps are at most ", rounded(v.solid->off_box / voxel),
              " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
   }
-  out += text("\ndelaunay  of ", d.triangles, " triangles ", d.delaunay, " are Delaunay facets, ",
-              d.restricted, " restricted ones (", rounded(100 * d.share(), 5), " %)\n          ",
-              d.missing, " restricted facets are missing, ", d.multiple,
-              " Voronoi edges meet the surface twice or more\n          ", d.occupied,
-              " surface balls hold a vertex, ", d.without_ball, " triangles have none\n");
+  out += text("\n", delaunay_text(v.delaunay));
   const double bound = v.limits.max_distance;
   out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
@@ -198,8 +199,8 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   json.open("check");
   json.add("vertices", v.vertices);
   json.add("triangles", v.triangles);
-  add_counts(json, "topology", v.mesh);
-  add_counts(json, "exact_topology", v.exact);
+  add_topology(json, "topology", v.mesh);
+  add_topology(json, "exact_topology", v.exact);
   json.add("equal_components", v.equal_components);
   json.add("small_components", v.small_components);
   json.add("surface_tolerance_voxels", v.surface_tolerance / voxel);
@@ -212,6 +213,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   }
   json.open("restricted_delaunay");
   json.add("triangles", d.triangles);
+  json.add("measured", d.measured);
   json.add("delaunay", d.delaunay);
   json.add("restricted", d.restricted);
   json.add("share", d.share());

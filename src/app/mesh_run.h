@@ -26,7 +26,7 @@ struct MeshRun {
 
   Report report;
   std::size_t vertices = 0, triangles = 0;
-  Topology mesh, exact;
+  TopologyCounts mesh;
   std::string fault;        // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap

@@ -138,8 +138,8 @@ std::string report_json(const MeshRun& run) {
   json.add("stopped_at_max_vertices", report.stopped_at_max_vertices);
   json.add("fault", run.fault);
   add_topology(json, "topology", run.mesh);
-  add_topology(json, "exact_topology", run.exact);
-  json.add("topology_exact", run.mesh == run.exact);
+  add_topology(json, "exact_topology", run.report.exact);
+  json.add("topology_exact", run.mesh == run.report.exact);
   add_quality(json, run.quality);
   if (run.line.options.cap) {
     add_solid(json, run.vertices - report.cap.surface_vertices,

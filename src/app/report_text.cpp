@@ -118,8 +118,10 @@ std::string report_text(const MeshRun& run) {
   if (!run.line.output.empty()) text += " -> " + run.line.output;
   if (report.stopped_at_max_vertices) text += " (stopped at --max-vertices)";
   text += "\n          " + topology_text(run.mesh) + "\n";
-  text += "exact     " +
-          (run.mesh == run.exact ? std::string("the same") : topology_text(run.exact)) + "\n";
+  text +=
+      "exact     " +
+      (run.mesh == run.report.exact ? std::string("the same") : topology_text(run.report.exact)) +
+      "\n";
   if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
   if (run.line.options.cap && report.cap.failure.empty()) {
     text += "solid     " +

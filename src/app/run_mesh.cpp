@@ -17,7 +17,6 @@
 #include "app/text.h"
 #include "base/check.h"
 #include "check/verify.h"
-#include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "embedding/self_intersections.h"
 #include "mesh/check_mesh.h"
@@ -64,7 +63,7 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   return make_tri_mesh(mesh.points, triangles);
 }
 
-// Counts, checks and measures the mesh, and sets the exact contour beside it.
+// Counts, checks and measures the mesh.
 void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, Progress& progress,
              MeshRun& run) {
   if (run.line.options.cap) {
@@ -73,7 +72,6 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
     run.volume = world_volume(enclosed_volume(mesh), volume.frame());
   }
   run.mesh = topology_of(mesh_topology(surface));
-  run.exact = topology_of(summarize_contour(volume, run.report.kappa_effective));
   run.quality = measure_quality(surface, run.line.options.lambda, run.report.r_min);
   if (run.line.check) {
     VerifyOptions options = verify_options(run.line, volume);

@@ -5,21 +5,21 @@
 
 namespace deliso {
 
-Topology topology_of(const ContourSummary& summary) {
+TopologyCounts topology_of(const ContourSummary& summary) {
   return {summary.components.size(), summary.euler(), summary.boundary_loops()};
 }
 
-Topology topology_of(const MeshTopology& mesh) {
+TopologyCounts topology_of(const MeshTopology& mesh) {
   return {mesh.components.size(), mesh.euler(), mesh.boundary_loops};
 }
 
-std::string topology_text(const Topology& topology) {
+std::string topology_text(const TopologyCounts& topology) {
   return counted(topology.components, "component", "components") + ", Euler number " +
          std::to_string(topology.euler) + ", " +
          counted(topology.boundary_loops, "boundary loop", "boundary loops");
 }
 
-void add_topology(JsonWriter& json, std::string_view key, const Topology& topology) {
+void add_topology(JsonWriter& json, std::string_view key, const TopologyCounts& topology) {
   json.open(key);
   json.add("components", topology.components);
   json.add("euler", topology.euler);

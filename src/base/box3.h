@@ -24,8 +24,29 @@ struct Box3 {
     return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
   }
   Vec3 size() const { return hi - lo; }
+  Box3 grown(double by) const { return {lo - Vec3{by, by, by}, hi + Vec3{by, by, by}}; }
   double smallest_side() const { return std::min({size().x, size().y, size().z}); }
 };
+
+inline Box3 united(const Box3& a, const Box3& b) {
+  return {{std::min(a.lo.x, b.lo.x), std::min(a.lo.y, b.lo.y), std::min(a.lo.z, b.lo.z)},
+          {std::max(a.hi.x, b.hi.x), std::max(a.hi.y, b.hi.y), std::max(a.hi.z, b.hi.z)}};
+}
+
+inline Box3 box_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+// Squared distance from p to the nearest point of the box.
+inline double distance2_to(const Box3& box, const Vec3& p) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double out = std::max(std::max(box.lo[axis] - p[axis], p[axis] - box.hi[axis]), 0.0);
+    sum += out * out;
+  }
+  return sum;
+}
 
 // The part of `range` in which origin + t * direction lies in the box.
 inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const Box3& box) {

@@ -10,6 +10,7 @@
 #include "base/triangle.h"
 #include "contour/contour.h"
 #include "isosurface/boundary_midpoint.h"
+#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
@@ -21,26 +22,14 @@ struct BoundaryEdge {
 
 // Edges that one triangle holds, as it runs along them, in the order of their triangles.
 std::vector<BoundaryEdge> boundary_edges(const CleanMesh& mesh) {
-  struct Use {
-    VertexId lo, hi;
-    BoundaryEdge edge;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
-    for (int i = 0; i < 3; ++i) {
-      const VertexId a = mesh.triangles[n][i], b = mesh.triangles[n][(i + 1) % 3];
-      uses.push_back({std::min(a, b), std::max(a, b), {a, b, n}});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const Use& s, const Use& t) {
-    return std::tie(s.lo, s.hi, s.edge.triangle) < std::tie(t.lo, t.hi, t.edge.triangle);
-  });
   std::vector<BoundaryEdge> edges;
-  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
-    while (j < uses.size() && uses[j].lo == uses[i].lo && uses[j].hi == uses[i].hi) ++j;
-    if (j - i == 1) edges.push_back(uses[i].edge);
-  }
+  for_each_edge(edge_uses(mesh.points.size(), mesh.triangles), [&](std::span<const EdgeUse> edge) {
+    if (edge.size() > 1) return true;
+    const EdgeUse& use = edge[0];
+    edges.push_back(use.forward ? BoundaryEdge{use.lo, use.hi, use.triangle}
+                                : BoundaryEdge{use.hi, use.lo, use.triangle});
+    return true;
+  });
   std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& s, const BoundaryEdge& t) {
     return std::tie(s.triangle, s.a) < std::tie(t.triangle, t.a);
   });

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
 #include "contour/bounded_volume.h"
+#include "embedding/triangle_tree.h"
 #include "mesh/check_mesh.h"
 
 namespace deliso {
@@ -41,8 +44,10 @@ Vec3 middle_of(const Box3& box) {
 // The component of T where a voxel holds pieces of one only.
 class LoneComponents {
  public:
-  LoneComponents(const ContourMesh& contour, const Volume& volume) : volume_(volume) {
-    for (const Triangle& t : contour.triangles) {
+  LoneComponents(const ContourMesh& contour, std::span<const Triangle> triangles,
+                 const Volume& volume)
+      : volume_(volume) {
+    for (const Triangle& t : triangles) {
       const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3;
       const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(middle));
       entries_.emplace_back(voxel, contour.component[t[0]]);
@@ -91,35 +96,93 @@ bool is_corner(const ContourMesh& contour, const Triangle& t, const Vec3& p, dou
   });
 }
 
-// Which component of T the vertices are nearest to; kNoId when most are near none. Where sheets lie
+// Up to kVotes vertices of every component of the mesh, evenly spread.
+std::vector<std::vector<VertexId>> voters_of(const std::vector<std::vector<VertexId>>& vertices) {
+  std::vector<std::vector<VertexId>> voters(vertices.size());
+  for (std::size_t m = 0; m < vertices.size(); ++m) {
+    const std::size_t asked = std::min(kVotes, vertices[m].size());
+    for (std::size_t n = 0; n < asked; ++n) {
+      voters[m].push_back(vertices[m][n * vertices[m].size() / asked]);
+    }
+  }
+  return voters;
+}
+
+// The triangles of T that are no further than `within`, a voxel's diagonal, from one of the voters,
+// and more: those that begin in a cube of two diagonals that has one, or in a cube next to it.
+std::vector<Triangle> triangles_near(const CleanMesh& mesh,
+                                     const std::vector<std::vector<VertexId>>& voters,
+                                     const ContourMesh& contour, const Box3& box, double within) {
+  const auto cell = [&](const Vec3& p, int axis) {
+    const double size = box.size()[axis] / (2 * within);
+    return static_cast<std::size_t>(1 +
+                                    std::clamp((p[axis] - box.lo[axis]) / (2 * within), 0.0, size));
+  };
+  const std::size_t columns = cell(box.hi, 0) + 2, rows = cell(box.hi, 1) + 2;
+  const auto cube = [&](const Vec3& p) {
+    return cell(p, 0) + columns * (cell(p, 1) + rows * cell(p, 2));
+  };
+  std::vector<bool> is_near(columns * rows * (cell(box.hi, 2) + 2), false);
+  for (const std::vector<VertexId>& component : voters) {
+    for (const VertexId v : component) {
+      const std::size_t middle = cube(mesh.points[v]);
+      for (std::size_t k = 0; k < 27; ++k) {
+        is_near[middle + k % 3 + columns * (k / 3 % 3 + rows * (k / 9)) - 1 - columns -
+                columns * rows] = true;
+      }
+    }
+  }
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : contour.triangles) {
+    if (is_near[cube(contour.points[t[0]])]) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+// T near the voters.
+struct NearContour {
+  const ContourMesh& contour;
+  std::vector<Triangle> triangles;
+  TriangleTree tree;
+  LoneComponents lone;
+
+  NearContour(const ContourMesh& t, std::vector<Triangle> near, const Volume& volume)
+      : contour(t),
+        triangles(std::move(near)),
+        tree(t.points, triangles),
+        lone(t, triangles, volume) {}
+};
+
+// Which component of T the voters are nearest to; kNoId when most are near none. Where sheets lie
 // closer than T is fine the nearest can be another's: vertices of T, and those in voxels of one
 // component, know better, and then those whose nearest triangle faces the way that Sigma does.
-std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& vertices,
-                   const ContourMesh& contour, const TriangleTree& tree, const LoneComponents& lone,
-                   const Volume& volume, double within) {
+std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& voters,
+                   const NearContour& near, const Volume& volume, double within) {
+  const ContourMesh& contour = near.contour;
   std::vector<std::uint32_t> votes, facing, sure;
-  const std::size_t asked = std::min(kVotes, vertices.size());
-  for (std::size_t n = 0; n < asked; ++n) {
-    const Vec3& p = mesh.points[vertices[n * vertices.size() / asked]];
-    const FaceId nearest = tree.nearest(p, within * within).triangle;
+  for (const VertexId v : voters) {
+    const Vec3& p = mesh.points[v];
+    const FaceId nearest = near.tree.nearest(p, within * within).triangle;
     if (nearest == kNoId) continue;
-    const Triangle& t = contour.triangles[nearest];
+    const Triangle& t = near.triangles[nearest];
     votes.push_back(contour.component[t[0]]);
     const Vec3 normal =
         area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]);
     if (dot(normal, volume.gradient(p)) < 0) facing.push_back(votes.back());
-    const std::uint32_t only = is_corner(contour, t, p, within) ? votes.back() : lone.at(p);
+    const std::uint32_t only = is_corner(contour, t, p, within) ? votes.back() : near.lone.at(p);
     if (only != kNoId) sure.push_back(only);
   }
-  if (2 * votes.size() <= asked) return kNoId;
+  if (2 * votes.size() <= voters.size()) return kNoId;
   return most_frequent(!sure.empty() ? sure : !facing.empty() ? facing : votes);
 }
 
 // Whether most of the component's area has its normals along the gradient of g, at the corners: the
-// middle of a triangle can lie beyond the next sheet.
-std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, std::size_t count) {
-  std::vector<double> along(count, 0);
+// middle of a triangle can lie beyond the next sheet. Only of those that are `asked`.
+std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume,
+                                 const std::vector<std::uint8_t>& asked) {
+  std::vector<double> along(asked.size(), 0);
   for (const Triangle& t : mesh.triangles) {
+    if (!asked[mesh.component[t[0]]]) continue;
     const Vec3 normal = area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     for (const VertexId v : t) {
       const Vec3 gradient = volume.gradient(mesh.points[v]);
@@ -128,7 +191,7 @@ std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, st
     }
   }
   std::vector<std::uint8_t> result;
-  result.reserve(count);
+  result.reserve(asked.size());
   for (const double sum : along) result.push_back(sum > 0);
   return result;
 }
@@ -136,21 +199,26 @@ std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume, st
 }  // namespace
 
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const TriangleTree& contour_tree, const Volume& volume,
-                                      double min_component, Faults& faults) {
+                                      const Volume& volume, double min_component, int threads,
+                                      Faults& faults) {
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
-  const MeshTopology topology = mesh_topology(make_tri_mesh(mesh.points, mesh.triangles));
+  const MeshTopology topology = mesh_topology(mesh.points, mesh.triangles);
   std::vector<std::vector<VertexId>> vertices(count);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (mesh.component[v] != kNoId) vertices[mesh.component[v]].push_back(v);
   }
 
   const std::vector<ContourComponent>& exact = contour.summary.components;
-  const LoneComponents lone(contour, volume);
+  const double diagonal = length(spacing);
+  const std::vector<std::vector<VertexId>> voters = voters_of(vertices);
+  const NearContour near(contour, triangles_near(mesh, voters, contour, volume.box(), diagonal),
+                         volume);
   std::vector<std::uint32_t> stands_for(count), stand_in(exact.size(), kNoId);
+  for_each_task(threads, count, [&](std::size_t m) {
+    stands_for[m] = vote(mesh, voters[m], near, volume, diagonal);
+  });
   for (std::uint32_t m = 0; m < count; ++m) {
-    stands_for[m] = vote(mesh, vertices[m], contour, contour_tree, lone, volume, length(spacing));
     if (stands_for[m] == kNoId) continue;
     std::uint32_t& best = stand_in[stands_for[m]];
     if (best == kNoId || topology.components[m].faces > topology.components[best].faces) best = m;
@@ -172,12 +240,15 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                                     : text(") is a further one on component ", stands_for[m])),
         middle_of(c.box));
   }
-  const std::vector<std::uint8_t> faces_in = turned(mesh, volume, count);
   const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
   std::vector<std::optional<Vec3>> origins_in_mesh(count);
+  std::vector<std::uint8_t> without_origin(count, 0);
   for (std::uint32_t m = 0; m < count; ++m) {
-    if (stands_for[m] != kNoId) origins_in_mesh[m] = origins[stands_for[m]];
+    if (stands_for[m] == kNoId) continue;
+    origins_in_mesh[m] = origins[stands_for[m]];
+    without_origin[m] = !origins_in_mesh[m];
   }
+  const std::vector<std::uint8_t> faces_in = turned(mesh, volume, without_origin);
   const std::vector<double> exactly_bounded =
       bounded_volumes(contour.points, contour.triangles, contour.component, origins);
   const std::vector<double> bounded =

@@ -9,7 +9,6 @@
 #include "check/faults.h"
 #include "check/validity.h"
 #include "contour/contour.h"
-#include "embedding/triangle_tree.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -29,7 +28,7 @@ struct ComparedComponents {
 // sign of what it bounds (contour/bounded_volume.h), or of those that meet opposite faces of the
 // box by most of its area. `contour_tree` holds the contour's triangles.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const TriangleTree& contour_tree, const Volume& volume,
-                                      double min_component, Faults& faults);
+                                      const Volume& volume, double min_component, int threads,
+                                      Faults& faults);
 
 }  // namespace deliso

@@ -4,26 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
+#include "base/parallel.h"
 #include "delaunay/voronoi.h"
+#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A triangle by its sorted corners, from the mesh or as a facet of the triangulation.
-struct Key {
-  Triangle corners;
-  std::uint32_t item;
-};
-
-void sort_by_corners(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tie(a.corners, a.item) < std::tie(b.corners, b.item);
-  });
-}
+constexpr std::size_t kCellsAtOnce = 1u << 13, kTrianglesAtOnce = 1u << 11;
 
 // The corners of a regular tetrahedron about the box, 16 of its diagonals away.
 void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
@@ -34,82 +24,108 @@ void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   }
 }
 
-struct Crossing {
-  double t = kInfinity;  // of the point of Sigma on a dual line nearest to the circumcenter
-};
-
-Crossing nearest_crossing(const FacetLine& line, const Isosurface& surface,
-                          SearchCounters& counters) {
+// Of the point of Sigma on a dual line nearest to the circumcenter.
+double nearest_crossing(const FacetLine& line, const Isosurface& surface,
+                        SearchCounters& counters) {
   const auto hit = surface.nearest(line.center, line.normal, kBallLimit * line.radius, counters);
-  return hit ? Crossing{hit->t} : Crossing{};
+  return hit ? hit->t : kInfinity;
 }
 
 FacetLine line_of(const CleanMesh& mesh, const Triangle& t) {
   return facet_line(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
 }
 
+// The Delaunay triangulation of a mesh's vertices.
+class MeshTriangulation {
+ public:
+  // False where there is none: in one plane with the auxiliary vertices, or given up.
+  bool build(const CleanMesh& mesh, const Box3& box) {
+    std::vector<Vec3> points;
+    std::vector<VertexId> source;
+    for (VertexId v = 0; v < mesh.points.size(); ++v) {
+      if (mesh.component[v] == kNoId) continue;
+      points.push_back(mesh.points[v]);
+      source.push_back(v);
+    }
+    add_auxiliary(box, points);
+    std::vector<VertexId> ids;
+    if (!cells_.build(points, ids, kMostCells)) return false;
+    vertex_of_.assign(cells_.vertex_capacity(), kNoId);
+    for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
+    return true;
+  }
+
+  const Triangulation& cells() const { return cells_; }
+  // Ascending; kNoId in place of auxiliary vertices.
+  Triangle corners(const Facet& f) const {
+    Triangle corners = facet_vertices(cells_, f);
+    for (VertexId& v : corners) v = vertex_of_[v];
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+ private:
+  Triangulation cells_;
+  std::vector<VertexId> vertex_of_;  // of the mesh
+};
+
+// What the Voronoi edges of some cells' facets say of the mesh.
+struct EdgeCounts {
+  std::size_t missing = 0, multiple = 0;
+};
+
 }  // namespace
 
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface) {
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
+                                     int threads) {
   DelaunayShare share;
   share.triangles = mesh.triangles.size();
   if (mesh.triangles.empty()) return share;
-
   const Box3 box = surface.volume().box();
-  std::vector<Vec3> points;
-  std::vector<VertexId> source;
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.component[v] == kNoId) continue;
-    points.push_back(mesh.points[v]);
-    source.push_back(v);
-  }
-  add_auxiliary(box, points);
-  Triangulation t;
-  std::vector<VertexId> ids;
-  if (!t.build(points, ids)) return share;
-  std::vector<VertexId> vertex_of(t.vertex_capacity(), kNoId);  // of the mesh
-  for (std::size_t n = 0; n < source.size(); ++n) vertex_of[ids[n]] = source[n];
+  MeshTriangulation t;
+  share.measured = t.build(mesh, box);
+  if (!share.measured) return share;
 
-  std::vector<Key> wanted;
-  for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
-    Triangle corners = mesh.triangles[n];
-    std::sort(corners.begin(), corners.end());
-    wanted.push_back({corners, n});
-  }
-  sort_by_corners(wanted);
+  const TrianglesByCorners wanted(mesh.points.size(), mesh.triangles);
   enum : std::uint8_t { kNoFacet, kFacet, kRestricted };
   std::vector<std::uint8_t> state(mesh.triangles.size(), kNoFacet);
-
-  SearchCounters counters;
-  std::vector<Hit> hits;
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    if (!t.is_live(c)) continue;
-    for (int i = 0; i < 4; ++i) {
-      const Facet f{c, i};
-      if (t.neighbor(c, i) < c || has_infinite_vertex(t, f)) continue;  // once, from the larger id
-      Triangle corners = facet_vertices(t, f);
-      for (VertexId& v : corners) v = vertex_of[v];
-      std::sort(corners.begin(), corners.end());
-      if (corners[2] == kNoId) continue;  // an auxiliary vertex
-      const FacetDual dual = facet_dual(t, f);
-      const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box);
-      std::size_t crossings = 0;
-      if (!range.empty()) {
-        surface.intersect({dual.at(range.lo), dual.at(range.hi)}, hits, counters);
-        crossings = hits.size();
-      }
-      share.multiple += crossings > 1;
-      const auto found = std::lower_bound(
-          wanted.begin(), wanted.end(), corners,
-          [](const Key& key, const Triangle& sought) { return key.corners < sought; });
-      if (found == wanted.end() || found->corners != corners) {
-        share.missing += crossings > 0;
-        continue;
-      }
-      state[found->item] = crossings > 0 ? kRestricted : kFacet;
-    }
+  const std::size_t cells = t.cells().cell_capacity();
+  std::vector<EdgeCounts> counts(runs_of(cells, kCellsAtOnce));
+  for_each_run(
+      threads, cells, kCellsAtOnce, [&](std::size_t run, std::size_t begin, std::size_t end) {
+        SearchCounters counters;
+        std::vector<Hit> hits;
+        for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+          if (!t.cells().is_live(c)) continue;
+          for (int i = 0; i < 4; ++i) {
+            const Facet f{c, i};
+            // Once, from the larger id.
+            if (t.cells().neighbor(c, i) < c || has_infinite_vertex(t.cells(), f)) continue;
+            const Triangle corners = t.corners(f);
+            if (corners[2] == kNoId) continue;
+            const FacetDual dual = facet_dual(t.cells(), f);
+            const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box);
+            std::size_t crossings = 0;
+            if (!range.empty()) {
+              surface.intersect({dual.at(range.lo), dual.at(range.hi)}, hits, counters);
+              crossings = hits.size();
+            }
+            counts[run].multiple += crossings > 1;
+            const std::uint32_t found = wanted.find(corners);
+            if (found == kNoId) {
+              counts[run].missing += crossings > 0;
+            } else {
+              state[found] = crossings > 0 ? kRestricted : kFacet;
+            }
+          }
+        }
+      });
+  for (const EdgeCounts& c : counts) {
+    share.missing += c.missing;
+    share.multiple += c.multiple;
   }
 
+  SearchCounters counters;
   for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
     share.delaunay += state[n] != kNoFacet;
     share.restricted += state[n] == kRestricted;
@@ -117,19 +133,21 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
     if (share.first_outside.size() < Faults::kShown) share.first_outside.push_back(mesh.id[n]);
     // A surface ball is empty exactly when its center is on the dual Voronoi edge.
     const bool ball =
-        std::isfinite(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters).t);
+        std::isfinite(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));
     share.occupied += ball;
     share.without_ball += !ball;
   }
   return share;
 }
 
-std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface) {
-  std::vector<double> heights;
-  SearchCounters counters;
-  for (const Triangle& t : mesh.triangles) {
-    heights.push_back(std::fabs(nearest_crossing(line_of(mesh, t), surface, counters).t));
-  }
+std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface, int threads) {
+  std::vector<double> heights(mesh.triangles.size());
+  for_each_run(threads, heights.size(), kTrianglesAtOnce, [&](std::size_t begin, std::size_t end) {
+    SearchCounters counters;
+    for (std::size_t n = begin; n < end; ++n) {
+      heights[n] = std::fabs(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));
+    }
+  });
   return heights;
 }
 

@@ -12,6 +12,7 @@
 namespace deliso {
 
 struct DelaunayShare {
+  bool measured = true;  // else nothing but `triangles` is set
   std::size_t triangles = 0;
   std::size_t delaunay = 0;      // of these: facets of the Delaunay triangulation of the vertices
   std::size_t restricted = 0;    // of these: the dual Voronoi edge meets Sigma
@@ -31,11 +32,18 @@ struct DelaunayShare {
 // circumcenter, as far as that is at most so many circumradii away.
 inline constexpr double kBallLimit = 4;
 
-// Four auxiliary vertices far outside stand in for infinity. All zeros for an empty mesh, or one
-// whose vertices lie in one plane with each other.
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface);
+// Cells that may be made for each vertex, all in all. Vertices spread over a surface take some
+// thirty; those of a helix seen from its axis would take as many as there are vertices.
+inline constexpr std::size_t kMostCells = 256;
+
+// Four auxiliary vertices far outside stand in for infinity. Not measured where all vertices lie in
+// one plane with them, or the triangulation takes too many cells. The same with any number of
+// threads.
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
+                                     int threads = 1);
 
 // Per triangle: h, from the circumcenter to the surface ball's center; infinite without a ball.
-std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface);
+std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface,
+                                    int threads = 1);
 
 }  // namespace deliso

@@ -4,54 +4,58 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "base/parallel.h"
 #include "base/triangle.h"
+#include "embedding/nearest_distances.h"
 
 namespace deliso {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Distances as they are measured, and where the largest is.
-class Measured {
- public:
-  explicit Measured(double bound) : bound_(bound) {}
-  void reserve(std::size_t count) { values_.reserve(count); }
-  void add(double d, const Vec3& p) {
-    values_.push_back(d);
-    beyond_ += d > bound_;
-    if (d <= max_) return;
-    max_ = d;
-    furthest_ = p;
-  }
-  Distances summary();
+constexpr std::size_t kTrianglesAtOnce = 1u << 10;
 
- private:
-  double bound_;
-  std::vector<double> values_;
-  std::size_t beyond_ = 0;
-  double max_ = -1;
-  Vec3 furthest_;
-};
-
-Distances Measured::summary() {
+// Sums up distances in their order; infinite ones are of what was not found, negative ones of what
+// was given up. `at` is where number n was measured.
+template <class At>
+Distances summarize(std::vector<double> values, double bound, const At& at) {
   Distances d;
-  d.points = values_.size();
-  if (values_.empty()) return d;
   double sum = 0, squares = 0;
-  for (const double value : values_) {
+  std::size_t furthest = 0;
+  d.max = -1;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    const double value = values[n];
+    if (value == kInfinity) {
+      if (d.not_found++ == 0) d.first_not_found = at(n);
+      continue;
+    }
+    if (value < 0) {
+      ++d.given_up;
+      continue;
+    }
     sum += value;
     squares += value * value;
+    d.beyond += value > bound;
+    if (value > d.max) {
+      d.max = value;
+      furthest = n;
+    }
   }
-  const auto n = static_cast<double>(values_.size());
+  d.points = values.size() - d.not_found - d.given_up;
+  if (d.points == 0) {
+    d.max = 0;
+    return d;
+  }
+  d.furthest = at(furthest);
+  std::erase_if(values, [](double value) { return value < 0; });
+  const auto n = static_cast<double>(d.points);
   d.mean = sum / n;
   d.rms = std::sqrt(squares / n);
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.999 * n)) - 1;
-  std::nth_element(values_.begin(), values_.begin() + rank, values_.end());
-  d.quantile_999 = values_[static_cast<std::size_t>(rank)];
-  d.max = max_;
-  d.beyond = beyond_;
-  d.furthest = furthest_;
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  d.quantile_999 = values[static_cast<std::size_t>(rank)];
   return d;
 }
 
@@ -86,38 +90,32 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 }
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               double bound) {
-  Measured measured(bound);
-  measured.reserve(4 * mesh.triangles.size());
-  SearchCounters counters;
-  std::size_t not_found = 0;
-  Vec3 first_not_found;
-  for (const Triangle& t : mesh.triangles) {
-    for (const Measure& m : measure_triangle(mesh.points[t[0]], mesh.points[t[1]],
-                                             mesh.points[t[2]], surface, limit, bound, counters)) {
-      if (m.distance < kInfinity) {
-        measured.add(m.distance, m.at);
-      } else if (not_found++ == 0) {
-        first_not_found = m.at;
-      }
-    }
-  }
-  Distances result = measured.summary();
-  result.not_found = not_found;
-  result.first_not_found = first_not_found;
-  return result;
+                               double bound, int threads) {
+  const auto measure = [&](std::size_t n, SearchCounters& counters) {
+    const Triangle& t = mesh.triangles[n];
+    return measure_triangle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], surface, limit,
+                            bound, counters);
+  };
+  std::vector<double> values(4 * mesh.triangles.size());
+  for_each_run(threads, mesh.triangles.size(), kTrianglesAtOnce,
+               [&](std::size_t begin, std::size_t end) {
+                 SearchCounters counters;
+                 for (std::size_t n = begin; n < end; ++n) {
+                   const std::array<Measure, 4> measures = measure(n, counters);
+                   for (std::size_t k = 0; k < 4; ++k) values[4 * n + k] = measures[k].distance;
+                 }
+               });
+  return summarize(std::move(values), bound, [&](std::size_t n) {
+    SearchCounters counters;
+    return measure(n / 4, counters)[n % 4].at;
+  });
 }
 
 Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
-                                 double bound) {
-  Measured measured(bound);
-  measured.reserve(contour.points.size());
-  for (const Vec3& p : contour.points) {
-    const NearestTriangle nearest = mesh_tree.nearest(p);
-    if (nearest.triangle == kNoId) break;
-    measured.add(std::sqrt(nearest.distance2), p);
-  }
-  return measured.summary();
+                                 double bound, int threads) {
+  if (mesh_tree.leaf_count() == 0) return {};
+  std::vector<double> values = nearest_distances(contour.points, mesh_tree, threads);
+  return summarize(std::move(values), bound, [&](std::size_t n) { return contour.points[n]; });
 }
 
 double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit) {

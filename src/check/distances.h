@@ -21,6 +21,7 @@ struct Distances {
   std::size_t not_found = 0;  // points left out: no point of Sigma on the lines that were searched
   std::size_t beyond = 0;     // points further than the bound
   Vec3 first_not_found;
+  std::size_t given_up = 0;  // points left out: too many triangles overlap there
 };
 
 // How far Sigma is looked for, in diagonals of a voxel.
@@ -40,11 +41,11 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 
 // The same for all triangles.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               double bound);
+                               double bound, int threads = 1);
 
 // From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
 Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
-                                 double bound);
+                                 double bound, int threads = 1);
 
 // Whether a point of Sigma is within `tolerance` of p on the lines through p along the gradient and
 // the axes, or g is as near to kappa there as the oracle's own points may be (1e-9 of the range of

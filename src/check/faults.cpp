@@ -22,7 +22,8 @@ std::string_view name_of(FaultKind kind) {
                                                              "turned caps",
                                                              "no volume",
                                                              "restricted share",
-                                                             "too far"};
+                                                             "too far",
+                                                             "not measured"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 #include "base/vec3.h"
@@ -34,8 +34,9 @@ enum class FaultKind : std::uint8_t {
   no_volume,              // a solid that encloses nothing, or is turned inside out
   restricted_share,       // too few triangles are restricted Delaunay facets
   too_far,                // a distance beyond the given bound
+  not_measured,           // what is left out since it would take more than n log n
 };
-inline constexpr std::size_t kFaultKinds = 19;
+inline constexpr std::size_t kFaultKinds = 20;
 
 std::string_view name_of(FaultKind kind);  // "duplicate vertices"
 
@@ -48,9 +49,16 @@ class Faults {
  public:
   static constexpr std::size_t kShown = 5;  // of every kind are kept in full
 
-  void add(FaultKind kind, std::string what, const Vec3& at) {
+  // `what`: a text, or what makes one, which is only called for those that are kept.
+  template <class What>
+  void add(FaultKind kind, const What& what, const Vec3& at) {
     Entry& entry = entries_[static_cast<std::size_t>(kind)];
-    if (entry.count++ < kShown) entry.first.push_back({std::move(what), at});
+    if (entry.count++ >= kShown) return;
+    if constexpr (std::is_invocable_v<What>) {
+      entry.first.push_back({what(), at});
+    } else {
+      entry.first.push_back({what, at});
+    }
   }
   // That many more, which are not described.
   void add_unnamed(FaultKind kind, std::size_t more) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/compare_topology.h"
@@ -54,32 +55,78 @@ Vec3 middle_of(const TriMesh& mesh, FaceId f) {
 using Pairs = std::vector<std::pair<FaceId, FaceId>>;
 
 Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
-                                const TriangleTree& tree, Faults& faults) {
-  Pairs pairs = self_intersections(clean.points, clean.triangles, tree);
-  for (auto& [f, g] : pairs) {
-    faults.add(
-        FaultKind::self_intersections,
-        text(name_of_triangle(mesh, clean.id[f]), " meets ", name_of_triangle(mesh, clean.id[g])),
-        middle_of(mesh, clean.id[f]));
+                                const TriangleTree& tree, int threads, Faults& faults) {
+  Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
+  for (auto& [f, g] : found.pairs) {
     f = clean.id[f];
     g = clean.id[g];
+    faults.add(
+        FaultKind::self_intersections,
+        [&] { return name_of_triangle(mesh, f) + " meets " + name_of_triangle(mesh, g); },
+        middle_of(mesh, f));
   }
-  return pairs;
+  if (!found.given_up.empty()) {
+    const FaceId f = clean.id[found.given_up[0]];
+    faults.add(FaultKind::not_measured,
+               text("crossings of ", found.given_up.size(), " triangles, such as ",
+                    name_of_triangle(mesh, f), ": too many lie across each other"),
+               middle_of(mesh, f));
+  }
+  return std::move(found.pairs);
 }
 
 // Vertices of extra components are not asked.
 void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uint8_t>& extra,
-                               const Isosurface& surface, double voxel, Verification& result) {
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    const std::uint32_t component = mesh.component[v];
-    if (component == kNoId || extra[component]) continue;
-    const double d = off_surface(mesh.points[v], surface, result.surface_tolerance, 4 * voxel);
-    if (d == 0) continue;
-    result.max_off_surface = std::max(result.max_off_surface, d);
-    result.faults.add(FaultKind::vertices_off_surface,
-                      text("vertex ", v, " is ", d / voxel, " voxels from the surface"),
-                      mesh.points[v]);
+                               const Isosurface& surface, double voxel, int threads,
+                               Verification& result) {
+  std::vector<double> off(mesh.points.size(), 0);
+  for_each_run(threads, off.size(), 1u << 11, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::uint32_t component = mesh.component[v];
+      if (component == kNoId || extra[component]) continue;
+      off[v] = off_surface(mesh.points[v], surface, result.surface_tolerance, 4 * voxel);
+    }
+  });
+  for (VertexId v = 0; v < off.size(); ++v) {
+    if (off[v] == 0) continue;
+    result.max_off_surface = std::max(result.max_off_surface, off[v]);
+    result.faults.add(
+        FaultKind::vertices_off_surface,
+        [&] { return text("vertex ", v, " is ", off[v] / voxel, " voxels from the surface"); },
+        mesh.points[v]);
   }
+}
+
+void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const Isosurface& surface,
+                      const VerifyOptions& options, Verification& result) {
+  const Volume& volume = surface.volume();
+  const Vec3 spacing = volume.spacing();
+  const ComparedComponents compared = compare_components(
+      mesh, contour, volume, options.min_component, options.threads, result.faults);
+  result.exact = {contour.summary.components.size(), contour.summary.euler(),
+                  contour.summary.boundary_loops()};
+  result.equal_components = compared.equal;
+  result.small_components = compared.small;
+  check_vertices_on_surface(mesh, compared.extra, surface,
+                            std::min({spacing.x, spacing.y, spacing.z}), options.threads, result);
+}
+
+// What is not measured is a fault; a share too low is one where there is no other.
+void judge_share(const TriMesh& mesh, const CleanMesh& clean, double least, Verification& result) {
+  const DelaunayShare& share = result.delaunay;
+  if (!share.measured) {
+    result.faults.add(FaultKind::not_measured,
+                      "restricted share: the Delaunay triangulation takes too many cells",
+                      clean.points[clean.triangles[0][0]]);
+  }
+  if (result.faults.any() || share.share() >= least) return;
+  for (const FaceId f : share.first_outside) {
+    result.faults.add(FaultKind::restricted_share,
+                      name_of_triangle(mesh, f) + " is no restricted Delaunay facet",
+                      middle_of(mesh, f));
+  }
+  result.faults.add_unnamed(FaultKind::restricted_share,
+                            share.triangles - share.restricted - share.first_outside.size());
 }
 
 // r/l, infinite without area.
@@ -89,8 +136,8 @@ double shape_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Limits& limits,
-                    Verification& result) {
-  const std::vector<double> heights = surface_heights(mesh, surface);
+                    int threads, Verification& result) {
+  const std::vector<double> heights = surface_heights(mesh, surface, threads);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
@@ -177,17 +224,18 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.vertices = mesh.points.size();
   result.triangles = mesh.faces.size();
   result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
+  const int threads = options.threads;
   Laps laps;
 
   const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
                                          options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
-  const TriangleTree whole_tree(whole.points, whole.triangles);
-  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, faults);
+  const TriangleTree whole_tree(whole.points, whole.triangles, threads);
+  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
   std::optional<CleanMesh> surface_part;
   std::optional<TriangleTree> surface_tree;
   if (options.solid) {
     surface_part = take_surface(mesh, volume.box(), options, intersections, result);
-    surface_tree.emplace(surface_part->points, surface_part->triangles);
+    surface_tree.emplace(surface_part->points, surface_part->triangles, threads);
   } else {
     const MeshTopology topology = mesh_topology(mesh);
     result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
@@ -198,43 +246,40 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_validity = laps.lap();
   tell(0.15);
 
-  const ContourMesh contour = build_contour(volume, kappa);
-  const TriangleTree contour_tree(contour.points, contour.triangles);
-  const ComparedComponents compared =
-      compare_components(clean, contour, contour_tree, volume, options.min_component, faults);
-  result.exact = {contour.summary.components.size(), contour.summary.euler(),
-                  contour.summary.boundary_loops()};
-  result.equal_components = compared.equal;
-  result.small_components = compared.small;
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, kappa);
-  check_vertices_on_surface(clean, compared.extra, surface, voxel, result);
-  result.seconds_topology = laps.lap();
-  tell(0.4);
-
-  result.delaunay = measure_delaunay_share(clean, surface);
-  if (!faults.any() && result.delaunay.share() < options.restricted_share) {
-    const std::size_t outside = result.delaunay.triangles - result.delaunay.restricted;
-    const std::vector<FaceId>& named = result.delaunay.first_outside;
-    for (const FaceId f : named) {
-      faults.add(FaultKind::restricted_share,
-                 text(name_of_triangle(mesh, f), " is no restricted Delaunay facet"),
-                 middle_of(mesh, f));
+  ContourMesh contour;
+  // Side by side: most of the triangulation's time is one thread's.
+  for_each_task(threads, 2, [&](std::size_t part) {
+    Laps own;
+    if (part == 0) {
+      result.delaunay = measure_delaunay_share(clean, surface, threads);
+      result.seconds_delaunay = own.lap();
+    } else {
+      contour = build_contour(volume, kappa);
+      compare_topology(clean, contour, surface, options, result);
+      result.seconds_topology = own.lap();
     }
-    faults.add_unnamed(FaultKind::restricted_share, outside - named.size());
-  }
-  result.seconds_delaunay = laps.lap();
+  });
+  judge_share(mesh, clean, options.restricted_share, result);
   tell(0.65);
+  laps.lap();
 
   const double bound = options.limits.max_distance;
   result.to_surface =
-      distances_to_surface(clean, surface, kSearchDiagonals * length(spacing), bound);
-  result.from_surface = distances_from_surface(contour, tree, kReach * bound);
+      distances_to_surface(clean, surface, kSearchDiagonals * length(spacing), bound, threads);
+  result.from_surface = distances_from_surface(contour, tree, kReach * bound, threads);
+  if (result.from_surface.given_up > 0) {
+    faults.add(FaultKind::not_measured,
+               text("distances of ", result.from_surface.given_up,
+                    " points of the surface: too many triangles lie across each other"),
+               clean.points[clean.triangles[0][0]]);
+  }
   if (options.require_distance) {
     require_distance(result.to_surface, voxel, "a point of the mesh", faults);
     require_distance(result.from_surface, voxel, "a point of the surface", faults);
   }
-  hold_to_limits(clean, surface, options.limits, result);
+  hold_to_limits(clean, surface, options.limits, threads, result);
   result.boundary = measure_boundary(clean, surface, options.limits);
   result.seconds_distances = laps.lap();
   return result;

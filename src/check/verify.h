@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "base/topology_counts.h"
 #include "check/boundary_quality.h"
 #include "check/delaunay_share.h"
 #include "check/distances.h"
@@ -55,13 +56,6 @@ struct SolidSummary {
   std::size_t self_intersections = 0;  // pairs of triangles with at least one of the caps
   double off_box = 0;                  // the largest distance of a cap's corner from the box
   MeshQuality quality;                 // of the caps
-};
-
-struct TopologyCounts {
-  std::uint64_t components = 0;
-  std::int64_t euler = 0;
-  std::uint64_t boundary_loops = 0;
-  friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
 };
 
 struct Verification {

@@ -68,7 +68,8 @@ void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
   }
 }
 
-bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& ids) {
+bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& ids,
+                          std::size_t most_cells) {
   clear();
   ids.assign(points.size(), kNoId);
   const std::vector<std::uint32_t> order = biased_hilbert_order(points);
@@ -86,8 +87,16 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
   const auto& f = *first;
   create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
   for (int k = 0; k < 4; ++k) ids[f[k]] = static_cast<VertexId>(1 + k);
-  for (std::uint32_t i : order)
-    if (ids[i] == kNoId) ids[i] = insert(points[i]);
+  std::size_t made = 0;
+  for (std::uint32_t i : order) {
+    if (ids[i] != kNoId) continue;
+    ids[i] = insert(points[i]);
+    made += scratch_created_.size();
+    if (made / most_cells > points.size()) {
+      clear();
+      return false;
+    }
+  }
   return true;
 }
 

@@ -58,8 +58,10 @@ class Triangulation {
 
   // Inserts all points in a biased randomised Hilbert order (Amenta, Choi and Rote 2003) that
   // depends on nothing but the points and their order. ids[i] is the vertex of points[i];
-  // duplicates share one. Returns false, and stays empty, when all points lie in one plane.
-  bool build(std::span<const Vec3> points, std::vector<VertexId>& ids);
+  // duplicates share one. Returns false, and stays empty, when all points lie in one plane, or when
+  // it would make more than `most_cells` cells for each point, those counted that are gone again.
+  bool build(std::span<const Vec3> points, std::vector<VertexId>& ids,
+             std::size_t most_cells = kNoId);
 
   std::size_t vertex_capacity() const { return points_.size(); }  // ids are below; 0 is infinite
   std::size_t cell_capacity() const { return cells_.size(); }     // ids are below; some are free

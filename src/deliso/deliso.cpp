@@ -12,6 +12,13 @@
 #include "surface/stage_progress.h"
 
 namespace deliso {
+namespace {
+
+TopologyCounts counts_of(const ContourSummary& summary) {
+  return {summary.components.size(), summary.euler(), summary.boundary_loops()};
+}
+
+}  // namespace
 
 // Figure 4. InitTriangulation and BuildTriMesh are the first and the last thing that Recover does.
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options,
@@ -24,6 +31,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (options.method == Method::marching_cubes) {
     begin("cubes");
     report.kappa_effective = settled_isovalue(volume, kappa);
+    report.exact = counts_of(summarize_contour(volume, report.kappa_effective));
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
     if (options.cap) {
       begin("cap");
@@ -43,6 +51,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   ContourMesh contour = timed(report.seconds_contour, [&] {
     return build_settled_contour(volume, report.kappa_effective);
   });
+  report.exact = counts_of(contour.summary);
   const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
   const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
   std::array<bool, 8> inside{};

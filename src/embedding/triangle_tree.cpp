@@ -2,98 +2,116 @@
 #include "embedding/triangle_tree.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "base/parallel.h"
 
 namespace deliso {
 namespace {
 
-void extend(Box3& box, const Box3& by) {
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = std::min(box.lo[axis], by.lo[axis]);
-    box.hi[axis] = std::max(box.hi[axis], by.hi[axis]);
-  }
-}
-
-double distance2_to_box(const Vec3& p, const Box3& box) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double out = std::max({box.lo[axis] - p[axis], p[axis] - box.hi[axis], 0.0});
-    sum += out * out;
-  }
-  return sum;
-}
+constexpr std::size_t kTaskLeaves = 1u << 13;  // of a part that is built as one task
 
 }  // namespace
 
-TriangleTree::TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles)
-    : points_(points), triangles_(triangles), order_(triangles.size()) {
+// Moved about as a whole, since looking each up by its id waits for memory.
+struct TriangleTree::Item {
+  Vec3 middle;
+  FaceId triangle;
+};
+
+TriangleTree::TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                           int threads, double slack)
+    : points_(points), triangles_(triangles), slack_(slack) {
   if (triangles.empty()) return;
-  std::iota(order_.begin(), order_.end(), FaceId{0});
-  std::vector<Vec3> middles;
-  middles.reserve(triangles.size());
-  for (const Triangle& t : triangles) middles.push_back(points[t[0]] + points[t[1]] + points[t[2]]);
-  std::size_t nodes = 1;  // halving rounds up: depth until the largest part is a leaf
-  for (std::size_t part = triangles.size(); part > kLeaf; part -= part / 2) nodes = 2 * nodes + 1;
-  boxes_.resize(nodes);
-  build(0, 0, order_.size(), middles);
-}
-
-Box3 TriangleTree::box_of(FaceId f) const {
-  const Triangle& t = triangles_[f];
-  Box3 box{points_[t[0]], points_[t[0]]};
-  extend(box, {points_[t[1]], points_[t[1]]});
-  extend(box, {points_[t[2]], points_[t[2]]});
-  return box;
-}
-
-void TriangleTree::build(std::size_t node, std::size_t begin, std::size_t end,
-                         std::span<const Vec3> middles) {
-  if (end - begin <= kLeaf) {
-    boxes_[node] = box_of(order_[begin]);
-    for (std::size_t n = begin + 1; n < end; ++n) extend(boxes_[node], box_of(order_[n]));
-    return;
+  std::vector<Item> items(triangles.size());
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    const Triangle& t = triangles[f];
+    items[f] = {points[t[0]] + points[t[1]] + points[t[2]], f};
   }
-  Box3 spread{middles[order_[begin]], middles[order_[begin]]};
-  for (std::size_t n = begin; n < end; ++n)
-    extend(spread, {middles[order_[n]], middles[order_[n]]});
+  order_.resize(triangles.size());
+  triangle_boxes_.resize(triangles.size());
+  std::size_t nodes = 1;  // halving rounds up: depth until the largest part is a leaf
+  for (std::size_t part = leaf_count(); part > 1; part -= part / 2) nodes = 2 * nodes + 1;
+  boxes_.resize(nodes);
+
+  // Level by level down to the parts that are tasks, then these, then the boxes above them.
+  std::vector<Part> above, tasks{{0, 0, leaf_count()}};
+  while (tasks.front().end - tasks.front().begin > kTaskLeaves) {
+    std::vector<Part> halves;
+    for (const Part& part : tasks) halves.insert(halves.end(), {part.left(), part.right()});
+    for_each_task(threads, tasks.size(), [&](std::size_t n) { split(tasks[n], items); });
+    above.insert(above.end(), tasks.begin(), tasks.end());
+    tasks = std::move(halves);
+  }
+  for_each_task(threads, tasks.size(), [&](std::size_t n) { build(tasks[n], items); });
+  for (auto part = above.rbegin(); part != above.rend(); ++part) {
+    boxes_[part->node] = united(boxes_[2 * part->node + 1], boxes_[2 * part->node + 2]);
+  }
+}
+
+void TriangleTree::split(const Part& part, std::span<Item> items) {
+  const auto at = [&](std::size_t leaf) {
+    return items.begin() + static_cast<std::ptrdiff_t>(std::min(leaf * kLeaf, items.size()));
+  };
+  Box3 spread{at(part.begin)->middle, at(part.begin)->middle};
+  for (auto item = at(part.begin); item != at(part.end); ++item) {
+    spread = united(spread, {item->middle, item->middle});
+  }
   const Vec3 size = spread.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t n) { return order_.begin() + static_cast<std::ptrdiff_t>(n); };
-  std::nth_element(at(begin), at(middle), at(end), [&](FaceId f, FaceId g) {
-    return std::pair(middles[f][axis], f) < std::pair(middles[g][axis], g);
-  });
-  build(2 * node + 1, begin, middle, middles);
-  build(2 * node + 2, middle, end, middles);
-  boxes_[node] = boxes_[2 * node + 1];
-  extend(boxes_[node], boxes_[2 * node + 2]);
+  std::nth_element(at(part.begin), at(part.middle()), at(part.end),
+                   [axis](const Item& a, const Item& b) {
+                     const double s = a.middle[axis], t = b.middle[axis];
+                     return s < t || (s == t && a.triangle < b.triangle);
+                   });
 }
 
-NearestTriangle TriangleTree::nearest(const Vec3& p, double within2) const {
-  NearestTriangle best{kNoId, within2};
-  if (!order_.empty()) search(0, 0, order_.size(), p, best);
-  return best;
-}
-
-void TriangleTree::search(std::size_t node, std::size_t begin, std::size_t end, const Vec3& p,
-                          NearestTriangle& best) const {
-  if (end - begin <= kLeaf) {
+void TriangleTree::build(const Part& part, std::span<Item> items) {
+  if (part.is_leaf()) {
+    const std::size_t begin = part.begin * kLeaf, end = std::min(begin + kLeaf, items.size());
     for (std::size_t n = begin; n < end; ++n) {
+      order_[n] = items[n].triangle;
       const Triangle& t = triangles_[order_[n]];
-      const double d = distance2_to_triangle(p, points_[t[0]], points_[t[1]], points_[t[2]]);
-      if (d < best.distance2) best = {order_[n], d};
+      triangle_boxes_[n] = box_of(points_[t[0]], points_[t[1]], points_[t[2]]).grown(slack_);
+    }
+    boxes_[part.node] = triangle_boxes_[begin];
+    for (std::size_t n = begin + 1; n < end; ++n) {
+      boxes_[part.node] = united(boxes_[part.node], triangle_boxes_[n]);
     }
     return;
   }
-  const std::size_t middle = begin + (end - begin) / 2;
-  const double left = distance2_to_box(p, boxes_[2 * node + 1]);
-  const double right = distance2_to_box(p, boxes_[2 * node + 2]);
+  split(part, items);
+  build(part.left(), items);
+  build(part.right(), items);
+  boxes_[part.node] = united(boxes_[2 * part.node + 1], boxes_[2 * part.node + 2]);
+}
+
+NearestTriangle TriangleTree::nearest(const Vec3& p, double within2,
+                                      std::size_t* leaves_left) const {
+  NearestTriangle best{kNoId, within2};
+  std::size_t all = leaf_count() + 1;
+  if (!order_.empty()) search({0, 0, leaf_count()}, p, best, leaves_left ? *leaves_left : all);
+  return best;
+}
+
+void TriangleTree::search(const Part& part, const Vec3& p, NearestTriangle& best,
+                          std::size_t& leaves_left) const {
+  if (leaves_left == 0) return;
+  if (part.is_leaf()) {
+    --leaves_left;
+    for (const FaceId f : leaf(part.begin)) {
+      const double d = distance2(f, p);
+      if (d < best.distance2) best = {f, d};
+    }
+    return;
+  }
+  const double left = distance2_to(boxes_[2 * part.node + 1], p);
+  const double right = distance2_to(boxes_[2 * part.node + 2], p);
   const auto go_left = [&] {
-    if (left < best.distance2) search(2 * node + 1, begin, middle, p, best);
+    if (left < best.distance2) search(part.left(), p, best, leaves_left);
   };
   const auto go_right = [&] {
-    if (right < best.distance2) search(2 * node + 2, middle, end, p, best);
+    if (right < best.distance2) search(part.right(), p, best, leaves_left);
   };
   if (left <= right) {
     go_left();

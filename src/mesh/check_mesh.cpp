@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
-#include "base/sorted_list.h"
 #include "base/text.h"
+#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
@@ -25,38 +24,11 @@ std::string describe_face(const TriMesh& mesh, FaceId f) {
   return text("facet ", f, " (", v[0], ", ", v[1], ", ", v[2], ")");
 }
 
-// Facet `face` runs along the edge between lo < hi, from lo to hi when `forward`.
-struct EdgeUse {
-  VertexId lo, hi;
-  FaceId face;
-  std::uint8_t side;  // index of the corner opposite
-  bool forward;
-};
-
-// All sides of all facets; the uses of an edge follow each other, in the order of the facets.
-std::vector<EdgeUse> sorted_edges(const TriMesh& mesh) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * mesh.faces.size());
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& v = mesh.faces[f].v;
-    for (std::uint8_t i = 0; i < 3; ++i) {
-      const VertexId from = v[(i + 1) % 3], to = v[(i + 2) % 3];
-      uses.push_back({std::min(from, to), std::max(from, to), f, i, from < to});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.lo, a.hi, a.face, a.side) < std::tie(b.lo, b.hi, b.face, b.side);
-  });
-  return uses;
-}
-
-// Calls visit(span of uses) once per edge until it returns false.
-template <class Visit>
-void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
-  for (std::size_t i = 0, j; i < uses.size(); i = j) {
-    for (j = i + 1; j < uses.size() && uses[j].lo == uses[i].lo && uses[j].hi == uses[i].hi;) ++j;
-    if (!visit(uses.subspan(i, j - i))) return;
-  }
+std::vector<Triangle> corners_of(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  return triangles;
 }
 
 std::string describe_edge(const TriMesh& mesh, const EdgeUse& use) {
@@ -109,8 +81,8 @@ std::string check_orientation(const TriMesh& mesh, std::span<const EdgeUse> uses
   std::string fault;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
-      fault = text("I3: ", describe_face(mesh, edge[0].face), " and ",
-                   describe_face(mesh, edge[1].face), " run the same way along ",
+      fault = text("I3: ", describe_face(mesh, edge[0].triangle), " and ",
+                   describe_face(mesh, edge[1].triangle), " run the same way along ",
                    describe_edge(mesh, edge[0]));
     }
     return fault.empty();
@@ -123,16 +95,16 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() > 2) {
       fault = text("I4: ", edge.size(), " facets share ", describe_edge(mesh, edge[0]), ":");
-      for (const EdgeUse& use : edge) fault += text(" ", use.face);
+      for (const EdgeUse& use : edge) fault += text(" ", use.triangle);
       return false;
     }
     for (std::size_t i = 0; i < edge.size(); ++i) {
-      const FaceId expected = edge.size() == 2 ? edge[1 - i].face : kNoId;
-      const FaceId stored = mesh.faces[edge[i].face].n[edge[i].side];
+      const FaceId expected = edge.size() == 2 ? edge[1 - i].triangle : kNoId;
+      const FaceId stored = mesh.faces[edge[i].triangle].n[edge[i].side];
       if (stored == expected) continue;
       const auto name = [&](FaceId f) { return f == kNoId ? "no facet" : describe_face(mesh, f); };
-      fault = text("I4: ", describe_face(mesh, edge[i].face), " meets ", name(expected), " across ",
-                   describe_edge(mesh, edge[i]), " but has ",
+      fault = text("I4: ", describe_face(mesh, edge[i].triangle), " meets ", name(expected),
+                   " across ", describe_edge(mesh, edge[i]), " but has ",
                    stored == kNoId ? "no neighbor" : text("neighbor ", stored), " there");
       return false;
     }
@@ -141,80 +113,17 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
   return fault;
 }
 
-// Disjoint sets; the representative is the smallest member.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-// A facet's side opposite one of its corners.
-struct CornerLink {
-  VertexId at, a, b;
-  FaceId face;
-};
-
-// What is wrong with the facets at a vertex, as a link graph; empty when they form one disk or one
-// half disk.
-std::string check_link(std::span<const CornerLink> corners) {
-  std::vector<VertexId> around;
-  for (const CornerLink& c : corners) {
-    around.push_back(c.a);
-    around.push_back(c.b);
-  }
-  sort_out(around);
-  const auto local = [&](VertexId v) {
-    return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) -
-                                      around.begin());
-  };
-
-  std::vector<int> degree(around.size(), 0);
-  Sets pieces(around.size());
-  for (const CornerLink& c : corners) {
-    ++degree[local(c.a)];
-    ++degree[local(c.b)];
-    pieces.unite(local(c.a), local(c.b));
-  }
-  std::size_t piece_count = 0, ends = 0;
-  for (std::uint32_t i = 0; i < around.size(); ++i) {
-    piece_count += pieces.find(i) == i;
-    ends += degree[i] == 1;
-    if (degree[i] > 2) return text("share the edge to vertex ", around[i]);
-  }
-  if (piece_count > 1) return text("form ", piece_count, " separate fans");
-  if (ends == 0 && around.size() < 3) return "cover each other";
-  return {};
-}
-
-std::string check_vertices(const TriMesh& mesh) {
-  std::vector<CornerLink> corners;
-  corners.reserve(3 * mesh.faces.size());
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& v = mesh.faces[f].v;
-    for (int i = 0; i < 3; ++i) corners.push_back({v[i], v[(i + 1) % 3], v[(i + 2) % 3], f});
-  }
-  std::sort(corners.begin(), corners.end(), [](const CornerLink& a, const CornerLink& b) {
-    return std::tie(a.at, a.face) < std::tie(b.at, b.face);
-  });
-  for (std::size_t i = 0, j; i < corners.size(); i = j) {
-    for (j = i + 1; j < corners.size() && corners[j].at == corners[i].at;) ++j;
-    const std::span<const CornerLink> fan(corners.data() + i, j - i);
-    const std::string fault = check_link(fan);
-    if (fault.empty()) continue;
-    std::string opening = text("I5: at ", describe_vertex(mesh, fan[0].at), " the facets");
-    for (const CornerLink& c : fan) opening += text(" ", c.face);
-    return text(opening, " ", fault);
+std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triangles) {
+  const TrianglesAtVertices incident(mesh.points.size(), triangles);
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    const std::span<const std::uint32_t> at = incident.at(v);
+    const VertexLink link = link_of(v, at, triangles);
+    // No edge is of more than two facets, or I4 would not hold.
+    const bool covered = link.fans == 1 && link.closed && link.vertices < 3;
+    if (link.fans <= 1 && !covered) continue;
+    std::string opening = text("I5: at ", describe_vertex(mesh, v), " the facets");
+    for (const FaceId f : at) opening += text(" ", f);
+    return opening + (covered ? " cover each other" : text(" form ", link.fans, " separate fans"));
   }
   return {};
 }
@@ -229,15 +138,12 @@ std::string check_geometry(const TriMesh& mesh) {
   return {};
 }
 
-std::size_t count_duplicate_faces(const TriMesh& mesh) {
-  std::vector<Triangle> sets;
-  sets.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    sets.push_back(face.v);
-    std::sort(sets.back().begin(), sets.back().end());
+std::size_t count_duplicates(const TrianglesByCorners& sorted) {
+  std::size_t duplicates = 0;
+  for (std::size_t n = 1; n < sorted.all().size(); ++n) {
+    duplicates += sorted.all()[n].corners == sorted.all()[n - 1].corners;
   }
-  std::sort(sets.begin(), sets.end());
-  return static_cast<std::size_t>(sets.end() - std::unique(sets.begin(), sets.end()));
+  return duplicates;
 }
 
 }  // namespace
@@ -246,18 +152,19 @@ std::string check_mesh(const TriMesh& mesh) {
   std::string fault = check_corners(mesh);
   if (fault.empty()) fault = check_neighbors(mesh);
   if (fault.empty()) {
-    const std::vector<EdgeUse> uses = sorted_edges(mesh);
+    const std::vector<Triangle> triangles = corners_of(mesh);
+    const std::vector<EdgeUse> uses = edge_uses(mesh.points.size(), triangles);
     fault = check_orientation(mesh, uses);
     if (fault.empty()) fault = check_edges(mesh, uses);
+    if (fault.empty()) fault = check_vertices(mesh, triangles);
   }
-  if (fault.empty()) fault = check_vertices(mesh);
   if (fault.empty()) fault = check_geometry(mesh);
   return fault;
 }
 
 std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box) {
   std::string fault;
-  const std::vector<EdgeUse> uses = sorted_edges(mesh);
+  const std::vector<EdgeUse> uses = edge_uses(mesh.points.size(), corners_of(mesh));
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() != 1) return true;
     const Vec3 &p = mesh.points[edge[0].lo], &q = mesh.points[edge[0].hi];
@@ -266,26 +173,27 @@ std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box) {
         if (p[axis] == face && q[axis] == face) return true;
       }
     }
-    fault = text(describe_face(mesh, edge[0].face), " ends inside the box at ",
+    fault = text(describe_face(mesh, edge[0].triangle), " ends inside the box at ",
                  describe_edge(mesh, edge[0]));
     return false;
   });
   return fault;
 }
 
-std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
-  Sets connected(mesh.points.size());
-  std::vector<bool> used(mesh.points.size(), false);
-  for (const Face& face : mesh.faces) {
-    for (const VertexId v : face.v) {
+std::vector<std::uint32_t> vertex_components(std::size_t vertices,
+                                             std::span<const Triangle> triangles) {
+  DisjointSets connected(vertices);
+  std::vector<bool> used(vertices, false);
+  for (const Triangle& t : triangles) {
+    for (const VertexId v : t) {
       used[v] = true;
-      connected.unite(face.v[0], v);
+      connected.unite(t[0], v);
     }
   }
   // Number the components by their smallest vertex, which is also their representative.
-  std::vector<std::uint32_t> component(mesh.points.size(), kNoId);
+  std::vector<std::uint32_t> component(vertices, kNoId);
   std::uint32_t count = 0;
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+  for (VertexId v = 0; v < vertices; ++v) {
     if (!used[v]) continue;
     const VertexId root = connected.find(v);
     component[v] = root == v ? count++ : component[root];
@@ -293,13 +201,21 @@ std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
   return component;
 }
 
+std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
+  return vertex_components(mesh.points.size(), corners_of(mesh));
+}
+
 MeshTopology mesh_topology(const TriMesh& mesh) {
+  return mesh_topology(mesh.points, corners_of(mesh));
+}
+
+MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles) {
   MeshTopology topology;
-  const std::vector<std::uint32_t> component = vertex_components(mesh);
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+  const std::vector<std::uint32_t> component = vertex_components(points.size(), triangles);
+  for (VertexId v = 0; v < points.size(); ++v) {
     if (component[v] == kNoId) continue;
     ++topology.vertices_used;
-    const Vec3& p = mesh.points[v];
+    const Vec3& p = points[v];
     if (component[v] == topology.components.size()) topology.components.push_back({.box = {p, p}});
     ComponentTopology& c = topology.components[component[v]];
     ++c.vertices;
@@ -308,14 +224,14 @@ MeshTopology mesh_topology(const TriMesh& mesh) {
       c.box.hi[axis] = std::max(c.box.hi[axis], p[axis]);
     }
   }
-  topology.isolated_vertices = mesh.points.size() - topology.vertices_used;
-  topology.faces = mesh.faces.size();
-  for (const Face& face : mesh.faces) ++topology.components[component[face.v[0]]].faces;
-  topology.duplicate_faces = count_duplicate_faces(mesh);
+  topology.isolated_vertices = points.size() - topology.vertices_used;
+  topology.faces = triangles.size();
+  for (const Triangle& t : triangles) ++topology.components[component[t[0]]].faces;
+  topology.duplicate_faces = count_duplicates({points.size(), triangles});
 
-  Sets rims(mesh.points.size());
-  std::vector<bool> on_rim(mesh.points.size(), false);
-  const std::vector<EdgeUse> uses = sorted_edges(mesh);
+  DisjointSets rims(points.size());
+  std::vector<bool> on_rim(points.size(), false);
+  const std::vector<EdgeUse> uses = edge_uses(points.size(), triangles);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     ComponentTopology& c = topology.components[component[edge[0].lo]];
     ++c.edges;
@@ -326,7 +242,7 @@ MeshTopology mesh_topology(const TriMesh& mesh) {
     }
     return true;
   });
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+  for (VertexId v = 0; v < points.size(); ++v) {
     if (on_rim[v] && rims.find(v) == v) ++topology.components[component[v]].boundary_loops;
   }
   for (const ComponentTopology& c : topology.components) {

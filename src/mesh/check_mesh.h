@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,9 +53,12 @@ struct MeshTopology {
 
 // The component of every vertex by its number in MeshTopology::components; kNoId of isolated ones.
 // pre: all corners are below the vertex count.
+std::vector<std::uint32_t> vertex_components(std::size_t vertices,
+                                             std::span<const Triangle> triangles);
 std::vector<std::uint32_t> vertex_components(const TriMesh& mesh);
 
 // pre: all corners are below the vertex count.
+MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles);
 MeshTopology mesh_topology(const TriMesh& mesh);
 
 }  // namespace deliso

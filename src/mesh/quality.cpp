@@ -85,10 +85,11 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
   }
   q.mean_edge = edge_sum / static_cast<double>(edges);
 
-  std::sort(ratios.begin(), ratios.end());
   for (std::size_t i = 0; i < MeshQuality::kQuantiles.size(); ++i) {
     const double rank = std::ceil(MeshQuality::kQuantiles[i] * static_cast<double>(ratios.size()));
-    q.r_over_l_quantiles[i] = ratios[static_cast<std::size_t>(rank) - 1];
+    const auto at = ratios.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+    std::nth_element(ratios.begin(), at, ratios.end());
+    q.r_over_l_quantiles[i] = *at;
   }
   return q;
 }

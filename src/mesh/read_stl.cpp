@@ -4,11 +4,10 @@
 // numbers, "outer loop", three times "vertex" and three numbers, "endloop", "endfacet"; "endsolid".
 // A file may hold several solids. Binary ones that open with "solid" as well are told by their
 // size.
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 
+#include "mesh/first_at_place.h"
 #include "mesh/mesh_formats.h"
 #include "mesh/mesh_parsers.h"
 
@@ -17,14 +16,7 @@ namespace {
 
 constexpr std::size_t kFacet = 50;  // bytes
 
-// A corner's position: floats by their bits, so that they can be put in order whatever they are.
-using Position = std::array<std::uint32_t, 3>;
-
-double value_of(std::uint32_t bits) {
-  return static_cast<double>(std::bit_cast<float>(bits));
-}
-
-// Little endian. -0 and 0 are one position.
+// Little endian.
 std::uint32_t bits_at(std::string_view bytes, std::size_t at) {
   std::uint32_t bits = 0;
   for (std::size_t b = 0; b < 4; ++b) {
@@ -32,37 +24,25 @@ std::uint32_t bits_at(std::string_view bytes, std::size_t at) {
   }
   return bits;
 }
-constexpr std::uint32_t kMinusZero = 0x80000000u;
-std::uint32_t unsigned_zero(std::uint32_t bits) {
-  return bits == kMinusZero ? 0 : bits;
+// -0 and 0 are one position.
+double coordinate_at(std::string_view bytes, std::size_t at) {
+  return static_cast<double>(std::bit_cast<float>(bits_at(bytes, at))) + 0.0;
 }
 
 // Rule R6. `corners`: three for each triangle.
-void merge_corners(const std::vector<Position>& corners, MeshParts& mesh) {
-  // Sorted, equal positions stand together, the first of them in the file in front.
-  std::vector<std::uint32_t> order(corners.size());
-  for (std::uint32_t c = 0; c < order.size(); ++c) order[c] = c;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return corners[a] != corners[b] ? corners[a] < corners[b] : a < b;
-  });
-  std::vector<std::uint32_t> first(corners.size());
-  for (std::size_t n = 0; n < order.size(); ++n) {
-    const bool again = n > 0 && corners[order[n]] == corners[order[n - 1]];
-    first[order[n]] = again ? first[order[n - 1]] : order[n];
-  }
-  // From here on `first` holds vertices, for the corners that are done.
-  for (std::uint32_t c = 0; c < first.size(); ++c) {
-    if (first[c] < c) {
-      first[c] = first[first[c]];
-      continue;
+void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
+  std::vector<VertexId> vertex = first_at_place(corners);  // from here on of those that are done
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (vertex[c] < c) {
+      vertex[c] = vertex[vertex[c]];
+    } else {
+      vertex[c] = static_cast<VertexId>(mesh.points.size());
+      mesh.points.push_back(corners[c]);
     }
-    const Position& p = corners[c];
-    first[c] = static_cast<VertexId>(mesh.points.size());
-    mesh.points.push_back({value_of(p[0]), value_of(p[1]), value_of(p[2])});
   }
-  mesh.triangles.reserve(first.size() / 3);
-  for (std::size_t c = 0; c + 2 < first.size(); c += 3) {
-    mesh.triangles.push_back({first[c], first[c + 1], first[c + 2]});
+  mesh.triangles.reserve(vertex.size() / 3);
+  for (std::size_t c = 0; c + 2 < vertex.size(); c += 3) {
+    mesh.triangles.push_back({vertex[c], vertex[c + 1], vertex[c + 2]});
   }
 }
 
@@ -91,13 +71,13 @@ MeshParts parse_binary(std::string_view bytes, const std::string& name) {
   }
   MeshParts mesh;
   keep_header(bytes.substr(0, kStlHeader), mesh.comments);
-  std::vector<Position> corners;
+  std::vector<Vec3> corners;
   corners.reserve(3 * count);
   for (std::size_t f = 0; f < count; ++f) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {  // the first vector is the normal
       const std::size_t at = f * kFacet + 12 * corner;
-      corners.push_back({unsigned_zero(bits_at(facets, at)), unsigned_zero(bits_at(facets, at + 4)),
-                         unsigned_zero(bits_at(facets, at + 8))});
+      corners.push_back({coordinate_at(facets, at), coordinate_at(facets, at + 4),
+                         coordinate_at(facets, at + 8)});
     }
   }
   merge_corners(corners, mesh);
@@ -116,11 +96,11 @@ class WordReader {
     if (word != wanted) lines_.fail(text("there is ", quote(word), " in place of ", quote(wanted)));
   }
   // As the float that it is in the binary kind.
-  std::uint32_t number() {
+  double number() {
     const std::string_view word = raw();
     const auto value = number_in<double>(word);
     if (!value) lines_.fail(text("there is ", quote(word), " in place of a number"));
-    return unsigned_zero(std::bit_cast<std::uint32_t>(static_cast<float>(*value)));
+    return static_cast<double>(static_cast<float>(*value)) + 0.0;
   }
   void skip_line() { lines_.line() = {}; }
 
@@ -138,7 +118,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
   Lines lines(bytes, name);
   WordReader words(lines);
   MeshParts mesh;
-  std::vector<Position> corners;
+  std::vector<Vec3> corners;
   words.expect("solid");
   keep_comment(lines.line(), mesh.comments);
   words.skip_line();
@@ -161,7 +141,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
       words.expect("loop");
       for (int corner = 0; corner < 3; ++corner) {
         words.expect("vertex");
-        const std::uint32_t x = words.number(), y = words.number();
+        const double x = words.number(), y = words.number();
         corners.push_back({x, y, words.number()});
       }
       words.expect("endloop");

@@ -44,8 +44,13 @@ void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId
   for (std::size_t n = 0; n < star.size(); ++n) {
     const Face& face = mesh.faces[star[n]];
     const int i = corner_index(face, v);
+    // A neighbor that is there already is the facet it was come from, or the end of the other way
+    // round: one of the last few.
+    const auto recent = static_cast<std::ptrdiff_t>(n - std::min<std::size_t>(n, 2));
     for (const FaceId g : {face.n[(i + 1) % 3], face.n[(i + 2) % 3]}) {
-      if (g != kNoId && std::find(star.begin(), star.end(), g) == star.end()) star.push_back(g);
+      if (g != kNoId && std::find(star.begin() + recent, star.end(), g) == star.end()) {
+        star.push_back(g);
+      }
     }
   }
 }

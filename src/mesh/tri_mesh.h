@@ -50,8 +50,8 @@ inline bool has_corner(const Triangle& t, VertexId v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
-// The facets at the corner v of facet f, walking from there over neighbours; f comes first. [O(n^2)
-// in their number]
+// The facets at the corner v of facet f, walking from there over neighbours; f comes first.
+// pre: neighbours are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);
 
 // Fills the neighbours from the corners, in O(V + F) but for vertices of huge degree. An edge of

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace deliso {
 namespace {
@@ -60,6 +62,212 @@ Steps covered(const CornerWeights& first, const std::int64_t (&right)[3], std::i
   return steps;
 }
 
+// Samples of rows and columns from `begin` to `end`.
+struct Rectangle {
+  std::int64_t row_begin, row_end, column_begin, column_end;
+  bool empty() const { return row_begin >= row_end || column_begin >= column_end; }
+};
+
+Rectangle common(const Rectangle& a, const Rectangle& b) {
+  return {std::max(a.row_begin, b.row_begin), std::min(a.row_end, b.row_end),
+          std::max(a.column_begin, b.column_begin), std::min(a.column_end, b.column_end)};
+}
+
+// What is seen in some rows of the picture.
+class Band {
+ public:
+  Band(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end)
+      : mesh_(mesh),
+        projected_(projected),
+        all_{row_begin, row_end, 0, projected.columns},
+        seen_(static_cast<std::size_t>(projected.columns) *
+                  static_cast<std::size_t>(row_end - row_begin),
+              kNoId),
+        nearest_(seen_.size(), -std::numeric_limits<double>::infinity()) {}
+
+  const Rectangle& all() const { return all_; }
+  std::vector<FaceId>& seen() { return seen_; }
+  const Point& corner(FaceId f, std::size_t i) const {
+    return projected_.points[mesh_.faces[f].v[i]];
+  }
+
+  // Where the facet can be seen; nowhere when it is above the clipping plane.
+  Rectangle box_of(FaceId f) const {
+    const Point &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
+    if (std::min({a.height, b.height, c.height}) > 0) return {0, 0, 0, 0};
+    return common(
+        all_,
+        {first_sample(std::min({a.y, b.y, c.y})), first_sample(std::max({a.y, b.y, c.y}) + 1),
+         first_sample(std::min({a.x, b.x, c.x})), first_sample(std::max({a.x, b.x, c.x}) + 1)});
+  }
+  void draw(FaceId f, const Rectangle& within);
+  // No sample of the facet in the rectangle is nearer to the eye.
+  double nearest_possible(FaceId f, const Rectangle& within) const;
+  // The furthest of what is seen in the rectangle so far.
+  double furthest_seen(const Rectangle& within) const;
+
+ private:
+  std::size_t index(std::int64_t row, std::int64_t column) const {
+    return static_cast<std::size_t>(row - all_.row_begin) *
+               static_cast<std::size_t>(projected_.columns) +
+           static_cast<std::size_t>(column);
+  }
+  CornerWeights weights_at(FaceId f, std::int64_t row, std::int64_t column) const {
+    return corners_at(projected_, mesh_.faces[f].v, static_cast<int>(column),
+                      static_cast<int>(row));
+  }
+
+  const TriMesh& mesh_;
+  const ProjectedMesh& projected_;
+  Rectangle all_;
+  std::vector<FaceId> seen_;
+  std::vector<double> nearest_;  // depths
+};
+
+void Band::draw(FaceId f, const Rectangle& within) {
+  if (within.empty()) return;
+  const Point &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
+  const bool clipped = std::max({a.height, b.height, c.height}) > 0;
+  CornerWeights at_row = weights_at(f, within.row_begin, within.column_begin);
+  if (at_row.area == 0) return;
+  const Linear depth(a.depth, b.depth, c.depth, at_row.area);
+  const Linear height(a.height, b.height, c.height, at_row.area);
+  // What one sample to the right, and one down, add to the weights.
+  const std::int64_t right[3] = {kUnit * (b.y - c.y), kUnit * (c.y - a.y), kUnit * (a.y - b.y)};
+  const std::int64_t down[3] = {kUnit * (c.x - b.x), kUnit * (a.x - c.x), kUnit * (b.x - a.x)};
+  for (std::int64_t row = within.row_begin; row < within.row_end; ++row) {
+    const auto [begin, end] = covered(at_row, right, within.column_end - within.column_begin);
+    CornerWeights corners = at_row;
+    for (std::size_t i = 0; i < 3; ++i) corners.weight[i] += begin * right[i];
+    std::size_t at = index(row, within.column_begin + begin);
+    for (std::int64_t step = begin; step < end; ++step, ++at) {
+      if (!(clipped && height.at(corners) > 0)) {
+        const double here = depth.at(corners);
+        if (here > nearest_[at] || (here == nearest_[at] && f < seen_[at])) {
+          nearest_[at] = here;
+          seen_[at] = f;
+        }
+      }
+      for (std::size_t i = 0; i < 3; ++i) corners.weight[i] += right[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) at_row.weight[i] += down[i];
+  }
+}
+
+double Band::nearest_possible(FaceId f, const Rectangle& within) const {
+  constexpr double kRounding = 1e-12;
+  const double depths[3] = {corner(f, 0).depth, corner(f, 1).depth, corner(f, 2).depth};
+  double of_plane = -std::numeric_limits<double>::infinity();
+  for (const std::int64_t row : {within.row_begin, within.row_end - 1}) {
+    for (const std::int64_t column : {within.column_begin, within.column_end - 1}) {
+      const CornerWeights at = weights_at(f, row, column);
+      double depth = 0, size = 0;
+      for (int i = 0; i < 3; ++i) {
+        depth += at.share(i) * depths[i];
+        size += std::fabs(at.share(i) * depths[i]);
+      }
+      of_plane = std::max(of_plane, depth + kRounding * size);
+    }
+  }
+  const auto [least, most] = std::minmax({depths[0], depths[1], depths[2]});
+  return std::min(of_plane, most + kRounding * std::max(std::fabs(least), std::fabs(most)));
+}
+
+double Band::furthest_seen(const Rectangle& within) const {
+  double furthest = std::numeric_limits<double>::infinity();
+  for (std::int64_t row = within.row_begin; row < within.row_end; ++row) {
+    const auto begin =
+        nearest_.begin() + static_cast<std::ptrdiff_t>(index(row, within.column_begin));
+    furthest = std::min(
+        furthest, *std::min_element(begin, begin + (within.column_end - within.column_begin)));
+  }
+  return furthest;
+}
+
+// Facets from the front to the back, without those that are copies of another: what a facet cannot
+// change is passed over, tile by tile.
+class FrontToBack {
+ public:
+  explicit FrontToBack(Band& band) : band_(band) {
+    const Rectangle& all = band.all();
+    for (std::int64_t row = all.row_begin; row < all.row_end; row += kTile) {
+      for (std::int64_t column = 0; column < all.column_end; column += kTile) {
+        tiles_.push_back({common(all, {row, row + kTile, column, column + kTile})});
+      }
+    }
+  }
+
+  void draw(std::vector<FaceId> faces) {
+    struct Item {
+      double front;
+      FaceId face;
+    };
+    std::vector<Item> items;
+    for (const FaceId f : faces) {
+      items.push_back(
+          {std::max({band_.corner(f, 0).depth, band_.corner(f, 1).depth, band_.corner(f, 2).depth}),
+           f});
+    }
+    const auto key = [&](FaceId f, std::size_t i) {
+      const Point& p = band_.corner(f, i);
+      return std::tie(p.x, p.y, p.depth, p.height);
+    };
+    std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+      if (a.front != b.front) return a.front > b.front;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (key(a.face, i) != key(b.face, i)) return key(a.face, i) < key(b.face, i);
+      }
+      return a.face < b.face;
+    });
+    for (std::size_t n = 0; n < items.size(); ++n) {
+      const FaceId f = items[n].face;
+      if (n > 0 && key(f, 0) == key(items[n - 1].face, 0) &&
+          key(f, 1) == key(items[n - 1].face, 1) && key(f, 2) == key(items[n - 1].face, 2)) {
+        continue;
+      }
+      draw(f);
+    }
+  }
+
+ private:
+  static constexpr std::int64_t kTile = 64;
+  struct Tile {
+    Rectangle samples;
+    double furthest = -std::numeric_limits<double>::infinity();
+    std::int64_t drawn = 0;  // samples since that was looked up
+  };
+
+  void draw(FaceId f) {
+    const Rectangle &all = band_.all(), box = band_.box_of(f);
+    if (box.empty() || corners_of_line(f)) return;
+    const std::int64_t columns = (all.column_end + kTile - 1) / kTile;
+    const std::int64_t first_row = (box.row_begin - all.row_begin) / kTile;
+    const std::int64_t last_row = (box.row_end - 1 - all.row_begin) / kTile;
+    for (std::int64_t row = first_row; row <= last_row; ++row) {
+      for (std::int64_t column = box.column_begin / kTile; column <= (box.column_end - 1) / kTile;
+           ++column) {
+        Tile& tile = tiles_[static_cast<std::size_t>(row * columns + column)];
+        const Rectangle part = common(tile.samples, box);
+        if (band_.nearest_possible(f, part) < tile.furthest) continue;
+        band_.draw(f, part);
+        tile.drawn += (part.row_end - part.row_begin) * (part.column_end - part.column_begin);
+        if (tile.drawn < kTile * kTile) continue;
+        tile.furthest = band_.furthest_seen(tile.samples);
+        tile.drawn = 0;
+      }
+    }
+  }
+
+  // Seen from its edge.
+  bool corners_of_line(FaceId f) const {
+    const Point &a = band_.corner(f, 0), &b = band_.corner(f, 1), &c = band_.corner(f, 2);
+    return twice_area(a, b, c.x, c.y) == 0;
+  }
+
+  Band& band_;
+  std::vector<Tile> tiles_;
+};
+
 }  // namespace
 
 ProjectedMesh project(const TriMesh& mesh, const Camera& camera, int samples_per_side,
@@ -93,53 +301,24 @@ CornerWeights corners_at(const ProjectedMesh& mesh, const Triangle& triangle, in
 
 std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& projected,
                                   int row_begin, int row_end) {
-  const auto columns = static_cast<std::size_t>(projected.columns);
-  const std::size_t count = columns * static_cast<std::size_t>(row_end - row_begin);
-  std::vector<FaceId> seen(count, kNoId);
-  std::vector<double> nearest(count, -std::numeric_limits<double>::infinity());
-
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    const Triangle& triangle = mesh.faces[f].v;
-    const Point& a = projected.points[triangle[0]];
-    const Point& b = projected.points[triangle[1]];
-    const Point& c = projected.points[triangle[2]];
-    const auto row0 = std::max<std::int64_t>(first_sample(std::min({a.y, b.y, c.y})), row_begin);
-    const auto row1 = std::min<std::int64_t>(first_sample(std::max({a.y, b.y, c.y}) + 1), row_end);
-    const auto column0 = std::max<std::int64_t>(first_sample(std::min({a.x, b.x, c.x})), 0);
-    const auto column1 =
-        std::min<std::int64_t>(first_sample(std::max({a.x, b.x, c.x}) + 1), projected.columns);
-    if (row0 >= row1 || column0 >= column1) continue;
-    if (std::min({a.height, b.height, c.height}) > 0) continue;
-    const bool clipped = std::max({a.height, b.height, c.height}) > 0;
-
-    CornerWeights at_row =
-        corners_at(projected, triangle, static_cast<int>(column0), static_cast<int>(row0));
-    if (at_row.area == 0) continue;
-    const Linear depth(a.depth, b.depth, c.depth, at_row.area);
-    const Linear height(a.height, b.height, c.height, at_row.area);
-    // What one sample to the right, and one down, add to the weights.
-    const std::int64_t right[3] = {kUnit * (b.y - c.y), kUnit * (c.y - a.y), kUnit * (a.y - b.y)};
-    const std::int64_t down[3] = {kUnit * (c.x - b.x), kUnit * (a.x - c.x), kUnit * (b.x - a.x)};
-    for (std::int64_t row = row0; row < row1; ++row) {
-      const auto [begin, end] = covered(at_row, right, column1 - column0);
-      CornerWeights corners = at_row;
-      for (std::size_t i = 0; i < 3; ++i) corners.weight[i] += begin * right[i];
-      std::size_t at = static_cast<std::size_t>(row - row_begin) * columns +
-                       static_cast<std::size_t>(column0 + begin);
-      for (std::int64_t step = begin; step < end; ++step, ++at) {
-        if (!(clipped && height.at(corners) > 0)) {
-          const double here = depth.at(corners);
-          if (here > nearest[at]) {
-            nearest[at] = here;
-            seen[at] = static_cast<FaceId>(f);
-          }
-        }
-        for (std::size_t i = 0; i < 3; ++i) corners.weight[i] += right[i];
-      }
-      for (std::size_t i = 0; i < 3; ++i) at_row.weight[i] += down[i];
-    }
+  // So many facets over each sample, on the average, that sorting them is worth while.
+  constexpr double kDeep = 16;
+  Band band(mesh, projected, row_begin, row_end);
+  double samples = 0;
+  std::vector<FaceId> faces;
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Rectangle box = band.box_of(f);
+    if (box.empty()) continue;
+    faces.push_back(f);
+    samples += 0.5 * static_cast<double>((box.row_end - box.row_begin) *
+                                         (box.column_end - box.column_begin));
   }
-  return seen;
+  if (samples > kDeep * static_cast<double>(band.seen().size())) {
+    FrontToBack(band).draw(std::move(faces));
+  } else {
+    for (const FaceId f : faces) band.draw(f, band.box_of(f));
+  }
+  return std::move(band.seen());
 }
 
 }  // namespace deliso

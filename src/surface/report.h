@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/topology_counts.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -107,6 +108,7 @@ struct Report {
   std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
   SearchCounters searches_recover, searches_refine;
   std::size_t insertions_recover = 0, insertions_refine = 0;
+  TopologyCounts exact;        // of the exact contour, whole
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
   double r_min = 0;            // scaled frame, as all lengths here
   double largest_h = 0;        // of facets above r_min, when Stage 2 ended

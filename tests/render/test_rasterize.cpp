@@ -133,6 +133,40 @@ TEST_CASE("coverage, depth order and clipping, against every facet at every samp
   CHECK(counts.clipped > 5000);
 }
 
+TEST_CASE("very many facets over each sample, sorted from the front to the back") {
+  Counts counts;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    TriMesh mesh = random_facets(random, 150);
+    std::optional<ClipPlane> clip;
+    if (seed % 2 == 0) clip = {{0.3, -0.2, 1}, 2};
+    check_against_brute_force(mesh, clip, counts);
+    // What lies behind, wholly or as a copy, changes nothing.
+    const ProjectedMesh before = project(mesh, flat_camera(), 2, clip);
+    const std::vector<FaceId> seen = visible_faces(mesh, before, 0, before.rows);
+    const std::size_t facets = mesh.faces.size();
+    for (std::size_t f = 0; f < facets; ++f) mesh.faces.push_back(mesh.faces[f]);
+    const auto behind = static_cast<VertexId>(mesh.points.size());
+    for (const Vec3& p : {Vec3{-9, -9, -9}, Vec3{200, -9, -9}, Vec3{-9, 200, -9}}) {
+      mesh.points.push_back(p);
+    }
+    // It is seen where nothing else is, as far as it is not clipped.
+    const Face back{{behind, behind + 1, behind + 2}, {kNoId, kNoId, kNoId}};
+    mesh.faces.insert(mesh.faces.end(), 500, back);
+    const ProjectedMesh after = project(mesh, flat_camera(), 2, clip);
+    const std::vector<FaceId> again = visible_faces(mesh, after, 0, after.rows);
+    for (std::size_t n = 0; n < seen.size(); ++n) {
+      if (seen[n] != kNoId) {
+        REQUIRE(again[n] == seen[n]);
+      } else if (!clip) {
+        REQUIRE(again[n] == 2 * facets);
+      }
+    }
+  }
+  CHECK(counts.hidden > 5000);
+}
+
 TEST_CASE("the one of the lower id at equal depth; bands of rows make up the whole") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/incidence.h"
+
+#include <numeric>
+#include <tuple>
+
+#include "base/sorted_list.h"
+
+namespace deliso {
+namespace {
+
+// The corner of t behind v, and the one behind that.
+std::pair<VertexId, VertexId> side_opposite(const Triangle& t, VertexId v) {
+  if (t[0] == v) return {t[1], t[2]};
+  return t[1] == v ? std::pair(t[2], t[0]) : std::pair(t[0], t[1]);
+}
+
+// Whether the sides opposite, each begun where the one before ends, are one closed ring. For small
+// degrees, since it looks for each among all.
+bool is_ring(VertexId v, std::span<const std::uint32_t> at, std::span<const Triangle> triangles) {
+  const auto [first, second] = side_opposite(triangles[at[0]], v);
+  VertexId here = second;
+  for (std::size_t n = 1; n < at.size(); ++n) {
+    if (here == first) return false;
+    const auto next = std::find_if(at.begin(), at.end(), [&](std::uint32_t t) {
+      return side_opposite(triangles[t], v).first == here;
+    });
+    if (next == at.end()) return false;
+    here = side_opposite(triangles[*next], v).second;
+  }
+  return here == first;
+}
+
+}  // namespace
+
+std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles) {
+  std::vector<std::size_t> next(vertices + 1, 0);
+  const auto for_each_side = [&](auto&& visit) {
+    for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+      for (std::uint8_t i = 0; i < 3; ++i) {
+        const VertexId from = triangles[n][(i + 1) % 3], to = triangles[n][(i + 2) % 3];
+        visit(EdgeUse{std::min(from, to), std::max(from, to), n, i, from < to});
+      }
+    }
+  };
+  for_each_side([&](const EdgeUse& use) { ++next[use.lo + 1]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<EdgeUse> uses(3 * triangles.size());
+  for_each_side([&](const EdgeUse& use) { uses[next[use.lo]++] = use; });
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    while (j < uses.size() && uses[j].lo == uses[i].lo) ++j;
+    std::sort(uses.data() + i, uses.data() + j, [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.hi, a.triangle, a.side) < std::tie(b.hi, b.triangle, b.side);
+    });
+  }
+  return uses;
+}
+
+TrianglesAtVertices::TrianglesAtVertices(std::size_t vertices, std::span<const Triangle> triangles)
+    : begin_(vertices + 2, 0), triangles_(3 * triangles.size()) {
+  // begin_[v + 1] runs from the first triangle of v to the first of the next.
+  for (const Triangle& t : triangles) {
+    for (const VertexId v : t) ++begin_[v + 2];
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+    for (const VertexId v : triangles[n]) triangles_[begin_[v + 1]++] = n;
+  }
+}
+
+TrianglesByCorners::TrianglesByCorners(std::size_t vertices, std::span<const Triangle> triangles)
+    : begin_(vertices + 2, 0), entries_(triangles.size()) {
+  for (const Triangle& t : triangles) ++begin_[std::min({t[0], t[1], t[2]}) + 2];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+    Triangle t = triangles[n];
+    std::sort(t.begin(), t.end());
+    entries_[begin_[t[0] + 1]++] = {t, n};
+  }
+  for (VertexId v = 0; v < vertices; ++v) {
+    std::sort(entries_.data() + begin_[v], entries_.data() + begin_[v + 1],
+              [](const Entry& a, const Entry& b) {
+                return std::tie(a.corners, a.triangle) < std::tie(b.corners, b.triangle);
+              });
+  }
+}
+
+std::uint32_t TrianglesByCorners::find(const Triangle& corners) const {
+  const Entry* const begin = entries_.data() + begin_[corners[0]];
+  const Entry* const end = entries_.data() + begin_[corners[0] + 1];
+  const Entry* const found = std::lower_bound(
+      begin, end, corners, [](const Entry& e, const Triangle& t) { return e.corners < t; });
+  return found != end && found->corners == corners ? found->triangle : kNoId;
+}
+
+VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
+                   std::span<const Triangle> triangles) {
+  constexpr std::size_t kSmall = 16;
+  if (at.empty()) return {};
+  if (at.size() <= kSmall && is_ring(v, at, triangles)) return {1, at.size(), true};
+
+  std::vector<VertexId> ends, around;
+  for (const std::uint32_t t : at) {
+    const auto [a, b] = side_opposite(triangles[t], v);
+    ends.insert(ends.end(), {a, b});
+  }
+  around = ends;
+  sort_out(around);
+  for (VertexId& end : ends) {
+    end =
+        static_cast<VertexId>(std::lower_bound(around.begin(), around.end(), end) - around.begin());
+  }
+  DisjointSets pieces(around.size());
+  std::vector<std::uint8_t> uses(around.size(), 0);
+  for (std::size_t n = 0; n < ends.size(); n += 2) pieces.unite(ends[n], ends[n + 1]);
+  for (const VertexId end : ends) uses[end] = static_cast<std::uint8_t>(std::min(2, uses[end] + 1));
+  VertexLink link{0, around.size(), std::find(uses.begin(), uses.end(), 1) == uses.end()};
+  for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
+  return link;
+}
+
+DisjointSets::DisjointSets(std::size_t n) : parent_(n) {
+  std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+}  // namespace deliso

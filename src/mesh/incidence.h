@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Which triangles are at an edge, and which at a vertex, from the corners alone: for checks, which
+// trust no stored neighbor and share no code with link_faces. Counting sorts: linear but for
+// vertices of huge degree, where it is n log n.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// Triangle `triangle` runs along the edge between lo < hi, from lo to hi when `forward`.
+struct EdgeUse {
+  VertexId lo, hi;
+  std::uint32_t triangle;
+  std::uint8_t side;  // index of the corner opposite
+  bool forward;
+};
+
+// All sides of all triangles: edges in the order of (lo, hi), the uses of an edge next to each
+// other in the order of the triangles. pre: corners are below `vertices`.
+std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles);
+
+// Calls visit(span of uses) once per edge until it returns false.
+template <class Visit>
+void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
+  for (std::size_t i = 0, j; i < uses.size(); i = j) {
+    for (j = i + 1; j < uses.size() && uses[j].lo == uses[i].lo && uses[j].hi == uses[i].hi;) ++j;
+    if (!visit(uses.subspan(i, j - i))) return;
+  }
+}
+
+// The triangles at every vertex, ascending, those twice that name it twice.
+class TrianglesAtVertices {
+ public:
+  // pre: corners are below `vertices`.
+  TrianglesAtVertices(std::size_t vertices, std::span<const Triangle> triangles);
+  std::span<const std::uint32_t> at(VertexId v) const {
+    return std::span(triangles_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> triangles_;
+};
+
+// Triangles by their corners in ascending order: those on the same three next to each other, in the
+// order of their numbers.
+class TrianglesByCorners {
+ public:
+  struct Entry {
+    Triangle corners;  // ascending
+    std::uint32_t triangle;
+  };
+  // pre: corners are below `vertices`.
+  TrianglesByCorners(std::size_t vertices, std::span<const Triangle> triangles);
+  std::span<const Entry> all() const { return entries_; }
+  // Number of the first triangle on these corners, ascending; kNoId where there is none.
+  std::uint32_t find(const Triangle& corners) const;
+
+ private:
+  std::vector<std::size_t> begin_;  // of those with this smallest corner
+  std::vector<Entry> entries_;
+};
+
+// How the triangles at a vertex hang together: by the other vertices of their edges there.
+struct VertexLink {
+  std::size_t fans = 0;      // connected pieces
+  std::size_t vertices = 0;  // around it
+  bool closed = false;       // each of these is of two triangles or more
+};
+VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
+                   std::span<const Triangle> triangles);
+
+// Disjoint sets; the representative is the smallest member.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n);
+  std::uint32_t find(std::uint32_t a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace deliso

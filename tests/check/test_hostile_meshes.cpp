@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Meshes made to take the square of their size: what is given up is said, and the verdict does not
+// depend on the number of threads.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "check/hostile_meshes.h"
+#include "check/verify.h"
+#include "contour/contour.h"
+#include "embedding/nearest_distances.h"
+#include "embedding/self_intersections.h"
+#include "embedding/triangle_pair.h"
+#include "volume/builtin_fields.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+struct Ball {
+  Volume volume = make_builtin_volume("builtin:sphere:24");
+  double kappa = settled_isovalue(volume, find_builtin_field("builtin:sphere:24")->isovalue);
+
+  Verification verify(const Hostile& mesh, int threads) const {
+    VerifyOptions options;
+    options.threads = threads;
+    options.limits.max_distance = 0.1;
+    return deliso::verify(make_tri_mesh(mesh.points, mesh.triangles), volume, kappa, options);
+  }
+};
+
+std::string summary(const Verification& v) {
+  std::string all;
+  for (std::size_t n = 0; n < kFaultKinds; ++n) {
+    const auto kind = static_cast<FaultKind>(n);
+    all += std::to_string(v.faults.count(kind)) + " ";
+    for (const Fault& fault : v.faults.first(kind)) all += fault.what + "; ";
+  }
+  const auto add = [&](double value) { all += std::to_string(value) + " "; };
+  for (const Distances* d : {&v.to_surface, &v.from_surface}) {
+    for (const double value : {d->max, d->mean, d->rms, d->quantile_999}) add(value);
+    add(static_cast<double>(d->points));
+    add(static_cast<double>(d->given_up));
+  }
+  for (const std::size_t count : {v.delaunay.delaunay, v.delaunay.restricted, v.delaunay.missing,
+                                  v.delaunay.multiple, v.delaunay.occupied}) {
+    add(static_cast<double>(count));
+  }
+  return all;
+}
+
+bool mentions(const Verification& v, FaultKind kind, const std::string& what) {
+  const std::vector<Fault>& first = v.faults.first(kind);
+  return std::any_of(first.begin(), first.end(), [&](const Fault& fault) {
+    return fault.what.find(what) != std::string::npos;
+  });
+}
+
+const Hostile& named(const std::vector<Hostile>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Hostile& h) { return h.name == name; });
+  REQUIRE(found != all.end());
+  return *found;
+}
+
+}  // namespace
+
+TEST_CASE("every hostile mesh has faults, the same with any number of threads") {
+  const Ball ball;
+  for (const Hostile& mesh : hostile_meshes(1500, 23)) {
+    CAPTURE(mesh.name);
+    const Verification one = ball.verify(mesh, 1);
+    CHECK(one.faults.any());
+    for (const int threads : {2, 3, 8}) CHECK(summary(ball.verify(mesh, threads)) == summary(one));
+  }
+}
+
+TEST_CASE("crossings of a few triangles are all found, of very many as many as are looked for") {
+  for (const std::size_t n : {40u, 300u}) {
+    for (const Hostile& mesh : hostile_meshes(n, 23)) {
+      if (mesh.name == "copies of one triangle" || mesh.name == "all vertices at one point" ||
+          mesh.name == "all vertices on one line") {
+        continue;  // no mesh of different vertices
+      }
+      CAPTURE(mesh.name);
+      CAPTURE(n);
+      std::vector<std::pair<FaceId, FaceId>> all;
+      for (FaceId f = 0; f < mesh.triangles.size(); ++f) {
+        for (FaceId g = f + 1; g < mesh.triangles.size(); ++g) {
+          if (triangles_intersect(mesh.points, mesh.triangles[f], mesh.triangles[g])) {
+            all.emplace_back(f, g);
+          }
+        }
+      }
+      const TriangleTree tree(mesh.points, mesh.triangles);
+      const Crossings found = find_crossings(mesh.points, mesh.triangles, tree);
+      CHECK(std::includes(all.begin(), all.end(), found.pairs.begin(), found.pairs.end()));
+      if (found.given_up.empty()) CHECK(found.pairs == all);
+      if (mesh.name == "fan with a helix for a rim" || mesh.name == "flat fan") {
+        CHECK(found.given_up.empty());
+        CHECK(found.pairs.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("where all triangles cross, looking ends and says so") {
+  const Ball ball;
+  const Hostile mesh = named(hostile_meshes(4000, 23), "triangles that all cross each other");
+  const Verification v = ball.verify(mesh, 2);
+  CHECK(mentions(v, FaultKind::not_measured, "crossings of "));
+  const std::size_t found = v.faults.count(FaultKind::self_intersections);
+  CHECK(found >= kMostFound);
+  CHECK(found <= mesh.triangles.size() * (kMostTests / 4 + 16));
+}
+
+TEST_CASE("a Delaunay triangulation with a cell for every two vertices is given up") {
+  const Ball ball;
+  const Hostile mesh = named(hostile_meshes(4000, 23), "all vertices on a moment curve");
+  const Verification v = ball.verify(mesh, 1);
+  CHECK_FALSE(v.delaunay.measured);
+  CHECK(v.delaunay.restricted == 0);
+  CHECK(mentions(v, FaultKind::not_measured, "restricted share"));
+}
+
+TEST_CASE("nearest triangles are those of brute force, or given up") {
+  const Hostile needles = named(hostile_meshes(4000, 23), "needles across the box");
+  const Hostile flat = named(hostile_meshes(400, 23), "flat fan");
+  Random random(3);
+  std::vector<Vec3> points(200);
+  for (Vec3& p : points) p = {random.uniform(0, 23), random.uniform(0, 23), random.uniform(0, 23)};
+  std::size_t given_up = 0, measured = 0;
+  for (const Hostile* mesh : {&needles, &flat}) {
+    const TriangleTree tree(mesh->points, mesh->triangles);
+    const std::vector<double> found = nearest_distances(points, tree, 2);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      if (found[n] < 0) {
+        ++given_up;
+        continue;
+      }
+      ++measured;
+      double least = std::numeric_limits<double>::infinity();
+      for (FaceId f = 0; f < mesh->triangles.size(); ++f) {
+        least = std::min(least, tree.distance2(f, points[n]));
+      }
+      CHECK(found[n] == std::sqrt(least));
+    }
+  }
+  CHECK(measured >= 200);
+  CHECK(given_up > 0);
+}
