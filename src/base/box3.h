@@ -40,12 +40,8 @@ inline Box3 box_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 // Squared distance from p to the nearest point of the box.
 inline double distance2_to(const Box3& box, const Vec3& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double out = std::max(std::max(box.lo[axis] - p[axis], p[axis] - box.hi[axis]), 0.0);
-    sum += out * out;
-  }
-  return sum;
+  return length2(p - Vec3{std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y),
+                          std::clamp(p.z, box.lo.z, box.hi.z)});
 }
 
 // The part of `range` in which origin + t * direction lies in the box.
