@@ -34,7 +34,7 @@ inline constexpr double kBallLimit = 4;
 
 // Cells that may be made for each vertex, all in all. Vertices spread over a surface take some
 // thirty; those of a helix seen from its axis would take as many as there are vertices.
-inline constexpr std::size_t kMostCells = 256;
+inline constexpr std::size_t kMostCells = 96;
 
 // Four auxiliary vertices far outside stand in for infinity. Not measured where all vertices lie in
 // one plane with them, or the triangulation takes too many cells. The same with any number of

@@ -48,10 +48,7 @@ Cubes sort_into_cubes(std::span<const Vec3> points) {
 class RunOfPoints {
  public:
   RunOfPoints(std::span<const Vec3> points, const TriangleTree& tree, std::span<double> found)
-      : points_(points),
-        tree_(tree),
-        found_(found),
-        leaves_left_(kLeavesPerPoint * points.size()) {}
+      : points_(points), tree_(tree), found_(found) {}
 
   void measure() {
     const Cubes cubes = sort_into_cubes(points_);
@@ -117,7 +114,7 @@ class RunOfPoints {
   std::span<const Vec3> points_;
   const TriangleTree& tree_;
   std::span<double> found_;
-  std::size_t leaves_left_;
+  std::size_t leaves_left_ = kMostLeavesOfRun;
   FaceId near_ = 0;
 };
 

@@ -11,9 +11,9 @@
 
 namespace deliso {
 
-// Leaves of the tree that are looked at for each point, on the average over runs of them. A mesh
-// has some five near a point; where many more overlap, points are left out.
-inline constexpr std::size_t kLeavesPerPoint = 64;
+// Leaves of the tree that are looked at for each run of 2^14 points. A mesh has some five near a
+// point; where very many overlap, what is left of a run is given up.
+inline constexpr std::size_t kMostLeavesOfRun = 1u << 20;
 
 // Per point the distance, infinite where there are no triangles, negative where it was given up.
 // The same with any number of threads.

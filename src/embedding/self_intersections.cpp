@@ -17,8 +17,13 @@ constexpr std::size_t kLeavesAtOnce = 256;
 
 class Search {
  public:
-  Search(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads)
-      : points_(points), triangles_(triangles), threads_(threads), flat_(triangles.size()) {
+  Search(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads,
+         bool bounded)
+      : points_(points),
+        triangles_(triangles),
+        threads_(threads),
+        bounded_(bounded),
+        flat_(triangles.size()) {
     for_each_run(threads, triangles.size(), 1u << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         const Triangle& t = triangles[f];
@@ -43,9 +48,9 @@ class Search {
             test(named(name, mine[m]), named(name, theirs[n]), work);
           }
         }
-        return !work.exhausted();
+        return !exhausted(work);
       });
-      if (!work.exhausted()) return;
+      if (!exhausted(work)) return;
       for (const FaceId f : mine) work.given_up.push_back(named(name, f));
     });
   }
@@ -68,9 +73,9 @@ class Search {
           if (!TriangleTree::meet(box, tree.boxes_of_leaf(leaf)[k])) continue;
           if (!shares_star(t, triangles_[g])) test(f, g, work);
         }
-        return !work.exhausted();
+        return !exhausted(work);
       });
-      if (work.exhausted()) work.given_up.push_back(f);
+      if (exhausted(work)) work.given_up.push_back(f);
     });
   }
 
@@ -109,10 +114,12 @@ class Search {
     std::size_t boxes = 0, tests = 0, found = 0;
     std::vector<std::pair<FaceId, FaceId>> pairs;
     std::vector<FaceId> given_up;
-    bool exhausted() const {
-      return boxes > kMostBoxes || tests > kMostTests || found > kMostFound;
-    }
   };
+
+  bool exhausted(const Work& work) const {
+    return bounded_ &&
+           (work.boxes > kMostBoxes || work.tests > kMostTests || work.found > kMostFound);
+  }
 
   static FaceId named(std::span<const FaceId> name, FaceId f) { return name.empty() ? f : name[f]; }
 
@@ -144,6 +151,7 @@ class Search {
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
   int threads_;
+  bool bounded_;
   std::vector<std::uint8_t> flat_;
   Crossings found_;
 };
@@ -188,10 +196,8 @@ void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> tri
   }
 }
 
-}  // namespace
-
-Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                         const TriangleTree& tree, int threads) {
+Crossings find(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+               const TriangleTree& tree, int threads, bool bounded) {
   std::vector<std::uint32_t> degree(points.size(), 0), star(points.size(), kNoId);
   for (const Triangle& t : triangles) {
     for (const VertexId v : t) ++degree[v];
@@ -202,7 +208,7 @@ Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triang
     star[v] = static_cast<std::uint32_t>(stars.size());
     stars.push_back({v, {}, {}});
   }
-  Search search(points, triangles, threads);
+  Search search(points, triangles, threads, bounded);
   if (stars.empty()) {
     search.within(tree);
   } else {
@@ -211,10 +217,17 @@ Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triang
   return search.take();
 }
 
+}  // namespace
+
+Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                         const TriangleTree& tree, int threads) {
+  return find(points, triangles, tree, threads, true);
+}
+
 std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
                                                           std::span<const Triangle> triangles,
                                                           const TriangleTree& tree) {
-  return find_crossings(points, triangles, tree).pairs;
+  return find(points, triangles, tree, 1, false).pairs;
 }
 
 std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces,

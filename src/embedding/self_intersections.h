@@ -33,7 +33,7 @@ inline constexpr std::size_t kManyAround = 64;
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads = 1);
 
-// The pairs alone.
+// The pairs alone, all of them, however many there are.
 std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
                                                           std::span<const Triangle> triangles,
                                                           const TriangleTree& tree);

@@ -66,6 +66,9 @@ Steps covered(const CornerWeights& first, const std::int64_t (&right)[3], std::i
 struct Rectangle {
   std::int64_t row_begin, row_end, column_begin, column_end;
   bool empty() const { return row_begin >= row_end || column_begin >= column_end; }
+  double samples() const {
+    return static_cast<double>((row_end - row_begin) * (column_end - column_begin));
+  }
 };
 
 Rectangle common(const Rectangle& a, const Rectangle& b) {
@@ -99,6 +102,12 @@ class Band {
         all_,
         {first_sample(std::min({a.y, b.y, c.y})), first_sample(std::max({a.y, b.y, c.y}) + 1),
          first_sample(std::min({a.x, b.x, c.x})), first_sample(std::max({a.x, b.x, c.x}) + 1)});
+  }
+  // About how many samples of its box the facet covers, at most.
+  double samples(FaceId f, const Rectangle& box) const {
+    const Point &a = corner(f, 0), &b = corner(f, 1), &c = corner(f, 2);
+    const double area = std::fabs(static_cast<double>(twice_area(a, b, c.x, c.y)));
+    return std::min(area / (2.0 * kUnit * kUnit), box.samples());
   }
   void draw(FaceId f, const Rectangle& within);
   // No sample of the facet in the rectangle is nearer to the eye.
@@ -239,10 +248,13 @@ class FrontToBack {
 
   void draw(FaceId f) {
     const Rectangle &all = band_.all(), box = band_.box_of(f);
-    if (box.empty() || corners_of_line(f)) return;
+    const double samples = band_.samples(f, box);
+    if (box.empty() || samples == 0) return;
     const std::int64_t columns = (all.column_end + kTile - 1) / kTile;
     const std::int64_t first_row = (box.row_begin - all.row_begin) / kTile;
     const std::int64_t last_row = (box.row_end - 1 - all.row_begin) / kTile;
+    // Of a sliver most tiles hold nothing.
+    if (samples < box.samples() / kTile) return band_.draw(f, box);
     for (std::int64_t row = first_row; row <= last_row; ++row) {
       for (std::int64_t column = box.column_begin / kTile; column <= (box.column_end - 1) / kTile;
            ++column) {
@@ -256,12 +268,6 @@ class FrontToBack {
         tile.drawn = 0;
       }
     }
-  }
-
-  // Seen from its edge.
-  bool corners_of_line(FaceId f) const {
-    const Point &a = band_.corner(f, 0), &b = band_.corner(f, 1), &c = band_.corner(f, 2);
-    return twice_area(a, b, c.x, c.y) == 0;
   }
 
   Band& band_;
@@ -310,8 +316,7 @@ std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& proj
     const Rectangle box = band.box_of(f);
     if (box.empty()) continue;
     faces.push_back(f);
-    samples += 0.5 * static_cast<double>((box.row_end - box.row_begin) *
-                                         (box.column_end - box.column_begin));
+    samples += band.samples(f, box);
   }
   if (samples > kDeep * static_cast<double>(band.seen().size())) {
     FrontToBack(band).draw(std::move(faces));
