@@ -74,6 +74,8 @@ std::string check_triangulation(const Triangulation& t) {
     std::sort(v.begin(), v.end());
     if (v[3] >= t.vertex_capacity() || std::adjacent_find(v.begin(), v.end()) != v.end())
       return sentence("I1: ", describe(t, c), " has a repeated or unknown vertex");
+    if (v[0] == Triangulation::kInfinite && !t.is_infinite(c))
+      return sentence("I5: in ", describe(t, c), " the infinite vertex is not the first");
     for (VertexId w : v) used[w] = true;
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) edges.insert({v[i], v[j]});

@@ -2,41 +2,78 @@
 #include "delaunay/hilbert.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <utility>
 
 #include "base/box3.h"
 #include "base/random.h"
 
 namespace deliso {
 
-// Skilling 2004, "Programming the Hilbert curve".
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
-  std::uint32_t axis[3] = {x, y, z};
+namespace {
 
-  // Undo the rotations and reflections of each level. Where an axis has the level's bit, the first
-  // axis is inverted below it, else the two are swapped there; masks, since no processor can
-  // predict random bits.
-  for (int bit = bits - 1; bit > 0; --bit) {
-    const std::uint32_t below = (1u << bit) - 1;
-    for (std::uint32_t& a : axis) {
-      const std::uint32_t invert = below & (0 - (a >> bit & 1));
-      const std::uint32_t swap = (axis[0] ^ a) & (below ^ invert);
-      axis[0] ^= invert | swap;
-      a ^= swap;
+// Skilling 2004, "Programming the Hilbert curve", works on whole coordinates, level by level from
+// the highest bits: where an axis has the level's bit, the first axis is inverted below it, else
+// the two are swapped there; then comes a Gray code. So what happens to the bits of a level depends
+// on the levels above only by which axis is where, what is inverted, and the Gray code's parity.
+struct HilbertState {
+  std::array<std::uint8_t, 3> axis = {0, 1, 2};
+  std::array<bool, 3> is_inverted = {};
+  bool is_odd = false;
+  friend constexpr bool operator==(const HilbertState&, const HilbertState&) = default;
+};
+
+// For each such state and each octant (the bits of x, y, z at a level, x the lowest), the three
+// bits of the index and the state of the level below. State 0 is that of the highest level.
+struct HilbertTable {
+  struct Step {
+    std::uint8_t digit, next;
+  };
+  static constexpr int kMaxStates = 6 * 8 * 2;
+  std::array<std::array<Step, 8>, kMaxStates> steps{};
+
+  constexpr HilbertTable() {
+    std::array<HilbertState, kMaxStates> states{};
+    std::uint8_t count = 1;
+    for (std::uint8_t s = 0; s < count; ++s) {
+      for (unsigned octant = 0; octant < 8; ++octant) {
+        HilbertState below = states[s];
+        std::array<bool, 3> bit{};
+        for (std::size_t i = 0; i < 3; ++i)
+          bit[i] = (octant >> below.axis[i] & 1) ^ below.is_inverted[i];
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (bit[i]) {
+            below.is_inverted[0] ^= 1;
+          } else {
+            std::swap(below.axis[0], below.axis[i]);
+            std::swap(below.is_inverted[0], below.is_inverted[i]);
+          }
+        }
+        const bool g0 = bit[0], g1 = g0 ^ bit[1], g2 = g1 ^ bit[2], odd = below.is_odd;
+        below.is_odd ^= g2;
+        std::uint8_t next = 0;
+        while (next < count && !(states[next] == below)) ++next;
+        if (next == count) states[count++] = below;
+        steps[s][octant] = {
+            static_cast<std::uint8_t>((g0 ^ odd) << 2 | (g1 ^ odd) << 1 | (g2 ^ odd)), next};
+      }
     }
   }
+};
+constexpr HilbertTable kHilbert;
 
-  // Gray encode.
-  axis[1] ^= axis[0];
-  axis[2] ^= axis[1];
-  std::uint32_t t = 0;
-  for (int bit = bits - 1; bit > 0; --bit) t ^= ((1u << bit) - 1) & (0 - (axis[2] >> bit & 1));
-  for (std::uint32_t& a : axis) a ^= t;
+}  // namespace
 
-  // Interleave, highest bits first.
+std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) {
   std::uint64_t index = 0;
-  for (int bit = bits - 1; bit >= 0; --bit)
-    for (std::uint32_t a : axis) index = index << 1 | (a >> bit & 1);
+  std::uint8_t state = 0;
+  for (int bit = bits - 1; bit >= 0; --bit) {
+    const unsigned octant = (x >> bit & 1) | (y >> bit & 1) << 1 | (z >> bit & 1) << 2;
+    const auto [digit, next] = kHilbert.steps[state][octant];
+    index = index << 3 | digit;
+    state = next;
+  }
   return index;
 }
 

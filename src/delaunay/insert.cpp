@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "delaunay/insphere_pair.h"
 #include "delaunay/predicates.h"
 #include "delaunay/tet_tables.h"
 
@@ -61,6 +62,31 @@ void Triangulation::begin_search() const {
   in_conflict_ += 2;
 }
 
+// Two at a time. Whether a cell is in conflict is as good as random, so no branch depends on it:
+// the list is written in any case, and grows or does not.
+void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
+                                   std::vector<CellId>& cells) const {
+  const auto corners = [&](CellId c) {
+    const auto& v = cells_[c].vertices;
+    return std::array{&points_[v[0]], &points_[v[1]], &points_[v[2]], &points_[v[3]]};
+  };
+  std::size_t kept = begin;
+  for (std::size_t k = begin; k < cells.size(); k += 2) {
+    const bool is_pair = k + 1 < cells.size();
+    const CellId first = cells[k], second = cells[k + is_pair];
+    const auto in_conflict = is_infinite(first) || is_infinite(second)
+                                 ? std::array{is_in_conflict(first, p), is_in_conflict(second, p)}
+                                 : inside_spheres(corners(first), corners(second), p);
+    cells[kept] = first;
+    marks_[first] -= in_conflict[0];
+    kept += in_conflict[0];
+    cells[kept] = second;
+    marks_[second] -= is_pair & in_conflict[1];
+    kept += is_pair & in_conflict[1];
+  }
+  cells.resize(kept);
+}
+
 void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zone) const {
   zone.cells.clear();
   zone.boundary.clear();
@@ -73,79 +99,85 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
     }
   }
 
-  // Flood fill from the cell that holds p; the list of cells found is also the queue. Whether a
-  // cell is in conflict is as good as random, so no branch depends on it: both lists are written
-  // in any case, and grow or do not.
+  // Flood fill from the cell that holds p, each round from the cells the last one found.
   begin_search();
-  marks_[start] = in_conflict_;
+  const std::uint32_t in_conflict = in_conflict_;
+  std::uint32_t* const marks = marks_.data();
+  marks[start] = in_conflict;
   zone.cells.assign(1, start);
-  std::size_t cell_count = 1, facet_count = 0;
-  for (std::size_t k = 0; k < cell_count; ++k) {
-    const CellId c = zone.cells[k];
-    if (zone.cells.size() < cell_count + 4) zone.cells.resize(2 * cell_count + 64);
-    if (zone.boundary.size() < facet_count + 4) zone.boundary.resize(2 * facet_count + 64);
+  for (std::size_t begin = 0, end = 1; begin < end; begin = end, end = zone.cells.size()) {
+    zone.cells.resize(end + 4 * (end - begin));
+    CellId *from = &zone.cells[begin], *const last = &zone.cells[end], *to = last;
+    for (; from != last; ++from) {
+      for (Link l : cells_[*from].links) {
+        std::uint32_t& mark = marks[l >> 2];
+        const bool is_new = mark < in_conflict;
+        mark = is_new ? in_conflict + 1 : mark;
+        __builtin_prefetch(&cells_[l >> 2]);
+        *to = l >> 2;
+        to += is_new;
+      }
+    }
+    zone.cells.resize(static_cast<std::size_t>(to - zone.cells.data()));
+    keep_conflicts(p, end, zone.cells);
+  }
+
+  // The zone is connected by its inner facets, at least one less than it has cells: the others of
+  // their four facets are at most so many. One more entry is written in vain.
+  zone.boundary.resize(2 * zone.cells.size() + 3);
+  Facet* to = zone.boundary.data();
+  for (CellId c : zone.cells) {
     for (int i = 0; i < 4; ++i) {
-      const CellId n = neighbor(c, i);
-      const bool untested = marks_[n] < in_conflict_;
-      if (untested) marks_[n] = in_conflict_ + !is_in_conflict(n, p);
-      const bool in_conflict = marks_[n] == in_conflict_;
-      zone.cells[cell_count] = n;
-      cell_count += untested & in_conflict;
-      zone.boundary[facet_count] = {c, i};
-      facet_count += !in_conflict;
+      *to = {c, i};
+      to += marks[neighbor(c, i)] != in_conflict;
     }
   }
-  zone.cells.resize(cell_count);
-  zone.boundary.resize(facet_count);
+  zone.boundary.resize(static_cast<std::size_t>(to - zone.boundary.data()));
 }
 
-CellId Triangulation::new_cell() {
-  if (free_.empty()) {
-    DELISO_CHECK(cells_.size() < (1u << 30));
+void Triangulation::take_cells(std::size_t count, std::vector<CellId>& taken) {
+  const std::size_t reused = std::min(count, free_.size());
+  taken.assign(free_.rbegin(), free_.rbegin() + static_cast<std::ptrdiff_t>(reused));
+  free_.resize(free_.size() - reused);
+  DELISO_CHECK(cells_.size() + (count - reused) <= (1u << 30));
+  while (taken.size() < count) {
+    taken.push_back(static_cast<CellId>(cells_.size()));
     cells_.emplace_back();
     marks_.push_back(0);
-    return static_cast<CellId>(cells_.size() - 1);
   }
-  const CellId c = free_.back();
-  free_.pop_back();
-  return c;
 }
 
 // Two new cells meet behind each edge of the zone's boundary. One boundary facet turns around it
 // from its first vertex to the second, the other back. So a table of vertex pairs joins them: no
 // entry is read before it is written, and no branch depends on the data.
 void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
-  // The boundary is a triangulated sphere: Euler's relation gives its number of vertices.
-  const std::uint32_t vertex_count = static_cast<std::uint32_t>(created.size() / 2 + 2);
-  if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - vertex_count) {
+  if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - kTableVertices) {
     std::fill(ranks_.begin(), ranks_.end(), 0);
     first_rank_ = 1;
   }
-  std::uint32_t next_rank = first_rank_;
-  const auto rank = [&](VertexId v) {
-    const std::uint32_t known = ranks_[v];
-    const bool is_new = known < first_rank_;
-    const std::uint32_t r = is_new ? next_rank : known;
-    next_rank += is_new;
-    ranks_[v] = r;
-    return r - first_rank_;
-  };
-  edge_table_.resize(kTableVertices * kTableVertices);
+  const std::uint32_t first_rank = first_rank_;
+  std::uint32_t next_rank = first_rank;
   std::array<std::array<std::uint32_t, 3>, 2 * kTableVertices> ranks;
   for (std::size_t k = 0; k < created.size(); ++k) {
     const auto& corner = kFacetVertices[zone.boundary[k].index];
     const auto& v = cells_[created[k]].vertices;
     auto& r = ranks[k];
-    for (int e = 0; e < 3; ++e) r[e] = rank(v[corner[e]]);
+    for (int e = 0; e < 3; ++e) {
+      std::uint32_t& known = ranks_[v[corner[e]]];
+      const bool is_new = known < first_rank;
+      known = is_new ? next_rank : known;
+      next_rank += is_new;
+      r[e] = known - first_rank;
+    }
     for (int e = 0; e < 3; ++e)
-      edge_table_[r[e] * vertex_count + r[(e + 1) % 3]] = link({created[k], corner[(e + 2) % 3]});
+      edge_table_[r[e] * kTableVertices + r[(e + 1) % 3]] = link({created[k], corner[(e + 2) % 3]});
   }
   for (std::size_t k = 0; k < created.size(); ++k) {
     const auto& corner = kFacetVertices[zone.boundary[k].index];
     auto& links = cells_[created[k]].links;
     const auto& r = ranks[k];
     for (int e = 0; e < 3; ++e)
-      links[corner[(e + 2) % 3]] = edge_table_[r[(e + 1) % 3] * vertex_count + r[e]];
+      links[corner[(e + 2) % 3]] = edge_table_[r[(e + 1) % 3] * kTableVertices + r[e]];
   }
   first_rank_ = next_rank;
 }
@@ -186,10 +218,10 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   ranks_.push_back(0);
 
   // The new cells and their links to the cells outside. Links between zone cells stay as they are.
-  created.clear();
-  for (const Facet& f : zone.boundary) {
-    const CellId c = new_cell();
-    created.push_back(c);
+  take_cells(zone.boundary.size(), created);
+  for (std::size_t k = 0; k < created.size(); ++k) {
+    const CellId c = created[k];
+    const Facet f = zone.boundary[k];
     Cell& cell = cells_[c];
     cell.vertices = cells_[f.cell].vertices;
     cell.vertices[f.index] = v;
@@ -202,10 +234,8 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   } else {
     link_by_turning(zone, created);
   }
-  for (CellId c : zone.cells) {
-    cells_[c].vertices[0] = kNoId;
-    free_.push_back(c);
-  }
+  for (CellId c : zone.cells) cells_[c].vertices[0] = kNoId;
+  free_.insert(free_.end(), zone.cells.begin(), zone.cells.end());
   last_created_ = created.back();
   return v;
 }

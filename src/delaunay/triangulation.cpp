@@ -2,6 +2,7 @@
 // The first cells, and bulk insertion.
 #include "delaunay/triangulation.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -87,8 +88,13 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
   const auto& f = *first;
   create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
   for (int k = 0; k < 4; ++k) ids[f[k]] = static_cast<VertexId>(1 + k);
+  // The order jumps about in memory where the points do not.
+  constexpr std::size_t kAhead = 8;
   std::size_t made = 0;
-  for (std::uint32_t i : order) {
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::uint32_t i = order[k], ahead = order[std::min(k + kAhead, order.size() - 1)];
+    __builtin_prefetch(&points[ahead]);
+    __builtin_prefetch(&ids[ahead]);
     if (ids[i] != kNoId) continue;
     ids[i] = insert(points[i]);
     made += scratch_created_.size();
@@ -96,6 +102,7 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
       clear();
       return false;
     }
+  }
   }
   return true;
 }

@@ -11,7 +11,9 @@
 //       replacing the infinite vertex by a point beyond its hull facet gives a positive cell;
 //   I3  no vertex lies strictly inside the circumsphere of a finite cell, or strictly beyond the
 //       hull facet of an infinite one (or in its plane and strictly inside its circumcircle);
-//   I4  every vertex's incident cell holds it.
+//   I4  every vertex's incident cell holds it;
+//   I5  the infinite vertex is the first of its cells (new cells at infinity come from others, with
+//       a finite vertex replaced).
 //
 // Why no flat cell is ever made, without symbolic perturbation: a cell is in conflict with p only
 // when p is strictly inside. If p lay in the plane of a facet of the zone's boundary, the spheres
@@ -71,14 +73,9 @@ class Triangulation {
   VertexId vertex(CellId c, int i) const { return cells_[c].vertices[i]; }
   CellId neighbor(CellId c, int i) const { return cells_[c].links[i] >> 2; }
   const std::array<VertexId, 4>& vertices(CellId c) const { return cells_[c].vertices; }
-  bool is_infinite(CellId c) const { return infinite_index(c) >= 0; }
-  // Which vertex of c is the infinite one; -1 when c is finite.
-  int infinite_index(CellId c) const {
-    const auto& v = cells_[c].vertices;
-    for (int i = 0; i < 4; ++i)
-      if (v[i] == kInfinite) return i;
-    return -1;
-  }
+  bool is_infinite(CellId c) const { return cells_[c].vertices[0] == kInfinite; }
+  // Which vertex of c is the infinite one (I5); -1 when c is finite.
+  int infinite_index(CellId c) const { return is_infinite(c) ? 0 : -1; }
   CellId incident_cell(VertexId v) const { return incident_[v]; }
   // The same facet seen from its other cell.
   Facet mirror(Facet f) const { return facet(cells_[f.cell].links[f.index]); }
@@ -117,7 +114,11 @@ class Triangulation {
   }
   void create_first_cells(const std::array<Vec3, 4>& corners);
   bool is_in_conflict(CellId c, const Vec3& p) const;
-  CellId new_cell();
+  // Of the cells from number `begin` on keeps those in conflict with p, in their order, and marks
+  // them. pre: they are marked as tested.
+  void keep_conflicts(const Vec3& p, std::size_t begin, std::vector<CellId>& cells) const;
+  // Ids for so many new cells: of those freed the last first, then new ones.
+  void take_cells(std::size_t count, std::vector<CellId>& taken);
   // Facet `over` of the new cell on boundary facet f must meet some other new cell: turns from f
   // through the zone, around the edge f shares with (f.cell, over), to the boundary facet on the
   // other side, and returns the facet of the new cell there.
@@ -137,10 +138,10 @@ class Triangulation {
   mutable std::uint32_t in_conflict_ = 0;
   // Numbers the vertices of a zone's boundary from 0: ranks_[v] - first_rank_. Smaller ranks are of
   // earlier insertions.
-  static constexpr std::size_t kTableVertices = 64;
+  static constexpr std::uint32_t kTableVertices = 64;
   std::vector<std::uint32_t> ranks_;
   std::uint32_t first_rank_ = 1;
-  std::vector<Link> edge_table_;
+  std::vector<Link> edge_table_ = std::vector<Link>(kTableVertices * kTableVertices);
 
   ConflictZone scratch_zone_;
   std::vector<CellId> scratch_created_;

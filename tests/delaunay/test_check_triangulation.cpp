@@ -16,7 +16,9 @@ class TriangulationVandal {
  public:
   explicit TriangulationVandal(Triangulation& t) : t_(t) {}
   void relink(CellId c, int i, Facet f) { t_.cells_[c].links[i] = Triangulation::link(f); }
-  void swap_vertices(CellId c) { std::swap(t_.cells_[c].vertices[0], t_.cells_[c].vertices[1]); }
+  void swap_vertices(CellId c, int i, int j) {
+    std::swap(t_.cells_[c].vertices[i], t_.cells_[c].vertices[j]);
+  }
   void set_vertex(CellId c, int i, VertexId v) { t_.cells_[c].vertices[i] = v; }
   void remove(CellId c) { t_.cells_[c].vertices[0] = kNoId; }
   void move(VertexId v, const Vec3& p) { t_.points_[v] = p; }
@@ -49,6 +51,15 @@ struct Fixture {
     while (!t.is_live(finite) || t.is_infinite(finite)) ++finite;
     while (!t.is_live(infinite) || !t.is_infinite(infinite)) ++infinite;
   }
+  // Links follow the vertices, so that only the orientation is wrong.
+  void turn_over(CellId c, int i, int j) {
+    const Facet f = t.mirror({c, i}), g = t.mirror({c, j});
+    vandal.swap_vertices(c, i, j);
+    vandal.relink(c, i, g);
+    vandal.relink(c, j, f);
+    vandal.relink(f.cell, f.index, {c, j});
+    vandal.relink(g.cell, g.index, {c, i});
+  }
   void expect(const std::string& rule) {
     const std::string found = check_triangulation(t);
     CHECK_MESSAGE(found.starts_with(rule), found);
@@ -73,24 +84,18 @@ TEST_CASE_FIXTURE(Fixture, "I1: a vertex twice in a cell") {
 }
 
 TEST_CASE_FIXTURE(Fixture, "I2: a finite cell turned over") {
-  // Links follow the vertices, so that only the orientation is wrong.
-  const Facet f = t.mirror({finite, 0}), g = t.mirror({finite, 1});
-  vandal.swap_vertices(finite);
-  vandal.relink(finite, 0, g);
-  vandal.relink(finite, 1, f);
-  vandal.relink(f.cell, f.index, {finite, 1});
-  vandal.relink(g.cell, g.index, {finite, 0});
+  turn_over(finite, 0, 1);
   expect("I2");
 }
 
 TEST_CASE_FIXTURE(Fixture, "I2: a cell at infinity turned over") {
-  const Facet f = t.mirror({infinite, 0}), g = t.mirror({infinite, 1});
-  vandal.swap_vertices(infinite);
-  vandal.relink(infinite, 0, g);
-  vandal.relink(infinite, 1, f);
-  vandal.relink(f.cell, f.index, {infinite, 1});
-  vandal.relink(g.cell, g.index, {infinite, 0});
+  turn_over(infinite, 1, 2);
   expect("I2");
+}
+
+TEST_CASE_FIXTURE(Fixture, "I5: the infinite vertex not the first") {
+  turn_over(infinite, 0, 1);
+  expect("I5");
 }
 
 TEST_CASE_FIXTURE(Fixture, "I4: an incident cell that does not hold its vertex") {

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "delaunay/big_int.h"
+#include "delaunay/insphere_pair.h"
 
 using namespace deliso;
 
@@ -144,6 +145,14 @@ SignCounts orient3d_signs(Family family) {
   return counts;
 }
 
+// Two cells at once: the cell and its mirror image, in either order.
+bool pairs_agree(const Points& p, int expected) {
+  const std::array cell = {&p[0], &p[1], &p[2], &p[3]}, mirrored = {&p[1], &p[0], &p[2], &p[3]};
+  const bool inside = expected > 0, outside = expected < 0;
+  return inside_spheres(cell, mirrored, p[4]) == std::array{inside, outside} &&
+         inside_spheres(mirrored, cell, p[4]) == std::array{outside, inside};
+}
+
 SignCounts insphere_signs(Family family) {
   SignCounts counts{};
   for (int trial = 0; trial < kCases; ++trial) {
@@ -151,7 +160,8 @@ SignCounts insphere_signs(Family family) {
     const Points p = family(random, trial);
     const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
     if (insphere(p[0], p[1], p[2], p[3], p[4]) != expected ||
-        predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) != expected)
+        predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) != expected ||
+        !pairs_agree(p, expected))
       FAIL("insphere: wrong sign for seed " << trial);
     ++counts[expected + 1];
   }
@@ -211,8 +221,9 @@ TEST_CASE("the ends of the guaranteed range") {
       }
     }
     REQUIRE(orient3d(p[0], p[1], p[2], p[3]) == oracle::orient3d(p[0], p[1], p[2], p[3]));
-    REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) ==
-            oracle::insphere(p[0], p[1], p[2], p[3], p[4]));
+    const int expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
+    REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) == expected);
+    REQUIRE(pairs_agree(p, expected));
   }
 }
 
