@@ -14,20 +14,18 @@ namespace deliso {
 CellId Triangulation::locate(const Vec3& p, CellId hint) const {
   DELISO_CHECK(!cells_.empty());
   CellId c = hint < cells_.size() && is_live(hint) ? hint : last_created_;
-  if (const int i = infinite_index(c); i >= 0) c = neighbor(c, i);
+  if (is_infinite(c)) c = neighbor(c, 0);
 
   // Cross any facet that has p strictly on its other side, except the one just crossed.
   int entered = -1;
   while (true) {
-    const Cell& cell = cells_[c];
-    std::array<const Vec3*, 4> corner;
-    for (int i = 0; i < 4; ++i) corner[i] = &points_[cell.vertices[i]];
+    std::array<const Vec3*, 4> corner = corners(c);
     Link next = kNoId;
     for (int i = 0; i < 4 && next == kNoId; ++i) {
       if (i == entered) continue;
       const Vec3* apex = corner[i];
       corner[i] = &p;
-      if (orient3d(*corner[0], *corner[1], *corner[2], *corner[3]) < 0) next = cell.links[i];
+      if (orient3d(*corner[0], *corner[1], *corner[2], *corner[3]) < 0) next = cells_[c].links[i];
       corner[i] = apex;
     }
     if (next == kNoId) return c;
@@ -38,18 +36,13 @@ CellId Triangulation::locate(const Vec3& p, CellId hint) const {
 }
 
 bool Triangulation::is_in_conflict(CellId c, const Vec3& p) const {
-  const int i = infinite_index(c);
-  if (i < 0) {
-    const auto& v = cells_[c].vertices;
-    return insphere(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p) > 0;
-  }
-  std::array<const Vec3*, 4> corner;
-  for (int k = 0; k < 4; ++k) corner[k] = &points_[cells_[c].vertices[k]];
-  corner[i] = &p;
-  const int side = orient3d(*corner[0], *corner[1], *corner[2], *corner[3]);
+  std::array<const Vec3*, 4> v = corners(c);
+  if (!is_infinite(c)) return insphere(*v[0], *v[1], *v[2], *v[3], p) > 0;
+  v[0] = &p;
+  const int side = orient3d(*v[0], *v[1], *v[2], *v[3]);
   // In the plane of the hull facet, its circumcircle is where the sphere of the finite cell
   // behind it cuts that plane: no further predicate is needed.
-  return side != 0 ? side > 0 : is_in_conflict(neighbor(c, i), p);
+  return side != 0 ? side > 0 : is_in_conflict(neighbor(c, 0), p);
 }
 
 // Makes all marks those of earlier searches.
@@ -66,10 +59,6 @@ void Triangulation::begin_search() const {
 // the list is written in any case, and grows or does not.
 void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
                                    std::vector<CellId>& cells) const {
-  const auto corners = [&](CellId c) {
-    const auto& v = cells_[c].vertices;
-    return std::array{&points_[v[0]], &points_[v[1]], &points_[v[2]], &points_[v[3]]};
-  };
   std::size_t kept = begin;
   for (std::size_t k = begin; k < cells.size(); k += 2) {
     const bool is_pair = k + 1 < cells.size();

@@ -112,6 +112,10 @@ class Triangulation {
     cells_[a >> 2].links[a & 3] = b;
     cells_[b >> 2].links[b & 3] = a;
   }
+  std::array<const Vec3*, 4> corners(CellId c) const {
+    const auto& v = cells_[c].vertices;
+    return {&points_[v[0]], &points_[v[1]], &points_[v[2]], &points_[v[3]]};
+  }
   void create_first_cells(const std::array<Vec3, 4>& corners);
   bool is_in_conflict(CellId c, const Vec3& p) const;
   // Of the cells from number `begin` on keeps those in conflict with p, in their order, and marks
