@@ -42,7 +42,7 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   others.insert(others.end(), log.files.begin(), log.files.end());
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
-  const ValueRange range = value_range(volume, line.input);
+  const ValueRange range = value_range(volume, line.input, line.options.threads);
   return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
 }
 

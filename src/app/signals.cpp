@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -56,6 +57,9 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
     const std::uintptr_t end = take_hexadecimal(*at == '-' ? ++at : at);
     const char* const path = std::strchr(at, '/');
     if (where < begin || where >= end || path == nullptr) continue;
+    // Several threads may meet the end of the file at once: the first one speaks for all.
+    static std::atomic_flag is_said;
+    while (is_said.test_and_set()) pause();
     if (isatty(STDERR_FILENO) != 0) say("\r\033[K");  // over a progress bar
     say("deliso: ");
     say(path);

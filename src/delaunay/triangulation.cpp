@@ -103,7 +103,6 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
       return false;
     }
   }
-  }
   return true;
 }
 

@@ -35,7 +35,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
     if (options.cap) {
       begin("cap");
-      const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
+      const VoxelTree tree =
+          timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
       const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
       SurfaceMesh s{std::move(cubes), {}, {}, {}};
       s.duals.resize(s.mesh.faces.size());
@@ -52,7 +53,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     return build_settled_contour(volume, report.kappa_effective);
   });
   report.exact = counts_of(contour.summary);
-  const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
+  const VoxelTree tree =
+      timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
   const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
   std::array<bool, 8> inside{};
   if (options.cap) inside = corners_inside(volume, surface.kappa());

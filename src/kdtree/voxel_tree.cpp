@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+
 namespace deliso {
 namespace {
 
@@ -28,13 +30,13 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 
 }  // namespace
 
-VoxelTree::VoxelTree(const Volume& volume)
+VoxelTree::VoxelTree(const Volume& volume, int threads)
     : volume_(volume),
       per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
       top_(volume.box().hi) {
   for (int axis = 0; axis < 3; ++axis) top_in_voxels_[axis] = volume.voxels()[axis];
   choose_axes();
-  volume.visit([this](const auto* samples) { build(samples); });
+  volume.visit([&](const auto* samples) { build(samples, threads); });
 }
 
 void VoxelTree::choose_axes() {
@@ -55,7 +57,7 @@ void VoxelTree::choose_axes() {
 }
 
 template <class T>
-void VoxelTree::build(const T* samples) {
+void VoxelTree::build(const T* samples, int threads) {
   const Index3 dims = volume_.dims(), voxels = volume_.voxels();
   const std::size_t leaves = std::size_t{1} << depth_;
   auto& nodes = nodes_.emplace<Nodes<T>>(2 * leaves, MinMax<T>{samples[0], samples[0]});
@@ -75,9 +77,9 @@ void VoxelTree::build(const T* samples) {
   // A beam of bricks along x at a time: first the sample rows of the beam against each other,
   // element by element (which vectorises), then the one row left brick by brick.
   const std::size_t row = static_cast<std::size_t>(dims.i);
-  std::vector<T> low(row), high(row);
-  for (std::size_t z = 0; z + 1 < axes[2].cut.size(); ++z) {
-    for (std::size_t y = 0; y + 1 < axes[1].cut.size(); ++y) {
+  for_each_task(threads, axes[2].code.size(), [&](std::size_t z) {
+    std::vector<T> low(row), high(row);
+    for (std::size_t y = 0; y < axes[1].code.size(); ++y) {
       const T* first = samples + volume_.index(0, axes[1].cut[y], axes[2].cut[z]);
       std::copy(first, first + row, low.begin());
       std::copy(first, first + row, high.begin());
@@ -88,17 +90,22 @@ void VoxelTree::build(const T* samples) {
           for (std::size_t i = 0; i < row; ++i) high[i] = s[i] > high[i] ? s[i] : high[i];
         }
       }
-      for (std::size_t x = 0; x + 1 < axes[0].cut.size(); ++x) {
+      for (std::size_t x = 0; x < axes[0].code.size(); ++x) {
         const int begin = axes[0].cut[x], end = axes[0].cut[x + 1] + 1;
         nodes[leaves | axes[0].code[x] | axes[1].code[y] | axes[2].code[z]] = {
             *std::min_element(low.begin() + begin, low.begin() + end),
             *std::max_element(high.begin() + begin, high.begin() + end)};
       }
     }
-  }
-  for (std::size_t n = leaves - 1; n >= 1; --n) {
-    nodes[n] = {std::min(nodes[2 * n].min, nodes[2 * n + 1].min),
-                std::max(nodes[2 * n].max, nodes[2 * n + 1].max)};
+  });
+  constexpr std::size_t kRun = 1 << 16;
+  for (std::size_t level = leaves / 2; level >= 1; level /= 2) {
+    for_each_run(threads, level, kRun, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = level + begin; n < level + end; ++n) {
+        nodes[n] = {std::min(nodes[2 * n].min, nodes[2 * n + 1].min),
+                    std::max(nodes[2 * n].max, nodes[2 * n + 1].max)};
+      }
+    });
   }
 }
 

@@ -32,8 +32,9 @@ class VoxelTree {
  public:
   static constexpr int kLeafVoxels = 128;
 
-  // Reads every sample once; keeps a reference to the volume, which must outlive the tree.
-  explicit VoxelTree(const Volume& volume);
+  // Reads every sample once, in so many threads (the tree is the same with any number); keeps a
+  // reference to the volume, which must outlive the tree.
+  explicit VoxelTree(const Volume& volume, int threads = 1);
 
   const Volume& volume() const { return volume_; }
   VoxelBox box() const {
@@ -92,7 +93,7 @@ class VoxelTree {
   static_assert(std::numeric_limits<int>::digits <= 31);
 
   template <class T>
-  void build(const T* samples);
+  void build(const T* samples, int threads);
   void choose_axes();
 
   const Volume& volume_;

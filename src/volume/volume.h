@@ -128,11 +128,11 @@ class Volume {
 };
 
 // Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or
-// infinite sample by its index.
+// infinite sample by its index. In so many threads, here and below, with the same result.
 struct ValueRange {
   double min = 0, max = 0;
 };
-ValueRange value_range(const Volume& volume, std::string_view name = "volume");
+ValueRange value_range(const Volume& volume, std::string_view name = "volume", int threads = 1);
 
 // The smallest sample value that is inside; none when no value of the type is.
 template <class T>
@@ -152,11 +152,11 @@ std::optional<T> inside_threshold(double kappa) {
 // whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and
 // always by less than the gap to the next lower sample. Returns kappa where no sample equals it.
 // pre: no sample is NaN or infinite.
-double effective_isovalue(const Volume& volume, double kappa);
+double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 // kappa lowered by that amount, whether a sample equals it or not; kappa itself where no sample is
 // below it or no number is left in between. pre: no sample is NaN or infinite.
-double lowered_isovalue(const Volume& volume, double kappa);
+double lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 template <class T>
 constexpr SampleType sample_type_of();

@@ -6,11 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <string>
+#include <thread>
 
 #include "app/run.h"
 #include "base/check.h"
+#include "base/parallel.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/temporary_folder.h"
@@ -90,6 +93,32 @@ TEST_CASE("a mapped file that shrinks ends in one line that names it") {
   CHECK(outcome.exited);
   CHECK(outcome.status == kBadUsage);
   CHECK(outcome.said == "deliso: " + path + ": was cut short while it was read\n");
+}
+
+TEST_CASE("a mapped file that shrinks under several threads ends in one line all the same") {
+  const TemporaryFolder folder;
+  const std::string path = folder / "volume.raw";
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    const Outcome outcome = of_process([&] {
+      handle_signals();
+      AtomicFile out(path);
+      out.write(std::string(1 << 20, 'x'));
+      out.commit();
+      const Bytes bytes = open_file(path);
+      if (truncate(path.c_str(), 10) != 0) _exit(99);
+      constexpr std::size_t kPage = 4096;
+      std::atomic<int> begun = 0;
+      std::atomic<unsigned> sum = 0;
+      for_each_task(4, bytes.size() / kPage - 1, [&](std::size_t n) {
+        for (++begun; begun < 4;) std::this_thread::yield();  // all of them fault at once
+        sum += std::to_integer<unsigned>(bytes.data[(n + 1) * kPage]);
+      });
+      _exit(sum > 0 ? 98 : 97);
+    });
+    REQUIRE(outcome.exited);
+    REQUIRE(outcome.status == kBadUsage);
+    REQUIRE(outcome.said == "deliso: " + path + ": was cut short while it was read\n");
+  }
 }
 
 TEST_CASE("a bus error that no file has to do with stays one") {

@@ -237,6 +237,30 @@ TEST_CASE("the first sample that is no number is named") {
   check_bad_sample(-std::numeric_limits<double>::infinity(), "infinite");
 }
 
+TEST_CASE("any number of threads finds the same range, isovalue and first bad sample") {
+  // More than two runs of samples, what is looked for in the last ones.
+  const Index3 dims{256, 256, 70};
+  std::vector<float> samples(256 * 256 * 70, 5);
+  samples[4'400'000] = 9;
+  samples.back() = -3;
+  const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
+  samples[4'500'001] = std::numeric_limits<float>::infinity();
+  samples.back() = std::numeric_limits<float>::quiet_NaN();
+  const Volume bad = Volume::from_samples(dims, {1, 1, 1}, samples);
+  for (int threads : {1, 2, 5}) {
+    CAPTURE(threads);
+    const ValueRange range = value_range(volume, "v", threads);
+    CHECK(range.min == -3);
+    CHECK(range.max == 9);
+    CHECK(effective_isovalue(volume, 9, threads) == effective_isovalue(volume, 9));
+    CHECK(effective_isovalue(volume, 9, threads) < 9);
+    CHECK(effective_isovalue(volume, 8, threads) == 8);
+    CHECK(lowered_isovalue(volume, 7, threads) == lowered_isovalue(volume, 7));
+    CHECK_THROWS_WITH_AS(value_range(bad, "v", threads), "v: infinite sample at (33, 170, 68)",
+                         InputError);
+  }
+}
+
 TEST_CASE("orientation") {
   const Frame plain;
   CHECK(plain.to_world({1, 2, 3}) == Vec3{1, 2, 3});
