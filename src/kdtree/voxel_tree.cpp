@@ -76,13 +76,15 @@ void VoxelTree::build(const T* samples, int threads) {
 
   // A beam of bricks along x at a time: first the sample rows of the beam against each other,
   // element by element (which vectorises), then the one row left brick by brick.
-  const std::size_t row = static_cast<std::size_t>(dims.i);
   for_each_task(threads, axes[2].code.size(), [&](std::size_t z) {
-    std::vector<T> low(row), high(row);
+    // All by locals: bytes may alias what a vector or a lambda keeps, and then nothing vectorises.
+    const std::size_t row = static_cast<std::size_t>(dims.i);
+    std::vector<T> low_row(row), high_row(row);
+    T *const low = low_row.data(), *const high = high_row.data();
     for (std::size_t y = 0; y < axes[1].code.size(); ++y) {
       const T* first = samples + volume_.index(0, axes[1].cut[y], axes[2].cut[z]);
-      std::copy(first, first + row, low.begin());
-      std::copy(first, first + row, high.begin());
+      std::copy(first, first + row, low);
+      std::copy(first, first + row, high);
       for (int k = axes[2].cut[z]; k <= axes[2].cut[z + 1]; ++k) {
         for (int j = axes[1].cut[y]; j <= axes[1].cut[y + 1]; ++j) {
           const T* s = samples + volume_.index(0, j, k);
@@ -91,10 +93,12 @@ void VoxelTree::build(const T* samples, int threads) {
         }
       }
       for (std::size_t x = 0; x < axes[0].code.size(); ++x) {
-        const int begin = axes[0].cut[x], end = axes[0].cut[x + 1] + 1;
-        nodes[leaves | axes[0].code[x] | axes[1].code[y] | axes[2].code[z]] = {
-            *std::min_element(low.begin() + begin, low.begin() + end),
-            *std::max_element(high.begin() + begin, high.begin() + end)};
+        const int begin = axes[0].cut[x], end = axes[0].cut[x + 1];
+        MinMax<T> brick{low[begin], high[begin]};
+        for (int i = begin + 1; i <= end; ++i) {
+          brick = {std::min(brick.min, low[i]), std::max(brick.max, high[i])};
+        }
+        nodes[leaves | axes[0].code[x] | axes[1].code[y] | axes[2].code[z]] = brick;
       }
     }
   });

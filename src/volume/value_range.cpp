@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -123,7 +124,7 @@ double effective_isovalue(const Volume& volume, double kappa, int threads) {
       std::array<T, kLanes<T>> equal{};
       for_each_lane(
           s, begin, end,
-          [&](std::size_t lane, T v) { equal[lane] = v == level ? T{1} : equal[lane]; },
+          [&equal, level](std::size_t lane, T v) { equal[lane] = v == level ? T{1} : equal[lane]; },
           [&](std::size_t) {
             if (std::find(equal.begin(), equal.end(), T{1}) != equal.end()) found = true;
             return found.load();
@@ -139,6 +140,7 @@ double lowered_isovalue(const Volume& volume, double kappa, int threads) {
     using T = std::remove_cvref_t<decltype(*s)>;
     // The greatest sample below kappa. Without one, all of the volume is inside.
     constexpr T lowest = std::numeric_limits<T>::lowest();
+    const std::optional<T> threshold = inside_threshold<T>(kappa);  // none: all are below
     struct Found {
       Extremes<T> all, below;
     };
@@ -147,9 +149,9 @@ double lowered_isovalue(const Volume& volume, double kappa, int threads) {
       Found here = {Extremes<T>(s[0]), Extremes<T>(lowest)};
       for_each_lane(
           s, begin, end,
-          [&](std::size_t lane, T v) {
+          [&here, level = threshold.value_or(lowest), none = lowest](std::size_t lane, T v) {
             here.all.add(lane, v);
-            here.below.add(lane, static_cast<double>(v) < kappa ? v : lowest);
+            here.below.add(lane, v < level ? v : none);
           },
           [](std::size_t) { return false; });
       found[run] = here;
@@ -160,7 +162,7 @@ double lowered_isovalue(const Volume& volume, double kappa, int threads) {
       whole.below.add(part.below);
     }
     if (!(static_cast<double>(whole.all.min()) < kappa)) return kappa;
-    const double next = static_cast<double>(whole.below.max());
+    const double next = static_cast<double>((threshold ? whole.below : whole.all).max());
     const double range =
         static_cast<double>(whole.all.max()) - static_cast<double>(whole.all.min());
     const double lowered =
