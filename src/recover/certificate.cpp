@@ -3,32 +3,37 @@
 
 namespace deliso {
 
-Certificate::Interface& Certificate::interface_with(VertexId site) {
-  for (Interface& i : interfaces_) {
+Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId site) {
+  for (Interface& i : interfaces) {
     if (i.site == site) return i;
   }
-  interfaces_.push_back({site});
-  return interfaces_.back();
+  interfaces.push_back({site});
+  return interfaces.back();
 }
 
-Verdict Certificate::check(VertexId a, VertexId at) {
-  interfaces_.clear();
-  facets_.clear();
-  ++stamp_;
+Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
+                           std::vector<DualFacet>& facets) {
+  using Interface = Scratch::Interface;
+  const auto interface_with = [&](VertexId site) -> Interface& {
+    return scratch.interface_with(site);
+  };
+  scratch.interfaces.clear();
+  facets.clear();
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
   VertexId furthest_boundary = kNoId;
 
   // One pass over what is connected to the site's own vertex.
-  reached_.assign(1, at);
-  visited_[at] = stamp_;
-  for (std::size_t k = 0; k < reached_.size(); ++k) {
-    const VertexId v = reached_[k];
+  std::vector<VertexId>& reached = scratch.reached;
+  reached.assign(1, at);
+  visited_[at] = round_;
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    const VertexId v = reached[k];
     const VertexId next = graph_.chain_next(v);
     const auto reach = [&](VertexId u) {
-      if (labels_.label(u) != a || visited_[u] == stamp_) return;
-      visited_[u] = stamp_;
-      reached_.push_back(u);
+      if (labels_.label(u) != a || visited_[u] == round_) return;
+      visited_[u] = round_;
+      reached.push_back(u);
     };
     // Around an inner vertex, every neighbour comes next in some triangle.
     if (next != kNoId) reach(graph_.chain_previous(v));
@@ -51,7 +56,7 @@ Verdict Certificate::check(VertexId a, VertexId at) {
       } else if (x == y) {
         interface_with(x).twice_faces += 2;
       } else {
-        facets_.push_back({{a, x, y}, {v, w.next, w.previous}});
+        facets.push_back({{a, x, y}, {v, w.next, w.previous}});
       }
     }
     if (next == kNoId) continue;
@@ -71,10 +76,10 @@ Verdict Certificate::check(VertexId a, VertexId at) {
   }
 
   const std::span<const VertexId> region = labels_.region(a);
-  if (reached_.size() != region.size()) {
+  if (reached.size() != region.size()) {
     VertexId stray = kNoId;
     for (const VertexId v : region) {
-      if (visited_[v] != stamp_) stray = labels_.further(stray, v);
+      if (visited_[v] != round_) stray = labels_.further(stray, v);
     }
     return {Violation::region, stray};
   }
@@ -91,18 +96,18 @@ Verdict Certificate::check(VertexId a, VertexId at) {
       return {Violation::boundary, furthest_boundary};
     }
   }
-  for (const Interface& i : interfaces_) {
+  for (const Interface& i : scratch.interfaces) {
     if (i.boundary_edges > 1) return {Violation::boundary, i.furthest};
     if (2 * i.edges - i.twice_faces != 2) return {Violation::interface, i.furthest};
   }
-  for (std::size_t i = 0; i < facets_.size(); ++i) {
-    for (std::size_t j = i + 1; j < facets_.size(); ++j) {
-      const auto &s = facets_[i].sites, &t = facets_[j].sites;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (std::size_t j = i + 1; j < facets.size(); ++j) {
+      const auto &s = facets[i].sites, &t = facets[j].sites;
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
       VertexId best = kNoId;
-      for (const VertexId v : facets_[i].witness) best = labels_.further(best, v);
-      for (const VertexId v : facets_[j].witness) best = labels_.further(best, v);
+      for (const VertexId v : facets[i].witness) best = labels_.further(best, v);
+      for (const VertexId v : facets[j].witness) best = labels_.further(best, v);
       return {Violation::triple, best};
     }
   }

@@ -33,33 +33,39 @@ struct DualFacet {
   std::array<VertexId, 3> witness;
 };
 
+// Sites are looked at in rounds: between two calls of begin_round() each at most once, in any order
+// and from any thread, since a check writes only what belongs to its own region.
 class Certificate {
  public:
   Certificate(const ContourMesh& contour, const ContourGraph& graph, const Labels& labels)
       : graph_(graph), labels_(labels), visited_(contour.points.size(), 0) {}
 
-  // Tests C1-C4 at `site`, whose own vertex of T is `at`. Cost: the triangles at L.
-  Verdict check(VertexId site, VertexId at);
+  void begin_round() { ++round_; }
 
-  // The dual's facets at the site checked last: each starts with that site.
-  std::span<const DualFacet> facets() const { return facets_; }
+  // What checks work with: one for each thread.
+  class Scratch {
+    friend class Certificate;
+    // What the region shares with one neighbour.
+    struct Interface {
+      VertexId site;
+      int edges = 0, twice_faces = 0, boundary_edges = 0;
+      VertexId furthest = kNoId;
+    };
+    Interface& interface_with(VertexId site);
+
+    std::vector<VertexId> reached;
+    std::vector<Interface> interfaces;
+  };
+
+  // Tests C1-C4 at `site`, whose own vertex of T is `at`. `facets` become those of the dual there:
+  // each starts with that site. Cost: the triangles at L.
+  Verdict check(VertexId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
 
  private:
-  // What the region shares with one neighbour.
-  struct Interface {
-    VertexId site;
-    int edges = 0, twice_faces = 0, boundary_edges = 0;
-    VertexId furthest = kNoId;
-  };
-  Interface& interface_with(VertexId site);
-
   const ContourGraph& graph_;
   const Labels& labels_;
-  std::vector<std::uint32_t> visited_;
-  std::uint32_t stamp_ = 0;
-  std::vector<VertexId> reached_;
-  std::vector<Interface> interfaces_;
-  std::vector<DualFacet> facets_;
+  std::vector<std::uint32_t> visited_;  // the round in which a check reached it
+  std::uint32_t round_ = 1;
 };
 
 }  // namespace deliso

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 #include <string>
 
 #include "base/check.h"
+#include "base/parallel.h"
 #include "base/sorted_list.h"
 #include "base/triangle.h"
 #include "contour/block_order.h"
@@ -29,12 +29,14 @@ namespace {
 // that is left, and the certificate so much of the round: typical of the paper's volumes.
 constexpr double kRound = 0.4, kCertificate = 0.6;
 
+// So many sites or facets make a task for a thread.
+constexpr std::size_t kRun = 64;
+
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
                     const Parameters& parameters, Report& report)
       : surface_(surface),
-        finder_(surface),
         contour_(contour),
         parameters_(parameters),
         progress_(parameters.progress, "recover"),
@@ -66,7 +68,10 @@ class CertifiedRecovery {
   bool part_coincident(VertexId s);
   void satisfy_certificate();
   std::size_t cut_fingers();
+  // Every facet is to find its surface point, or to be too small for Stage 2 to look at.
   std::size_t make_ready();
+  template <class Find>
+  std::size_t add_where_unready(std::uint8_t test, Find&& find);
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
   std::size_t part_crossings();
   // And to components that are inside out: four sites on a rod may be either way round.
@@ -77,9 +82,7 @@ class CertifiedRecovery {
     std::vector<Triangle> triangles, witnesses;
   };
   Facets all_facets() const;
-  Dual dual_of(const Triangle& sites);
-  // Finds its surface point, or is too small for Stage 2 to look at.
-  bool is_ready(const DualFacet& facet);
+  Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
   // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
   // that is `enough` or less.
@@ -87,7 +90,6 @@ class CertifiedRecovery {
   double distance2_to_dual(VertexId v, double enough, std::size_t& first) const;
 
   const Isosurface& surface_;
-  SurfacePointFinder finder_;
   ContourMesh& contour_;
   const Parameters& parameters_;
   StageProgress progress_;
@@ -103,7 +105,9 @@ class CertifiedRecovery {
   std::vector<std::optional<Vec3>> origins_;
   std::vector<double> bounded_;
 
-  std::deque<VertexId> queue_;
+  // Sites to be looked at in the next round, and those of the round at hand.
+  std::vector<VertexId> queue_, round_;
+  std::vector<Verdict> verdicts_;  // one per site of the round
   std::vector<std::uint8_t> queued_;
   // Per site, which of the two practical tests its facets have not passed since they changed, and
   // whether it broke the certificate with nothing left to insert when it was last looked at.
@@ -137,9 +141,16 @@ SurfaceMesh CertifiedRecovery::dual() {
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
   std::vector<Triangle> triangles;
   const Facets k = all_facets();
+  out.duals.resize(k.triangles.size());
+  std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kRun));
+  for_each_run(parameters_.threads, k.triangles.size(), kRun,
+               [&](std::size_t run, std::size_t f, std::size_t end) {
+                 SurfacePointFinder finder(surface_);
+                 for (; f < end; ++f) out.duals[f] = dual_of(k.triangles[f], finder, searches[run]);
+               });
+  for (const SearchCounters& n : searches) report_.searches_recover += n;
+  for (const Dual& d : out.duals) report_[Counter::unready_facets] += !d.on_surface;
   for (Triangle v : k.triangles) {
-    out.duals.push_back(dual_of(v));
-    report_[Counter::unready_facets] += !out.duals.back().on_surface;
     for (VertexId& q : v) {
       if (new_id[q] == kNoId) {
         new_id[q] = static_cast<VertexId>(out.mesh.points.size());
@@ -228,32 +239,66 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
   return false;
 }
 
+// Round by round: what all queued sites say is found out first, in threads, since nothing changes
+// meanwhile. Then sites are added one by one where they broke the certificate; what one of these
+// has changed is for the next round.
 void CertifiedRecovery::satisfy_certificate() {
   while (!queue_.empty()) {
-    progress_.step(queue_.size());
-    const VertexId s = queue_.front();
-    queue_.pop_front();
-    queued_[s] = 0;
-    const Verdict verdict = certificate_.check(s, contour_vertex_[s]);
-    facets_[s].assign(certificate_.facets().begin(), certificate_.facets().end());
-    unready_[s] = kFingers | kReadiness;
-    if (verdict.violation == Violation::none) continue;
-    if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
-      queue_site(s);
-    } else {
-      unready_[s] |= kUncertified;
+    round_.clear();
+    std::swap(round_, queue_);
+    for (const VertexId s : round_) queued_[s] = 0;
+    verdicts_.resize(round_.size());
+    certificate_.begin_round();
+    for_each_run(parameters_.threads, round_.size(), kRun, [&](std::size_t n, std::size_t end) {
+      Certificate::Scratch scratch;
+      for (; n < end; ++n) {
+        const VertexId s = round_[n];
+        verdicts_[n] = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
+        unready_[s] = kFingers | kReadiness;
+      }
+    });
+    for (std::size_t n = 0; n < round_.size(); ++n) {
+      progress_.step(round_.size() - n + queue_.size());
+      const VertexId s = round_[n];
+      const Verdict verdict = verdicts_[n];
+      if (verdict.violation == Violation::none || queued_[s]) continue;
+      if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
+        queue_site(s);
+      } else {
+        unready_[s] |= kUncertified;
+      }
     }
   }
 }
 
-std::size_t CertifiedRecovery::cut_fingers() {
-  const double limit = parameters_.fingers;
-  std::size_t added = 0;
+// The same for the practical tests: `find` says which vertex of T helps at a site, kNoId: none is
+// needed.
+template <class Find>
+std::size_t CertifiedRecovery::add_where_unready(std::uint8_t test, Find&& find) {
+  round_.clear();
   for (VertexId s = 1; s < unready_.size(); ++s) {
-    if (!(unready_[s] & kFingers)) continue;
-    unready_[s] &= static_cast<std::uint8_t>(~kFingers);
+    if (!(unready_[s] & test)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~test);
+    round_.push_back(s);
+  }
+  std::vector<VertexId> worst(round_.size());
+  std::vector<SearchCounters> searches(runs_of(round_.size(), kRun));
+  for_each_run(parameters_.threads, round_.size(), kRun,
+               [&](std::size_t run, std::size_t n, std::size_t end) {
+                 for (; n < end; ++n) worst[n] = find(round_[n], searches[run]);
+               });
+  for (const SearchCounters& n : searches) report_.searches_recover += n;
+  std::size_t added = 0;
+  for (std::size_t n = 0; n < round_.size(); ++n) {
+    if (worst[n] != kNoId && !queued_[round_[n]]) added += add_site(worst[n]);
+  }
+  return added;
+}
+
+std::size_t CertifiedRecovery::cut_fingers() {
+  return add_where_unready(kFingers, [&](VertexId s, SearchCounters&) {
     VertexId worst = kNoId;
-    double worst2 = limit * limit;
+    double worst2 = parameters_.fingers * parameters_.fingers;
     std::size_t last = 0;  // what was near to one vertex is often near to the next
     for (const VertexId v : labels_.region(s)) {
       if (labels_.distance2_to_site(v) <= worst2) continue;
@@ -262,9 +307,22 @@ std::size_t CertifiedRecovery::cut_fingers() {
       worst = v;
       worst2 = d2;
     }
-    if (worst != kNoId && add_site(worst)) ++added;
-  }
-  return added;
+    return worst;
+  });
+}
+
+std::size_t CertifiedRecovery::make_ready() {
+  return add_where_unready(kReadiness, [&](VertexId s, SearchCounters& searches) {
+    SurfacePointFinder finder(surface_);
+    VertexId worst = kNoId;
+    for (const DualFacet& facet : facets_[s]) {
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;
+      const Dual dual = dual_of(facet.sites, finder, searches);
+      if (dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min) continue;
+      for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
+    }
+    return worst;
+  });
 }
 
 double CertifiedRecovery::distance2_to_dual(VertexId v, double enough, std::size_t& first) const {
@@ -280,22 +338,6 @@ double CertifiedRecovery::distance2_to_dual(VertexId v, double enough, std::size
     first = at;
   }
   return nearest2;
-}
-
-std::size_t CertifiedRecovery::make_ready() {
-  std::size_t added = 0;
-  for (VertexId s = 1; s < unready_.size(); ++s) {
-    if (!(unready_[s] & kReadiness)) continue;
-    unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
-    VertexId worst = kNoId;
-    for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s) continue;
-      if (is_ready(facet)) continue;
-      for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
-    }
-    if (worst != kNoId && add_site(worst)) ++added;
-  }
-  return added;
 }
 
 CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {
@@ -362,14 +404,10 @@ std::size_t CertifiedRecovery::part_crossings() {
   return add_sites(between);
 }
 
-bool CertifiedRecovery::is_ready(const DualFacet& facet) {
-  const Dual dual = dual_of(facet.sites);
-  return dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min;
-}
-
-Dual CertifiedRecovery::dual_of(const Triangle& sites) {
-  return finder_.dual(triangulation_.point(sites[0]), triangulation_.point(sites[1]),
-                      triangulation_.point(sites[2]), report_.searches_recover);
+Dual CertifiedRecovery::dual_of(const Triangle& sites, SurfacePointFinder& finder,
+                                SearchCounters& searches) const {
+  return finder.dual(triangulation_.point(sites[0]), triangulation_.point(sites[1]),
+                     triangulation_.point(sites[2]), searches);
 }
 
 }  // namespace

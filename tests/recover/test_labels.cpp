@@ -98,11 +98,13 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, graph, t, kept);
     Certificate certificate(contour, graph, labels);
+    Certificate::Scratch scratch;
+    std::vector<DualFacet> facets;
     std::vector<Triangle> dual;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
-      const Verdict verdict = certificate.check(ids[v], v);
+      const Verdict verdict = certificate.check(ids[v], v, scratch, facets);
       REQUIRE(verdict.violation == Violation::none);
-      for (const DualFacet& f : certificate.facets()) {
+      for (const DualFacet& f : facets) {
         if (f.sites[0] < f.sites[1] && f.sites[0] < f.sites[2]) dual.push_back(f.sites);
       }
     }
@@ -124,7 +126,9 @@ TEST_CASE("a region with a hole, and one in two pieces, are told") {
   const std::vector<std::uint8_t> kept(1, 1);
   const Labels labels(scene.contour, graph, t, kept);
   Certificate certificate(scene.contour, graph, labels);
-  const Verdict verdict = certificate.check(ids[0], 0);
+  Certificate::Scratch scratch;
+  std::vector<DualFacet> facets;
+  const Verdict verdict = certificate.check(ids[0], 0, scratch, facets);
   CHECK(verdict.violation == Violation::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
