@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "base/sorted_list.h"
+#include "base/parallel.h"
 
 namespace deliso {
 namespace {
@@ -14,38 +14,56 @@ namespace {
 // more for rounding.
 constexpr double kTwice2 = 4 * (1 + 1e-12);
 
+// So many vertices of T make a task for a thread.
+constexpr std::size_t kRun = 4096;
+
 // Delaunay neighbours of every finite vertex, the nearest first, in one array.
 struct SiteGraph {
   struct Neighbor {
     double distance2;
     VertexId vertex;
+
+    bool operator<(const Neighbor& other) const {
+      return std::tie(distance2, vertex) < std::tie(other.distance2, other.vertex);
+    }
   };
   std::vector<std::uint32_t> first;
   std::vector<Neighbor> neighbors;
 
   explicit SiteGraph(const Triangulation& t) : first(t.vertex_capacity() + 1, 0) {
-    std::vector<std::uint64_t> edges;
-    for (CellId c = 0; c < t.cell_capacity(); ++c) {
-      if (!t.is_live(c)) continue;
-      for (const VertexId a : t.vertices(c)) {
-        for (const VertexId b : t.vertices(c)) {
-          if (a == b || a == Triangulation::kInfinite || b == Triangulation::kInfinite) continue;
-          edges.push_back(std::uint64_t{a} << 32 | b);
+    // Every cell at a vertex, then the vertices of these cells, each once.
+    std::vector<std::uint32_t> cell_end(t.vertex_capacity() + 1, 0);
+    for_each_corner(t, [&](VertexId v, CellId) { ++cell_end[v + 1]; });
+    for (std::size_t v = 1; v < cell_end.size(); ++v) cell_end[v] += cell_end[v - 1];
+    std::vector<CellId> cells(cell_end.back());
+    std::vector<std::uint32_t> at(cell_end.begin(), cell_end.end() - 1);
+    for_each_corner(t, [&](VertexId v, CellId c) { cells[at[v]++] = c; });
+    // n cells at a vertex have n / 2 + 2 others.
+    neighbors.reserve(cells.size() / 2 + 2 * first.size());
+    std::vector<VertexId> seen(t.vertex_capacity(), Triangulation::kInfinite);
+    for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
+      seen[v] = v;
+      for (std::uint32_t k = cell_end[v]; k < cell_end[v + 1]; ++k) {
+        for (const VertexId n : t.vertices(cells[k])) {
+          if (n == Triangulation::kInfinite || seen[n] == v) continue;
+          seen[n] = v;
+          neighbors.push_back({distance2(t.point(v), t.point(n)), n});
         }
       }
+      first[v + 1] = static_cast<std::uint32_t>(neighbors.size());
+      std::sort(neighbors.begin() + first[v], neighbors.end());
     }
-    sort_out(edges);
-    for (const std::uint64_t e : edges) {
-      ++first[(e >> 32) + 1];
-      const auto from = static_cast<VertexId>(e >> 32), to = static_cast<VertexId>(e);
-      neighbors.push_back({distance2(t.point(from), t.point(to)), to});
-    }
-    for (std::size_t v = 1; v < first.size(); ++v) {
-      first[v] += first[v - 1];
-      std::sort(neighbors.begin() + first[v - 1], neighbors.begin() + first[v],
-                [](const Neighbor& a, const Neighbor& b) {
-                  return std::tie(a.distance2, a.vertex) < std::tie(b.distance2, b.vertex);
-                });
+  }
+
+ private:
+  // Calls visit(v, c) for every finite vertex v of every cell c.
+  template <class Visit>
+  static void for_each_corner(const Triangulation& t, Visit&& visit) {
+    for (CellId c = 0; c < t.cell_capacity(); ++c) {
+      if (!t.is_live(c)) continue;
+      for (const VertexId v : t.vertices(c)) {
+        if (v != Triangulation::kInfinite) visit(v, c);
+      }
     }
   }
 };
@@ -78,23 +96,18 @@ ContourGraph::ContourGraph(const ContourMesh& contour)
   }
 }
 
-Labels::Labels(const ContourMesh& contour, const ContourGraph& graph, const Triangulation& t,
-               std::span<const std::uint8_t> kept)
+Labels::Labels(const ContourMesh& contour, const Triangulation& t,
+               std::span<const std::uint8_t> kept, int threads)
     : contour_(contour),
       label_(contour.points.size(), kNoId),
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()) {
   const SiteGraph sites(t);
-  std::vector<VertexId> pending;
-  for (VertexId start = 0; start < label_.size(); ++start) {
-    if (label_[start] != kNoId || !kept[contour.component[start]]) continue;
-    label_[start] = start > 0 && label_[start - 1] != kNoId ? label_[start - 1] : 1;
-    pending.assign(1, start);
-    while (!pending.empty()) {
-      const VertexId v = pending.back();
-      pending.pop_back();
+  for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
+    VertexId site = 1;
+    for (std::size_t v = begin; v < end; ++v) {
+      if (!kept[contour.component[v]]) continue;
       const Vec3& p = contour.points[v];
-      VertexId site = label_[v];
       double best2 = distance2(p, t.point(site));
       for (bool moved = true; moved;) {
         moved = false;
@@ -112,15 +125,11 @@ Labels::Labels(const ContourMesh& contour, const ContourGraph& graph, const Tria
       }
       label_[v] = site;
       distance2_[v] = best2;
-      for (const ContourGraph::Wedge& w : graph.wedges(v)) {
-        for (const VertexId u : {w.next, w.previous}) {
-          if (label_[u] != kNoId) continue;
-          label_[u] = site;
-          pending.push_back(u);
-        }
-      }
     }
-  }
+  });
+  std::vector<std::uint32_t> size(regions_.size(), 0);
+  for (const VertexId s : label_) size[s == kNoId ? 0 : s] += s != kNoId;
+  for (std::size_t s = 0; s < regions_.size(); ++s) regions_[s].reserve(size[s]);
   for (VertexId v = 0; v < label_.size(); ++v) {
     if (label_[v] != kNoId) regions_[label_[v]].push_back(v);
   }

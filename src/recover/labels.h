@@ -45,10 +45,11 @@ class ContourGraph {
 class Labels {
  public:
   // Labels every vertex of T with its nearest site: a walk over Delaunay neighbours, begun at the
-  // label of a neighbour in T. Sites are the finite vertices of `triangulation`. Components with
+  // label of the vertex before, so T is best in an order that keeps neighbours together
+  // (contour/block_order.h). Sites are the finite vertices of `triangulation`. Components with
   // kept[c] == 0 stay without labels.
-  Labels(const ContourMesh& contour, const ContourGraph& graph, const Triangulation& triangulation,
-         std::span<const std::uint8_t> kept);
+  Labels(const ContourMesh& contour, const Triangulation& triangulation,
+         std::span<const std::uint8_t> kept, int threads);
 
   VertexId label(VertexId v) const { return label_[v]; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }

@@ -46,7 +46,7 @@ class CertifiedRecovery {
         contour_vertex_(std::move(initial.contour_vertex)),
         site_(contour.points.size(), kNoId),
         graph_(contour),
-        labels_(contour, graph_, triangulation_, kept_components(contour, parameters)),
+        labels_(contour, triangulation_, kept_components(contour, parameters), parameters.threads),
         certificate_(contour, graph_, labels_),
         origins_(component_origins(contour, surface.volume().box())),
         bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_)) {

@@ -59,9 +59,8 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     InitialSites sites =
         init_sites(scene.contour, curves, scene.volume, resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
-    const ContourGraph graph(scene.contour);
     const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);
-    Labels labels(scene.contour, graph, t, kept);
+    Labels labels(scene.contour, t, kept, 1);
     check_nearest(scene.contour, labels, t);
     Random random(seed);
     ConflictZone zone;
@@ -96,7 +95,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     REQUIRE(t.build(points, ids));
     const ContourGraph graph(contour);
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
-    const Labels labels(contour, graph, t, kept);
+    const Labels labels(contour, t, kept, 1);
     Certificate certificate(contour, graph, labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
@@ -124,7 +123,7 @@ TEST_CASE("a region with a hole, and one in two pieces, are told") {
   REQUIRE(t.build(points, ids));
   const ContourGraph graph(scene.contour);
   const std::vector<std::uint8_t> kept(1, 1);
-  const Labels labels(scene.contour, graph, t, kept);
+  const Labels labels(scene.contour, t, kept, 1);
   Certificate certificate(scene.contour, graph, labels);
   Certificate::Scratch scratch;
   std::vector<DualFacet> facets;
