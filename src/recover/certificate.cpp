@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recover/certificate.h"
 
+#include <algorithm>
+
 namespace deliso {
 
 Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId site) {
@@ -11,75 +13,92 @@ Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId s
   return interfaces.back();
 }
 
+VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
+  VertexId furthest = kNoId;
+  for (const VertexId v : labels_.region(a)) {
+    for (const VertexId u : graph_.ring(v)) {
+      if (labels_.label(u) != b) continue;
+      furthest = labels_.further(labels_.further(furthest, v), u);
+    }
+  }
+  return furthest;
+}
+
 Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
                            std::vector<DualFacet>& facets) {
   using Interface = Scratch::Interface;
-  const auto interface_with = [&](VertexId site) -> Interface& {
-    return scratch.interface_with(site);
-  };
   scratch.interfaces.clear();
   facets.clear();
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
-  VertexId furthest_boundary = kNoId;
 
-  // One pass over what is connected to the site's own vertex.
-  std::vector<VertexId>& reached = scratch.reached;
-  reached.assign(1, at);
-  visited_[at] = round_;
-  for (std::size_t k = 0; k < reached.size(); ++k) {
+  // One pass over what is connected to the site's own vertex. Every neighbour is written behind
+  // what is reached, and stays there when it is of the region and new.
+  const std::span<const VertexId> region = labels_.region(a);
+  const std::span<const VertexId> label = labels_.all();
+  scratch.reached.resize(std::max(scratch.reached.size(), region.size() + 1));
+  const std::span<VertexId> reached = scratch.reached;
+  const std::span<std::uint32_t> visited = visited_;
+  const std::uint32_t round = round_;
+  reached[0] = at;
+  visited[at] = round;
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < count; ++k) {
     const VertexId v = reached[k];
+    const std::span<const VertexId> ring = graph_.ring(v);
+    std::size_t inside = 0;
+    for (const VertexId u : ring) {
+      if (label[u] != a) continue;
+      ++inside;
+      reached[count] = u;
+      count += visited[u] != round;
+      visited[u] = round;
+    }
     const VertexId next = graph_.chain_next(v);
-    const auto reach = [&](VertexId u) {
-      if (labels_.label(u) != a || visited_[u] == round_) return;
-      visited_[u] = round_;
-      reached.push_back(u);
-    };
-    // Around an inner vertex, every neighbour comes next in some triangle.
-    if (next != kNoId) reach(graph_.chain_previous(v));
-    for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
-      const VertexId x = labels_.label(w.next), y = labels_.label(w.previous);
-      // The directed edge v -> next: an inner edge turns up from both its ends.
-      if (x == a) {
-        ++directed;
-      } else {
-        Interface& i = interface_with(x);
+    const std::size_t triangles = ring.size() - (next != kNoId);
+    if (inside == ring.size()) {  // as is most often so
+      directed += static_cast<long>(triangles);
+      thrice_faces += static_cast<long>(triangles);
+    } else {
+      for (std::size_t n = 0; n < triangles; ++n) {
+        const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+        const VertexId x = label[u], y = label[w];
+        // The directed edge v -> u: an inner edge turns up from both its ends. The triangle: seen
+        // once from each of its vertices labelled a.
+        if (x == a) {
+          ++directed;
+          ++(y == a ? thrice_faces : scratch.interface_with(y).twice_faces);
+          continue;
+        }
+        Interface& i = scratch.interface_with(x);
         ++i.edges;
-        i.furthest = labels_.further(labels_.further(i.furthest, v), w.next);
-      }
-      reach(w.next);
-      // The triangle: seen once from each of its vertices labelled a.
-      if (x == a && y == a) {
-        ++thrice_faces;
-      } else if (x == a || y == a) {
-        interface_with(x == a ? y : x).twice_faces += 1;
-      } else if (x == y) {
-        interface_with(x).twice_faces += 2;
-      } else {
-        facets.push_back({{a, x, y}, {v, w.next, w.previous}});
+        if (y == a) {
+          ++i.twice_faces;
+        } else if (y == x) {
+          i.twice_faces += 2;
+        } else {
+          facets.push_back({{a, x, y}, {v, u, w}});
+        }
       }
     }
     if (next == kNoId) continue;
     ++boundary_vertices;
-    furthest_boundary = labels_.further(furthest_boundary, v);
     // A boundary edge runs one way only, from the vertex before.
-    const VertexId before = graph_.chain_previous(v);
-    if (labels_.label(before) == a) {
+    const VertexId before = label[graph_.chain_previous(v)];
+    if (before == a) {
       ++boundary_edges;
     } else {
-      Interface& i = interface_with(labels_.label(before));
+      Interface& i = scratch.interface_with(before);
       ++i.edges;
       ++i.boundary_edges;
-      i.furthest = labels_.further(labels_.further(i.furthest, v), before);
     }
-    if (labels_.label(next) != a) ++interface_with(labels_.label(next)).boundary_edges;
+    if (label[next] != a) ++scratch.interface_with(label[next]).boundary_edges;
   }
 
-  const std::span<const VertexId> region = labels_.region(a);
-  if (reached.size() != region.size()) {
+  if (count != region.size()) {
     VertexId stray = kNoId;
     for (const VertexId v : region) {
-      if (visited_[v] != round_) stray = labels_.further(stray, v);
+      if (visited[v] != round) stray = labels_.further(stray, v);
     }
     return {Violation::region, stray};
   }
@@ -93,12 +112,17 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
   if (boundary_vertices > 0) {
     const bool boundary_site = graph_.chain_next(at) != kNoId;
     if (!boundary_site || boundary_vertices - boundary_edges != 1) {
-      return {Violation::boundary, furthest_boundary};
+      VertexId furthest = kNoId;
+      for (const VertexId v : region) {
+        if (graph_.chain_next(v) != kNoId) furthest = labels_.further(furthest, v);
+      }
+      return {Violation::boundary, furthest};
     }
   }
   for (const Interface& i : scratch.interfaces) {
-    if (i.boundary_edges > 1) return {Violation::boundary, i.furthest};
-    if (2 * i.edges - i.twice_faces != 2) return {Violation::interface, i.furthest};
+    if (i.boundary_edges > 1) return {Violation::boundary, furthest_between(a, i.site)};
+    if (2 * i.edges - i.twice_faces != 2)
+      return {Violation::interface, furthest_between(a, i.site)};
   }
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (std::size_t j = i + 1; j < facets.size(); ++j) {

@@ -48,12 +48,11 @@ class Certificate {
     // What the region shares with one neighbour.
     struct Interface {
       VertexId site;
-      int edges = 0, twice_faces = 0, boundary_edges = 0;
-      VertexId furthest = kNoId;
+      long edges = 0, twice_faces = 0, boundary_edges = 0;
     };
     Interface& interface_with(VertexId site);
 
-    std::vector<VertexId> reached;
+    std::vector<VertexId> reached;  // as long as it ever had to be
     std::vector<Interface> interfaces;
   };
 
@@ -62,6 +61,9 @@ class Certificate {
   Verdict check(VertexId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
 
  private:
+  // Of the vertices of T on both sides where two regions meet.
+  VertexId furthest_between(VertexId a, VertexId b) const;
+
   const ContourGraph& graph_;
   const Labels& labels_;
   std::vector<std::uint32_t> visited_;  // the round in which a check reached it

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -70,20 +71,8 @@ struct SiteGraph {
 
 }  // namespace
 
-ContourGraph::ContourGraph(const ContourMesh& contour)
-    : first_(contour.points.size() + 1, 0),
-      wedges_(3 * contour.triangles.size()),
-      slot_(contour.points.size(), kNoId) {
-  for (const auto& t : contour.triangles) {
-    for (const VertexId v : t) ++first_[v + 1];
-  }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const auto& t : contour.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      wedges_[next[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
-    }
-  }
+ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
+    : first_(contour.points.size() + 1, 0), slot_(contour.points.size(), kNoId) {
   for (std::uint32_t c = 0; c < contour.boundary.size(); ++c) {
     const std::span<const VertexId> chain = contour.boundary.chain(c);
     const std::size_t n = chain.size();
@@ -94,6 +83,38 @@ ContourGraph::ContourGraph(const ContourMesh& contour)
       place_.push_back({c, static_cast<double>(k)});
     }
   }
+
+  // A triangle (v, next, previous) seen from its vertex v.
+  struct Wedge {
+    VertexId next, previous;
+  };
+  for (const auto& t : contour.triangles) {
+    for (const VertexId v : t) ++first_[v + 1];
+  }
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    first_[v + 1] += first_[v] + (slot_[v] != kNoId);  // one neighbour more than triangles
+  }
+  std::vector<Wedge> wedges(first_.back());
+  std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
+  for (const auto& t : contour.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) wedges[end[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
+  }
+  rings_.resize(first_.back());
+  for_each_run(threads, contour.points.size(), kRun, [&](std::size_t begin, std::size_t stop) {
+    for (std::size_t v = begin; v < stop; ++v) {
+      const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
+      VertexId* ring = rings_.data() + first_[v];
+      VertexId next = slot_[v] == kNoId ? at[0].next : next_[slot_[v]];
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        std::size_t found = k;
+        while (found + 1 < at.size() && at[found].next != next) ++found;
+        std::swap(at[k], at[found]);
+        *ring++ = next;
+        next = at[k].previous;
+      }
+      if (slot_[v] != kNoId) *ring = next;
+    }
+  });
 }
 
 Labels::Labels(const ContourMesh& contour, const Triangulation& t,

@@ -17,14 +17,12 @@ namespace deliso {
 // T's adjacency, and where its boundary chains run.
 class ContourGraph {
  public:
-  explicit ContourGraph(const ContourMesh& contour);
+  ContourGraph(const ContourMesh& contour, int threads);
 
-  // A triangle (v, next, previous) of T, seen from its vertex v.
-  struct Wedge {
-    VertexId next, previous;
-  };
-  std::span<const Wedge> wedges(VertexId v) const {
-    return std::span(wedges_).subspan(first_[v], first_[v + 1] - first_[v]);
+  // The neighbours of v in order round it, as the triangles (v, u_n, u_n+1) run: closed for inner
+  // vertices; on a boundary chain from the next vertex there to the one before.
+  std::span<const VertexId> ring(VertexId v) const {
+    return std::span(rings_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
   // Along the boundary chain, as the triangles run; kNoId for inner vertices.
   VertexId chain_next(VertexId v) const { return slot_[v] == kNoId ? kNoId : next_[slot_[v]]; }
@@ -36,7 +34,7 @@ class ContourGraph {
 
  private:
   std::vector<std::uint32_t> first_;
-  std::vector<Wedge> wedges_;
+  std::vector<VertexId> rings_;
   std::vector<std::uint32_t> slot_;  // per vertex, into the next three; kNoId for inner ones
   std::vector<VertexId> next_, previous_;
   std::vector<CurvePlace> place_;
@@ -52,6 +50,7 @@ class Labels {
          std::span<const std::uint8_t> kept, int threads);
 
   VertexId label(VertexId v) const { return label_[v]; }
+  std::span<const VertexId> all() const { return label_; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
   // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
   // never win. kNoId: none.

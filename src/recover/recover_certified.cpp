@@ -45,7 +45,7 @@ class CertifiedRecovery {
         chain_(std::move(initial.chain)),
         contour_vertex_(std::move(initial.contour_vertex)),
         site_(contour.points.size(), kNoId),
-        graph_(contour),
+        graph_(contour, parameters.threads),
         labels_(contour, triangulation_, kept_components(contour, parameters), parameters.threads),
         certificate_(contour, graph_, labels_),
         origins_(component_origins(contour, surface.volume().box())),
@@ -202,10 +202,8 @@ bool CertifiedRecovery::add_site(VertexId v) {
   for (const VertexId n : changed_) queue_site(n);
   // Whoever borders on what changed hands sees another neighbour there now.
   for (const VertexId u : labels_.region(s)) {
-    for (const ContourGraph::Wedge& w : graph_.wedges(u)) {
-      for (const VertexId n : {labels_.label(w.next), labels_.label(w.previous)}) {
-        if (n != s) queue_site(n);
-      }
+    for (const VertexId w : graph_.ring(u)) {
+      if (labels_.label(w) != s) queue_site(labels_.label(w));
     }
   }
   if (contour_.on_boundary(v)) {
@@ -225,8 +223,8 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
     if (contour_.on_boundary(v)) {
       along = contour_.points[graph_.chain_next(v)] - contour_.points[v];
     } else {
-      for (const ContourGraph::Wedge& w : graph_.wedges(v)) {
-        along = along + (contour_.points[w.next] - contour_.points[v]);
+      for (const VertexId u : graph_.ring(v)) {
+        along = along + (contour_.points[u] - contour_.points[v]);
       }
     }
     const double size = length(along);

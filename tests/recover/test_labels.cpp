@@ -93,7 +93,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Triangulation t;
     std::vector<VertexId> ids;
     REQUIRE(t.build(points, ids));
-    const ContourGraph graph(contour);
+    const ContourGraph graph(contour, 1);
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, t, kept, 1);
     Certificate certificate(contour, graph, labels);
@@ -121,7 +121,7 @@ TEST_CASE("a region with a hole, and one in two pieces, are told") {
   Triangulation t;
   std::vector<VertexId> ids;
   REQUIRE(t.build(points, ids));
-  const ContourGraph graph(scene.contour);
+  const ContourGraph graph(scene.contour, 1);
   const std::vector<std::uint8_t> kept(1, 1);
   const Labels labels(scene.contour, t, kept, 1);
   Certificate certificate(scene.contour, graph, labels);
