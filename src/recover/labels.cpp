@@ -122,7 +122,8 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
     : contour_(contour),
       label_(contour.points.size(), kNoId),
       distance2_(contour.points.size()),
-      regions_(t.vertex_capacity()) {
+      regions_(t.vertex_capacity()),
+      reach2_(t.vertex_capacity(), 0) {
   const SiteGraph sites(t);
   for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
     VertexId site = 1;
@@ -152,15 +153,22 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
   for (const VertexId s : label_) size[s == kNoId ? 0 : s] += s != kNoId;
   for (std::size_t s = 0; s < regions_.size(); ++s) regions_[s].reserve(size[s]);
   for (VertexId v = 0; v < label_.size(); ++v) {
-    if (label_[v] != kNoId) regions_[label_[v]].push_back(v);
+    const VertexId s = label_[v];
+    if (s == kNoId) continue;
+    regions_[s].push_back(v);
+    reach2_[s] = std::max(reach2_[s], distance2_[v]);
   }
 }
 
-void Labels::add_site(VertexId site, const Vec3& point, std::span<const VertexId> neighbors,
+void Labels::add_site(VertexId site, const Triangulation& t, std::span<const VertexId> neighbors,
                       std::vector<VertexId>& changed) {
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));
+  reach2_.resize(regions_.size(), 0);
+  const Vec3 point = t.point(site);
   std::vector<VertexId> taken;
+  double reach2 = 0;
   for (const VertexId n : neighbors) {
+    if (distance2(point, t.point(n)) > kTwice2 * reach2_[n]) continue;
     std::vector<VertexId>& region = regions_[n];
     const auto kept = std::remove_if(region.begin(), region.end(), [&](VertexId v) {
       const double d2 = distance2(contour_.points[v], point);
@@ -168,6 +176,7 @@ void Labels::add_site(VertexId site, const Vec3& point, std::span<const VertexId
       distance2_[v] = d2;
       label_[v] = site;
       taken.push_back(v);
+      reach2 = std::max(reach2, d2);
       return true;
     });
     if (kept == region.end()) continue;
@@ -175,6 +184,7 @@ void Labels::add_site(VertexId site, const Vec3& point, std::span<const VertexId
     changed.push_back(n);
   }
   regions_[site] = std::move(taken);
+  reach2_[site] = reach2;
 }
 
 }  // namespace deliso

@@ -5,6 +5,7 @@
 // their lists and at nothing else.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -64,18 +65,22 @@ class Labels {
   std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
 
   // The vertex v of T has been moved a little, its site's position is `site`.
-  void moved(VertexId v, const Vec3& site) { distance2_[v] = distance2(contour_.points[v], site); }
+  void moved(VertexId v, const Vec3& site) {
+    distance2_[v] = distance2(contour_.points[v], site);
+    reach2_[label_[v]] = std::max(reach2_[label_[v]], distance2_[v]);
+  }
 
   // Takes what belongs to the new `site` from its Delaunay neighbours; appends those that lost
   // vertices to `changed`.
-  void add_site(VertexId site, const Vec3& point, std::span<const VertexId> neighbors,
-                std::vector<VertexId>& changed);
+  void add_site(VertexId site, const Triangulation& triangulation,
+                std::span<const VertexId> neighbors, std::vector<VertexId>& changed);
 
  private:
   const ContourMesh& contour_;
   std::vector<VertexId> label_;
   std::vector<double> distance2_;
   std::vector<std::vector<VertexId>> regions_;
+  std::vector<double> reach2_;  // per site, squared: nothing in its region is further from it
 };
 
 }  // namespace deliso

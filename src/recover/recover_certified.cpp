@@ -25,9 +25,9 @@
 namespace deliso {
 namespace {
 
-// A round of sites for the certificate and then for fingers and the rest takes so much of the time
-// that is left, and the certificate so much of the round: typical of the paper's volumes.
-constexpr double kRound = 0.4, kCertificate = 0.6;
+// Settling the sites and then the tests of all of K take so much each of the time that is left:
+// typical of the paper's volumes.
+constexpr double kSettling = 0.85, kTests = 0.5;
 
 // So many sites or facets make a task for a thread.
 constexpr std::size_t kRun = 64;
@@ -66,12 +66,12 @@ class CertifiedRecovery {
   // Where samples are such that vertices of T coincide, several have one site at distance 0, and
   // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
   bool part_coincident(VertexId s);
-  void satisfy_certificate();
-  std::size_t cut_fingers();
+  // Adds sites until every one holds the certificate and has no finger.
+  void settle();
   // Every facet is to find its surface point, or to be too small for Stage 2 to look at.
   std::size_t make_ready();
-  template <class Find>
-  std::size_t add_where_unready(std::uint8_t test, Find&& find);
+  // The vertex of T that helps where one of the facets told by site s is not; kNoId: all are.
+  VertexId unready(VertexId s, SurfacePointFinder& finder, SearchCounters& searches) const;
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
   std::size_t part_crossings();
   // And to components that are inside out: four sites on a rod may be either way round.
@@ -84,10 +84,14 @@ class CertifiedRecovery {
   Facets all_facets() const;
   Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
-  // How far v lies from the nearest facet of K at its site, squared; not less than it is, where
-  // that is `enough` or less.
-  // `first`: the facet to begin with, which becomes the one that was near enough.
-  double distance2_to_dual(VertexId v, double enough, std::size_t& first) const;
+  // A facet of K seen from one of its corners; the others are b and c. What lies over the facet has
+  // coordinates along b and c, 0 or more, whose sum is at most 1; none where it has no area.
+  struct FacetFrame {
+    Vec3 towards_b, towards_c, normal, b, c;
+  };
+  // The vertex of T, of those at s, that is furthest from the facets there and further than asked
+  // for; kNoId: none is.
+  VertexId finger(VertexId s, std::vector<FacetFrame>& frames) const;
 
   const Isosurface& surface_;
   ContourMesh& contour_;
@@ -111,7 +115,7 @@ class CertifiedRecovery {
   std::vector<std::uint8_t> queued_;
   // Per site, which of the two practical tests its facets have not passed since they changed, and
   // whether it broke the certificate with nothing left to insert when it was last looked at.
-  static constexpr std::uint8_t kFingers = 1, kReadiness = 2, kUncertified = 4;
+  static constexpr std::uint8_t kReadiness = 1, kUncertified = 2;
   std::vector<std::uint8_t> unready_;
   // K's facets at every site, begun there.
   std::vector<std::vector<DualFacet>> facets_;
@@ -124,10 +128,10 @@ class CertifiedRecovery {
 SurfaceMesh CertifiedRecovery::run() {
   const StepTimer timer(report_.seconds_recover);
   do {
-    progress_.begin_part_of_rest(kRound * kCertificate);
-    satisfy_certificate();
-    progress_.begin_part_of_rest(kRound * (1 - kCertificate));
-  } while (cut_fingers() > 0 || make_ready() > 0 || part_crossings() > 0 || turn_out() > 0);
+    progress_.begin_part_of_rest(kSettling);
+    settle();
+    progress_.begin_part_of_rest(kTests);
+  } while (make_ready() > 0 || part_crossings() > 0 || turn_out() > 0);
   for (const std::uint8_t state : unready_) {
     report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
   }
@@ -197,7 +201,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   }
   sort_out(neighbors_);
   changed_.clear();
-  labels_.add_site(s, p, neighbors_, changed_);
+  labels_.add_site(s, triangulation_, neighbors_, changed_);
   queue_site(s);
   for (const VertexId n : changed_) queue_site(n);
   // Whoever borders on what changed hands sees another neighbour there now.
@@ -238,9 +242,9 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
 }
 
 // Round by round: what all queued sites say is found out first, in threads, since nothing changes
-// meanwhile. Then sites are added one by one where they broke the certificate; what one of these
-// has changed is for the next round.
-void CertifiedRecovery::satisfy_certificate() {
+// meanwhile. Then sites are added one by one; where one of these has changed a site, what that one
+// said is out of date, and it says it again in the next round.
+void CertifiedRecovery::settle() {
   while (!queue_.empty()) {
     round_.clear();
     std::swap(round_, queue_);
@@ -249,41 +253,42 @@ void CertifiedRecovery::satisfy_certificate() {
     certificate_.begin_round();
     for_each_run(parameters_.threads, round_.size(), kRun, [&](std::size_t n, std::size_t end) {
       Certificate::Scratch scratch;
+      std::vector<FacetFrame> frames;
       for (; n < end; ++n) {
         const VertexId s = round_[n];
         verdicts_[n] = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
-        unready_[s] = kFingers | kReadiness;
+        if (verdicts_[n].violation == Violation::none) verdicts_[n].insert = finger(s, frames);
+        unready_[s] = kReadiness;
       }
     });
     for (std::size_t n = 0; n < round_.size(); ++n) {
       progress_.step(round_.size() - n + queue_.size());
       const VertexId s = round_[n];
       const Verdict verdict = verdicts_[n];
-      if (verdict.violation == Violation::none || queued_[s]) continue;
+      const bool fine = verdict.violation == Violation::none && verdict.insert == kNoId;
+      if (fine || queued_[s]) continue;
       if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
         queue_site(s);
-      } else {
+      } else if (verdict.violation != Violation::none) {
         unready_[s] |= kUncertified;
       }
     }
   }
 }
 
-// The same for the practical tests: `find` says which vertex of T helps at a site, kNoId: none is
-// needed.
-template <class Find>
-std::size_t CertifiedRecovery::add_where_unready(std::uint8_t test, Find&& find) {
+std::size_t CertifiedRecovery::make_ready() {
   round_.clear();
   for (VertexId s = 1; s < unready_.size(); ++s) {
-    if (!(unready_[s] & test)) continue;
-    unready_[s] &= static_cast<std::uint8_t>(~test);
+    if (!(unready_[s] & kReadiness)) continue;
+    unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
     round_.push_back(s);
   }
-  std::vector<VertexId> worst(round_.size());
+  std::vector<VertexId> worst(round_.size(), kNoId);
   std::vector<SearchCounters> searches(runs_of(round_.size(), kRun));
   for_each_run(parameters_.threads, round_.size(), kRun,
                [&](std::size_t run, std::size_t n, std::size_t end) {
-                 for (; n < end; ++n) worst[n] = find(round_[n], searches[run]);
+                 SurfacePointFinder finder(surface_);
+                 for (; n < end; ++n) worst[n] = unready(round_[n], finder, searches[run]);
                });
   for (const SearchCounters& n : searches) report_.searches_recover += n;
   std::size_t added = 0;
@@ -293,49 +298,55 @@ std::size_t CertifiedRecovery::add_where_unready(std::uint8_t test, Find&& find)
   return added;
 }
 
-std::size_t CertifiedRecovery::cut_fingers() {
-  return add_where_unready(kFingers, [&](VertexId s, SearchCounters&) {
-    VertexId worst = kNoId;
-    double worst2 = parameters_.fingers * parameters_.fingers;
-    std::size_t last = 0;  // what was near to one vertex is often near to the next
-    for (const VertexId v : labels_.region(s)) {
-      if (labels_.distance2_to_site(v) <= worst2) continue;
-      const double d2 = distance2_to_dual(v, worst2, last);
-      if (d2 <= worst2) continue;
-      worst = v;
-      worst2 = d2;
-    }
-    return worst;
-  });
-}
-
-std::size_t CertifiedRecovery::make_ready() {
-  return add_where_unready(kReadiness, [&](VertexId s, SearchCounters& searches) {
-    SurfacePointFinder finder(surface_);
-    VertexId worst = kNoId;
-    for (const DualFacet& facet : facets_[s]) {
-      if (facet.sites[1] < s || facet.sites[2] < s) continue;
-      const Dual dual = dual_of(facet.sites, finder, searches);
-      if (dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min) continue;
-      for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
-    }
-    return worst;
-  });
-}
-
-double CertifiedRecovery::distance2_to_dual(VertexId v, double enough, std::size_t& first) const {
-  const std::vector<DualFacet>& facets = facets_[labels_.label(v)];
-  double nearest2 = labels_.distance2_to_site(v);
-  for (std::size_t n = 0, at = first; n < facets.size() && nearest2 > enough; ++n, ++at) {
-    if (at >= facets.size()) at = 0;
-    const Triangle& t = facets[at].sites;
-    const double d2 = distance2_to_triangle(contour_.points[v], triangulation_.point(t[0]),
-                                            triangulation_.point(t[1]), triangulation_.point(t[2]));
-    if (d2 >= nearest2) continue;
-    nearest2 = d2;
-    first = at;
+VertexId CertifiedRecovery::unready(VertexId s, SurfacePointFinder& finder,
+                                    SearchCounters& searches) const {
+  VertexId worst = kNoId;
+  for (const DualFacet& facet : facets_[s]) {
+    if (facet.sites[1] < s || facet.sites[2] < s) continue;
+    const Dual dual = dual_of(facet.sites, finder, searches);
+    if (dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min) continue;
+    for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
   }
-  return nearest2;
+  return worst;
+}
+
+VertexId CertifiedRecovery::finger(VertexId s, std::vector<FacetFrame>& frames) const {
+  const Vec3 site = triangulation_.point(s);
+  frames.clear();
+  for (const DualFacet& facet : facets_[s]) {
+    const Vec3 b = triangulation_.point(facet.sites[1]) - site;
+    const Vec3 c = triangulation_.point(facet.sites[2]) - site;
+    const Vec3 normal = cross(b, c);
+    const double scale = 1 / length2(normal);
+    frames.push_back(
+        {scale * cross(c, normal), scale * cross(normal, b), std::sqrt(scale) * normal, b, c});
+  }
+  VertexId worst = kNoId;
+  double worst2 = parameters_.fingers * parameters_.fingers;
+  std::size_t last = 0;
+  for (const VertexId v : labels_.region(s)) {
+    if (labels_.distance2_to_site(v) <= worst2) continue;
+    const Vec3 d = contour_.points[v] - site;
+    const auto is_over = [&](const FacetFrame& f) {
+      const double along_b = dot(d, f.towards_b), along_c = dot(d, f.towards_c);
+      const double height = dot(d, f.normal);
+      return along_b >= 0 && along_c >= 0 && along_b + along_c <= 1 && height * height <= worst2;
+    };
+    // What one vertex is over the next often is as well.
+    if (last < frames.size() && is_over(frames[last])) continue;
+    const auto over = std::find_if(frames.begin(), frames.end(), is_over);
+    last = static_cast<std::size_t>(over - frames.begin());
+    if (over != frames.end()) continue;
+    double nearest2 = labels_.distance2_to_site(v);
+    for (const FacetFrame& f : frames) {
+      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, f.b, f.c));
+      if (nearest2 <= worst2) break;
+    }
+    if (nearest2 <= worst2) continue;
+    worst = v;
+    worst2 = nearest2;
+  }
+  return worst;
 }
 
 CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {

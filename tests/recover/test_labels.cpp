@@ -73,7 +73,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
       if (zone.duplicate != kNoId) continue;
       const VertexId s = t.insert_in_zone(p, zone, created);
       std::vector<VertexId> changed;
-      labels.add_site(s, p, neighbors_of(t, s), changed);
+      labels.add_site(s, t, neighbors_of(t, s), changed);
     }
     check_nearest(scene.contour, labels, t);
   }
