@@ -3,10 +3,15 @@
 
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace deliso {
 namespace {
 
 constexpr int kBlock = 8;
+
+// So many items make a task for a thread.
+constexpr std::size_t kRun = 1 << 16;
 
 // Where each item goes when they are sorted by key, stably: a counting sort.
 std::vector<std::uint32_t> places(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
@@ -19,39 +24,44 @@ std::vector<std::uint32_t> places(const std::vector<std::uint32_t>& keys, std::s
 }
 
 template <class T>
-void move_to(std::vector<T>& items, const std::vector<std::uint32_t>& place) {
+void move_to(std::vector<T>& items, const std::vector<std::uint32_t>& place, int threads) {
   std::vector<T> moved(items.size());
-  for (std::size_t n = 0; n < items.size(); ++n) moved[place[n]] = items[n];
+  for_each_run(threads, items.size(), kRun, [&](std::size_t n, std::size_t end) {
+    for (; n < end; ++n) moved[place[n]] = items[n];
+  });
   items = std::move(moved);
 }
 
 }  // namespace
 
-void order_by_blocks(ContourMesh& contour, const Volume& volume) {
+void order_by_blocks(ContourMesh& contour, const Volume& volume, int threads) {
   const Index3 last = volume.voxels();
   const auto blocks = [](int voxels) { return static_cast<std::uint32_t>(voxels / kBlock + 1); };
   const std::uint32_t nx = blocks(last.i), ny = blocks(last.j), nz = blocks(last.k);
 
-  std::vector<std::uint32_t> block;
-  block.reserve(contour.points.size());
-  for (const Vec3& p : contour.points) {
-    const Index3 v = volume.voxel_at(p);
-    const auto at = [](int n) { return static_cast<std::uint32_t>(n / kBlock); };
-    block.push_back(at(v.i) + nx * (at(v.j) + ny * at(v.k)));
-  }
+  std::vector<std::uint32_t> block(contour.points.size());
+  for_each_run(threads, block.size(), kRun, [&](std::size_t n, std::size_t end) {
+    for (; n < end; ++n) {
+      const Index3 v = volume.voxel_at(contour.points[n]);
+      const auto at = [](int axis) { return static_cast<std::uint32_t>(axis / kBlock); };
+      block[n] = at(v.i) + nx * (at(v.j) + ny * at(v.k));
+    }
+  });
   const std::size_t block_count = std::size_t{nx} * ny * nz;
   const std::vector<std::uint32_t> place = places(block, block_count);
 
-  std::vector<std::uint32_t> triangle_block;
-  triangle_block.reserve(contour.triangles.size());
-  for (auto& triangle : contour.triangles) {
-    triangle_block.push_back(block[triangle[0]]);
-    for (VertexId& v : triangle) v = place[v];
-  }
-  move_to(contour.triangles, places(triangle_block, block_count));
-  move_to(contour.points, place);
-  move_to(contour.component, place);
-  move_to(contour.box_faces, place);
+  std::vector<std::uint32_t> triangle_block(contour.triangles.size());
+  for_each_run(threads, triangle_block.size(), kRun, [&](std::size_t n, std::size_t end) {
+    for (; n < end; ++n) {
+      std::array<VertexId, 3>& triangle = contour.triangles[n];
+      triangle_block[n] = block[triangle[0]];
+      for (VertexId& v : triangle) v = place[v];
+    }
+  });
+  move_to(contour.triangles, places(triangle_block, block_count), threads);
+  move_to(contour.points, place, threads);
+  move_to(contour.component, place, threads);
+  move_to(contour.box_faces, place, threads);
   for (VertexId& v : contour.boundary.vertices) v = place[v];
 }
 

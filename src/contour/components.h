@@ -55,6 +55,15 @@ class GrowingComponents {
     return a;
   }
 
+  // Takes in those of a later part of the scan, none of which is one of these yet. Their labels are
+  // all raised by what is returned.
+  std::uint32_t append(const GrowingComponents& later) {
+    const auto raised = static_cast<std::uint32_t>(parent_.size());
+    for (const std::uint32_t label : later.parent_) parent_.push_back(raised + label);
+    counts_.insert(counts_.end(), later.counts_.begin(), later.counts_.end());
+    return raised;
+  }
+
   Counts& counts(std::uint32_t root_label) { return counts_[root_label]; }
 
   // Numbers the components; number_of[label] for every label.

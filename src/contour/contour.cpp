@@ -2,10 +2,13 @@
 #include "contour/contour.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/parallel.h"
 #include "contour/boundary_chains.h"
 #include "contour/contour_stream.h"
 #include "contour/piece_mesher.h"
+#include "contour/slabs.h"
 #include "contour/split_voxels.h"
 
 namespace deliso {
@@ -20,6 +23,7 @@ class CountingSink {
   }
   void voxel(const VoxelPieces&) {}
   void replace_boundary(std::vector<BoundarySegment>&) {}
+  std::size_t vertices() const { return next_; }
 
  private:
   VertexId next_ = 0;
@@ -29,43 +33,69 @@ struct StreamResult {
   ContourSummary summary;
   BoundaryChains boundary;
   std::vector<std::uint32_t> component_of_label;
+  std::vector<SlabNumbers> numbers;
 };
 
 // A sink that meshes, or counts: beside what the walk asks for,
 //   expect(crossings): about how many there will be, before the first;
-//   replace_boundary(segments): may put others in place of the walk's segments on the box.
+//   replace_boundary(segments): may put others in place of the walk's segments on the box;
+//   vertices(): how many ids it has given.
 template <class Sink>
 concept MeshSink = ContourSink<Sink> &&
     requires(Sink& sink, std::vector<BoundarySegment>& segments) {
   sink.expect(std::size_t{});
   sink.replace_boundary(segments);
+  { sink.vertices() } -> std::same_as<std::size_t>;
 };
 
+// Walks all slabs, each with a sink of its own.
 template <MeshSink Sink>
-StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
-  return volume.visit([&](const auto* samples) {
-    ContourStream walk(volume, samples, kappa, sink);
-    sink.expect(walk.estimate_crossings());
-    walk.run();
-    StreamResult result;
-    result.summary.active_voxels = walk.active_voxels;
-    result.summary.tied_saddles = walk.tied_saddles;
-    sink.replace_boundary(walk.boundary);
-    auto& components = result.summary.components;
-    result.component_of_label = walk.components.finish(components);
-    for (auto& segment : walk.boundary) {
-      segment.component = result.component_of_label[segment.component];
-    }
-    result.boundary = chain_segments(std::move(walk.boundary));
-    for (const std::uint32_t c : result.boundary.component) ++components[c].boundary_loops;
-    return result;
+StreamResult stream(const Volume& volume, double kappa, const std::vector<Slab>& slabs,
+                    std::vector<Sink>& sinks, int threads) {
+  std::vector<SlabWalk> walks(slabs.size());
+  std::vector<std::size_t> vertices(slabs.size());
+  volume.visit([&](const auto* samples) {
+    for_each_task(threads, slabs.size(), [&](std::size_t n) {
+      ContourStream walk(volume, samples, kappa, sinks[n], slabs[n]);
+      sinks[n].expect(walk.estimate_crossings());
+      walk.run();
+      walks[n] = std::move(walk.found());
+      sinks[n].replace_boundary(walks[n].boundary);
+      vertices[n] = sinks[n].vertices();
+    });
   });
+  StreamResult result;
+  result.numbers = weld(walks, vertices);
+  SlabWalk& all = walks[0];
+  result.summary.active_voxels = all.active_voxels;
+  result.summary.tied_saddles = all.tied_saddles;
+  auto& components = result.summary.components;
+  result.component_of_label = all.components.finish(components);
+  for (auto& segment : all.boundary) {
+    segment.component = result.component_of_label[segment.component];
+  }
+  result.boundary = chain_segments(std::move(all.boundary));
+  for (const std::uint32_t c : result.boundary.component) ++components[c].boundary_loops;
+  return result;
 }
 
-void finish(ContourMesh& mesh, StreamResult result) {
+// The mesh of what the sinks that make_sink(part of the mesh) gives are told.
+template <class MakeSink>
+ContourMesh mesh_slabs(const Volume& volume, double kappa, const std::vector<Slab>& slabs,
+                       int threads, MakeSink&& make_sink) {
+  std::vector<ContourMesh> parts(slabs.size());
+  std::vector<decltype(make_sink(parts[0]))> sinks;
+  for (ContourMesh& part : parts) sinks.push_back(make_sink(part));
+  StreamResult result = stream(volume, kappa, slabs, sinks, threads);
+  ContourMesh mesh = weld(std::move(parts), result.numbers, threads);
   for (auto& component : mesh.component) component = result.component_of_label[component];
   mesh.summary = std::move(result.summary);
   mesh.boundary = std::move(result.boundary);
+  return mesh;
+}
+
+std::vector<Slab> slabs_of(const Volume& volume, int threads) {
+  return cut_into_slabs(volume.dims(), threads, [](int) { return true; });
 }
 
 }  // namespace
@@ -82,26 +112,30 @@ std::uint64_t ContourSummary::boundary_loops() const {
   return sum;
 }
 
-ContourMesh build_contour(const Volume& volume, double kappa) {
-  ContourMesh mesh;
-  PieceMesher mesher(mesh, volume);
-  finish(mesh, stream(volume, kappa, mesher));
-  return mesh;
+ContourMesh build_contour(const Volume& volume, double kappa, int threads) {
+  return mesh_slabs(volume, kappa, slabs_of(volume, threads), threads,
+                    [&](ContourMesh& part) { return PieceMesher(part, volume); });
 }
 
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split) {
-  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
-  if (chosen.size() == 0) return build_contour(volume, kappa);
-  ContourMesh mesh;
-  SplitMesher mesher(mesh, volume, chosen, split);
-  finish(mesh, stream(volume, kappa, mesher));
+ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split,
+                          int threads) {
+  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split, threads);
+  if (chosen.size() == 0) return build_contour(volume, kappa, threads);
+  // What a split voxel has on a face is named once, so none may touch the layer where slabs meet.
+  const std::vector<Slab> slabs = cut_into_slabs(volume.dims(), threads, [&](int k) {
+    return !chosen.any_in_layer(k - 1) && !chosen.any_in_layer(k - 2);
+  });
+  ContourMesh mesh = mesh_slabs(volume, kappa, slabs, threads, [&](ContourMesh& part) {
+    return SplitMesher(part, volume, chosen, split);
+  });
   mesh.split_voxels = chosen.size();
   return mesh;
 }
 
-ContourSummary summarize_contour(const Volume& volume, double kappa) {
-  CountingSink sink;
-  return stream(volume, kappa, sink).summary;
+ContourSummary summarize_contour(const Volume& volume, double kappa, int threads) {
+  const std::vector<Slab> slabs = slabs_of(volume, threads);
+  std::vector<CountingSink> sinks(slabs.size());
+  return stream(volume, kappa, slabs, sinks, threads).summary;
 }
 
 double settled_isovalue(const Volume& volume, double kappa) {
@@ -110,12 +144,12 @@ double settled_isovalue(const Volume& volume, double kappa) {
                                                                : effective;
 }
 
-ContourMesh build_settled_contour(const Volume& volume, double& kappa) {
+ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
   kappa = effective_isovalue(volume, kappa);
-  ContourMesh contour = build_contour(volume, kappa);
+  ContourMesh contour = build_contour(volume, kappa, threads);
   if (contour.summary.tied_saddles == 0) return contour;
   kappa = lowered_isovalue(volume, kappa);
-  return build_contour(volume, kappa);
+  return build_contour(volume, kappa, threads);
 }
 
 }  // namespace deliso

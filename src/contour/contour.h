@@ -22,7 +22,8 @@
 //
 // Samples that equal kappa are inside, by the same rule everywhere, so T keeps its topology then
 // too; only vertices may coincide. effective_isovalue() avoids that.
-// Memory beside the result: two layers of edge slots and sample bits, O(slice).
+// Memory beside the result: two layers of edge slots and sample bits, O(slice), for each thread;
+// with several of these T is put together from parts, and for a moment there twice.
 #pragma once
 
 #include <array>
@@ -95,9 +96,10 @@ struct ContourMesh {
   bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
 };
 
-// T itself, in one pass over the samples. A volume without voxels (a dimension of 1) has none.
-// Throws InputError when T would have 2^32 - 1 vertices or more.
-ContourMesh build_contour(const Volume& volume, double kappa);
+// T itself, in one pass over the samples, the same with any number of threads. A volume without
+// voxels (a dimension of 1) has none. Throws InputError when T would have 2^32 - 1 vertices or
+// more.
+ContourMesh build_contour(const Volume& volume, double kappa, int threads = 1);
 
 // Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
 // interpolant's own values, and becomes what the cells hold.
@@ -137,16 +139,17 @@ inline Index3 beyond(Index3 voxel, int f) {
 // another topology than the voxel (the saddle of a face at kappa, to the last bits), it is left
 // whole. Without split voxels the result is that of build_contour(volume, kappa). Costs a second
 // look at each listed voxel beside the pass itself.
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split);
+ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split,
+                          int threads = 1);
 
 // The summary alone, without T: for volumes of any size.
-ContourSummary summarize_contour(const Volume& volume, double kappa);
+ContourSummary summarize_contour(const Volume& volume, double kappa, int threads = 1);
 
 // The isovalue that the geometry works at: effective_isovalue(), lowered once more where saddles
 // are tied. Sigma meets itself there (a checkerboard at its mean is nothing but that); a tied
 // saddle counts as inside, so lowering kappa keeps the topology and parts what touches.
 double settled_isovalue(const Volume& volume, double kappa);
 // T at that isovalue, which kappa becomes.
-ContourMesh build_settled_contour(const Volume& volume, double& kappa);
+ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 
 }  // namespace deliso

@@ -3,6 +3,10 @@
 // layers of samples as bits (inside or not), and for each grid edge between them a slot with the
 // vertex on it, so nothing is ever looked up by hash. What becomes of crossings and pieces is the
 // sink's affair (contour.cpp): a mesh, or nothing where only the summary is wanted.
+//
+// A walk may be that of a slab: some layers of samples, and the voxels between each of them and the
+// layer below. It begins with the crossings in that layer below the slab, which are the slab
+// before's as well, so ids and labels are the slab's own until slabs are welded (contour/slabs.h).
 #pragma once
 
 #include <bit>
@@ -97,13 +101,36 @@ concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelP
   sink.voxel(pieces);
 };
 
+// Layers of samples: begin <= k < end.
+struct Slab {
+  int begin, end;
+};
+
+// A crossing in a layer of samples that two slabs meet in.
+struct SharedCrossing {
+  VertexId vertex;
+  std::uint32_t label;
+};
+
+// What a walk finds out beside what the sink is told.
+struct SlabWalk {
+  GrowingComponents components;
+  std::vector<BoundarySegment> boundary;
+  std::uint64_t active_voxels = 0, tied_saddles = 0;
+  // In the layer below the slab and in its last one, in scan order; none at the ends of the volume.
+  std::vector<SharedCrossing> below, above;
+};
+
 template <class T, ContourSink Sink>
 class ContourStream {
  public:
   ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink)
+      : ContourStream(volume, samples, kappa, sink, {0, volume.dims().k}) {}
+  ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink, Slab slab)
       : samples_(samples),
         kappa_(kappa),
         sink_(sink),
+        slab_(slab),
         dims_(volume.dims()),
         row_stride_(static_cast<std::size_t>(dims_.i)),
         layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
@@ -113,17 +140,28 @@ class ContourStream {
     if (!threshold || dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     for (auto& slots : slots_) slots.resize(layer_size_);
-    for (int k = 0; k < dims_.k; ++k) {
+    if (slab_.begin > 0) {
+      for (int j = 0; j < dims_.j; ++j) {
+        load_row(j, slab_.begin - 1, *threshold);
+        cross_row_in_layer(j, slab_.begin - 1);
+      }
+    }
+    for (int k = slab_.begin; k < slab_.end; ++k) {
       aim_slots(k - 1);
       for (int j = 0; j < dims_.j; ++j) {
         load_row(j, k, *threshold);
-        cross_row(j, k);
+        if (k > 0) {
+          for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
+        }
+        cross_row_in_layer(j, k);
         if (j > 0 && k > 0) walk_row(j - 1, k - 1);
       }
+      if (k == slab_.begin && k > 0) found_.below = crossings_in_layer(k - 1);
     }
+    if (slab_.end < dims_.k) found_.above = crossings_in_layer(slab_.end - 1);
   }
 
-  // About how many grid edges are crossed, from a few of the layers.
+  // About how many grid edges are crossed, from a few of the layers; none where these are few.
   std::size_t estimate_crossings() {
     constexpr int kEvery = 16;
     const std::optional<T> threshold = inside_threshold<T>(kappa_);
@@ -131,7 +169,7 @@ class ContourStream {
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     std::size_t crossings = 0;
     const auto count = [&](int) { ++crossings; };
-    for (int k = kEvery / 2; k + 1 < dims_.k; k += kEvery) {
+    for (int k = slab_.begin + kEvery / 2; k + 1 < slab_.end; k += kEvery) {
       for (int j = 0; j < dims_.j; ++j) {
         load_row(j, k, *threshold);
         load_row(j, k + 1, *threshold);
@@ -143,15 +181,11 @@ class ContourStream {
     return kEvery * crossings;
   }
 
-  GrowingComponents components;
-  std::vector<BoundarySegment> boundary;
-  std::uint64_t active_voxels = 0, tied_saddles = 0;
+  // After run().
+  SlabWalk& found() { return found_; }
 
  private:
-  struct Slot {
-    VertexId vertex;
-    std::uint32_t label;  // of its component; kNoId before its first voxel
-  };
+  using Slot = SharedCrossing;  // of label kNoId before its first voxel
   // Slots of the edges along x and y in the two layers, and along z between them.
   enum SlotArray { kX0, kX1, kY0, kY1, kZ };
 
@@ -215,16 +249,29 @@ class ContourStream {
         layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; }, visit);
   }
 
-  // Vertices on the edges that row (j, k) completes.
-  void cross_row(int j, int k) {
+  // Vertices on the edges within the layer that row (j, k) completes.
+  void cross_row_in_layer(int j, int k) {
     const bool odd = (k & 1) != 0;
-    if (k > 0) for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
     if (j > 0) {
       for_each_edge_along_y(j - 1, k, [&](int i) {
         add_crossing(odd ? kY1 : kY0, 1, {i, j - 1, k});
       });
     }
     for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
+  }
+
+  // What these calls have made of layer k, while it is one of the last two.
+  std::vector<SharedCrossing> crossings_in_layer(int k) const {
+    const bool odd = (k & 1) != 0;
+    const std::vector<Slot>&x = slots_[odd ? kX1 : kX0], &y = slots_[odd ? kY1 : kY0];
+    std::vector<SharedCrossing> crossings;
+    for (int j = 0; j < dims_.j; ++j) {
+      if (j > 0) {
+        for_each_edge_along_y(j - 1, k, [&](int i) { crossings.push_back(y[in_layer(i, j - 1)]); });
+      }
+      for_each_edge_along_x(j, k, [&](int i) { crossings.push_back(x[in_layer(i, j)]); });
+    }
+    return crossings;
   }
 
   // The active voxels of row (j, k).
@@ -286,10 +333,10 @@ class ContourStream {
           size_t(m & 1) + row_stride_ * size_t(m >> 1 & 1) + layer_size_ * size_t(m >> 2);
       c[m] = static_cast<double>(s[at]) - kappa_;
     }
-    ++active_voxels;
+    ++found_.active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, c, scratch);
-    if (&loops == &scratch) tied_saddles += has_tied_saddle(mask, c);
+    if (&loops == &scratch) found_.tied_saddles += has_tied_saddle(mask, c);
     const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
     VoxelPieces pieces(voxel, c, loops, tube);
     auto& vertex = pieces.vertex;
@@ -299,7 +346,7 @@ class ContourStream {
       if (tube && l == tube.a) {
         label = join(voxel, loops.edges(tube.b), vertex.data() + loops.first[tube.b], label);
       }
-      auto& counts = components.counts(label);
+      auto& counts = found_.components.counts(label);
       ++counts.pieces;
       for (int axis = 0; axis < 3; ++axis) {
         counts.lo[axis] = std::min(counts.lo[axis], voxel[axis]);
@@ -332,19 +379,19 @@ class ContourStream {
         ++fresh;
         continue;
       }
-      const std::uint32_t root = components.root(slots[n]->label);
-      label = label == kNoId ? root : components.unite(label, root);
+      const std::uint32_t root = found_.components.root(slots[n]->label);
+      label = label == kNoId ? root : found_.components.unite(label, root);
     }
-    if (label == kNoId) label = components.add(voxel);
+    if (label == kNoId) label = found_.components.add(voxel);
     for (std::size_t n = 0; n < edges.size(); ++n) slots[n]->label = label;
-    components.counts(label).crossings += fresh;
+    found_.components.counts(label).crossings += fresh;
     return label;
   }
 
   void count_sides(Index3 voxel, const VoxelLoops& loops, int l,
                    const std::array<VertexId, 12>& vertex, std::uint32_t label) {
     const int first = loops.first[l], end = loops.first[l + 1];
-    auto& counts = components.counts(label);
+    auto& counts = found_.components.counts(label);
     counts.half_sides += static_cast<std::uint64_t>(end - first);
     const int on_box = box_faces(voxel);
     if (on_box == 0) return;
@@ -352,7 +399,7 @@ class ContourStream {
       const std::uint8_t face = loops.face[n];
       if ((on_box >> face & 1) == 0) continue;
       ++counts.half_sides;
-      boundary.push_back({vertex[n], vertex[n + 1 < end ? n + 1 : first], label, face});
+      found_.boundary.push_back({vertex[n], vertex[n + 1 < end ? n + 1 : first], label, face});
     }
   }
 
@@ -361,11 +408,13 @@ class ContourStream {
   const T* samples_;
   double kappa_;
   Sink& sink_;
+  Slab slab_;
   Index3 dims_;
   std::size_t row_stride_, layer_size_;
   std::array<std::optional<LayerBits>, 2> layers_;
   std::array<std::vector<Slot>, 5> slots_;
   std::array<Slot*, 12> edge_slots_{};
+  SlabWalk found_;
 };
 
 }  // namespace deliso

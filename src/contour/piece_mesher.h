@@ -76,6 +76,7 @@ class PieceMesher {
   }
 
   void replace_boundary(std::vector<BoundarySegment>&) {}
+  std::size_t vertices() const { return mesh_.points.size(); }
 
   // A triangle, or a star around one more point of Sigma. `c` are the cell's corners.
   void disk(const CellFrame& cell, const Corners& c, std::span<const VertexId> loop,

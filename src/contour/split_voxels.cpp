@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
+#include "contour/slabs.h"
+
 namespace deliso {
 namespace {
 
@@ -58,18 +61,27 @@ SplitVoxels choose_listed(const Volume& volume, double kappa, const ContourSplit
 }
 
 SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
-                             const SplitVoxels& listed) {
+                             const SplitVoxels& listed, int threads) {
   const Index3 dims = volume.dims();
   if (factor == Index3{1, 1, 1}) return SplitVoxels(dims, {});
-  SplitChooser chooser(dims, factor);
-  volume.visit([&](const auto* samples) { ContourStream(volume, samples, kappa, chooser).run(); });
-  std::erase_if(chooser.numbers, [&](std::uint64_t number) {
+  const std::vector<Slab> slabs = cut_into_slabs(dims, threads, [](int) { return true; });
+  std::vector<SplitChooser> choosers(slabs.size(), SplitChooser(dims, factor));
+  volume.visit([&](const auto* samples) {
+    for_each_task(threads, slabs.size(), [&](std::size_t n) {
+      ContourStream(volume, samples, kappa, choosers[n], slabs[n]).run();
+    });
+  });
+  std::vector<std::uint64_t> numbers;
+  for (const SplitChooser& chooser : choosers) {
+    numbers.insert(numbers.end(), chooser.numbers.begin(), chooser.numbers.end());
+  }
+  std::erase_if(numbers, [&](std::uint64_t number) {
     const Index3 voxel = numbered_voxel(dims, number);
     bool taken = listed.contains(voxel);
     for (int f = 0; f < 6; ++f) taken |= listed.contains(beyond(voxel, f));
     return taken;
   });
-  return SplitVoxels(dims, chooser.numbers);
+  return SplitVoxels(dims, numbers);
 }
 
 }  // namespace
@@ -99,9 +111,17 @@ bool SplitVoxels::contains(Index3 voxel) const {
                             begin + static_cast<std::ptrdiff_t>(row_[r + 1]), voxel.i);
 }
 
-ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split) {
+bool SplitVoxels::any_in_layer(int k) const {
+  if (column_.empty() || k < 0 || k >= voxels_.k) return false;
+  const std::size_t rows = static_cast<std::size_t>(voxels_.j);
+  const std::size_t r = rows * static_cast<std::size_t>(k);
+  return row_[r] != row_[r + rows];
+}
+
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split,
+                                 int threads) {
   SplitVoxels listed = choose_listed(volume, kappa, split);
-  SplitVoxels elsewhere = choose_elsewhere(volume, kappa, split.elsewhere, listed);
+  SplitVoxels elsewhere = choose_elsewhere(volume, kappa, split.elsewhere, listed, threads);
   return {std::move(listed), std::move(elsewhere)};
 }
 

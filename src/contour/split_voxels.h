@@ -29,6 +29,7 @@ class SplitVoxels {
   std::size_t size() const { return column_.size(); }
   // Voxels outside the volume are in no set.
   bool contains(Index3 voxel) const;
+  bool any_in_layer(int k) const;
 
  private:
   Index3 voxels_;
@@ -41,8 +42,10 @@ struct ChosenVoxels {
   SplitVoxels listed, elsewhere;
 
   std::size_t size() const { return listed.size() + elsewhere.size(); }
+  bool any_in_layer(int k) const { return listed.any_in_layer(k) || elsewhere.any_in_layer(k); }
 };
-ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split);
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split,
+                                 int threads);
 
 // A sink of ContourStream.
 class SplitMesher {
@@ -63,6 +66,7 @@ class SplitMesher {
 
   // Puts the segments of cells in place of those of the voxels they belong to.
   void replace_boundary(std::vector<BoundarySegment>& segments) const;
+  std::size_t vertices() const { return mesher_.vertices(); }
 
  private:
   // Cells of one size, and the voxel at hand cut into them.

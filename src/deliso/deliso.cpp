@@ -50,7 +50,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   report.kappa_effective = kappa;
   begin("contour");
   ContourMesh contour = timed(report.seconds_contour, [&] {
-    return build_settled_contour(volume, report.kappa_effective);
+    return build_settled_contour(volume, report.kappa_effective, parameters.threads);
   });
   report.exact = counts_of(contour.summary);
   const VoxelTree tree =

@@ -67,15 +67,17 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour) {
 
 }  // namespace
 
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report) {
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report,
+                         int threads) {
   const Vec3 spacing = volume.spacing();
   const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
   ContourSplit split;
   split.elsewhere = cells_of(spacing, std::min(kLongest * shortest, longest), longest,
                              plain.summary.active_voxels, vertices);
-  ContourMesh contour =
-      split.elsewhere == Index3{1, 1, 1} ? std::move(plain) : build_contour(volume, kappa, split);
+  ContourMesh contour = split.elsewhere == Index3{1, 1, 1}
+                            ? std::move(plain)
+                            : build_contour(volume, kappa, split, threads);
   for (std::size_t part = 0; part < kParts.size();) {
     const std::vector<std::uint64_t> crossed = crossed_voxels(contour);
     if (crossed.empty()) break;
@@ -84,7 +86,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
     split.voxels = std::move(voxels);
     split.factor =
         cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
-    contour = build_contour(volume, kappa, split);
+    contour = build_contour(volume, kappa, split, threads);
   }
   report[Counter::voxels_cut] += contour.split_voxels;
   return contour;

@@ -15,6 +15,7 @@
 namespace deliso {
 
 // Takes the plain contour, build_contour(volume, kappa), and gives it back where it will do.
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report);
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report,
+                         int threads = 1);
 
 }  // namespace deliso

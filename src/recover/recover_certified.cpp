@@ -425,8 +425,9 @@ Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
                             const Parameters& parameters, Report& report) {
   std::optional<StepTimer> timer(report.seconds_contour);
   StageProgress(parameters.progress, "cutting");
-  ContourMesh contour = fine_contour(std::move(plain), surface.volume(), surface.kappa(), report);
-  order_by_blocks(contour, surface.volume());
+  ContourMesh contour =
+      fine_contour(std::move(plain), surface.volume(), surface.kappa(), report, parameters.threads);
+  order_by_blocks(contour, surface.volume(), parameters.threads);
   BoundaryCurves curves = boundary_curves(surface, contour);
   timer.emplace(report.seconds_labels);
   StageProgress(parameters.progress, "labels");
