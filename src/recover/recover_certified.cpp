@@ -49,7 +49,8 @@ class CertifiedRecovery {
         labels_(contour, triangulation_, kept_components(contour, parameters), parameters.threads),
         certificate_(contour, graph_, labels_),
         origins_(component_origins(contour, surface.volume().box())),
-        bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_)) {
+        bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_,
+                                 parameters.threads)) {
     for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
       if (contour_vertex_[s] == kNoId) continue;
       site_[contour_vertex_[s]] = s;
@@ -82,6 +83,9 @@ class CertifiedRecovery {
     std::vector<Triangle> triangles, witnesses;
   };
   Facets all_facets() const;
+  // For every facet before f that crosses it the vertex of T to insert.
+  void find_crossings(const Facets& k, const BoxGrid& grid, FaceId f,
+                      std::vector<VertexId>& found) const;
   Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
   // A facet of K seen from one of its corners; the others are b and c. What lies over the facet has
@@ -388,25 +392,39 @@ std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices) {
       vertices.begin(), vertices.end(), [&](VertexId v) { return v != kNoId && add_site(v); }));
 }
 
+void CertifiedRecovery::find_crossings(const Facets& k, const BoxGrid& grid, FaceId f,
+                                       std::vector<VertexId>& found) const {
+  const Triangle& t = k.triangles[f];
+  if (collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]])) return;
+  grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
+    if (g >= f || !triangles_intersect(k.points, t, k.triangles[g])) return false;
+    VertexId worst = kNoId;
+    for (const VertexId v : k.witnesses[f]) worst = labels_.further(worst, v);
+    for (const VertexId v : k.witnesses[g]) worst = labels_.further(worst, v);
+    found.push_back(worst);
+    return false;
+  });
+}
+
 std::size_t CertifiedRecovery::part_crossings() {
   const Facets k = all_facets();
   BoxGrid grid(surface_.volume().box(), fitting_cell(k.points, k.triangles));
-  std::uint64_t crossings = 0;
-  std::vector<VertexId> between;
   for (FaceId f = 0; f < k.triangles.size(); ++f) {
     const Triangle& t = k.triangles[f];
     if (collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]])) continue;
-    const BoxGrid::Box box = grid.box_of(k.points, t);
-    grid.any(box, [&](FaceId g, const BoxGrid::Box&) {
-      if (!triangles_intersect(k.points, t, k.triangles[g])) return false;
-      ++crossings;
-      VertexId worst = kNoId;
-      for (const VertexId v : k.witnesses[f]) worst = labels_.further(worst, v);
-      for (const VertexId v : k.witnesses[g]) worst = labels_.further(worst, v);
-      between.push_back(worst);
-      return false;
-    });
-    grid.add(f, box);
+    grid.add(f, grid.box_of(k.points, t));
+  }
+  // Of every pair that crosses the vertex to insert, told by its later facet.
+  std::vector<std::vector<VertexId>> found(runs_of(k.triangles.size(), kRun));
+  for_each_run(parameters_.threads, k.triangles.size(), kRun,
+               [&](std::size_t run, std::size_t f, std::size_t end) {
+                 for (; f < end; ++f) find_crossings(k, grid, static_cast<FaceId>(f), found[run]);
+               });
+  std::uint64_t crossings = 0;
+  std::vector<VertexId> between;
+  for (const std::vector<VertexId>& own : found) {
+    crossings += own.size();
+    between.insert(between.end(), own.begin(), own.end());
   }
   report_[Counter::crossings_handed_over] = crossings;
   sort_out(between);
