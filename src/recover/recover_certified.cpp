@@ -2,23 +2,20 @@
 #include "recover/recover_certified.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/sorted_list.h"
-#include "base/triangle.h"
 #include "contour/block_order.h"
 #include "contour/bounded_volume.h"
-#include "delaunay/predicates.h"
-#include "embedding/triangle_pair.h"
 #include "recover/certificate.h"
+#include "recover/dual_crossings.h"
 #include "recover/fine_contour.h"
+#include "recover/fingers.h"
 #include "recover/poles.h"
 #include "recover/sample.h"
-#include "surface/box_grid.h"
 #include "surface/stage_progress.h"
 #include "surface/surface_point.h"
 
@@ -78,24 +75,9 @@ class CertifiedRecovery {
   // And to components that are inside out: four sites on a rod may be either way round.
   std::size_t turn_out();
   std::size_t add_sites(std::span<const VertexId> vertices);  // kNoId: none
-  struct Facets {
-    std::vector<Vec3> points;  // per site
-    std::vector<Triangle> triangles, witnesses;
-  };
-  Facets all_facets() const;
-  // For every facet before f that crosses it the vertex of T to insert.
-  void find_crossings(const Facets& k, const BoxGrid& grid, FaceId f,
-                      std::vector<VertexId>& found) const;
+  DualFacets all_facets() const;
   Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
-  // A facet of K seen from one of its corners; the others are b and c. What lies over the facet has
-  // coordinates along b and c, 0 or more, whose sum is at most 1; none where it has no area.
-  struct FacetFrame {
-    Vec3 towards_b, towards_c, normal, b, c;
-  };
-  // The vertex of T, of those at s, that is furthest from the facets there and further than asked
-  // for; kNoId: none is.
-  VertexId finger(VertexId s, std::vector<FacetFrame>& frames) const;
 
   const Isosurface& surface_;
   ContourMesh& contour_;
@@ -148,7 +130,7 @@ SurfaceMesh CertifiedRecovery::dual() {
   SurfaceMesh out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
   std::vector<Triangle> triangles;
-  const Facets k = all_facets();
+  const DualFacets k = all_facets();
   out.duals.resize(k.triangles.size());
   std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kRun));
   for_each_run(parameters_.threads, k.triangles.size(), kRun,
@@ -257,11 +239,12 @@ void CertifiedRecovery::settle() {
     certificate_.begin_round();
     for_each_run(parameters_.threads, round_.size(), kRun, [&](std::size_t n, std::size_t end) {
       Certificate::Scratch scratch;
-      std::vector<FacetFrame> frames;
+      FingerSearch fingers(contour_, labels_, triangulation_, parameters_.fingers);
       for (; n < end; ++n) {
         const VertexId s = round_[n];
         verdicts_[n] = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
-        if (verdicts_[n].violation == Violation::none) verdicts_[n].insert = finger(s, frames);
+        if (verdicts_[n].violation == Violation::none)
+          verdicts_[n].insert = fingers.find(s, facets_[s]);
         unready_[s] = kReadiness;
       }
     });
@@ -314,47 +297,8 @@ VertexId CertifiedRecovery::unready(VertexId s, SurfacePointFinder& finder,
   return worst;
 }
 
-VertexId CertifiedRecovery::finger(VertexId s, std::vector<FacetFrame>& frames) const {
-  const Vec3 site = triangulation_.point(s);
-  frames.clear();
-  for (const DualFacet& facet : facets_[s]) {
-    const Vec3 b = triangulation_.point(facet.sites[1]) - site;
-    const Vec3 c = triangulation_.point(facet.sites[2]) - site;
-    const Vec3 normal = cross(b, c);
-    const double scale = 1 / length2(normal);
-    frames.push_back(
-        {scale * cross(c, normal), scale * cross(normal, b), std::sqrt(scale) * normal, b, c});
-  }
-  VertexId worst = kNoId;
-  double worst2 = parameters_.fingers * parameters_.fingers;
-  std::size_t last = 0;
-  for (const VertexId v : labels_.region(s)) {
-    if (labels_.distance2_to_site(v) <= worst2) continue;
-    const Vec3 d = contour_.points[v] - site;
-    const auto is_over = [&](const FacetFrame& f) {
-      const double along_b = dot(d, f.towards_b), along_c = dot(d, f.towards_c);
-      const double height = dot(d, f.normal);
-      return along_b >= 0 && along_c >= 0 && along_b + along_c <= 1 && height * height <= worst2;
-    };
-    // What one vertex is over the next often is as well.
-    if (last < frames.size() && is_over(frames[last])) continue;
-    const auto over = std::find_if(frames.begin(), frames.end(), is_over);
-    last = static_cast<std::size_t>(over - frames.begin());
-    if (over != frames.end()) continue;
-    double nearest2 = labels_.distance2_to_site(v);
-    for (const FacetFrame& f : frames) {
-      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, f.b, f.c));
-      if (nearest2 <= worst2) break;
-    }
-    if (nearest2 <= worst2) continue;
-    worst = v;
-    worst2 = nearest2;
-  }
-  return worst;
-}
-
-CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {
-  Facets k;
+DualFacets CertifiedRecovery::all_facets() const {
+  DualFacets k;
   k.points.resize(facets_.size());
   for (VertexId s = 1; s < facets_.size(); ++s) {
     k.points[s] = triangulation_.point(s);
@@ -368,7 +312,7 @@ CertifiedRecovery::Facets CertifiedRecovery::all_facets() const {
 }
 
 std::size_t CertifiedRecovery::turn_out() {
-  const Facets k = all_facets();
+  const DualFacets k = all_facets();
   std::vector<std::uint32_t> component(k.points.size(), kNoId);
   for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
     if (contour_vertex_[s] != kNoId) component[s] = contour_.component[contour_vertex_[s]];
@@ -392,41 +336,10 @@ std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices) {
       vertices.begin(), vertices.end(), [&](VertexId v) { return v != kNoId && add_site(v); }));
 }
 
-void CertifiedRecovery::find_crossings(const Facets& k, const BoxGrid& grid, FaceId f,
-                                       std::vector<VertexId>& found) const {
-  const Triangle& t = k.triangles[f];
-  if (collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]])) return;
-  grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
-    if (g >= f || !triangles_intersect(k.points, t, k.triangles[g])) return false;
-    VertexId worst = kNoId;
-    for (const VertexId v : k.witnesses[f]) worst = labels_.further(worst, v);
-    for (const VertexId v : k.witnesses[g]) worst = labels_.further(worst, v);
-    found.push_back(worst);
-    return false;
-  });
-}
-
 std::size_t CertifiedRecovery::part_crossings() {
-  const Facets k = all_facets();
-  BoxGrid grid(surface_.volume().box(), fitting_cell(k.points, k.triangles));
-  for (FaceId f = 0; f < k.triangles.size(); ++f) {
-    const Triangle& t = k.triangles[f];
-    if (collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]])) continue;
-    grid.add(f, grid.box_of(k.points, t));
-  }
-  // Of every pair that crosses the vertex to insert, told by its later facet.
-  std::vector<std::vector<VertexId>> found(runs_of(k.triangles.size(), kRun));
-  for_each_run(parameters_.threads, k.triangles.size(), kRun,
-               [&](std::size_t run, std::size_t f, std::size_t end) {
-                 for (; f < end; ++f) find_crossings(k, grid, static_cast<FaceId>(f), found[run]);
-               });
-  std::uint64_t crossings = 0;
-  std::vector<VertexId> between;
-  for (const std::vector<VertexId>& own : found) {
-    crossings += own.size();
-    between.insert(between.end(), own.begin(), own.end());
-  }
-  report_[Counter::crossings_handed_over] = crossings;
+  std::vector<VertexId> between =
+      between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
+  report_[Counter::crossings_handed_over] = between.size();
   sort_out(between);
   return add_sites(between);
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "recover/dual_crossings.h"
+
+#include "base/parallel.h"
+#include "delaunay/predicates.h"
+#include "embedding/triangle_pair.h"
+#include "surface/box_grid.h"
+
+namespace deliso {
+
+std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& labels, const Box3& box,
+                                        int threads) {
+  constexpr std::size_t kRun = 256;
+  BoxGrid grid(box, fitting_cell(k.points, k.triangles));
+  const auto is_flat = [&](const Triangle& t) {
+    return collinear(k.points[t[0]], k.points[t[1]], k.points[t[2]]);
+  };
+  for (FaceId f = 0; f < k.triangles.size(); ++f) {
+    if (!is_flat(k.triangles[f])) grid.add(f, grid.box_of(k.points, k.triangles[f]));
+  }
+  // Each pair is told by its later facet.
+  const auto add_crossings_of = [&](FaceId f, std::vector<VertexId>& found) {
+    const Triangle& t = k.triangles[f];
+    if (is_flat(t)) return;
+    grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
+      if (g >= f || !triangles_intersect(k.points, t, k.triangles[g])) return false;
+      VertexId worst = kNoId;
+      for (const VertexId v : k.witnesses[f]) worst = labels.further(worst, v);
+      for (const VertexId v : k.witnesses[g]) worst = labels.further(worst, v);
+      found.push_back(worst);
+      return false;
+    });
+  };
+  std::vector<std::vector<VertexId>> parts(runs_of(k.triangles.size(), kRun));
+  for_each_run(threads, k.triangles.size(), kRun,
+               [&](std::size_t run, std::size_t f, std::size_t end) {
+                 for (; f < end; ++f) add_crossings_of(static_cast<FaceId>(f), parts[run]);
+               });
+  std::vector<VertexId> all;
+  for (const std::vector<VertexId>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace deliso
