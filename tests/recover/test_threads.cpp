@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Stage 1 in threads: T, its graph, labels and K are the same with any number of them.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "contour/block_order.h"
+#include "deliso/fields.h"
+#include "deliso/options.h"
+#include "recover/labels.h"
+#include "recover/recover_certified.h"
+#include "recover/sample.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Outcome {
+  Recovered recovered;
+  Report report;
+};
+
+Outcome stage_1(const Scene& scene, int threads) {
+  Options options;
+  options.threads = threads;
+  Report report;
+  ContourMesh contour = build_contour(scene.volume, scene.surface.kappa(), threads);
+  Recovered recovered =
+      recover_certified(scene.surface, std::move(contour), resolve(options, scene.volume), report);
+  return {std::move(recovered), std::move(report)};
+}
+
+void check_same(const Outcome& a, const Outcome& b) {
+  const SurfaceMesh &m = a.recovered.mesh, &n = b.recovered.mesh;
+  CHECK(m.mesh.points == n.mesh.points);
+  CHECK(std::equal(m.mesh.faces.begin(), m.mesh.faces.end(), n.mesh.faces.begin(),
+                   n.mesh.faces.end(), [](const Face& f, const Face& g) { return f.v == g.v; }));
+  CHECK(std::equal(m.duals.begin(), m.duals.end(), n.duals.begin(), n.duals.end(),
+                   [](const Dual& d, const Dual& e) {
+                     return d.center == e.center && d.radius2 == e.radius2 &&
+                            d.on_surface == e.on_surface;
+                   }));
+  for (VertexId v = 0; v < m.mesh.points.size(); ++v) {
+    REQUIRE(m.chain.is_boundary(v) == n.chain.is_boundary(v));
+    if (m.chain.is_boundary(v)) REQUIRE(m.chain.next(v) == n.chain.next(v));
+  }
+  CHECK(a.recovered.witnesses == b.recovered.witnesses);
+  CHECK(a.report.counters == b.report.counters);
+  CHECK(a.report.searches_recover.searches == b.report.searches_recover.searches);
+  CHECK(a.report.searches_recover.computations == b.report.searches_recover.computations);
+}
+
+}  // namespace
+
+TEST_CASE("Stage 1 hands over the same with any number of threads") {
+  const auto check = [](const Scene& scene) {
+    const Outcome one = stage_1(scene, 1);
+    CHECK(one.recovered.mesh.mesh.points.size() > 100);
+    for (const int threads : {2, 3, 8}) {
+      CAPTURE(threads);
+      check_same(stage_1(scene, threads), one);
+    }
+  };
+  for (const char* name : {"gyroid", "noise", "machine"}) {
+    CAPTURE(name);
+    check(builtin_scene(name, 48));
+  }
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    check(wave_scene(seed, 20));
+  }
+}
+
+TEST_CASE("labels and rings are the same with any number of threads, and rings go round") {
+  Scene scene = builtin_scene("gyroid", 64);
+  ContourMesh& contour = scene.contour;
+  order_by_blocks(contour, scene.volume);
+  REQUIRE(contour.points.size() > 20000);
+  const BoundaryCurves curves = boundary_curves(scene.surface, contour);
+  Report report;
+  const InitialSites sites =
+      init_sites(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);
+  const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
+  const Labels one(contour, sites.triangulation, kept, 1);
+  const ContourGraph graph(contour, 1);
+
+  std::vector<Triangle> round;
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::span<const VertexId> ring = graph.ring(v);
+    const bool inner = graph.chain_next(v) == kNoId;
+    CHECK(inner != contour.on_boundary(v));
+    if (!inner) {
+      REQUIRE(ring.front() == graph.chain_next(v));
+      REQUIRE(ring.back() == graph.chain_previous(v));
+    }
+    for (std::size_t n = 0; n + !inner < ring.size(); ++n) {
+      const VertexId u = ring[n], w = ring[(n + 1) % ring.size()];
+      if (v < u && v < w) round.push_back({v, u, w});
+    }
+  }
+  std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  std::sort(round.begin(), round.end());
+  CHECK(round == triangles);
+
+  for (const int threads : {2, 3, 8}) {
+    CAPTURE(threads);
+    const Labels several(contour, sites.triangulation, kept, threads);
+    CHECK(std::ranges::equal(several.all(), one.all()));
+    const ContourGraph rings(contour, threads);
+    for (VertexId v = 0; v < contour.points.size(); ++v) {
+      REQUIRE(std::ranges::equal(rings.ring(v), graph.ring(v)));
+    }
+  }
+}
