@@ -29,6 +29,9 @@ constexpr double kSettling = 0.85, kTests = 0.5;
 // So many sites or facets make a task for a thread.
 constexpr std::size_t kRun = 64;
 
+// Of many queued sites every so manieth is looked at together.
+constexpr std::size_t kApart = 8;
+
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
@@ -64,6 +67,9 @@ class CertifiedRecovery {
   // Where samples are such that vertices of T coincide, several have one site at distance 0, and
   // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
   bool part_coincident(VertexId s);
+  // Takes the round from the queue: of many every so manieth, since sites next to each other often
+  // follow each other there, and what one adds makes the other's answer old.
+  void begin_round();
   // Adds sites until every one holds the certificate and has no finger.
   void settle();
   // Every facet is to find its surface point, or to be too small for Stage 2 to look at.
@@ -227,14 +233,27 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
   return false;
 }
 
-// Round by round: what all queued sites say is found out first, in threads, since nothing changes
+void CertifiedRecovery::begin_round() {
+  const std::size_t apart = queue_.size() < kApart * kRun ? 1 : kApart;
+  round_.clear();
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < queue_.size(); ++n) {
+    if (n % apart != 0) {
+      queue_[kept++] = queue_[n];
+    } else {
+      round_.push_back(queue_[n]);
+      queued_[queue_[n]] = 0;
+    }
+  }
+  queue_.resize(kept);
+}
+
+// Round by round: what all sites of one say is found out first, in threads, since nothing changes
 // meanwhile. Then sites are added one by one; where one of these has changed a site, what that one
 // said is out of date, and it says it again in the next round.
 void CertifiedRecovery::settle() {
   while (!queue_.empty()) {
-    round_.clear();
-    std::swap(round_, queue_);
-    for (const VertexId s : round_) queued_[s] = 0;
+    begin_round();
     verdicts_.resize(round_.size());
     certificate_.begin_round();
     for_each_run(parameters_.threads, round_.size(), kRun, [&](std::size_t n, std::size_t end) {
