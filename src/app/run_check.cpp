@@ -21,7 +21,7 @@ int run_check(const CommandLine& line) {
   VerifyOptions options = verify_options(line, volume, noted);
   options.position_error = bring_home(mesh, volume.frame());
   const Verification result =
-      verify(mesh, volume, settled_isovalue(volume, *line.isovalue), options);
+      verify(mesh, volume, settled_isovalue(volume, *line.isovalue, options.threads), options);
 
   if (!line.json.empty()) {
     JsonWriter json("check");

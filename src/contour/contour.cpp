@@ -138,17 +138,18 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
   return stream(volume, kappa, slabs, sinks, threads).summary;
 }
 
-double settled_isovalue(const Volume& volume, double kappa) {
-  const double effective = effective_isovalue(volume, kappa);
-  return summarize_contour(volume, effective).tied_saddles > 0 ? lowered_isovalue(volume, effective)
-                                                               : effective;
+double settled_isovalue(const Volume& volume, double kappa, int threads) {
+  const double effective = effective_isovalue(volume, kappa, threads);
+  return summarize_contour(volume, effective, threads).tied_saddles > 0
+             ? lowered_isovalue(volume, effective, threads)
+             : effective;
 }
 
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
-  kappa = effective_isovalue(volume, kappa);
+  kappa = effective_isovalue(volume, kappa, threads);
   ContourMesh contour = build_contour(volume, kappa, threads);
   if (contour.summary.tied_saddles == 0) return contour;
-  kappa = lowered_isovalue(volume, kappa);
+  kappa = lowered_isovalue(volume, kappa, threads);
   return build_contour(volume, kappa, threads);
 }
 
