@@ -13,7 +13,7 @@ namespace {
 // Cells of the grids are near the size of most facets: a few times what the criteria ask for once
 // all is done, unless most are as small from the first. A bound on h asks for no r below the root
 // of it, in voxels, but at creases; a small r_min asks for nothing by itself.
-constexpr double kCell = 6;
+constexpr double kCell = 12;
 constexpr double kFine = 0.2;  // voxels
 
 double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
