@@ -61,10 +61,12 @@ Vec3 inwards(unsigned faces) {
 
 class BoxLeaver {
  public:
-  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, const Parameters& parameters, Report& report)
+  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, unsigned faces, const Parameters& parameters,
+            Report& report)
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
+        faces_(faces),
         off_(distances_off(surface.volume(), parameters.voxel)),
         surface_(surface),
         parameters_(parameters),
@@ -74,9 +76,11 @@ class BoxLeaver {
   std::size_t run();
 
  private:
-  unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_); }
+  unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_) & faces_; }
   // Those that p does not lie off by enough.
-  unsigned faces_near(const Vec3& p) const { return box_faces_at(p, box_, 0.5 * off_.back()); }
+  unsigned faces_near(const Vec3& p) const {
+    return box_faces_at(p, box_, 0.5 * off_.back()) & faces_;
+  }
   // The faces that both ends of the edge of f opposite its corner i lie on.
   unsigned faces_at_edge(FaceId f, int i) const {
     const Triangle& v = mesh_.faces[f].v;
@@ -117,6 +121,7 @@ class BoxLeaver {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   const Box3 box_;
+  const unsigned faces_;
   const std::vector<double> off_;  // descending
   const Isosurface& surface_;
   Parameters parameters_;
@@ -276,9 +281,9 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
 
 }  // namespace
 
-std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, const Parameters& parameters,
-                      Report& report) {
-  return BoxLeaver(s, surface, parameters, report).run();
+std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, unsigned faces,
+                      const Parameters& parameters, Report& report) {
+  return BoxLeaver(s, surface, faces, parameters, report).run();
 }
 
 }  // namespace deliso

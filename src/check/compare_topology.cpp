@@ -60,7 +60,7 @@ class LoneComponents {
     constexpr double kMargin = 1e-6;
     const Index3 voxel = volume_.voxel_at(p);
     for (int axis = 0; axis < 3; ++axis) {
-      const double u = p[axis] / volume_.spacing()[axis] - voxel[axis];
+      const double u = volume_.in_samples(p, axis) - voxel[axis];
       if (!(u > kMargin && u < 1 - kMargin)) return kNoId;
     }
     const std::uint64_t number = voxel_number(volume_.dims(), voxel);

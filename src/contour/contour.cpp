@@ -140,6 +140,7 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
 
 double settled_isovalue(const Volume& volume, double kappa, int threads) {
   const double effective = effective_isovalue(volume, kappa, threads);
+  if (volume.is_block()) return effective;
   return summarize_contour(volume, effective, threads).tied_saddles > 0
              ? lowered_isovalue(volume, effective, threads)
              : effective;
@@ -148,7 +149,7 @@ double settled_isovalue(const Volume& volume, double kappa, int threads) {
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
   kappa = effective_isovalue(volume, kappa, threads);
   ContourMesh contour = build_contour(volume, kappa, threads);
-  if (contour.summary.tied_saddles == 0) return contour;
+  if (contour.summary.tied_saddles == 0 || volume.is_block()) return contour;
   kappa = lowered_isovalue(volume, kappa, threads);
   return build_contour(volume, kappa, threads);
 }

@@ -147,7 +147,8 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
 
 // The isovalue that the geometry works at: effective_isovalue(), lowered once more where saddles
 // are tied. Sigma meets itself there (a checkerboard at its mean is nothing but that); a tied
-// saddle counts as inside, so lowering kappa keeps the topology and parts what touches.
+// saddle counts as inside, so lowering kappa keeps the topology and parts what touches. Of a block
+// it is isovalue_of_blocks().
 double settled_isovalue(const Volume& volume, double kappa, int threads = 1);
 // T at that isovalue, which kappa becomes.
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads = 1);

@@ -29,7 +29,12 @@ constexpr double kCrossingMargin = 1e-11;
 class PieceMesher {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume)
-      : mesh_(mesh), spacing_(volume.spacing()), dims_(volume.dims()) {}
+      : mesh_(mesh), spacing_(volume.spacing()), dims_(volume.dims()), first_(volume.first()) {}
+
+  // Where a sample lies, in voxels.
+  Vec3 place(Index3 sample) const {
+    return to_vec3({first_.i + sample.i, first_.j + sample.j, first_.k + sample.k});
+  }
 
   // Room for T, so that it need not move while it grows: 1.9 vertices per crossing, two triangles
   // per vertex.
@@ -42,22 +47,22 @@ class PieceMesher {
   }
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
-    Vec3 p = to_vec3(sample);
+    Vec3 p = place(sample);
     p[axis] += std::clamp(c0 / (c0 - c1), kCrossingMargin, 1 - kCrossingMargin);
     return add_at(p, box_faces);
   }
 
   void voxel(const VoxelPieces& pieces) {
     begin_voxel();
-    cell({to_vec3(pieces.voxel), {1, 1, 1}}, pieces);
+    cell({place(pieces.voxel), {1, 1, 1}}, pieces);
     end_voxel(pieces.voxel, is_crowded(pieces.loops));
   }
 
   // Around all cells of a voxel. `crowded`: its triangles might cross.
-  void begin_voxel() { first_ = mesh_.triangles.size(); }
+  void begin_voxel() { first_triangle_ = mesh_.triangles.size(); }
   void end_voxel(Index3 voxel, bool crowded) {
     if (!crowded) return;
-    mesh_.crowded.push_back({voxel_number(dims_, voxel), first_, mesh_.triangles.size()});
+    mesh_.crowded.push_back({voxel_number(dims_, voxel), first_triangle_, mesh_.triangles.size()});
   }
   // Several pieces, or one whose star bends far.
   static bool is_crowded(const VoxelLoops& loops) { return loops.count > 1 || loops.first[1] > 6; }
@@ -172,8 +177,8 @@ class PieceMesher {
 
   ContourMesh& mesh_;
   Vec3 spacing_;
-  Index3 dims_;
-  std::size_t first_ = 0;
+  Index3 dims_, first_;
+  std::size_t first_triangle_ = 0;
 };
 
 }  // namespace deliso

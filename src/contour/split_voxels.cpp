@@ -210,7 +210,7 @@ void SplitMesher::name_face(Size& size, Index3 voxel, int f) {
 VertexId SplitMesher::add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot,
                                    int box_faces) {
   const Vec3 u = size.fine.crossing(slot);
-  return mesher_.add_at(to_vec3(voxel) + u, static_cast<std::uint8_t>(box_faces));
+  return mesher_.add_at(mesher_.place(voxel) + u, static_cast<std::uint8_t>(box_faces));
 }
 
 bool SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
@@ -223,7 +223,7 @@ bool SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
   bool crowded = false;
   for (const FineVoxel::Cell& cell : size.fine.cells()) {
     CellFrame frame = size.fine.frame(cell);
-    frame.low = frame.low + to_vec3(p.voxel);
+    frame.low = frame.low + mesher_.place(p.voxel);
     const VoxelLoops& loops = cell.loops;
     VoxelPieces pieces(p.voxel, cell.corners, loops, cell.tube);
     for (int n = 0; n < loops.first[loops.count]; ++n) {
@@ -280,7 +280,7 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
       }
     }
   }
-  const CellFrame frame{to_vec3(p.voxel), {1, 1, 1}};
+  const CellFrame frame{mesher_.place(p.voxel), {1, 1, 1}};
   for (int l = 0; l < p.loops.count; ++l) {
     if (p.tube && l == p.tube.b) continue;
     if (p.tube && l == p.tube.a) {

@@ -3,11 +3,13 @@
 
 #include "baseline/marching_cubes.h"
 #include "cap/close_on_box.h"
+#include "cap/leave_box.h"
 #include "contour/contour.h"
 #include "contour/dissolve.h"
 #include "kdtree/voxel_tree.h"
 #include "recover/recover_certified.h"
 #include "recover/recover_paper.h"
+#include "refine/clear_seam.h"
 #include "refine/refine.h"
 #include "surface/stage_progress.h"
 
@@ -68,8 +70,15 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
       options.recover == RecoverWay::certified
           ? recover_certified(surface, std::move(contour), parameters, report)
           : recover_paper(surface, std::move(contour), parameters, options.single_stage, report);
+  const unsigned inner_faces = volume.inner_faces();
+  if (inner_faces != 0) clear_seam(s.mesh, surface, s.curves, parameters, report);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
+  }
+  if (inner_faces != 0) {
+    clear_seam(s.mesh, surface, s.curves, parameters, report);
+    report[Counter::cap_not_lifted] +=
+        leave_box(s.mesh, surface, inner_faces, parameters, report);
   }
   if (options.cap) {
     begin("cap");

@@ -40,7 +40,7 @@ class FaceLine {
   int axis_u() const { return (across_ + 1) % 3; }
   int axis_v() const { return (across_ + 2) % 3; }
   double grid(int axis, double t) const {
-    return (from_[axis] + t * direction_[axis]) / volume_.spacing()[axis];
+    return volume_.in_samples(from_ + t * direction_, axis);
   }
 
   double next_grid_line(double t) const {

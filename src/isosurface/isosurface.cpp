@@ -44,10 +44,10 @@ struct Nearest {
   Hit hit{};
   double distance = std::numeric_limits<double>::infinity();
 
-  void offer(const VoxelSpan& span, double s, const Vec3& spacing) {
+  void offer(const VoxelSpan& span, double s, const Volume& volume) {
     const double t = parameter_at(span, s);
     if (!(std::abs(t) < distance || (std::abs(t) == distance && t > hit.t))) return;
-    hit = {t, point_at(span, s, spacing)};
+    hit = {t, point_at(span, s, volume)};
     distance = std::abs(t);
   }
 };
@@ -86,7 +86,7 @@ class Side {
     const Roots roots = field_.roots(span);
     ++computations;
     if (roots.count == 0) return false;
-    best.offer(span, backward_ ? roots.back() : roots.front(), field_.volume.spacing());
+    best.offer(span, backward_ ? roots.back() : roots.front(), field_.volume);
     return true;
   }
 
@@ -110,7 +110,7 @@ Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const Lattice
   const VoxelSpan first = line.span(voxel, range);
   if (field.active(voxel) && !first.empty()) {
     ++computations;
-    for (const double s : field.roots(first)) best.offer(first, s, field.volume.spacing());
+    for (const double s : field.roots(first)) best.offer(first, s, field.volume);
   }
   if (best.distance < -first.t0 && best.distance < first.t1) return best;
 
@@ -160,7 +160,7 @@ void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
       const auto solve = [&](const VoxelSpan& span) {
         ++computations;
         for (const double s : field.roots(span))
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume_.spacing())});
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume_)});
         return false;
       };
       if (!line.is_shorter(range, kWalkedVoxels)) {

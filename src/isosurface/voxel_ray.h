@@ -68,13 +68,15 @@ inline double parameter_at(const VoxelSpan& span, double s) {
 
 // The point there (scaled frame), in the voxel. It comes from the voxel's own coordinates, not from
 // the parameter: that keeps g at kappa even where t is large.
-inline Vec3 point_at(const VoxelSpan& span, double s, const Vec3& spacing) {
+inline Vec3 point_at(const VoxelSpan& span, double s, const Volume& volume) {
+  const Vec3 spacing = volume.spacing();
+  const Index3 first = volume.first();
   const auto along = [s](int n, double u0, double u1, double size) {
     return (n + greater(smaller(u0 + s * (u1 - u0), 1.0), 0.0)) * size;
   };
-  return {along(span.voxel.i, span.u0.x, span.u1.x, spacing.x),
-          along(span.voxel.j, span.u0.y, span.u1.y, spacing.y),
-          along(span.voxel.k, span.u0.z, span.u1.z, spacing.z)};
+  return {along(first.i + span.voxel.i, span.u0.x, span.u1.x, spacing.x),
+          along(first.j + span.voxel.j, span.u0.y, span.u1.y, spacing.y),
+          along(first.k + span.voxel.k, span.u0.z, span.u1.z, spacing.z)};
 }
 
 }  // namespace deliso

@@ -33,8 +33,11 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 VoxelTree::VoxelTree(const Volume& volume, int threads)
     : volume_(volume),
       per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
-      top_(volume.box().hi) {
-  for (int axis = 0; axis < 3; ++axis) top_in_voxels_[axis] = volume.voxels()[axis];
+      box_(volume.box()) {
+  for (int axis = 0; axis < 3; ++axis) {
+    first_[axis] = volume.first()[axis];
+    top_in_voxels_[axis] = volume.voxels()[axis];
+  }
   choose_axes();
   volume.visit([&](const auto* samples) { build(samples, threads); });
 }

@@ -63,8 +63,9 @@ class VoxelTree {
   // in the box of voxels too, however the spacing rounds.
   LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
     const auto in_voxels = [&](int axis) {
-      const double u = origin[axis] * per_spacing_[axis];
-      return origin[axis] <= top_[axis] ? smaller(u, top_in_voxels_[axis]) : u;
+      const double u = origin[axis] * per_spacing_[axis] - first_[axis];
+      const double below = origin[axis] <= box_.hi[axis] ? smaller(u, top_in_voxels_[axis]) : u;
+      return origin[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
     };
     return {
         {in_voxels(0), in_voxels(1), in_voxels(2)},
@@ -97,7 +98,8 @@ class VoxelTree {
   void choose_axes();
 
   const Volume& volume_;
-  Vec3 per_spacing_, top_, top_in_voxels_;
+  Vec3 per_spacing_, first_, top_in_voxels_;
+  Box3 box_;
   int depth_ = 0;                               // levels of inner nodes
   std::array<std::uint8_t, kMaxDepth> axis_{};  // across which each level splits
   std::variant<Nodes<std::uint8_t>, Nodes<std::int8_t>, Nodes<std::uint16_t>, Nodes<std::int16_t>,

@@ -88,7 +88,7 @@ void for_each_coordinate(const WorldMesh& mesh, bool single_precision, Put put) 
   }
 }
 
-void write_ply(AtomicFile& out, const WorldMesh& mesh, bool single_precision, bool ascii);
+void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
 void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_stl(AtomicFile& out, const WorldMesh& mesh);

@@ -34,10 +34,7 @@ void require_in_range(const std::vector<Vec3>& points, const std::string& name, 
   }
 }
 
-}  // namespace
-
-TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
-                   std::vector<std::string>* comments) {
+MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::string& name) {
   MeshParts parts;
   switch (format) {
     case MeshFormat::ply:
@@ -60,6 +57,14 @@ TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string&
     throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
   }
   require_in_range(parts.points, name, format == MeshFormat::obj ? 1 : 0);
+  return parts;
+}
+
+}  // namespace
+
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                   std::vector<std::string>* comments) {
+  MeshParts parts = parse_parts(bytes, format, name);
   if (comments != nullptr) *comments = std::move(parts.comments);
   return make_tri_mesh(std::move(parts.points), parts.triangles);
 }
@@ -71,6 +76,15 @@ TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
   }
   const MeshFormat format = mesh_format_of(path);
   return parse_mesh(open_file(path).text(), format, path, comments);
+}
+
+MeshPart read_part(const std::string& path) {
+  MeshParts parts = parse_parts(open_file(path).text(), MeshFormat::ply, path);
+  return {std::move(parts.points), std::move(parts.triangles), std::move(parts.seam)};
+}
+
+std::vector<std::string> read_ply_comments(const std::string& path) {
+  return parse_ply_comments(open_file(path).text(), path);
 }
 
 }  // namespace deliso

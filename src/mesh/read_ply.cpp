@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // PLY (Turk 1994): a text header that names elements and their properties, then the elements' data,
 // as words or as binary of either byte order. Of `vertex` the properties x, y, z are read, of
-// `face` the list vertex_indices (or vertex_index); everything else is skipped by its declared
-// type.
+// `face` the list vertex_indices (or vertex_index), of `seam` what mesh/seam_vertex.h says;
+// everything else is skipped by its declared type.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -283,6 +284,35 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
   }
 }
 
+// Rows of whole numbers, all properties there and in order; else the element is somebody else's.
+template <class Source>
+void read_seam(Source& source, const Element& element, std::uint64_t vertices, MeshParts& mesh) {
+  for (std::uint64_t n = 0; n < element.count; ++n) {
+    std::array<std::int32_t, kSeamProperties.size()> row{};
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double value = source.next(element.properties[i].type);
+      const double most = i == 0 ? static_cast<double>(vertices) - 1
+                          : i == 1
+                              ? 2
+                              : static_cast<double>(std::numeric_limits<std::int32_t>::max());
+      if (!(value >= 0 && value <= most)) {
+        source.fail(text(kSeamProperties[i], " of seam vertex ", n, " is ", value));
+      }
+      row[i] = static_cast<std::int32_t>(value);
+    }
+    mesh.seam.push_back({static_cast<VertexId>(row[0]), {row[1], {row[2], row[3], row[4]}}});
+  }
+}
+
+bool is_seam(const Element& element) {
+  return element.name == "seam" &&
+         std::ranges::equal(element.properties, kSeamProperties,
+                            [](const Property& property, const char* name) {
+                              return property.name == name && property.type == Type::i32 &&
+                                     !property.is_list;
+                            });
+}
+
 template <class Source>
 MeshParts read_elements(Source source, const Header& header) {
   MeshParts mesh;
@@ -297,6 +327,8 @@ MeshParts read_elements(Source source, const Header& header) {
       read_vertices(source, element, mesh);
     } else if (element.name == "face") {
       read_faces(source, element, vertex->count, mesh);
+    } else if (is_seam(element)) {
+      read_seam(source, element, vertex->count, mesh);
     } else if (!element.properties.empty()) {
       for (std::uint64_t i = 0; i < element.count; ++i) {
         for (const Property& property : element.properties) skip_property(source, property);
@@ -308,6 +340,11 @@ MeshParts read_elements(Source source, const Header& header) {
 }
 
 }  // namespace
+
+std::vector<std::string> parse_ply_comments(std::string_view bytes, const std::string& name) {
+  Lines lines(bytes, name);
+  return parse_header(lines).comments;
+}
 
 MeshParts parse_ply(std::string_view bytes, const std::string& name) {
   Lines lines(bytes, name);

@@ -69,7 +69,7 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
   AtomicFile out(path, options.sync);
   switch (format) {
     case MeshFormat::ply:
-      write_ply(out, world, options.single_precision, options.ascii);
+      write_ply(out, world, options);
       break;
     case MeshFormat::off:
       write_off(out, world, options.single_precision);

@@ -15,7 +15,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "mesh/seam_vertex.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -37,6 +39,8 @@ struct MeshWriteOptions {
   bool ascii = false;                  // PLY only
   bool sync = false;                   // wait until the bytes are on the medium
   std::string comment{};               // empty: none
+  // PLY only: of a part of a mesh; an element `seam` behind the facets.
+  std::vector<SeamVertex> seam{};
 };
 
 // The points as the file will hold them: in the world, rounded to float where that is asked for, or

@@ -214,6 +214,8 @@ bool CertifiedRecovery::add_site(VertexId v) {
 bool CertifiedRecovery::part_coincident(VertexId s) {
   for (const VertexId v : labels_.region(s)) {
     if (v == contour_vertex_[s] || labels_.distance2_to_site(v) > 0) continue;
+    // The block beyond would not know of it.
+    if ((contour_.box_faces[v] & surface_.volume().inner_faces()) != 0) continue;
     // Vertices on the box move along their chain, so that they stay there.
     Vec3 along;
     if (contour_.on_boundary(v)) {

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "base/random.h"
+#include "surface/seam.h"
 
 namespace deliso {
 namespace {
@@ -285,10 +286,11 @@ BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& con
   for (std::size_t c = 0; c < loops.size(); ++c) {
     for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
       loops[c].points.push_back(contour.points[chains.vertices[k]]);
-      loops[c].corners.push_back(chains.on_box_edge[k]);
+      loops[c].kept.push_back(chains.on_box_edge[k]);
       loops[c].faces.push_back(chains.face[k]);
     }
   }
+  keep_seams(surface.volume(), loops);
   return {surface, std::move(loops)};
 }
 

@@ -32,8 +32,19 @@ Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Ju
 bool Collapser::may_go(VertexId v) const {
   if (v >= of_stage1_) return false;
   if (!s_.chain.is_boundary(v)) return true;
-  return !curves_.is_corner(s_.chain.place(v)) &&
-         s_.chain.next(s_.chain.next(s_.chain.next(v))) != v;  // a loop of three
+  const VertexId next = s_.chain.next(v), before = s_.chain.previous(v);
+  return !curves_.is_kept(s_.chain.place(v)) &&
+         s_.chain.next(s_.chain.next(next)) != v &&  // a loop of three
+         !curves_.runs_beside_seam(s_.chain.place(before), mesh_.points[before],
+                                   s_.chain.place(next), mesh_.points[next]);
+}
+
+bool Collapser::take_out(FaceId f, VertexId v) {
+  const auto merge_into = [&](VertexId to) {
+    return !report_[Rung::collapse].count(merge(f, v, to, [] { return true; }));
+  };
+  const VertexId next = s_.chain.next(v), before = s_.chain.previous(v);
+  return merge_into(before) || merge_into(next);
 }
 
 // Whether v and w would be joined within a face of the box by an edge that is not of its boundary.

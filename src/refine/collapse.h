@@ -24,6 +24,8 @@ class Collapser {
   // Merges a corner of f into a neighbour, whatever the distance, where that leaves fewer facets
   // around it that no insertion mends.
   bool take_out_corner(FaceId f);
+  // Merges v, a corner of f on the boundary, into a neighbour there, whatever becomes of shapes.
+  bool take_out(FaceId f, VertexId v);
   std::span<const FaceId> created() const { return change_.created; }
 
  private:

@@ -106,7 +106,8 @@ std::optional<Inserter::ChainEdge> Inserter::on_chain(EdgeRef edge) const {
 bool Inserter::split_boundary(EdgeRef edge) {
   const auto ends = on_chain(edge);
   const double shortest = kShortestBoundaryEdge * parameters_.r_min;
-  if (!ends || distance2(mesh_.points[ends->from], mesh_.points[ends->to]) < shortest * shortest) {
+  if (!ends || curves_.begins_seam(s_.chain.place(ends->from)) ||
+      distance2(mesh_.points[ends->from], mesh_.points[ends->to]) < shortest * shortest) {
     return false;
   }
   const auto middle = curves_.split(s_.chain.place(ends->from), mesh_.points[ends->from],
@@ -119,7 +120,7 @@ bool Inserter::split_boundary(EdgeRef edge) {
 
 bool Inserter::leaves_curve(EdgeRef edge) const {
   const auto ends = on_chain(edge);
-  if (!ends) return false;
+  if (!ends || curves_.begins_seam(s_.chain.place(ends->from))) return false;
   const Vec3 &a = mesh_.points[ends->from], &b = mesh_.points[ends->to];
   const double r = 0.5 * distance(a, b);
   const Criteria& limit = parameters_.refinement;

@@ -24,9 +24,27 @@ const Vec3& BoundaryCurves::point(CurvePlace place) const {
   return loops_[place.loop].points[static_cast<std::size_t>(place.s)];
 }
 
-bool BoundaryCurves::is_corner(CurvePlace place) const {
+bool BoundaryCurves::is_kept(CurvePlace place) const {
   return place.s == std::floor(place.s) &&
-         loops_[place.loop].corners[static_cast<std::size_t>(place.s)] != 0;
+         loops_[place.loop].kept[static_cast<std::size_t>(place.s)] != 0;
+}
+
+bool BoundaryCurves::begins_seam(CurvePlace place) const {
+  const BoxFace face = loops_[place.loop].faces[static_cast<std::size_t>(place.s)];
+  return (surface_.volume().inner_faces() >> face & 1) != 0;
+}
+
+bool BoundaryCurves::is_on_seam(CurvePlace place) const {
+  if (begins_seam(place)) return true;
+  if (place.s != std::floor(place.s)) return false;
+  const double last = static_cast<double>(loops_[place.loop].faces.size()) - 1;
+  return begins_seam({place.loop, place.s > 0 ? place.s - 1 : last});
+}
+
+bool BoundaryCurves::runs_beside_seam(CurvePlace a, const Vec3& pa, CurvePlace b,
+                                      const Vec3& pb) const {
+  const int common = (pa.x == pb.x) + (pa.y == pb.y) + (pa.z == pb.z);
+  return common >= 2 && is_on_seam(a) && is_on_seam(b);
 }
 
 std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double sagitta) const {
@@ -34,7 +52,7 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   const std::size_t n = points.size();
   std::vector<std::size_t> keep;
   for (std::size_t i = 0; i < n; ++i) {
-    if (loops_[loop].corners[i]) keep.push_back(i);
+    if (loops_[loop].kept[i]) keep.push_back(i);
   }
   // Three ends at least, so that no two edges of the chain join the same two vertices.
   if (keep.size() < 3) {
@@ -50,15 +68,19 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
     while (!ends.empty()) {
       const std::size_t to = ends.back();
       const Vec3 &a = points[from % n], &b = points[to % n];
+      const CurvePlace start{loop, static_cast<double>(from % n)};
+      const CurvePlace end{loop, static_cast<double>(to % n)};
+      const bool on_seam = begins_seam(start);
       double worst = 0;
-      for (std::size_t i = from + 1; i < to; ++i) {
+      for (std::size_t i = from + 1; i < to && !on_seam; ++i) {
         worst = std::max(worst, distance_to_chord2(points[i % n], a, b));
       }
-      if (worst > sagitta * sagitta * distance2(a, b)) {
+      if (worst > sagitta * sagitta * distance2(a, b) ||
+          (to > from + 1 && !on_seam && runs_beside_seam(start, a, end, b))) {
         ends.push_back((from + to) / 2);
         continue;
       }
-      chain.push_back({loop, static_cast<double>(from % n)});
+      chain.push_back(start);
       from = to;
       ends.pop_back();
     }

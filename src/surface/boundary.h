@@ -6,6 +6,11 @@
 // begin with, split in the middle of an edge's arc whenever a point encroaches upon the edge, that
 // is, lies in its diametral ball. Splitting goes on below voxel size: there the middle is a root on
 // the bilinear arc. Both stages share this; only vertex ids change between them.
+//
+// Where the volume is a block of a larger one, the part of a curve in an inner face is a seam: the
+// block beyond has the same, so the mesh's vertices there are those that both choose from the
+// samples of the face alone (surface/seam.h). A seam's edges are never split, its vertices never
+// moved or taken out.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +33,9 @@ struct CurvePlace {
 
 struct BoundaryLoop {
   std::vector<Vec3> points;           // closed: the last is joined to the first
-  std::vector<std::uint8_t> corners;  // per point: lies on an edge of the box, must be kept
+  // Per point: every chain needs it, since the curve turns there on an edge of the box, or it is a
+  // vertex of a seam.
+  std::vector<std::uint8_t> kept;
   std::vector<BoxFace> faces;         // per point: the face of the arc from it to the next
 };
 
@@ -39,13 +46,19 @@ class BoundaryCurves {
       : surface_(surface), loops_(std::move(loops)) {}
 
   std::size_t loop_count() const { return loops_.size(); }
-  // Places of a coarse chain along the loop: its corners, and as many more points as keep every
-  // chord's sagitta below `sagitta` times its length; never fewer than three.
+  // Places of a coarse chain along the loop: those that are kept, and as many more points off the
+  // seams as keep every chord's sagitta below `sagitta` times its length; never fewer than three.
   std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
   // pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
-  // Whether the curve turns there, on an edge of the box, so that every chain needs the place.
-  bool is_corner(CurvePlace place) const;
+  // Whether every chain needs the place.
+  bool is_kept(CurvePlace place) const;
+  // Whether the place, or the arc that begins there, lies on a seam.
+  bool is_on_seam(CurvePlace place) const;
+  bool begins_seam(CurvePlace place) const;
+  // Whether a chord would run along an edge of the box beside a seam, where the block beyond might
+  // have the same.
+  bool runs_beside_seam(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
 
   struct Split {
     CurvePlace place;

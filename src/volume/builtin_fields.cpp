@@ -217,7 +217,7 @@ const BuiltinField* find_builtin_field(std::string_view input) {
   fail(input, "no built-in field " + quote(parts->first) + " (there are " + known + ")");
 }
 
-Volume make_builtin_volume(std::string_view input, const std::optional<Roi>& roi) {
+Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
   const BuiltinField* field = find_builtin_field(input);
   if (!field) fail(input, "is no built-in field");
   int size = field->default_size;
@@ -232,7 +232,8 @@ Volume make_builtin_volume(std::string_view input, const std::optional<Roi>& roi
   grid.name = input;
   grid.dims.fill(size);
   grid.type = samples.type;
-  grid.roi = roi;
+  grid.roi = options.roi;
+  grid.block = options.block;
   return volume_from_raw(grid, bytes_of(std::move(samples.bytes), std::string(input)));
 }
 

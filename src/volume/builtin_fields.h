@@ -44,6 +44,7 @@ std::span<const BuiltinField> builtin_fields();
 const BuiltinField* find_builtin_field(std::string_view input);
 
 // The volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Throws InputError.
-Volume make_builtin_volume(std::string_view input, const std::optional<Roi>& roi = {});
+// Of the options it takes the region and the block.
+Volume make_builtin_volume(std::string_view input, const ReadOptions& options = {});
 
 }  // namespace deliso

@@ -48,6 +48,15 @@ struct Roi {
   Index3 begin, end;
 };
 
+// Block `at` of the `of` that a volume is cut into along each axis. Blocks share the samples at the
+// faces between them, so that every voxel is in one block.
+struct BlockChoice {
+  Index3 at, of;
+};
+// The samples of the block: v voxels become parts n of N, each from n v / N on. Throws InputError
+// where an axis has fewer voxels than blocks.
+Roi region_of(const BlockChoice& block, Index3 dims);
+
 // How to read a file without a header.
 struct RawLayout {
   Index3 dims;
@@ -60,6 +69,8 @@ struct RawLayout {
 struct ReadOptions {
   std::optional<RawLayout> raw;        // given: the input is plain raw data, whatever its name
   std::optional<Roi> roi;              // given: only this part; the origin moves along
+  // Given: only this block, which knows of the whole (Volume::as_block). Not with a roi.
+  std::optional<BlockChoice> block{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
 };
 
@@ -84,9 +95,10 @@ Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
-// "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned short", "float",
+// "i,j,k/nx,ny,nz", "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned short", "float",
 // ...).
 Roi parse_roi(std::string_view text);
+BlockChoice parse_block(std::string_view text);
 Index3 parse_dims(std::string_view text);
 SampleType parse_sample_type(std::string_view text);
 

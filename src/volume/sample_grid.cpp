@@ -50,6 +50,13 @@ Roi region(const SampleGrid& grid) {
   Roi whole{{0, 0, 0},
             {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
              static_cast<int>(grid.dims[2])}};
+  if (grid.block) {
+    try {
+      return region_of(*grid.block, whole.end);
+    } catch (const InputError& error) {
+      fail(grid.name, error.what());
+    }
+  }
   if (!grid.roi) return whole;
   for (int axis = 0; axis < 3; ++axis) {
     const int lo = grid.roi->begin[axis], hi = grid.roi->end[axis];
@@ -167,22 +174,30 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
   auto [spacing, frame] = place(grid);
   const Roi roi = region(grid);
-  frame.origin =
-      frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
+  if (grid.roi) {
+    frame.origin =
+        frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
+  }
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
 
+  const auto placed = [&](const Volume& volume) {
+    if (!grid.block) return volume;
+    return volume.as_block(roi.begin,
+                           {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
+                            static_cast<int>(grid.dims[2])});
+  };
   const bool whole_slices = dims.i == grid.dims[0] && dims.j == grid.dims[1];
   const std::size_t slice = size_of(grid.type) * static_cast<std::size_t>(grid.dims[0]) *
                             static_cast<std::size_t>(grid.dims[1]);
   const std::byte* start = data.data.data() + slice * static_cast<std::size_t>(roi.begin.k);
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
   if (whole_slices && aligned && !is_swapped(grid))
-    return Volume(dims, spacing, grid.type, start, data.owner, frame);
+    return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));
 
   Buffer samples = copy_region(grid, roi, data.data);
   if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
   const Bytes bytes = bytes_of(std::move(samples), data.name);
-  return Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame);
+  return placed(Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame));
 }
 
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {

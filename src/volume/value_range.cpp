@@ -108,7 +108,19 @@ ValueRange value_range(const Volume& volume, std::string_view name, int threads)
   });
 }
 
+double isovalue_of_blocks(SampleType type, double kappa) {
+  if (type == SampleType::f64) return kappa;
+  if (type == SampleType::f32) {
+    const auto level = static_cast<float>(kappa);
+    if (static_cast<double>(level) != kappa) return kappa;
+    const float next = std::nextafter(level, -std::numeric_limits<float>::infinity());
+    return 0.5 * (kappa + static_cast<double>(next));
+  }
+  return kappa - std::min(0x1p-20, 0.5 * (kappa - (std::ceil(kappa) - 1)));
+}
+
 double effective_isovalue(const Volume& volume, double kappa, int threads) {
+  if (volume.is_block()) return isovalue_of_blocks(volume.type(), kappa);
   const std::size_t count = volume.sample_count();
   return volume.visit([&](const auto* s) {
     using T = std::remove_cvref_t<decltype(*s)>;

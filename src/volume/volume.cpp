@@ -19,7 +19,7 @@ struct Local {
 Local localize(const Volume& volume, const Vec3& p) {
   Local local{volume.voxel_at(p), {}};
   for (int axis = 0; axis < 3; ++axis) {
-    const double u = p[axis] / volume.spacing()[axis] - local.voxel[axis];
+    const double u = volume.in_samples(p, axis) - local.voxel[axis];
     local.u[axis] = std::clamp(u, 0.0, 1.0);
   }
   return local;
@@ -69,18 +69,36 @@ Volume::Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* byte
       type_(type),
       bytes_(bytes),
       owner_(std::move(owner)),
-      frame_(frame) {
+      frame_(frame),
+      whole_(dims) {
   require_in_range(dims, spacing, frame, "volume");
 }
 
+Volume Volume::as_block(Index3 first, Index3 whole) const {
+  require_in_range(whole, spacing_, frame_, "volume");
+  Volume block = *this;
+  block.first_ = first;
+  block.whole_ = whole;
+  return block;
+}
+
+unsigned Volume::inner_faces() const {
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (first_[axis] > 0) faces |= 1u << (2 * axis);
+    if (first_[axis] + dims_[axis] < whole_[axis]) faces |= 2u << (2 * axis);
+  }
+  return faces;
+}
+
 Box3 Volume::box() const {
-  return {{0, 0, 0}, position({dims_.i - 1, dims_.j - 1, dims_.k - 1})};
+  return {position({0, 0, 0}), position({dims_.i - 1, dims_.j - 1, dims_.k - 1})};
 }
 
 Index3 Volume::voxel_at(const Vec3& p) const {
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    const double u = p[axis] / spacing_[axis];
+    const double u = in_samples(p, axis);
     const int last = std::max(dims_[axis] - 2, 0);
     voxel[axis] = u > 0 ? static_cast<int>(std::min(u, static_cast<double>(last))) : 0;
   }

@@ -7,6 +7,10 @@
 // Layout: x fastest, native byte order, aligned for the type, either owned or memory-mapped.
 // A voxel is the cell between eight samples; corner number m of voxel (i,j,k) is the sample
 // (i + (m&1), j + (m>>1&1), k + (m>>2)).
+//
+// A volume may be a block of a larger one, which is meshed block by block. Its samples are counted
+// from its own first, but lie where they lie in the larger one, to the last bit: what two blocks
+// compute of the samples they share is the same.
 #pragma once
 
 #include <array>
@@ -54,6 +58,10 @@ class Volume {
   Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
          std::shared_ptr<const void> owner, Frame frame = {});
 
+  // This volume, of which frame() is the larger one's, as a block of that: samples `first` and so
+  // on of `whole`. pre: it fits in there.
+  Volume as_block(Index3 first, Index3 whole) const;
+
   // Copies `samples` (dims.i * dims.j * dims.k of them, else InputError).
   template <class T>
   static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples,
@@ -64,6 +72,14 @@ class Volume {
   Vec3 spacing() const { return spacing_; }
   SampleType type() const { return type_; }
   const Frame& frame() const { return frame_; }
+  // The place of the first sample in the larger volume, and the size of that; 0 and dims() where
+  // this is all there is.
+  Index3 first() const { return first_; }
+  Index3 whole_dims() const { return whole_; }
+  bool is_block() const { return whole_ != dims_; }
+  // Bit f: face f of the box (2 * axis, 1 more at the high end) is inside the larger volume, and
+  // so shared with another block.
+  unsigned inner_faces() const;
   std::size_t sample_count() const {
     return static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j) *
            static_cast<std::size_t>(dims_.k);
@@ -75,10 +91,15 @@ class Volume {
                 static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(k));
   }
 
-  // The box of all samples, [0, (n-1)*s] along each axis.
+  // The box of all samples; without larger volume [0, (n-1)*s] along each axis.
   Box3 box() const;
   Vec3 position(Index3 sample) const {
-    return {sample.i * spacing_.x, sample.j * spacing_.y, sample.k * spacing_.z};
+    return {(first_.i + sample.i) * spacing_.x, (first_.j + sample.j) * spacing_.y,
+            (first_.k + sample.k) * spacing_.z};
+  }
+  // A coordinate in samples along an axis, counted from the first one.
+  double in_samples(const Vec3& p, int axis) const {
+    return p[axis] / spacing_[axis] - first_[axis];
   }
   // The voxel that holds p, clamped to the box.
   Index3 voxel_at(const Vec3& p) const;
@@ -125,6 +146,7 @@ class Volume {
   const std::byte* bytes_;
   std::shared_ptr<const void> owner_;
   Frame frame_;
+  Index3 first_, whole_;
 };
 
 // Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or
@@ -151,12 +173,19 @@ std::optional<T> inside_threshold(double kappa) {
 // Inside is f >= kappa. Where samples equal kappa the surface would touch itself at samples and
 // whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and
 // always by less than the gap to the next lower sample. Returns kappa where no sample equals it.
-// pre: no sample is NaN or infinite.
+// Of a block it is isovalue_of_blocks(), whatever the samples. pre: no sample is NaN or infinite.
 double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 // kappa lowered by that amount, whether a sample equals it or not; kappa itself where no sample is
 // below it or no number is left in between. pre: no sample is NaN or infinite.
 double lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
+
+// What kappa becomes for blocks, the same for all of a volume without a look at its samples. No
+// number of the type is between the two, so that each sample stays on its side:
+//   integers   less by 2^-20, or by half the way to the next lower integer where that is shorter;
+//   float32    halfway to the next lower float where kappa is a float, else kappa;
+//   float64    kappa. A sample may equal it; crossings stay off samples all the same.
+double isovalue_of_blocks(SampleType type, double kappa);
 
 template <class T>
 constexpr SampleType sample_type_of();

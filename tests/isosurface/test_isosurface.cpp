@@ -31,7 +31,7 @@ std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Ra
         Corners corners = volume.corners({i, j, k});
         for (double& c : corners) c -= field.kappa;
         for (const double s : find_intersections(corners, span, method))
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume.spacing())});
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume)});
       }
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random volumes of 2 to 12 samples along each axis, of the kinds that meshers fail on. A seed says
-// everything: the kind (seed modulo the number of kinds), size, sample type, samples, spacing and
+// Random volumes, of 2 to 12 samples along each axis unless others are asked for, of the kinds that
+// meshers fail on. A seed says everything: the kind (seed modulo the number of kinds), size, sample type, samples, spacing and
 // isovalue.
 #pragma once
 
@@ -164,10 +164,11 @@ inline TinyKind kind_of(std::uint64_t seed) {
   return static_cast<TinyKind>(seed % kTinyKinds);
 }
 
-inline TinyVolume make_tiny_volume(std::uint64_t seed) {
+inline TinyVolume make_tiny_volume(std::uint64_t seed, int least = 2, int most = 12) {
   Random random(seed);
   tiny::Recipe r;
-  for (int axis = 0; axis < 3; ++axis) r.dims[axis] = 2 + static_cast<int>(random.below(11));
+  const auto sizes = static_cast<std::uint32_t>(most - least + 1);
+  for (int axis = 0; axis < 3; ++axis) r.dims[axis] = least + static_cast<int>(random.below(sizes));
   tiny::make(r, kind_of(seed), random);
   const std::uint32_t type = random.below(4);
   if (r.real)

@@ -68,7 +68,7 @@ TEST_CASE("built-in fields are the same bytes with every compiler") {
 TEST_CASE("a region of a built-in field is the same samples") {
   const Volume whole = make_builtin_volume("builtin:fuel:40");
   const Roi roi{{3, 5, 7}, {21, 30, 40}};
-  const Volume part = make_builtin_volume("builtin:fuel:40", roi);
+  const Volume part = make_builtin_volume("builtin:fuel:40", {.raw = {}, .roi = roi});
   REQUIRE(part.dims() == Index3{18, 25, 33});
   CHECK(part.frame().origin == Vec3{3, 5, 7});
   int different = 0;

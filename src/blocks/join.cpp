@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/join.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "blocks/part_note.h"
+#include "files/atomic_file.h"
+#include "files/text_scan.h"
+#include "mesh/mesh_parsers.h"
+#include "mesh/ply_writer.h"
+#include "mesh/read_mesh.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+namespace {
+
+std::string name_of(Index3 block) {
+  return text(block.i, ",", block.j, ",", block.k);
+}
+
+struct Part {
+  std::string path;
+  PartNote note;
+  std::string space;  // the comment that names the space
+};
+
+// Whether a grid edge lies in the plane of samples number n across an axis.
+bool lies_in(const GridEdge& edge, int axis, int n) {
+  return edge.axis != axis && edge.low[static_cast<std::size_t>(axis)] == n;
+}
+
+class Joiner {
+ public:
+  explicit Joiner(std::span<const std::string> paths);
+  Joined run(const std::string& output, bool single_precision, bool ascii);
+
+ private:
+  // The place of a part's vertex in the whole: of the part's own, in their order, or of an earlier
+  // one's.
+  struct Numbers {
+    std::uint64_t first = 0;                                  // of its own vertices
+    std::vector<std::pair<VertexId, std::uint64_t>> foreign;  // ascending
+  };
+  // An edge of a seam, as one part runs along it.
+  struct SeamEdge {
+    std::uint64_t low, high;
+    bool upwards;
+    std::uint32_t part;
+  };
+
+  [[noreturn]] void fail_match(const Part& a, const Part& b) const {
+    throw InputError(text("the seams of ", quote(a.path), " and ", quote(b.path), " do not match"));
+  }
+  std::uint32_t number_of(Index3 block) const {
+    return static_cast<std::uint32_t>(block.i + of_.i * (block.j + of_.j * block.k));
+  }
+  void require_one_of_each() const;
+  void require_same_samples() const;
+  void number(std::uint32_t p, const MeshPart& part);
+  void collect_edges(std::uint32_t p, MeshPart&& part);
+  void match_edges();
+  std::uint64_t place(const Numbers& numbers, VertexId v) const;
+  bool is_foreign(const Numbers& numbers, VertexId v) const {
+    const auto at = std::ranges::lower_bound(numbers.foreign, v, {},
+                                             &std::pair<VertexId, std::uint64_t>::first);
+    return at != numbers.foreign.end() && at->first == v;
+  }
+
+  Index3 of_;
+  std::vector<Part> parts_;  // by block
+  std::vector<Numbers> numbers_;
+  struct Known {
+    std::uint64_t place;
+    Vec3 point;
+    std::uint32_t part;
+  };
+  std::map<GridEdge, Known> seam_;
+  std::vector<SeamEdge> edges_;
+  Joined joined_;
+};
+
+Joiner::Joiner(std::span<const std::string> paths) {
+  for (const std::string& path : paths) {
+    const std::vector<std::string> comments = read_ply_comments(path);
+    std::optional<PartNote> note = part_note(comments);
+    if (!note) throw InputError(text(quote(path), " is no part of a mesh, as --block makes them"));
+    std::string space;
+    for (const std::string& comment : comments) {
+      if (comment.starts_with("DelIso SPACE=")) space = comment;
+    }
+    parts_.push_back({path, std::move(*note), std::move(space)});
+  }
+  DELISO_CHECK(!parts_.empty());
+  // Named first or not, of two that differ one is blamed: that of the later block.
+  std::ranges::sort(parts_, {}, [](const Part& part) {
+    const Index3 n = part.note.block.at;
+    return std::tuple(n.k, n.j, n.i, part.path);
+  });
+  const Part& first = parts_.front();
+  of_ = first.note.block.of;
+  for (const Part& part : parts_) {
+    const auto [a, b] = std::ranges::mismatch(first.note.words, part.note.words);
+    const bool a_ends = a == first.note.words.end(), b_ends = b == part.note.words.end();
+    if (!a_ends || !b_ends) {
+      throw InputError(text(quote(part.path), " is no part of the same mesh as ", quote(first.path),
+                            ": ", b_ends ? "nothing" : *b, " there, ", a_ends ? "nothing" : *a,
+                            " here"));
+    }
+    if (part.note.block.of != of_) {
+      throw InputError(text(quote(part.path), " is one of ", name_of(part.note.block.of),
+                            " blocks, ", quote(first.path), " one of ", name_of(of_)));
+    }
+  }
+  require_one_of_each();
+  require_same_samples();
+}
+
+void Joiner::require_one_of_each() const {
+  std::size_t n = 0;
+  for (int k = 0; k < of_.k; ++k) {
+    for (int j = 0; j < of_.j; ++j) {
+      for (int i = 0; i < of_.i; ++i, ++n) {
+        const Index3 wanted{i, j, k};
+        if (n > 0 && n < parts_.size() &&
+            parts_[n].note.block.at == parts_[n - 1].note.block.at) {
+          throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
+                                " are both block ", name_of(parts_[n].note.block.at)));
+        }
+        if (n >= parts_.size() || parts_[n].note.block.at != wanted) {
+          throw InputError(text("block ", name_of(wanted), " of ", name_of(of_),
+                                " is missing beside ", quote(parts_.front().path)));
+        }
+      }
+    }
+  }
+  if (n < parts_.size()) {
+    throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
+                          " are both block ", name_of(parts_[n].note.block.at)));
+  }
+}
+
+// Where there is no surface at a seam, the samples tell another volume.
+void Joiner::require_same_samples() const {
+  for (const Part& part : parts_) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Index3 beyond = part.note.block.at;
+      if (++beyond[axis] == of_[axis]) continue;
+      const Part& other = parts_[number_of(beyond)];
+      const auto face = static_cast<std::size_t>(2 * axis);
+      if (part.note.samples[face + 1] != other.note.samples[face]) {
+        throw InputError(text(quote(other.path), " is of other samples than ", quote(part.path),
+                              " where the two meet"));
+      }
+    }
+  }
+}
+
+void Joiner::number(std::uint32_t p, const MeshPart& part) {
+  Numbers numbers{joined_.vertices, {}};
+  for (const SeamVertex& s : part.seam) {
+    const Vec3& point = part.points[s.vertex];
+    const auto known = seam_.find(s.at);
+    if (known == seam_.end()) continue;
+    if (known->second.point != point) fail_match(parts_[known->second.part], parts_[p]);
+    numbers.foreign.emplace_back(s.vertex, known->second.place);
+  }
+  std::ranges::sort(numbers.foreign);
+  const auto twice = std::ranges::adjacent_find(
+      numbers.foreign, {}, &std::pair<VertexId, std::uint64_t>::first);
+  if (twice != numbers.foreign.end()) {
+    throw InputError(text(quote(parts_[p].path), ": vertex ", twice->first,
+                          " is twice in its seam"));
+  }
+  numbers_.push_back(std::move(numbers));
+  for (const SeamVertex& s : part.seam) {
+    seam_.try_emplace(s.at, Known{place(numbers_.back(), s.vertex), part.points[s.vertex], p});
+  }
+  joined_.vertices += part.points.size() - numbers_.back().foreign.size();
+  joined_.triangles += part.triangles.size();
+}
+
+std::uint64_t Joiner::place(const Numbers& numbers, VertexId v) const {
+  const auto at =
+      std::ranges::lower_bound(numbers.foreign, v, {}, &std::pair<VertexId, std::uint64_t>::first);
+  if (at != numbers.foreign.end() && at->first == v) return at->second;
+  return numbers.first + v - static_cast<std::uint64_t>(at - numbers.foreign.begin());
+}
+
+// The part's boundary edges in its inner faces.
+void Joiner::collect_edges(std::uint32_t p, MeshPart&& part) {
+  const Index3 dims = parts_[p].note.dims;
+  const Roi region = region_of(parts_[p].note.block, dims);
+  const auto is_inner = [&](int axis, int n) {
+    return (n == region.begin[axis] && n > 0) || (n == region.end[axis] - 1 && n < dims[axis] - 1);
+  };
+  std::vector<const GridEdge*> at(part.points.size(), nullptr);
+  for (const SeamVertex& s : part.seam) at[s.vertex] = &s.at;
+  const auto is_in_seam = [&](VertexId a, VertexId b) {
+    if (at[a] == nullptr || at[b] == nullptr) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int n = at[a]->low[static_cast<std::size_t>(axis)];
+      if (is_inner(axis, n) && lies_in(*at[a], axis, n) && lies_in(*at[b], axis, n)) return true;
+    }
+    return false;
+  };
+  const TriMesh mesh = make_tri_mesh(std::move(part.points), part.triangles);
+  for (const Face& face : mesh.faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
+      if (face.n[i] != kNoId || !is_in_seam(a, b)) continue;
+      const std::uint64_t from = place(numbers_[p], a), to = place(numbers_[p], b);
+      edges_.push_back({std::min(from, to), std::max(from, to), from < to, p});
+    }
+  }
+}
+
+// Every edge of a seam is run along by two parts, either way round.
+void Joiner::match_edges() {
+  std::ranges::sort(edges_, {}, [](const SeamEdge& e) {
+    return std::tuple(e.low, e.high, e.part, e.upwards);
+  });
+  for (std::size_t n = 0; n < edges_.size(); n += 2) {
+    const SeamEdge& e = edges_[n];
+    const bool has_other = n + 1 < edges_.size() && edges_[n + 1].low == e.low &&
+                           edges_[n + 1].high == e.high;
+    if (!has_other) {
+      throw InputError(text("the seam of ", quote(parts_[e.part].path),
+                            " does not match that of the part beside it"));
+    }
+    const SeamEdge& other = edges_[n + 1];
+    if (other.part == e.part || other.upwards == e.upwards) {
+      fail_match(parts_[e.part], parts_[other.part]);
+    }
+  }
+  joined_.seam_edges = edges_.size() / 2;
+  joined_.seam_vertices = seam_.size();
+}
+
+Joined Joiner::run(const std::string& output, bool single_precision, bool ascii) {
+  joined_.parts = parts_.size();
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    MeshPart part = read_part(parts_[p].path);
+    number(p, part);
+    collect_edges(p, std::move(part));
+  }
+  match_edges();
+  if (joined_.vertices > kMostVertices || joined_.triangles > kMostFaces) {
+    throw InputError(text("the whole would have ", joined_.vertices, " vertices and ",
+                          joined_.triangles, " triangles, more than 32-bit ids can name"));
+  }
+  PlyHeader header{{}, joined_.vertices, joined_.triangles, {}, single_precision, ascii};
+  const Part& first = parts_.front();
+  header.comments.push_back(first.space.empty() ? "DelIso" : first.space);
+  std::string& line = header.comments.emplace_back();
+  for (const std::string& word : first.note.words) line += (line.empty() ? "" : " ") + word;
+  AtomicFile out(output);
+  PlyWriter writer(out, header);
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    const MeshPart part = read_part(parts_[p].path);
+    for (VertexId v = 0; v < part.points.size(); ++v) {
+      if (!is_foreign(numbers_[p], v)) writer.vertex(part.points[v]);
+    }
+  }
+  for (std::uint32_t p = 0; p < parts_.size(); ++p) {
+    for (Triangle t : read_part(parts_[p].path).triangles) {
+      for (VertexId& v : t) v = static_cast<VertexId>(place(numbers_[p], v));
+      writer.facet(t);
+    }
+  }
+  writer.finish();
+  out.commit();
+  return joined_;
+}
+
+}  // namespace
+
+Joined join_parts(std::span<const std::string> paths, const std::string& output,
+                  bool single_precision, bool ascii) {
+  return Joiner(paths).run(output, single_precision, ascii);
+}
+
+}  // namespace deliso

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/part_note.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "files/checksum.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::string_view kVolume = "volume=", kBlock = "block=", kSamples = "samples=";
+
+// Of the samples on a face of the box, as numbers of type double: of any machine.
+std::string face_checksum(const Volume& volume, int face) {
+  const int across = face / 2, u = (across + 1) % 3, v = (across + 2) % 3;
+  const Index3 dims = volume.dims();
+  std::vector<double> samples;
+  Index3 at;
+  at[across] = face % 2 == 0 ? 0 : dims[across] - 1;
+  for (at[v] = 0; at[v] < dims[v]; ++at[v]) {
+    for (at[u] = 0; at[u] < dims[u]; ++at[u]) samples.push_back(volume.sample(at.i, at.j, at.k));
+  }
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%08x",
+                static_cast<unsigned>(crc32(std::as_bytes(std::span(samples)))));
+  return digits;
+}
+
+std::string listed(Index3 n, const char* between) {
+  return text(n.i, between, n.j, between, n.k);
+}
+
+std::string listed(const Vec3& p) {
+  return text(p.x, ",", p.y, ",", p.z);
+}
+
+std::vector<std::string> words_of(std::string_view line, char separator) {
+  std::vector<std::string> words;
+  while (!line.empty()) {
+    const std::string_view word = line.substr(0, line.find(separator));
+    if (!word.empty()) words.emplace_back(word);
+    line.remove_prefix(std::min(word.size() + 1, line.size()));
+  }
+  return words;
+}
+
+std::optional<PartNote> note_in(const std::string& comment) {
+  PartNote note;
+  bool has_block = false, has_samples = false;
+  for (const std::string& word : words_of(comment, ' ')) {
+    const std::string_view value = std::string_view(word).substr(word.find('=') + 1);
+    if (word.starts_with(kBlock)) {
+      note.block = parse_block(value);
+      has_block = true;
+    } else if (word.starts_with(kSamples)) {
+      const std::vector<std::string> sums = words_of(value, ',');
+      if (sums.size() != note.samples.size()) return std::nullopt;
+      std::copy(sums.begin(), sums.end(), note.samples.begin());
+      has_samples = true;
+    } else {
+      if (word.starts_with(kVolume)) note.dims = parse_dims(value.substr(0, value.find(',')));
+      note.words.push_back(word);
+    }
+  }
+  if (!has_block || !has_samples) return std::nullopt;
+  region_of(note.block, note.dims);
+  return note;
+}
+
+}  // namespace
+
+std::string part_words(const Volume& volume, const BlockChoice& block, double isovalue,
+                       double effective_isovalue) {
+  const Frame& at = volume.frame();
+  std::string words =
+      text(" ", kVolume, listed(volume.whole_dims(), "x"), ",", name_of(volume.type()), ",",
+           listed(volume.spacing()), " frame=", listed(at.origin));
+  for (const Vec3& axis : at.axes) words += text(",", listed(axis));
+  if (at.space != AnatomicalSpace::unknown) words += text(",", short_name_of(at.space));
+  words += text(" isovalue=", isovalue, " lowered=", effective_isovalue, " ", kBlock,
+                listed(block.at, ","), "/", listed(block.of, ","));
+  for (int face = 0; face < 6; ++face) {
+    words += face == 0 ? text(" ", kSamples) : ",";
+    words += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";
+  }
+  return words;
+}
+
+std::optional<PartNote> part_note(std::span<const std::string> comments) {
+  for (const std::string& comment : comments) {
+    try {
+      if (auto note = note_in(comment)) return note;
+    } catch (const InputError&) {
+      // Words with our names in somebody else's line.
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace deliso

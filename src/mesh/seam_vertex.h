@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A vertex that two or more parts of a mesh have in common, when a volume is meshed block by block
+// (surface/seam.h), and how it is known in all of them: by the edge of the volume's grid on which it
+// lies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/ids.h"
+
+namespace deliso {
+
+// From sample `low` of the whole volume along `axis`. An edge has one vertex at most.
+struct GridEdge {
+  std::int32_t axis = 0;
+  std::array<std::int32_t, 3> low{};
+  friend auto operator<=>(const GridEdge&, const GridEdge&) = default;
+};
+
+struct SeamVertex {
+  VertexId vertex = kNoId;
+  GridEdge at;
+};
+
+// What PLY files call these, in this order, in an element `seam`.
+inline constexpr std::array<const char*, 5> kSeamProperties{"vertex", "axis", "i", "j", "k"};
+
+}  // namespace deliso

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "surface/seam.h"
+
+#include <cmath>
+
+#include "base/check.h"
+#include "base/text.h"
+
+namespace deliso {
+namespace {
+
+// Which inner faces p lies in.
+unsigned inner_faces_at(const Vec3& p, const Volume& volume) {
+  const Box3 box = volume.box();
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] == box.lo[axis]) faces |= 1u << (2 * axis);
+    if (p[axis] == box.hi[axis]) faces |= 2u << (2 * axis);
+  }
+  return faces & volume.inner_faces();
+}
+
+}  // namespace
+
+std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
+  GridEdge edge;
+  int off_planes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spacing = volume.spacing()[axis], u = p[axis] / spacing;
+    const int nearest = static_cast<int>(std::lround(u));
+    std::int32_t& low = edge.low[static_cast<std::size_t>(axis)];
+    low = nearest;
+    if (nearest * spacing == p[axis]) continue;
+    ++off_planes;
+    edge.axis = axis;
+    low -= p[axis] < nearest * spacing;
+  }
+  if (off_planes != 1) return std::nullopt;
+  return edge;
+}
+
+void keep_seams(const Volume& volume, std::vector<BoundaryLoop>& loops) {
+  if (volume.inner_faces() == 0) return;
+  for (BoundaryLoop& loop : loops) {
+    for (std::size_t n = 0; n < loop.points.size(); ++n) {
+      const Vec3& p = loop.points[n];
+      if (inner_faces_at(p, volume) != 0) loop.kept[n] = grid_edge_at(p, volume).has_value();
+    }
+  }
+}
+
+std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
+  std::vector<SeamVertex> seam;
+  if (volume.inner_faces() == 0) return seam;
+  std::vector<unsigned> faces;
+  faces.reserve(mesh.points.size());
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    faces.push_back(inner_faces_at(mesh.points[v], volume));
+    if (faces.back() == 0) continue;
+    const auto edge = grid_edge_at(mesh.points[v], volume);
+    if (!edge) throw InputError(text("the seam cannot be kept at vertex ", v));
+    seam.push_back({v, *edge});
+  }
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
+      const unsigned common = faces[a] & faces[b];
+      if (common == 0) continue;
+      if (face.n[i] != kNoId || (common & faces[face.v[i]]) != 0) {
+        throw InputError(text("facet ", f, " cannot be kept out of the seam"));
+      }
+    }
+  }
+  return seam;
+}
+
+}  // namespace deliso

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Seams: where Sigma meets the faces that a block of a volume shares with others. Both blocks at a
+// face mesh what they hold by themselves, and their meshes fit together because
+//   J1  the vertices on an inner face are crossings of the face's own grid edges, and the edges run
+//       from one to the next along the curve: that follows from the samples of the face alone,
+//       which both blocks have, and coordinates are the same to the last bit (volume/volume.h);
+//   J2  nothing else lies in the face, neither a vertex nor an edge nor a facet, so that in it the
+//       meshes have their seam in common and no more.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesh/seam_vertex.h"
+#include "mesh/tri_mesh.h"
+#include "surface/boundary.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// The grid edge that p lies on, between its ends; nothing when it lies on none.
+std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume);
+
+// Marks the vertices of seams as kept, and nothing else on inner faces.
+void keep_seams(const Volume& volume, std::vector<BoundaryLoop>& loops);
+
+// The seam of a finished part, by ascending vertices. pre: the mesh is linked.
+// Throws InputError where the mesh breaks J1 or J2: its surface is too fine for doubles there.
+std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume);
+
+}  // namespace deliso
