@@ -60,6 +60,17 @@ SplitVoxels choose_listed(const Volume& volume, double kappa, const ContourSplit
   return SplitVoxels(dims, chooser.numbers);
 }
 
+// Whether a face of the voxel is shared with the next block, where cells would have crossings that
+// are not known there.
+bool lies_at_seam(const Volume& volume, Index3 voxel) {
+  const Index3 last = volume.voxels();
+  for (int f = 0; f < 6; ++f) {
+    if ((volume.inner_faces() >> f & 1) == 0) continue;
+    if (voxel[f >> 1] == ((f & 1) != 0 ? last[f >> 1] - 1 : 0)) return true;
+  }
+  return false;
+}
+
 SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
                              const SplitVoxels& listed, int threads) {
   const Index3 dims = volume.dims();
@@ -77,7 +88,7 @@ SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
   }
   std::erase_if(numbers, [&](std::uint64_t number) {
     const Index3 voxel = numbered_voxel(dims, number);
-    bool taken = listed.contains(voxel);
+    bool taken = listed.contains(voxel) || lies_at_seam(volume, voxel);
     for (int f = 0; f < 6; ++f) taken |= listed.contains(beyond(voxel, f));
     return taken;
   });

@@ -2,6 +2,7 @@
 #include "refine/clear_seam.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "refine/collapse.h"
 #include "refine/judge.h"
@@ -10,27 +11,66 @@
 namespace deliso {
 namespace {
 
+// How far off the seam a vertex is moved that cannot be merged: from a hair on nearer by this
+// factor, so many times.
+constexpr double kNearer = 0x1p-4;
+constexpr int kSteps = 5;
+
+// What is tried, the next only where the one before has left some.
+enum class Effort : std::uint8_t { merge, merge_at_any_cost, lift };
+
 class SeamClearer {
  public:
   SeamClearer(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
               const Parameters& parameters, Report& report)
       : s_(s),
+        volume_(surface.volume()),
+        hair_(kHair * parameters.voxel),
         replacer_(s, surface, parameters, report),
         judge_(s, replacer_, parameters),
         collapser_(s, replacer_, judge_, surface, curves, parameters, report) {}
 
   // Whether v went.
-  bool take_out(VertexId v) {
-    for (FaceId f = 0; f < s_.mesh.faces.size(); ++f) {
-      if (!is_dead(s_.mesh.faces[f]) && has_corner(s_.mesh.faces[f].v, v)) {
-        return collapser_.take_out(f, v);
-      }
+  bool take_out(VertexId v, Effort effort) {
+    const auto at_v = std::ranges::find_if(
+        s_.mesh.faces, [&](const Face& face) { return has_corner(face.v, v); });
+    if (at_v == s_.mesh.faces.end()) return false;
+    const auto f = static_cast<FaceId>(at_v - s_.mesh.faces.begin());
+    if (effort == Effort::lift) return lift(f, v);
+    return collapser_.take_out(f, v, effort == Effort::merge_at_any_cost);
+  }
+
+ private:
+  // A triangle more, between v and its neighbours, and v a hair off the seam.
+  bool lift(FaceId f, VertexId v) {
+    Change change;
+    facets_around(s_.mesh, f, v, change.out);
+    if (!replacer_.take_out(change)) return false;
+    change.in.facets = change.was.facets;
+    change.in.facets.push_back({s_.chain.previous(v), s_.chain.next(v), v});
+    change.what = Change::Vertex::moves;
+    change.vertex = v;
+    change.leaves_box = true;
+    const Vec3 from = s_.mesh.points[v];
+    Vec3 inwards;
+    const Box3 box = volume_.box();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (from[axis] == box.lo[axis]) inwards[axis] = 1;
+      if (from[axis] == box.hi[axis]) inwards[axis] = -1;
+    }
+    double off = hair_;
+    for (int step = 0; step < kSteps; ++step, off *= kNearer) {
+      change.place = from + off * inwards;
+      if (replacer_.replace(change, [] { return true; })) continue;
+      s_.chain.remove(v);
+      return true;
     }
     return false;
   }
 
- private:
   SurfaceMesh& s_;
+  const Volume& volume_;
+  double hair_;
   DiskReplacer replacer_;
   Judge judge_;
   Collapser collapser_;
@@ -48,10 +88,12 @@ void clear_seam(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves&
   }
   if (left.empty()) return;
   SeamClearer clearer(s, surface, curves, parameters, report);
-  // One that goes may make way for another.
-  for (std::size_t before = left.size() + 1; left.size() < before && !left.empty();) {
-    before = left.size();
-    std::erase_if(left, [&](VertexId v) { return clearer.take_out(v); });
+  for (const Effort effort : {Effort::merge, Effort::merge_at_any_cost, Effort::lift}) {
+    // One that goes may make way for another.
+    for (std::size_t before = left.size() + 1; left.size() < before && !left.empty();) {
+      before = left.size();
+      std::erase_if(left, [&](VertexId v) { return clearer.take_out(v, effort); });
+    }
   }
   remove_dead(s);
 }

@@ -39,7 +39,9 @@ bool Collapser::may_go(VertexId v) const {
                                    s_.chain.place(next), mesh_.points[next]);
 }
 
-bool Collapser::take_out(FaceId f, VertexId v) {
+bool Collapser::take_out(FaceId f, VertexId v, bool at_any_cost) {
+  least_cosine_ = at_any_cost ? -1 : kSharpest;
+  change_.leaves_box = at_any_cost;
   const auto merge_into = [&](VertexId to) {
     return !report_[Rung::collapse].count(merge(f, v, to, [] { return true; }));
   };
@@ -148,7 +150,7 @@ std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to, Ga
     change_.in.facets.push_back(changed);
   }
   if (change_.in.facets.empty()) return Refusal::not_a_disk;
-  change_.least_cosine = kSharpest;
+  change_.least_cosine = least_cosine_;
   const auto refusal = replacer_.replace(change_, gains);
   if (!refusal && on_boundary) s_.chain.remove(from);
   return refusal;

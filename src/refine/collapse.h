@@ -24,8 +24,9 @@ class Collapser {
   // Merges a corner of f into a neighbour, whatever the distance, where that leaves fewer facets
   // around it that no insertion mends.
   bool take_out_corner(FaceId f);
-  // Merges v, a corner of f on the boundary, into a neighbour there, whatever becomes of shapes.
-  bool take_out(FaceId f, VertexId v);
+  // Merges v, a corner of f on the boundary, into a neighbour there, whatever becomes of shapes; at
+  // any cost: though edges turn sharply, and facets find no surface point.
+  bool take_out(FaceId f, VertexId v, bool at_any_cost);
   std::span<const FaceId> created() const { return change_.created; }
 
  private:
@@ -45,6 +46,7 @@ class Collapser {
   const Parameters& parameters_;
   Report& report_;
   std::size_t of_stage1_;
+  double least_cosine_ = kSharpest;
   Change change_;
 };
 

@@ -58,7 +58,11 @@ std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
     faces.push_back(inner_faces_at(mesh.points[v], volume));
     if (faces.back() == 0) continue;
     const auto edge = grid_edge_at(mesh.points[v], volume);
-    if (!edge) throw InputError(text("the seam cannot be kept at vertex ", v));
+    if (!edge) {
+      const Vec3 &p = mesh.points[v], s = volume.spacing();
+      throw InputError(text("the seam cannot be kept at (", p.x / s.x, ", ", p.y / s.y, ", ",
+                            p.z / s.z, ") samples"));
+    }
     seam.push_back({v, *edge});
   }
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
