@@ -18,11 +18,12 @@
 namespace deliso {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Command>, 4> kCommands{
+constexpr std::array<std::pair<std::string_view, Command>, 5> kCommands{
     {{"mesh", Command::mesh},
      {"info", Command::info},
      {"check", Command::check},
-     {"render", Command::render}}};
+     {"render", Command::render},
+     {"join", Command::join}}};
 
 // Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -138,15 +139,51 @@ void check_picture(CommandLine& line) {
   }
 }
 
+void check_join(const CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no parts given: deliso join PART... -o WHOLE.ply");
+  if (line.output.empty()) throw InputError("no whole named: -o FILE.ply, or -o -");
+  if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 0) {
+    throw InputError("parts are read more than once, so none can come from standard input");
+  }
+  if (line.output != "-" && mesh_format_of(line.output) != MeshFormat::ply) {
+    throw InputError("cannot write " + quote(line.output) + ": parts are joined to PLY");
+  }
+}
+
+// A block is meshed by what its samples say alone: what asks for all of the volume, or changes the
+// mesh at its faces, is not for blocks.
+template <class Given>
+void check_block(const CommandLine& line, const Given& given) {
+  if (!line.read.block) return;
+  constexpr std::string_view kNotWithBlock[] = {
+      "--roi",         "--cap",      "--min-component", "--vertices",     "--triangles",
+      "--keep-partial", "--paper",    "--single-stage",  "--stop-after"};
+  const auto refuse = [](const std::string& other) {
+    throw InputError("--block and " + other + " exclude each other");
+  };
+  for (const std::string_view other : kNotWithBlock) {
+    if (given(other)) refuse(std::string(other));
+  }
+  if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
+  if (line.options.method == Method::marching_cubes) refuse("--method marching-cubes");
+  if (line.options.r_min.unit == Length::Unit::box) {
+    throw InputError("--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
+  }
+  if (line.write.format.value_or(MeshFormat::ply) != MeshFormat::ply) {
+    throw InputError("--block writes parts as PLY, which alone holds what joins them");
+  }
+}
+
 // What must hold between options, once all are read.
 void check_combination(CommandLine& line) {
   if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
     throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
   }
-  if (line.input.empty() && line.meshes.empty()) {
+  if (line.input.empty() && line.meshes.empty() && line.command != Command::join) {
     throw InputError("no input given; --help shows how");
   }
   if (line.command == Command::render) return check_picture(line);
+  if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check && line.meshes.front() == "-" && line.input == "-") {
     throw InputError("mesh and volume cannot both come from standard input");
   }
@@ -222,7 +259,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
       if (argument.empty()) throw InputError("the input's name is empty");
-      if (command == Command::render || (command == Command::check && line.meshes.empty())) {
+      if (command == Command::render || command == Command::join || (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
         continue;
       }
@@ -277,6 +314,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     throw InputError("a raw file needs both --dims and --type");
   }
   check_combination(line);
+  check_block(line, given);
   return line;
 }
 

@@ -18,7 +18,7 @@
 
 namespace deliso {
 
-enum class Command { mesh, info, check, render, help, version };
+enum class Command { mesh, info, check, render, join, help, version };
 
 // The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
 // space.
@@ -37,7 +37,8 @@ struct CommandLine {
   std::optional<Command> help_of;  // for help: of this command alone
   std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; pictures need it only
                       // for some colors
-  std::vector<std::string> meshes;  // paths, or - for standard input: one to check, some to draw
+  // Paths, or - for standard input: one to check, some to draw; parts to join, paths alone.
+  std::vector<std::string> meshes;
   std::string output;               // a path, - for standard output, or empty: no mesh is written
   std::string json;                 // a path, - or empty
   std::optional<double> isovalue;

@@ -73,6 +73,13 @@ std::string usage(Command command) {
           "Draws a mesh, or several side by side, all seen by one camera: the side where the\n"
           "field is below the isovalue in blue, the other in orange, or numbers as colors.\n";
       return text.append(kMeshes).append(kVolumes);
+    case Command::join:
+      text =
+          "usage: deliso join PART.ply [PART.ply ...] -o WHOLE.ply [options]\n\n"
+          "Joins the meshes of all blocks of a volume, made by deliso mesh --block, into one. Parts\n"
+          "that do not belong together are refused: of another volume, isovalue or criteria, a\n"
+          "block missing or twice, seams that do not match.\n";
+      return text;
     case Command::help:
     case Command::version:
       break;
@@ -105,6 +112,7 @@ std::string help_text(std::optional<Command> command) {
   if (command) {
     std::string text = usage(*command);
     append_options(text, *command);
+    if (*command == Command::join) return text;
     text += "\nBuilt-in fields, each with an isovalue of its own as default:\n";
     for (const BuiltinField& field : builtin_fields()) {
       append_entry(text, "  builtin:" + std::string(field.name), field.description);
@@ -116,6 +124,7 @@ std::string help_text(std::optional<Command> command) {
       "       deliso info INPUT [--iso K] [options]\n"
       "       deliso check MESH INPUT --iso K [options]\n"
       "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
+      "       deliso join PART.ply [PART.ply ...] -o WHOLE.ply\n"
       "       deliso COMMAND --help                  all options of a command\n"
       "       deliso --version\n\n"
       "Turns volumes (CT, MRI, simulation) into Delaunay surface meshes of their isosurfaces, "

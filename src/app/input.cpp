@@ -55,6 +55,12 @@ std::string input_text(const Input& input) {
                      text_of(volume.spacing()) + ", samples " + number_text(input.range.min) +
                      " to " + number_text(input.range.max) + "\n";
 
+  if (volume.is_block()) {
+    const Index3 first = volume.first(), whole = volume.whole_dims();
+    text += "          a block of " + std::to_string(whole.i) + " x " + std::to_string(whole.j) +
+            " x " + std::to_string(whole.k) + ", from sample " + std::to_string(first.i) + ", " +
+            std::to_string(first.j) + ", " + std::to_string(first.k) + " on\n";
+  }
   const Frame& at = volume.frame();
   if (at != Frame{}) {
     text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
@@ -78,6 +84,11 @@ void add_input(JsonWriter& json, const Input& input) {
   json.open("volume");
   json.add("input", input.name);
   json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
+  if (volume.is_block()) {
+    const Index3 first = volume.first(), whole = volume.whole_dims();
+    json.add("first", {double(first.i), double(first.j), double(first.k)});
+    json.add("whole_dims", {double(whole.i), double(whole.j), double(whole.k)});
+  }
   json.add("type", name_of(volume.type()));
   add_vector(json, "spacing", volume.spacing());
   add_vector(json, "origin", at.origin);

@@ -17,17 +17,20 @@ enum Commands : std::uint8_t {
   kInfoOnly = 2,
   kRenderOnly = 4,
   kCheckOnly = 8,
+  kJoinOnly = 16,
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
   kVolume = kReports | kRenderOnly,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
-  kOutput = kMeshOnly | kRenderOnly,
-  kAll = kVolume
+  kMeshAndJoin = kMeshOnly | kJoinOnly,
+  kOutput = kMeshAndJoin | kRenderOnly,
+  kAll = kVolume | kJoinOnly
 };
 
 constexpr Commands flag_of(Command command) {
   return command == Command::info     ? kInfoOnly
          : command == Command::render ? kRenderOnly
          : command == Command::check  ? kCheckOnly
+         : command == Command::join   ? kJoinOnly
                                       : kMeshOnly;
 }
 

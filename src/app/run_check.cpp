@@ -7,6 +7,7 @@
 #include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
+#include "blocks/part_note.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "mesh/read_mesh.h"
@@ -20,8 +21,10 @@ int run_check(const CommandLine& line) {
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
   options.position_error = bring_home(mesh, volume.frame());
-  const Verification result =
-      verify(mesh, volume, settled_isovalue(volume, *line.isovalue, options.threads), options);
+  const double isovalue = is_of_blocks(comments)
+                              ? isovalue_of_blocks(volume.type(), *line.isovalue)
+                              : settled_isovalue(volume, *line.isovalue, options.threads);
+  const Verification result = verify(mesh, volume, isovalue, options);
 
   if (!line.json.empty()) {
     JsonWriter json("check");

@@ -16,12 +16,14 @@
 #include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "blocks/part_note.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "embedding/self_intersections.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 #include "mesh/write_mesh.h"
+#include "surface/seam.h"
 
 namespace deliso {
 namespace {
@@ -99,6 +101,11 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
     options.comment = criteria_note(line, volume, run.report);
+    if (line.read.block) {
+      options.comment +=
+          part_words(volume, *line.read.block, *line.isovalue, run.report.kappa_effective);
+      options.seam = seam_of(mesh, volume);
+    }
     write_mesh(mesh, line.output, options);
   }
   run.seconds_write = watch.seconds();
@@ -114,7 +121,9 @@ int run_mesh(const CommandLine& line) {
   progress.clear();
   const Volume& volume = input.volume;
   const double isovalue = *line.isovalue;
-  if (!line.allow_empty) require_isovalue_in_range(isovalue, input.range);
+  // A part may well be empty.
+  const bool may_be_empty = line.allow_empty || line.read.block;
+  if (!may_be_empty) require_isovalue_in_range(isovalue, input.range);
   require_limits(line.options, volume);
   warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
   MeshRun run(line, input);
@@ -122,7 +131,7 @@ int run_mesh(const CommandLine& line) {
   Options options = line.options;
   options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
-  if (mesh.faces.empty() && !line.allow_empty) {
+  if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");
   }

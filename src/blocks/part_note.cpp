@@ -13,6 +13,7 @@
 namespace deliso {
 namespace {
 
+constexpr std::string_view kLowered = "lowered=";
 constexpr std::string_view kVolume = "volume=", kBlock = "block=", kSamples = "samples=";
 
 // Of the samples on a face of the box, as numbers of type double: of any machine.
@@ -82,13 +83,21 @@ std::string part_words(const Volume& volume, const BlockChoice& block, double is
            listed(volume.spacing()), " frame=", listed(at.origin));
   for (const Vec3& axis : at.axes) words += text(",", listed(axis));
   if (at.space != AnatomicalSpace::unknown) words += text(",", short_name_of(at.space));
-  words += text(" isovalue=", isovalue, " lowered=", effective_isovalue, " ", kBlock,
+  words += text(" isovalue=", isovalue, " ", kLowered, effective_isovalue, " ", kBlock,
                 listed(block.at, ","), "/", listed(block.of, ","));
   for (int face = 0; face < 6; ++face) {
     words += face == 0 ? text(" ", kSamples) : ",";
     words += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";
   }
   return words;
+}
+
+bool is_of_blocks(std::span<const std::string> comments) {
+  return std::ranges::any_of(comments, [](const std::string& comment) {
+    const std::vector<std::string> words = words_of(comment, ' ');
+    return !words.empty() && words.front() == "deliso" &&
+           std::ranges::any_of(words, [](const auto& w) { return w.starts_with(kLowered); });
+  });
 }
 
 std::optional<PartNote> part_note(std::span<const std::string> comments) {

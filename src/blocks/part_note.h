@@ -33,4 +33,7 @@ struct PartNote {
 // What the first such comment says; nothing when there is none.
 std::optional<PartNote> part_note(std::span<const std::string> comments);
 
+// Whether the mesh was made in blocks, so that it is at isovalue_of_blocks(): a part, or the whole.
+bool is_of_blocks(std::span<const std::string> comments);
+
 }  // namespace deliso

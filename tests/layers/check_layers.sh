@@ -10,6 +10,7 @@ allowed() {
     base) echo base ;;
     roots | delaunay | files) echo "base $1" ;;
     mesh | volume) echo "base files $1" ;;
+    blocks) echo "base files mesh volume blocks" ;;
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
     kdtree | contour) echo "base volume $1" ;;
@@ -24,7 +25,7 @@ allowed() {
       "recover refine cap baseline deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
     app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
-      "recover refine cap baseline deliso check render app" ;;
+      "recover refine cap baseline deliso check render blocks app" ;;
     *) return 1 ;;
   esac
 }
