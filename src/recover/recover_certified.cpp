@@ -380,7 +380,7 @@ Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
   ContourMesh contour =
       fine_contour(std::move(plain), surface.volume(), surface.kappa(), report, parameters.threads);
   order_by_blocks(contour, surface.volume(), parameters.threads);
-  BoundaryCurves curves = boundary_curves(surface, contour);
+  BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   timer.emplace(report.seconds_labels);
   StageProgress(parameters.progress, "labels");
   CertifiedRecovery recovery(surface, contour,

@@ -348,7 +348,7 @@ void Recovery::count_unresolved() {
 
 Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report) {
-  BoundaryCurves curves = boundary_curves(surface, contour);
+  BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   std::optional<StepTimer> timer(report.seconds_init);
   StageProgress(parameters.progress, "initial");
   InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);

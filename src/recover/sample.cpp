@@ -11,7 +11,7 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "surface/seam.h"
+#include "surface/choose_seam.h"
 
 namespace deliso {
 namespace {
@@ -280,7 +280,8 @@ InitialSites init_sites(const ContourMesh& contour, const BoundaryCurves& curves
   return out;
 }
 
-BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour) {
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
+                               const Parameters& parameters) {
   const BoundaryChains& chains = contour.boundary;
   std::vector<BoundaryLoop> loops(chains.size());
   for (std::size_t c = 0; c < loops.size(); ++c) {
@@ -290,7 +291,7 @@ BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& con
       loops[c].faces.push_back(chains.face[k]);
     }
   }
-  keep_seams(surface.volume(), loops);
+  choose_seams(surface.volume(), parameters, loops);
   return {surface, std::move(loops)};
 }
 

@@ -24,7 +24,8 @@ inline constexpr std::size_t kAuxiliaryVertices = 4;
 // Whether a vertex at p is an auxiliary one.
 bool is_auxiliary(const Vec3& p, const Box3& box);
 
-BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour);
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
+                               const Parameters& parameters);
 
 struct InitialSample {
   Triangulation triangulation;

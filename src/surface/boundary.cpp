@@ -9,16 +9,13 @@
 #include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
-namespace {
 
-double distance_to_chord2(const Vec3& p, const Vec3& a, const Vec3& b) {
+double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2_ab = length2(ab);
   const double t = length2_ab > 0 ? std::clamp(dot(p - a, ab) / length2_ab, 0.0, 1.0) : 0.0;
   return distance2(p, a + t * ab);
 }
-
-}  // namespace
 
 const Vec3& BoundaryCurves::point(CurvePlace place) const {
   return loops_[place.loop].points[static_cast<std::size_t>(place.s)];
@@ -73,7 +70,7 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
       const bool on_seam = begins_seam(start);
       double worst = 0;
       for (std::size_t i = from + 1; i < to && !on_seam; ++i) {
-        worst = std::max(worst, distance_to_chord2(points[i % n], a, b));
+        worst = std::max(worst, distance2_to_chord(points[i % n], a, b));
       }
       if (worst > sagitta * sagitta * distance2(a, b) ||
           (to > from + 1 && !on_seam && runs_beside_seam(start, a, end, b))) {
@@ -141,9 +138,9 @@ double BoundaryCurves::sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const
   const std::vector<ArcPoint> points = arc(a, pa, b, pb);
   double worst2 = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    worst2 = std::max(worst2, distance_to_chord2(points[i].p, pa, pb));
+    worst2 = std::max(worst2, distance2_to_chord(points[i].p, pa, pb));
     const auto p = middle(a.loop, points[i - 1], points[i]);
-    if (p) worst2 = std::max(worst2, distance_to_chord2(*p, pa, pb));
+    if (p) worst2 = std::max(worst2, distance2_to_chord(*p, pa, pb));
   }
   return std::sqrt(worst2);
 }

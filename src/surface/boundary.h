@@ -120,6 +120,9 @@ class BoundaryChain {
 // turns sharply at an edge of the box, its two sides would encroach upon each other for ever.
 inline constexpr double kShortestBoundaryEdge = 0.25;
 
+// From p to the segment ab, squared.
+double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b);
+
 // p lies strictly inside the ball whose diameter is ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {
   return dot(a - p, b - p) < 0;

@@ -39,16 +39,6 @@ std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
   return edge;
 }
 
-void keep_seams(const Volume& volume, std::vector<BoundaryLoop>& loops) {
-  if (volume.inner_faces() == 0) return;
-  for (BoundaryLoop& loop : loops) {
-    for (std::size_t n = 0; n < loop.points.size(); ++n) {
-      const Vec3& p = loop.points[n];
-      if (inner_faces_at(p, volume) != 0) loop.kept[n] = grid_edge_at(p, volume).has_value();
-    }
-  }
-}
-
 std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
   std::vector<SeamVertex> seam;
   if (volume.inner_faces() == 0) return seam;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Seams: where Sigma meets the faces that a block of a volume shares with others. Both blocks at a
 // face mesh what they hold by themselves, and their meshes fit together because
-//   J1  the vertices on an inner face are crossings of the face's own grid edges, and the edges run
-//       from one to the next along the curve: that follows from the samples of the face alone,
-//       which both blocks have, and coordinates are the same to the last bit (volume/volume.h);
+//   J1  the vertices on an inner face are some of the crossings of the face's own grid edges, and
+//       the edges run from one to the next along the curve: which, that follows from the samples of
+//       the face and the criteria alone (surface/choose_seam.h), and coordinates are the same to
+//       the last bit (volume/volume.h);
 //   J2  nothing else lies in the face, neither a vertex nor an edge nor a facet, so that in it the
 //       meshes have their seam in common and no more.
 #pragma once
@@ -20,9 +21,6 @@ namespace deliso {
 
 // The grid edge that p lies on, between its ends; nothing when it lies on none.
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume);
-
-// Marks the vertices of seams as kept, and nothing else on inner faces.
-void keep_seams(const Volume& volume, std::vector<BoundaryLoop>& loops);
 
 // The seam of a finished part, by ascending vertices. pre: the mesh is linked.
 // Throws InputError where the mesh breaks J1 or J2: its surface is too fine for doubles there.
