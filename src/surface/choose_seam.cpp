@@ -178,7 +178,7 @@ class FaceSeam {
       const Vec3 &a = point(chords_[c].run, chords_[c].from), &b = point(chords_[c].run, chords_[c].to);
       const auto range = [&](int axis) {
         const double spacing = volume_.spacing()[axis];
-        const auto [low, high] = std::minmax(a[axis], b[axis]);
+        const auto [low, high] = std::minmax({a[axis], b[axis]});
         const double apart = kApart * voxel_;
         return std::pair(static_cast<std::int64_t>(std::floor((low - apart) / spacing)),
                          static_cast<std::int64_t>(std::floor((high + apart) / spacing)));
@@ -219,8 +219,8 @@ class FaceSeam {
     }
     const double apart = kApart * voxel_;
     for (const int axis : {u_, v_}) {
-      const auto [p_low, p_high] = std::minmax(p[0][axis], p[1][axis]);
-      const auto [q_low, q_high] = std::minmax(q[0][axis], q[1][axis]);
+      const auto [p_low, p_high] = std::minmax({p[0][axis], p[1][axis]});
+      const auto [q_low, q_high] = std::minmax({q[0][axis], q[1][axis]});
       if (p_high + apart < q_low || q_high + apart < p_low) return false;
     }
     return !lie_aside(p, q, apart) && !lie_aside(q, p, apart);

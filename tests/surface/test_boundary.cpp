@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "deliso/fields.h"
+#include "deliso/options.h"
 #include "recover/sample.h"
 
 using namespace deliso;
@@ -24,7 +25,7 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14, {1, 1, seed % 3 == 0 ? 3.0 : 1.0});
-    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour);
+    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
     REQUIRE(curves.loop_count() == scene.contour.boundary.size());
     for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
       ++loops;
