@@ -155,9 +155,9 @@ void check_join(const CommandLine& line) {
 template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
-  constexpr std::string_view kNotWithBlock[] = {
-      "--roi",         "--cap",      "--min-component", "--vertices",     "--triangles",
-      "--keep-partial", "--paper",    "--single-stage",  "--stop-after"};
+  constexpr std::string_view kNotWithBlock[] = {"--roi",      "--cap",          "--min-component",
+                                                "--vertices", "--triangles",    "--keep-partial",
+                                                "--paper",    "--single-stage", "--stop-after"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };
@@ -259,7 +259,8 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
       if (argument.empty()) throw InputError("the input's name is empty");
-      if (command == Command::render || command == Command::join || (command == Command::check && line.meshes.empty())) {
+      if (command == Command::render || command == Command::join ||
+          (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
         continue;
       }

@@ -39,8 +39,8 @@ struct CommandLine {
                       // for some colors
   // Paths, or - for standard input: one to check, some to draw; parts to join, paths alone.
   std::vector<std::string> meshes;
-  std::string output;               // a path, - for standard output, or empty: no mesh is written
-  std::string json;                 // a path, - or empty
+  std::string output;  // a path, - for standard output, or empty: no mesh is written
+  std::string json;    // a path, - or empty
   std::optional<double> isovalue;
   ReadOptions read;
   MeshWriteOptions write;  // its format is set wherever there is an output

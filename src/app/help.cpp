@@ -76,7 +76,8 @@ std::string usage(Command command) {
     case Command::join:
       text =
           "usage: deliso join PART.ply [PART.ply ...] -o WHOLE.ply [options]\n\n"
-          "Joins the meshes of all blocks of a volume, made by deliso mesh --block, into one. Parts\n"
+          "Joins the meshes of all blocks of a volume, made by deliso mesh --block, into one. "
+          "Parts\n"
           "that do not belong together are refused: of another volume, isovalue or criteria, a\n"
           "block missing or twice, seams that do not match.\n";
       return text;

@@ -128,8 +128,7 @@ void Joiner::require_one_of_each() const {
     for (int j = 0; j < of_.j; ++j) {
       for (int i = 0; i < of_.i; ++i, ++n) {
         const Index3 wanted{i, j, k};
-        if (n > 0 && n < parts_.size() &&
-            parts_[n].note.block.at == parts_[n - 1].note.block.at) {
+        if (n > 0 && n < parts_.size() && parts_[n].note.block.at == parts_[n - 1].note.block.at) {
           throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
                                 " are both block ", name_of(parts_[n].note.block.at)));
         }
@@ -172,11 +171,11 @@ void Joiner::number(std::uint32_t p, const MeshPart& part) {
     numbers.foreign.emplace_back(s.vertex, known->second.place);
   }
   std::ranges::sort(numbers.foreign);
-  const auto twice = std::ranges::adjacent_find(
-      numbers.foreign, {}, &std::pair<VertexId, std::uint64_t>::first);
+  const auto twice =
+      std::ranges::adjacent_find(numbers.foreign, {}, &std::pair<VertexId, std::uint64_t>::first);
   if (twice != numbers.foreign.end()) {
-    throw InputError(text(quote(parts_[p].path), ": vertex ", twice->first,
-                          " is twice in its seam"));
+    throw InputError(
+        text(quote(parts_[p].path), ": vertex ", twice->first, " is twice in its seam"));
   }
   numbers_.push_back(std::move(numbers));
   for (const SeamVertex& s : part.seam) {
@@ -223,13 +222,12 @@ void Joiner::collect_edges(std::uint32_t p, MeshPart&& part) {
 
 // Every edge of a seam is run along by two parts, either way round.
 void Joiner::match_edges() {
-  std::ranges::sort(edges_, {}, [](const SeamEdge& e) {
-    return std::tuple(e.low, e.high, e.part, e.upwards);
-  });
+  std::ranges::sort(edges_, {},
+                    [](const SeamEdge& e) { return std::tuple(e.low, e.high, e.part, e.upwards); });
   for (std::size_t n = 0; n < edges_.size(); n += 2) {
     const SeamEdge& e = edges_[n];
-    const bool has_other = n + 1 < edges_.size() && edges_[n + 1].low == e.low &&
-                           edges_[n + 1].high == e.high;
+    const bool has_other =
+        n + 1 < edges_.size() && edges_[n + 1].low == e.low && edges_[n + 1].high == e.high;
     if (!has_other) {
       throw InputError(text("the seam of ", quote(parts_[e.part].path),
                             " does not match that of the part beside it"));

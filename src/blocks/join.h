@@ -24,8 +24,9 @@ struct Joined {
 // Reads the parts, PLY files, in any order, and writes the whole as PLY to `output` (`-`: standard
 // output). Parts are read one at a time, three times: memory is that of the largest part and of all
 // seams. The result does not depend on the order of the paths.
-// Throws InputError that names the file: for one that is no part, parts that are not of one mesh (other
-// volume, isovalue, criteria, grid of blocks), a block missing or twice, seams that do not match.
+// Throws InputError that names the file: for one that is no part, parts that are not of one mesh
+// (other volume, isovalue, criteria, grid of blocks), a block missing or twice, seams that do not
+// match.
 Joined join_parts(std::span<const std::string> paths, const std::string& output,
                   bool single_precision, bool ascii);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/deliso.h"
 
+#include "base/text.h"
 #include "baseline/marching_cubes.h"
 #include "cap/close_on_box.h"
 #include "cap/leave_box.h"
@@ -18,6 +19,23 @@ namespace {
 
 TopologyCounts counts_of(const ContourSummary& summary) {
   return {summary.components.size(), summary.euler(), summary.boundary_loops()};
+}
+
+// How often: an edge within an inner face may be in the way of what is to go from the seam.
+constexpr int kRounds = 3;
+
+// Leaves nothing on the inner faces but the seam (surface/seam.h).
+void make_seam(Recovered& s, const Isosurface& surface, const Parameters& parameters,
+               Report& report) {
+  std::size_t unknown = 1, flat = 0;
+  for (int round = 0; round < kRounds && unknown > 0; ++round) {
+    unknown = clear_seam(s.mesh, surface, s.curves, parameters, report);
+    flat = leave_box(s.mesh, surface, surface.volume().inner_faces(), parameters, report);
+  }
+  report[Counter::cap_not_lifted] += flat;
+  if (unknown == 0) return;
+  throw InputError(text("the surface is too fine for a seam at ", unknown,
+                        " places: the volume has to be cut elsewhere"));
 }
 
 }  // namespace
@@ -75,11 +93,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
-  if (inner_faces != 0) {
-    clear_seam(s.mesh, surface, s.curves, parameters, report);
-    report[Counter::cap_not_lifted] +=
-        leave_box(s.mesh, surface, inner_faces, parameters, report);
-  }
+  if (inner_faces != 0) make_seam(s, surface, parameters, report);
   if (options.cap) {
     begin("cap");
     close_on_box(s.mesh, surface, s.curves, inside, parameters, report);

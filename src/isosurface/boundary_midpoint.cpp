@@ -39,9 +39,7 @@ class FaceLine {
  private:
   int axis_u() const { return (across_ + 1) % 3; }
   int axis_v() const { return (across_ + 2) % 3; }
-  double grid(int axis, double t) const {
-    return volume_.in_samples(from_ + t * direction_, axis);
-  }
+  double grid(int axis, double t) const { return volume_.in_samples(from_ + t * direction_, axis); }
 
   double next_grid_line(double t) const {
     double next = std::numeric_limits<double>::infinity();

@@ -291,10 +291,9 @@ void read_seam(Source& source, const Element& element, std::uint64_t vertices, M
     std::array<std::int32_t, kSeamProperties.size()> row{};
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double value = source.next(element.properties[i].type);
-      const double most = i == 0 ? static_cast<double>(vertices) - 1
-                          : i == 1
-                              ? 2
-                              : static_cast<double>(std::numeric_limits<std::int32_t>::max());
+      const double most = i == 0   ? static_cast<double>(vertices) - 1
+                          : i == 1 ? 2
+                                   : static_cast<double>(std::numeric_limits<std::int32_t>::max());
       if (!(value >= 0 && value <= most)) {
         source.fail(text(kSeamProperties[i], " of seam vertex ", n, " is ", value));
       }
@@ -306,11 +305,10 @@ void read_seam(Source& source, const Element& element, std::uint64_t vertices, M
 
 bool is_seam(const Element& element) {
   return element.name == "seam" &&
-         std::ranges::equal(element.properties, kSeamProperties,
-                            [](const Property& property, const char* name) {
-                              return property.name == name && property.type == Type::i32 &&
-                                     !property.is_list;
-                            });
+         std::ranges::equal(
+             element.properties, kSeamProperties, [](const Property& property, const char* name) {
+               return property.name == name && property.type == Type::i32 && !property.is_list;
+             });
 }
 
 template <class Source>

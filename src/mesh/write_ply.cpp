@@ -55,12 +55,9 @@ void PlyWriter::finish() {
 }
 
 void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
-  PlyHeader header{{"DelIso" + mesh.space_note()},
-                   mesh.vertex_count(),
-                   mesh.face_count(),
-                   options.seam,
-                   options.single_precision,
-                   options.ascii};
+  PlyHeader header{
+      {"DelIso" + mesh.space_note()}, mesh.vertex_count(), mesh.face_count(), options.seam,
+      options.single_precision,       options.ascii};
   const std::string comment = mesh.comment_line("", "");
   if (!comment.empty()) header.comments.push_back(comment);
   PlyWriter writer(out, header);

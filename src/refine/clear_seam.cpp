@@ -32,15 +32,32 @@ class SeamClearer {
 
   // Whether v went.
   bool take_out(VertexId v, Effort effort) {
-    const auto at_v = std::ranges::find_if(
-        s_.mesh.faces, [&](const Face& face) { return has_corner(face.v, v); });
+    const auto at_v = std::ranges::find_if(s_.mesh.faces,
+                                           [&](const Face& face) { return has_corner(face.v, v); });
     if (at_v == s_.mesh.faces.end()) return false;
     const auto f = static_cast<FaceId>(at_v - s_.mesh.faces.begin());
+    if (cut_ear(f, v)) return true;
     if (effort == Effort::lift) return lift(f, v);
     return collapser_.take_out(f, v, effort == Effort::merge_at_any_cost);
   }
 
  private:
+  // Where f is all there is at v, the edge between v's neighbours becomes the boundary.
+  bool cut_ear(FaceId f, VertexId v) {
+    const Face& ear = s_.mesh.faces[f];
+    const std::size_t at_v = ear.v[0] == v ? 0 : ear.v[1] == v ? 1 : 2;
+    const FaceId g = ear.n[at_v];
+    if (ear.n[(at_v + 1) % 3] != kNoId || ear.n[(at_v + 2) % 3] != kNoId || g == kNoId) {
+      return false;
+    }
+    Change change;
+    change.out = {f, g};
+    change.in.facets = {s_.mesh.faces[g].v};
+    change.leaves_box = true;
+    if (!replacer_.take_out(change) || replacer_.replace(change, [] { return true; })) return false;
+    s_.chain.remove(v);
+    return true;
+  }
   // A triangle more, between v and its neighbours, and v a hair off the seam.
   bool lift(FaceId f, VertexId v) {
     Change change;
@@ -78,15 +95,15 @@ class SeamClearer {
 
 }  // namespace
 
-void clear_seam(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                const Parameters& parameters, Report& report) {
+std::size_t clear_seam(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+                       const Parameters& parameters, Report& report) {
   std::vector<VertexId> left;
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
     if (!s.chain.is_boundary(v)) continue;
     const CurvePlace place = s.chain.place(v);
     if (curves.is_on_seam(place) && !curves.is_kept(place)) left.push_back(v);
   }
-  if (left.empty()) return;
+  if (left.empty()) return 0;
   SeamClearer clearer(s, surface, curves, parameters, report);
   for (const Effort effort : {Effort::merge, Effort::merge_at_any_cost, Effort::lift}) {
     // One that goes may make way for another.
@@ -96,6 +113,7 @@ void clear_seam(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves&
     }
   }
   remove_dead(s);
+  return left.size();
 }
 
 }  // namespace deliso

@@ -14,8 +14,8 @@
 namespace deliso {
 
 // Takes out of the seams what is not kept there (BoundaryCurves::is_kept), as far as the gates
-// allow.
-void clear_seam(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                const Parameters& parameters, Report& report);
+// allow. Returns how much is left.
+std::size_t clear_seam(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+                       const Parameters& parameters, Report& report);
 
 }  // namespace deliso

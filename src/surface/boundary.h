@@ -32,11 +32,11 @@ struct CurvePlace {
 };
 
 struct BoundaryLoop {
-  std::vector<Vec3> points;           // closed: the last is joined to the first
+  std::vector<Vec3> points;  // closed: the last is joined to the first
   // Per point: every chain needs it, since the curve turns there on an edge of the box, or it is a
   // vertex of a seam.
   std::vector<std::uint8_t> kept;
-  std::vector<BoxFace> faces;         // per point: the face of the arc from it to the next
+  std::vector<BoxFace> faces;  // per point: the face of the arc from it to the next
 };
 
 class BoundaryCurves {

@@ -113,17 +113,9 @@ class FaceSeam {
     if (run.points.size() < 2) return;
     const std::size_t last = run.points.size() - 1;
     std::vector<std::size_t> ends{0};
-    if (run.closed) {
-      ends.insert(ends.end(), {last / 3, 2 * last / 3});
-    } else if (lies_on_edge(point(r, 0), point(r, last))) {
-      ends.push_back(last / 2);  // or the chord would lie in the next face, too
-    }
+    if (run.closed) ends.insert(ends.end(), {last / 3, 2 * last / 3});
     ends.push_back(last);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) lay_chords(r, ends[k], ends[k + 1]);
-  }
-
-  bool lies_on_edge(const Vec3& p, const Vec3& q) const {
-    return (p.x == q.x) + (p.y == q.y) + (p.z == q.z) >= 2;
   }
 
   void lay_chords(std::uint32_t r, std::size_t from, std::size_t end) {
@@ -147,9 +139,22 @@ class FaceSeam {
     return true;
   }
 
-  // Halves all that come near another; whether any did.
+  // Whether a chord runs along a side of the face, all but in the next face too.
+  bool runs_along_side(const Chord& c) const {
+    const Vec3 &a = point(c.run, c.from), &b = point(c.run, c.to);
+    const Box3 box = volume_.box();
+    const double apart = kApart * voxel_;
+    const auto both_near = [&](int axis, double side) {
+      return std::fabs(a[axis] - side) < apart && std::fabs(b[axis] - side) < apart;
+    };
+    return both_near(u_, box.lo[u_]) || both_near(u_, box.hi[u_]) || both_near(v_, box.lo[v_]) ||
+           both_near(v_, box.hi[v_]);
+  }
+
+  // Halves all that come near another, or a side; whether any did.
   bool halve_near_ones() {
-    std::vector<std::uint8_t> is_near_one(chords_.size(), 0);
+    std::vector<std::uint8_t> is_near_one;
+    for (const Chord& chord : chords_) is_near_one.push_back(runs_along_side(chord));
     for (const auto& [c, d] : neighbours()) {
       if (!come_near(chords_[c], chords_[d])) continue;
       is_near_one[c] = is_near_one[d] = 1;
@@ -175,7 +180,8 @@ class FaceSeam {
     };
     std::vector<Place> places;
     for (std::uint32_t c = 0; c < chords_.size(); ++c) {
-      const Vec3 &a = point(chords_[c].run, chords_[c].from), &b = point(chords_[c].run, chords_[c].to);
+      const Vec3 &a = point(chords_[c].run, chords_[c].from),
+                 &b = point(chords_[c].run, chords_[c].to);
       const auto range = [&](int axis) {
         const double spacing = volume_.spacing()[axis];
         const auto [low, high] = std::minmax({a[axis], b[axis]});

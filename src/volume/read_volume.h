@@ -67,8 +67,8 @@ struct RawLayout {
 };
 
 struct ReadOptions {
-  std::optional<RawLayout> raw;        // given: the input is plain raw data, whatever its name
-  std::optional<Roi> roi;              // given: only this part; the origin moves along
+  std::optional<RawLayout> raw;  // given: the input is plain raw data, whatever its name
+  std::optional<Roi> roi;        // given: only this part; the origin moves along
   // Given: only this block, which knows of the whole (Volume::as_block). Not with a roi.
   std::optional<BlockChoice> block{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
@@ -95,7 +95,8 @@ Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
-// "i,j,k/nx,ny,nz", "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned short", "float",
+// "i,j,k/nx,ny,nz", "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned
+// short", "float",
 // ...).
 Roi parse_roi(std::string_view text);
 BlockChoice parse_block(std::string_view text);

@@ -227,6 +227,19 @@ refuses "$same writes" builtin:torus -o out/a.ply --json out/a.ply
 refuses "$same writes" builtin:torus -o out/a.ply --json out/../out/a.ply
 cmp -s whole.raw data.copy && cmp -s kept.ply mesh.copy || fault 'an input was replaced'
 
+# Parts that do not belong together.
+for n in 0 1; do
+  "$deliso" builtin:torus:24 --block $n,0,0/2,1,1 -q -o part$n.ply
+  "$deliso" builtin:torus:24 --iso 0.1 --block $n,0,0/2,1,1 -q -o other$n.ply
+done
+refuses 'cut into 24 blocks' builtin:torus:24 --block 0,0,0/1,1,24 -o $o
+refuses 'block 1,0,0 of 2,1,1 is missing' join part0.ply -o $o
+refuses 'are both block 0,0,0' join part0.ply part1.ply part0.ply -o $o
+refuses 'other1.ply' join part0.ply other1.ply -o $o
+refuses 'kept.ply' join part0.ply kept.ply -o $o
+refuses 'nowhere.ply' join part0.ply nowhere.ply -o $o
+refuses "$same reads" join part0.ply part1.ply -o part1.ply
+
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply
 refuses 'no/such/a.json' builtin:sphere -o $o --json no/such/a.json

@@ -40,8 +40,9 @@ struct HelpEntry {
   std::string name, argument;
 };
 
-constexpr Command kAllCommands[] = {Command::mesh, Command::info, Command::check, Command::render};
-constexpr std::string_view kCommandNames[] = {"mesh", "info", "check", "render"};
+constexpr Command kAllCommands[] = {Command::mesh, Command::info, Command::check, Command::render,
+                                    Command::join};
+constexpr std::string_view kCommandNames[] = {"mesh", "info", "check", "render", "join"};
 
 // The options as the help of these commands lists them, each once.
 std::vector<HelpEntry> options_in_help(std::span<const Command> commands = kAllCommands) {
@@ -645,4 +646,51 @@ TEST_CASE("whatever the arguments, a command line or an InputError of one line")
   }
   CHECK(refused > 1000);
   CHECK(accepted > 100);
+}
+
+TEST_CASE("a block of a volume, and what cannot be asked of it") {
+  const CommandLine line = parse({"a.nrrd", "--iso", "1", "--block", "1,0,2/2,3,4", "-o", "p.ply"});
+  REQUIRE(line.read.block.has_value());
+  CHECK(line.read.block->at == Index3{1, 0, 2});
+  CHECK(line.read.block->of == Index3{2, 3, 4});
+  for (const char* text :
+       {"", "1", "1,0,0", "2,0,0/2,1,1", "0,0/1,1", "-1,0,0/2,1,1", "a,0,0/2,1,1", "0,0,0/0,1,1",
+        "0,0,0/1,1,1/2", "0,0,0/99999999999,1,1"}) {
+    CAPTURE(text);
+    CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "--block", text}).empty());
+  }
+  const std::vector<std::vector<std::string_view>> others{
+      {"--roi", "0:4,0:4,0:4"},      {"--cap"},          {"--min-component", "3"},
+      {"--vertices", "100"},         {"--paper"},        {"--triangles", "100"},
+      {"--recover", "paper"},        {"--single-stage"}, {"--stop-after", "recover"},
+      {"--method", "marching-cubes"}};
+  for (const auto& other : others) {
+    CAPTURE(other[0]);
+    std::vector<std::string_view> arguments{"a.nrrd", "--iso", "1", "--block", "0,0,0/2,1,1"};
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    CHECK(refusal(arguments).starts_with("--block and " + std::string(other[0])));
+  }
+  const auto with = [](std::string_view option, std::string_view value) {
+    return refusal({"a.nrrd", "--iso", "1", "--block", "0,0,0/2,1,1", option, value});
+  };
+  CHECK(with("--rmin", "0.01") ==
+        "--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
+  CHECK(with("--rmin", "0.3vox").empty());
+  CHECK(with("-o", "part.stl") == "--block writes parts as PLY, which alone holds what joins them");
+  CHECK(refusal({"info", "a.nrrd", "--block", "0,0,0/2,1,1"}) ==
+        "--block has no meaning for deliso info");
+}
+
+TEST_CASE("parts to join") {
+  const CommandLine line = parse({"join", "a.ply", "b.ply", "-o", "whole.ply", "--float"});
+  CHECK(line.command == Command::join);
+  CHECK(line.meshes == std::vector<std::string>{"a.ply", "b.ply"});
+  CHECK(line.output == "whole.ply");
+  CHECK(line.write.single_precision);
+  CHECK(refusal({"join", "-o", "whole.ply"}).starts_with("no parts given"));
+  CHECK(refusal({"join", "a.ply"}).starts_with("no whole named"));
+  CHECK(refusal({"join", "a.ply", "-", "-o", "whole.ply"}).find("standard input") !=
+        std::string::npos);
+  CHECK(refusal({"join", "a.ply", "-o", "whole.stl"}) ==
+        "cannot write 'whole.stl': parts are joined to PLY");
 }

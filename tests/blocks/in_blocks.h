@@ -51,8 +51,7 @@ inline TriMesh write_part(const Volume& whole, const BlockChoice& block, double 
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
   MeshWriteOptions how;
   how.seam = seam_of(mesh, volume);
-  how.comment =
-      "deliso test" + part_words(volume, block, isovalue, report.kappa_effective);
+  how.comment = "deliso test" + part_words(volume, block, isovalue, report.kappa_effective);
   write_mesh(mesh, path, how);
   return mesh;
 }

@@ -58,8 +58,8 @@ struct Parts {
         const std::string& prefix = "part") {
     for (const BlockChoice& block : all_blocks(of)) {
       const auto [i, j, k] = block.at;
-      paths.push_back(folder / (prefix + std::to_string(i) + std::to_string(j) +
-                                std::to_string(k) + ".ply"));
+      paths.push_back(
+          folder / (prefix + std::to_string(i) + std::to_string(j) + std::to_string(k) + ".ply"));
       Report report;
       write_part(volume, block, isovalue, options, paths.back(), report);
     }

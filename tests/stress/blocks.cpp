@@ -74,9 +74,10 @@ int main(int argc, char** argv) {
     if (list && !fault.empty()) {
       const Index3 n = tiny.volume.dims();
       std::printf("seed %llu %s %dx%dx%d %s in %dx%dx%d at %.17g: %s\n",
-                  static_cast<unsigned long long>(seed), std::string(name_of(kind_of(seed))).c_str(),
-                  n.i, n.j, n.k, std::string(name_of(tiny.volume.type())).c_str(), of.i, of.j, of.k,
-                  tiny.isovalue, fault.c_str());
+                  static_cast<unsigned long long>(seed),
+                  std::string(name_of(kind_of(seed))).c_str(), n.i, n.j, n.k,
+                  std::string(name_of(tiny.volume.type())).c_str(), of.i, of.j, of.k, tiny.isovalue,
+                  fault.c_str());
       std::fflush(stdout);
     }
   }

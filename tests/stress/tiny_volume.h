@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random volumes, of 2 to 12 samples along each axis unless others are asked for, of the kinds that
-// meshers fail on. A seed says everything: the kind (seed modulo the number of kinds), size, sample type, samples, spacing and
-// isovalue.
+// meshers fail on. A seed says everything: the kind (seed modulo the number of kinds), size, sample
+// type, samples, spacing and isovalue.
 #pragma once
 
 #include <array>

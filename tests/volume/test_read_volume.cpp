@@ -4,10 +4,12 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
 
+#include "volume/builtin_fields.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -145,6 +147,48 @@ TEST_CASE("a region is the same part of every format") {
       CHECK(difference(part.frame().to_world({0, 0, 0}), there) <= 1e-9);
     }
   }
+}
+
+TEST_CASE("blocks are regions that know where they lie, and have every voxel once") {
+  const Volume whole = make_builtin_volume("builtin:noise:23");
+  const Index3 of{3, 2, 4};
+  std::vector<int> seen(whole.sample_count());  // voxels, by their first samples
+  int different = 0;
+  for (int n = 0; n < 24; ++n) {
+    const BlockChoice choice{{n % 3, n / 3 % 2, n / 6}, of};
+    const Volume block =
+        make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = choice});
+    CHECK(block.is_block());
+    CHECK(block.whole_dims() == whole.dims());
+    CHECK(block.frame() == whole.frame());
+    const Index3 first = block.first(), dims = block.dims();
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(((block.inner_faces() >> (2 * axis)) & 1) == (choice.at[axis] > 0));
+      CHECK(((block.inner_faces() >> (2 * axis + 1)) & 1) == (choice.at[axis] + 1 < of[axis]));
+    }
+    for (int k = 0; k < dims.k; ++k) {
+      for (int j = 0; j < dims.j; ++j) {
+        for (int i = 0; i < dims.i; ++i) {
+          const Index3 at{first.i + i, first.j + j, first.k + k};
+          different += block.sample(i, j, k) != whole.sample(at.i, at.j, at.k) ||
+                       block.position({i, j, k}) != whole.position(at);
+          const bool is_voxel = i + 1 < dims.i && j + 1 < dims.j && k + 1 < dims.k;
+          seen[whole.index(at.i, at.j, at.k)] += is_voxel;
+        }
+      }
+    }
+    const Vec3 p = block.position({1, 1, 1}) + Vec3{0.25, 0.5, -0.125};
+    CHECK(block.value(p) == whole.value(p));
+    CHECK(block.gradient(p) == whole.gradient(p));
+    CHECK(block.voxel_at(p) == Index3{1, 1, 0});
+  }
+  CHECK(different == 0);
+  CHECK(std::ranges::count(seen, 1) == 22 * 22 * 22);
+  CHECK(std::ranges::count(seen, 0) == 23 * 23 * 23 - 22 * 22 * 22);
+  CHECK_FALSE(whole.is_block());
+  CHECK_THROWS_AS(make_builtin_volume("builtin:noise:23",
+                                      {.raw = {}, .roi = {}, .block = BlockChoice{{}, {23, 1, 1}}}),
+                  InputError);
 }
 
 TEST_CASE("raw data in native order is mapped, not copied") {

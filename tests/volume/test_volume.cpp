@@ -269,3 +269,24 @@ TEST_CASE("orientation") {
   CHECK(turned.to_world({1, 2, 3}) == Vec3{12, 21, 33});
   CHECK(turned.left_handed());
 }
+
+TEST_CASE("blocks lower the isovalue by what the type alone says, past no sample") {
+  using enum SampleType;
+  for (const SampleType type : {u8, i8, u16, i16, u32, i32}) {
+    for (const double kappa : {0.0, 40.0, 40.1, 40.5, 40 + 0x1p-22, -3.0, 4294967295.0}) {
+      CAPTURE(kappa);
+      const double lowered = isovalue_of_blocks(type, kappa);
+      CHECK(lowered < kappa);
+      CHECK(lowered > std::ceil(kappa) - 1);
+      CHECK(kappa - lowered <= 0x1p-20);
+    }
+  }
+  for (const float kappa : {0.0f, 40.0f, -1e-30f, 1e30f}) {
+    const double lowered = isovalue_of_blocks(f32, kappa);
+    CHECK(lowered < static_cast<double>(kappa));
+    CHECK(lowered >
+          static_cast<double>(std::nextafter(kappa, -std::numeric_limits<float>::infinity())));
+  }
+  CHECK(isovalue_of_blocks(f32, 40.1) == 40.1);
+  CHECK(isovalue_of_blocks(f64, 40) == 40);
+}
