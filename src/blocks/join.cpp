@@ -63,8 +63,8 @@ class Joiner {
   }
   void require_one_of_each() const;
   void require_same_samples() const;
-  void number(std::uint32_t p, const MeshPart& part);
-  void collect_edges(std::uint32_t p, MeshPart&& part);
+  void number(std::uint32_t p, const PartMesh& part);
+  void collect_edges(std::uint32_t p, PartMesh&& part);
   void match_edges();
   std::uint64_t place(const Numbers& numbers, VertexId v) const;
   bool is_foreign(const Numbers& numbers, VertexId v) const {
@@ -161,7 +161,7 @@ void Joiner::require_same_samples() const {
   }
 }
 
-void Joiner::number(std::uint32_t p, const MeshPart& part) {
+void Joiner::number(std::uint32_t p, const PartMesh& part) {
   Numbers numbers{joined_.vertices, {}};
   for (const SeamVertex& s : part.seam) {
     const Vec3& point = part.points[s.vertex];
@@ -193,7 +193,7 @@ std::uint64_t Joiner::place(const Numbers& numbers, VertexId v) const {
 }
 
 // The part's boundary edges in its inner faces.
-void Joiner::collect_edges(std::uint32_t p, MeshPart&& part) {
+void Joiner::collect_edges(std::uint32_t p, PartMesh&& part) {
   const Index3 dims = parts_[p].note.dims;
   const Roi region = region_of(parts_[p].note.block, dims);
   const auto is_inner = [&](int axis, int n) {
@@ -244,7 +244,7 @@ void Joiner::match_edges() {
 Joined Joiner::run(const std::string& output, bool single_precision, bool ascii) {
   joined_.parts = parts_.size();
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    MeshPart part = read_part(parts_[p].path);
+    PartMesh part = read_part(parts_[p].path);
     number(p, part);
     collect_edges(p, std::move(part));
   }
@@ -261,7 +261,7 @@ Joined Joiner::run(const std::string& output, bool single_precision, bool ascii)
   AtomicFile out(output);
   PlyWriter writer(out, header);
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    const MeshPart part = read_part(parts_[p].path);
+    const PartMesh part = read_part(parts_[p].path);
     for (VertexId v = 0; v < part.points.size(); ++v) {
       if (!is_foreign(numbers_[p], v)) writer.vertex(part.points[v]);
     }

@@ -78,7 +78,7 @@ TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
   return parse_mesh(open_file(path).text(), format, path, comments);
 }
 
-MeshPart read_part(const std::string& path) {
+PartMesh read_part(const std::string& path) {
   MeshParts parts = parse_parts(open_file(path).text(), MeshFormat::ply, path);
   return {std::move(parts.points), std::move(parts.triangles), std::move(parts.seam)};
 }

@@ -37,12 +37,12 @@ namespace deliso {
 TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments = nullptr);
 
 // A part of a mesh from a PLY file, not linked.
-struct MeshPart {
+struct PartMesh {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<SeamVertex> seam;  // as in the file; empty where there is none
 };
-MeshPart read_part(const std::string& path);
+PartMesh read_part(const std::string& path);
 // The comments of a PLY file, of which only the header is read.
 std::vector<std::string> read_ply_comments(const std::string& path);
 

@@ -28,7 +28,8 @@ class SeamClearer {
         hair_(kHair * parameters.voxel),
         replacer_(s, surface, parameters, report),
         judge_(s, replacer_, parameters),
-        collapser_(s, replacer_, judge_, surface, curves, parameters, report) {}
+        collapser_(s, replacer_, judge_, surface, curves, parameters, s.mesh.points.size(),
+                   report) {}
 
   // Whether v went.
   bool take_out(VertexId v, Effort effort) {
