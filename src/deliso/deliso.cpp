@@ -12,6 +12,7 @@
 #include "recover/recover_paper.h"
 #include "refine/clear_seam.h"
 #include "refine/refine.h"
+#include "surface/seam.h"
 #include "surface/stage_progress.h"
 
 namespace deliso {
@@ -33,9 +34,7 @@ void make_seam(Recovered& s, const Isosurface& surface, const Parameters& parame
     flat = leave_box(s.mesh, surface, surface.volume().inner_faces(), parameters, report);
   }
   report[Counter::cap_not_lifted] += flat;
-  if (unknown == 0) return;
-  throw InputError(text("the surface is too fine for a seam at ", unknown,
-                        " places: the volume has to be cut elsewhere"));
+  if (unknown > 0) refuse_seam(text("a vertex, one of ", unknown));
 }
 
 }  // namespace

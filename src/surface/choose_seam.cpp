@@ -17,6 +17,9 @@ namespace {
 // A chord keeps as near to the curve as this share of the distance that is asked for, or that of a
 // voxel where none is, and of its own length; and it is no longer than so many voxels.
 constexpr double kNear = 0.5, kNearVoxels = 0.05, kFlat = 0.25, kLongest = 3;
+// Curves of so few crossings keep them all: what a speck bounds is so thin that a chord could turn
+// it inside out.
+constexpr std::size_t kFew = 8;
 // How near chords may come, in voxels, and the cosine between two that have an end in common.
 constexpr double kApart = 1e-3, kSharp = 0.9;
 
@@ -119,9 +122,10 @@ class FaceSeam {
   }
 
   void lay_chords(std::uint32_t r, std::size_t from, std::size_t end) {
+    const bool is_short = runs_[r].points.size() <= kFew;
     while (from < end) {
       std::size_t to = from + 1;
-      while (to < end && is_near(r, from, to + 1)) ++to;
+      while (!is_short && to < end && is_near(r, from, to + 1)) ++to;
       chords_.push_back({r, from, to});
       from = to;
     }

@@ -39,6 +39,11 @@ std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
   return edge;
 }
 
+void refuse_seam(const std::string& what) {
+  throw InputError("the surface is too fine for a seam: " + what +
+                   " cannot be taken out of it (another --seed may do, or other blocks)");
+}
+
 std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
   std::vector<SeamVertex> seam;
   if (volume.inner_faces() == 0) return seam;
@@ -50,8 +55,7 @@ std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
     const auto edge = grid_edge_at(mesh.points[v], volume);
     if (!edge) {
       const Vec3 &p = mesh.points[v], s = volume.spacing();
-      throw InputError(text("the seam cannot be kept at (", p.x / s.x, ", ", p.y / s.y, ", ",
-                            p.z / s.z, ") samples"));
+      refuse_seam(text("the point (", p.x / s.x, " ", p.y / s.y, " ", p.z / s.z, ")"));
     }
     seam.push_back({v, *edge});
   }
@@ -62,7 +66,7 @@ std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
       const unsigned common = faces[a] & faces[b];
       if (common == 0) continue;
       if (face.n[i] != kNoId || (common & faces[face.v[i]]) != 0) {
-        throw InputError(text("facet ", f, " cannot be kept out of the seam"));
+        refuse_seam(text("facet ", f));
       }
     }
   }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesh/seam_vertex.h"
@@ -22,8 +23,10 @@ namespace deliso {
 // The grid edge that p lies on, between its ends; nothing when it lies on none.
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume);
 
-// The seam of a finished part, by ascending vertices. pre: the mesh is linked.
-// Throws InputError where the mesh breaks J1 or J2: its surface is too fine for doubles there.
+// Throws InputError: what would have to go from a seam, for J1 or J2, cannot.
+[[noreturn]] void refuse_seam(const std::string& what);
+
+// The seam of a finished part, by ascending vertices, or refuse_seam(). pre: the mesh is linked.
 std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume);
 
 }  // namespace deliso
