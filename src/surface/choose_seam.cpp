@@ -100,12 +100,12 @@ class FaceSeam {
     }
     // As seen from one side of the face.
     if (face_ % 2 == 0) {
-      std::ranges::reverse(run.points);
-      std::ranges::reverse(edges);
+      std::reverse(run.points.begin(), run.points.end());
+      std::reverse(edges.begin(), edges.end());
     }
     if (closed && !edges.empty()) {
       const auto first = std::ranges::min_element(edges) - edges.begin();
-      std::ranges::rotate(run.points, run.points.begin() + first);
+      std::rotate(run.points.begin(), run.points.begin() + first, run.points.end());
       run.points.push_back(run.points.front());
     }
     runs_.push_back(std::move(run));

@@ -52,7 +52,8 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves =
+        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
     Report report;
     Options options;
     options.seed = seed;

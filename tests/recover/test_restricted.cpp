@@ -57,7 +57,8 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 16);
-    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves =
+        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
     Report report;
     Options options;
     options.seed = seed;
@@ -83,7 +84,8 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
 
 TEST_CASE("pole heights are those of a brute-force search over Voronoi vertices") {
   const Scene scene = builtin_scene("torus", 32);
-  const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+  const BoundaryCurves curves =
+      boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
   Report report;
   Options options;
   options.r_min = {0.05};

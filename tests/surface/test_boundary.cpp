@@ -25,7 +25,8 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14, {1, 1, seed % 3 == 0 ? 3.0 : 1.0});
-    const BoundaryCurves curves = boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves =
+        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
     REQUIRE(curves.loop_count() == scene.contour.boundary.size());
     for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
       ++loops;
