@@ -76,7 +76,8 @@ TEST_CASE("labels and rings are the same with any number of threads, and rings g
   ContourMesh& contour = scene.contour;
   order_by_blocks(contour, scene.volume);
   REQUIRE(contour.points.size() > 20000);
-  const BoundaryCurves curves = boundary_curves(scene.surface, contour);
+  const BoundaryCurves curves =
+      boundary_curves(scene.surface, contour, resolve(Options{}, scene.volume));
   Report report;
   const InitialSites sites =
       init_sites(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);
