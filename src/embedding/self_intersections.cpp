@@ -23,6 +23,7 @@ class Search {
         triangles_(triangles),
         threads_(threads),
         bounded_(bounded),
+        most_(most_work(triangles.size() / 4 + 1)),
         flat_(triangles.size()) {
     for_each_run(threads, triangles.size(), 1u << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
@@ -110,6 +111,15 @@ class Search {
   }
 
  private:
+  // What a leaf may take, where there are so many.
+  struct Most {
+    std::size_t boxes, tests, found;
+  };
+  static Most most_work(std::size_t leaves) {
+    return {std::max(kMostBoxes, kBoxesAtLeast / leaves),
+            std::max(kMostTests, kTestsAtLeast / leaves),
+            std::max(kMostFound, kFoundAtLeast / leaves)};
+  }
   struct Work {
     std::size_t boxes = 0, tests = 0, found = 0;
     std::vector<std::pair<FaceId, FaceId>> pairs;
@@ -118,7 +128,7 @@ class Search {
 
   bool exhausted(const Work& work) const {
     return bounded_ &&
-           (work.boxes > kMostBoxes || work.tests > kMostTests || work.found > kMostFound);
+           (work.boxes > most_.boxes || work.tests > most_.tests || work.found > most_.found);
   }
 
   static FaceId named(std::span<const FaceId> name, FaceId f) { return name.empty() ? f : name[f]; }
@@ -152,6 +162,7 @@ class Search {
   std::span<const Triangle> triangles_;
   int threads_;
   bool bounded_;
+  Most most_;
   std::vector<std::uint8_t> flat_;
   Crossings found_;
 };

@@ -25,6 +25,9 @@ struct Crossings {
 // The bounds on work, of four triangles next to each other (a leaf of the tree) together: boxes
 // compared, pairs tested, and pairs found. Sound meshes need some hundred, some forty and none.
 inline constexpr std::size_t kMostBoxes = 1u << 13, kMostTests = 512, kMostFound = 64;
+// Where there are few leaves they share so many: all of a small mesh is looked at, whatever it is.
+inline constexpr std::size_t kBoxesAtLeast = 1u << 26, kTestsAtLeast = 1u << 22,
+                             kFoundAtLeast = 1u << 19;
 // Of triangles at a vertex, beyond which their arcs are looked at.
 inline constexpr std::size_t kManyAround = 64;
 
