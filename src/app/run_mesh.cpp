@@ -3,6 +3,9 @@
 #include <sys/resource.h>
 
 #include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "app/check_report.h"
 #include "app/criteria_note.h"
@@ -16,6 +19,7 @@
 #include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "base/parallel.h"
 #include "blocks/part_note.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
@@ -65,24 +69,38 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   return make_tri_mesh(mesh.points, triangles);
 }
 
-// Counts, checks and measures the mesh.
-void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, Progress& progress,
+// Checks the mesh, and counts and measures what is reported of it, side by side.
+void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, bool reported,
              MeshRun& run) {
-  if (run.line.options.cap) {
-    const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
-    run.cap_quality = measure_quality(caps, run.line.options.lambda, 0);
-    run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+  const Options& options = run.line.options;
+  std::string boundary_fault;
+  std::vector<std::function<void()>> looks{
+      [&] { run.fault = check_mesh(mesh); },
+      [&] { boundary_fault = check_boundary_on_box(surface, volume.box()); }};
+  if (reported) {
+    looks.emplace_back([&] { run.mesh = topology_of(mesh_topology(surface)); });
+    looks.emplace_back(
+        [&] { run.quality = measure_quality(surface, options.lambda, run.report.r_min); });
   }
-  run.mesh = topology_of(mesh_topology(surface));
-  run.quality = measure_quality(surface, run.line.options.lambda, run.report.r_min);
-  if (run.line.check) {
-    VerifyOptions options = verify_options(run.line, volume);
-    if (by_count(run.line.options)) options.limits.max_distance = run.report.max_distance;
-    // Marching Cubes promises no Delaunay triangles.
-    if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
-    options.progress = [&](double share) { progress.show("check", share); };
-    run.verification = verify(mesh, volume, run.report.kappa_effective, options);
+  if (reported && options.cap) {
+    looks.emplace_back([&] {
+      const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
+      run.cap_quality = measure_quality(caps, options.lambda, 0);
+      run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+    });
   }
+  for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
+  if (run.fault.empty()) run.fault = boundary_fault;
+}
+
+// Holds the mesh against the volume, trusting no stage.
+void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
+  VerifyOptions options = verify_options(run.line, volume);
+  if (by_count(run.line.options)) options.limits.max_distance = run.report.max_distance;
+  // Marching Cubes promises no Delaunay triangles.
+  if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
+  options.progress = [&](double share) { progress.show("check", share); };
+  run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
 // Single precision and turned axes round: what is counted is the solid in the file.
@@ -144,11 +162,10 @@ int run_mesh(const CommandLine& line) {
   TriMesh without_caps;
   if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
-  run.fault = check_mesh(mesh);
-  if (run.fault.empty()) run.fault = check_boundary_on_box(surface, volume.box());
+  const bool reported = !line.quiet || line.check || !line.json.empty();
+  examine(volume, mesh, surface, reported, run);
   count_crossings_as_written(mesh, run);
-  if (!line.quiet || line.check || !line.json.empty())
-    examine(volume, mesh, surface, progress, run);
+  if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
   progress.show("writing", 0);
   write_results(mesh, volume, run);
