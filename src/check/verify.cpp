@@ -57,13 +57,15 @@ using Pairs = std::vector<std::pair<FaceId, FaceId>>;
 Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
                                 const TriangleTree& tree, int threads, Faults& faults) {
   Crossings found = find_crossings(clean.points, clean.triangles, tree, threads);
-  for (auto& [f, g] : found.pairs) {
-    f = clean.id[f];
-    g = clean.id[g];
+  for (auto& pair : found.pairs) {
+    pair = {clean.id[pair.first], clean.id[pair.second]};
     faults.add(
         FaultKind::self_intersections,
-        [&] { return name_of_triangle(mesh, f) + " meets " + name_of_triangle(mesh, g); },
-        middle_of(mesh, f));
+        [&] {
+          return name_of_triangle(mesh, pair.first) + " meets " +
+                 name_of_triangle(mesh, pair.second);
+        },
+        middle_of(mesh, pair.first));
   }
   if (!found.given_up.empty()) {
     const FaceId f = clean.id[found.given_up[0]];

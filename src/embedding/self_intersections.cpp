@@ -2,6 +2,8 @@
 #include "embedding/self_intersections.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "base/parallel.h"
@@ -23,7 +25,6 @@ class Search {
         triangles_(triangles),
         threads_(threads),
         bounded_(bounded),
-        most_(most_work(triangles.size() / 4 + 1)),
         flat_(triangles.size()) {
     for_each_run(threads, triangles.size(), 1u << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
@@ -111,19 +112,15 @@ class Search {
   }
 
  private:
-  // What a leaf may take, where there are so many.
+  // What a leaf may take.
   struct Most {
-    std::size_t boxes, tests, found;
+    std::size_t boxes = kMostBoxes, tests = kMostTests, found = kMostFound;
   };
-  static Most most_work(std::size_t leaves) {
-    return {std::max(kMostBoxes, kBoxesAtLeast / leaves),
-            std::max(kMostTests, kTestsAtLeast / leaves),
-            std::max(kMostFound, kFoundAtLeast / leaves)};
-  }
   struct Work {
     std::size_t boxes = 0, tests = 0, found = 0;
     std::vector<std::pair<FaceId, FaceId>> pairs;
     std::vector<FaceId> given_up;
+    std::vector<std::size_t> exhausted;
   };
 
   bool exhausted(const Work& work) const {
@@ -140,22 +137,47 @@ class Search {
     work.pairs.emplace_back(std::min(f, g), std::max(f, g));
   }
 
-  // Calls look(n, work) for every n below `size`, each with its own share of the work.
+  // Calls look(n, work) for every n below `size`, each with its own share of the work, and once
+  // more for those that were exhausted where they may have more.
   template <class Look>
   void run(std::size_t size, const Look& look) {
-    std::vector<Work> works(runs_of(size, kLeavesAtOnce));
-    for_each_run(threads_, size, kLeavesAtOnce,
-                 [&](std::size_t number, std::size_t begin, std::size_t end) {
-                   Work& work = works[number];
-                   for (std::size_t n = begin; n < end; ++n) {
-                     work.boxes = work.tests = work.found = 0;
-                     look(n, work);
-                   }
-                 });
+    std::vector<std::size_t> all(size);
+    std::iota(all.begin(), all.end(), 0);
+    most_ = {};
+    std::vector<Work> works = works_of(all, look);
+    std::vector<std::size_t> more;
+    for (const Work& work : works) {
+      more.insert(more.end(), work.exhausted.begin(), work.exhausted.end());
+    }
+    if (!more.empty()) {
+      most_ = {std::max(kMostBoxes, kBoxesShared / more.size()),
+               std::max(kMostTests, kTestsShared / more.size()),
+               std::max(kMostFound, kFoundShared / more.size())};
+      if (most_.boxes > kMostBoxes || most_.tests > kMostTests || most_.found > kMostFound) {
+        for (Work& work : works) work.given_up.clear();
+        std::vector<Work> again = works_of(more, look);
+        std::move(again.begin(), again.end(), std::back_inserter(works));
+      }
+    }
     for (const Work& work : works) {
       found_.pairs.insert(found_.pairs.end(), work.pairs.begin(), work.pairs.end());
       found_.given_up.insert(found_.given_up.end(), work.given_up.begin(), work.given_up.end());
     }
+  }
+
+  template <class Look>
+  std::vector<Work> works_of(std::span<const std::size_t> numbers, const Look& look) const {
+    std::vector<Work> works(runs_of(numbers.size(), kLeavesAtOnce));
+    for_each_run(threads_, numbers.size(), kLeavesAtOnce,
+                 [&](std::size_t run, std::size_t begin, std::size_t end) {
+                   Work& work = works[run];
+                   for (std::size_t n = begin; n < end; ++n) {
+                     work.boxes = work.tests = work.found = 0;
+                     look(numbers[n], work);
+                     if (exhausted(work)) work.exhausted.push_back(numbers[n]);
+                   }
+                 });
+    return works;
   }
 
   const std::vector<Vec3>& points_;

@@ -25,9 +25,10 @@ struct Crossings {
 // The bounds on work, of four triangles next to each other (a leaf of the tree) together: boxes
 // compared, pairs tested, and pairs found. Sound meshes need some hundred, some forty and none.
 inline constexpr std::size_t kMostBoxes = 1u << 13, kMostTests = 512, kMostFound = 64;
-// Where there are few leaves they share so many: all of a small mesh is looked at, whatever it is.
-inline constexpr std::size_t kBoxesAtLeast = 1u << 26, kTestsAtLeast = 1u << 22,
-                             kFoundAtLeast = 1u << 19;
+// Leaves that need more share so many: where they are few, as around the large triangles of a cap,
+// all is looked at, and so is all of a small mesh, whatever it is.
+inline constexpr std::size_t kBoxesShared = 1u << 26, kTestsShared = 1u << 22,
+                             kFoundShared = 1u << 19;
 // Of triangles at a vertex, beyond which their arcs are looked at.
 inline constexpr std::size_t kManyAround = 64;
 
