@@ -145,7 +145,7 @@ class Triangulation {
   static constexpr std::uint32_t kTableVertices = 64;
   std::vector<std::uint32_t> ranks_;
   std::uint32_t first_rank_ = 1;
-  std::vector<Link> edge_table_ = std::vector<Link>(kTableVertices * kTableVertices);
+  std::vector<Link> edge_table_ = std::vector<Link>(std::size_t{kTableVertices} * kTableVertices);
 
   ConflictZone scratch_zone_;
   std::vector<CellId> scratch_created_;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 #include "base/ids.h"
 
@@ -15,7 +16,10 @@ namespace deliso {
 struct GridEdge {
   std::int32_t axis = 0;
   std::array<std::int32_t, 3> low{};
-  friend auto operator<=>(const GridEdge&, const GridEdge&) = default;
+  friend bool operator==(const GridEdge&, const GridEdge&) = default;
+  friend bool operator<(const GridEdge& a, const GridEdge& b) {
+    return std::tie(a.axis, a.low) < std::tie(b.axis, b.low);
+  }
 };
 
 struct SeamVertex {

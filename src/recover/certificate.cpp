@@ -6,11 +6,11 @@
 namespace deliso {
 
 Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId site) {
-  for (Interface& i : interfaces) {
+  for (Interface& i : interfaces_) {
     if (i.site == site) return i;
   }
-  interfaces.push_back({site});
-  return interfaces.back();
+  interfaces_.push_back({site});
+  return interfaces_.back();
 }
 
 VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
@@ -27,7 +27,7 @@ VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
 Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
                            std::vector<DualFacet>& facets) {
   using Interface = Scratch::Interface;
-  scratch.interfaces.clear();
+  scratch.interfaces_.clear();
   facets.clear();
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
@@ -36,8 +36,8 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
   // what is reached, and stays there when it is of the region and new.
   const std::span<const VertexId> region = labels_.region(a);
   const std::span<const VertexId> label = labels_.all();
-  scratch.reached.resize(std::max(scratch.reached.size(), region.size() + 1));
-  const std::span<VertexId> reached = scratch.reached;
+  scratch.reached_.resize(std::max(scratch.reached_.size(), region.size() + 1));
+  const std::span<VertexId> reached = scratch.reached_;
   const std::span<std::uint32_t> visited = visited_;
   const std::uint32_t round = round_;
   reached[0] = at;
@@ -119,7 +119,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
       return {Violation::boundary, furthest};
     }
   }
-  for (const Interface& i : scratch.interfaces) {
+  for (const Interface& i : scratch.interfaces_) {
     if (i.boundary_edges > 1) return {Violation::boundary, furthest_between(a, i.site)};
     if (2 * i.edges - i.twice_faces != 2)
       return {Violation::interface, furthest_between(a, i.site)};

@@ -52,8 +52,8 @@ class Certificate {
     };
     Interface& interface_with(VertexId site);
 
-    std::vector<VertexId> reached;  // as long as it ever had to be
-    std::vector<Interface> interfaces;
+    std::vector<VertexId> reached_;  // as long as it ever had to be
+    std::vector<Interface> interfaces_;
   };
 
   // Tests C1-C4 at `site`, whose own vertex of T is `at`. `facets` become those of the dual there:

@@ -104,7 +104,7 @@ class FaceSeam {
       std::reverse(edges.begin(), edges.end());
     }
     if (closed && !edges.empty()) {
-      const auto first = std::ranges::min_element(edges) - edges.begin();
+      const auto first = std::min_element(edges.begin(), edges.end()) - edges.begin();
       std::rotate(run.points.begin(), run.points.begin() + first, run.points.end());
       run.points.push_back(run.points.front());
     }
