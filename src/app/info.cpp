@@ -82,8 +82,8 @@ Info find_info(const Input& input, const CommandLine& line) {
   info.isovalue = line.isovalue;
   if (line.isovalue) {
     const Stopwatch watch;
-    info.effective = settled_isovalue(volume, *line.isovalue);
-    info.contour = summarize_contour(volume, info.effective);
+    info.effective = *line.isovalue;
+    info.contour = summarize_settled_contour(volume, info.effective);
     info.seconds_contour = watch.seconds();
   }
   return info;
@@ -102,7 +102,7 @@ std::string info_text(const Info& info) {
     if (info.effective != *info.isovalue) {
       text += ", lowered to " + number_text(info.effective) + " as samples or saddles equal it";
     }
-    text += "\nsurface   " + topology_text(topology_of(info.contour)) + "\n          in " +
+    text += "\nsurface   " + topology_text(info.contour.topology()) + "\n          in " +
             std::to_string(info.contour.active_voxels) + " voxels";
     append_format(text, ", found in %.3f s\n", info.seconds_contour);
   }
@@ -142,7 +142,7 @@ std::string info_json(const Info& info) {
     json.open("surface");
     json.add("isovalue", *info.isovalue);
     json.add("isovalue_effective", info.effective);
-    add_topology(json, "topology", topology_of(info.contour));
+    add_topology(json, "topology", info.contour.topology());
     json.add("active_voxels", info.contour.active_voxels);
     json.add("seconds_contour", info.seconds_contour);
     json.close();

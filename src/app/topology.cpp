@@ -5,10 +5,6 @@
 
 namespace deliso {
 
-TopologyCounts topology_of(const ContourSummary& summary) {
-  return {summary.components.size(), summary.euler(), summary.boundary_loops()};
-}
-
 TopologyCounts topology_of(const MeshTopology& mesh) {
   return {mesh.components.size(), mesh.euler(), mesh.boundary_loops};
 }

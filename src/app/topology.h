@@ -7,12 +7,10 @@
 
 #include "app/json.h"
 #include "base/topology_counts.h"
-#include "contour/contour.h"
 #include "mesh/check_mesh.h"
 
 namespace deliso {
 
-TopologyCounts topology_of(const ContourSummary& summary);
 TopologyCounts topology_of(const MeshTopology& mesh);
 
 std::string topology_text(const TopologyCounts& topology);

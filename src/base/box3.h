@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -64,6 +65,16 @@ inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const 
 using BoxFace = std::uint8_t;
 constexpr int axis_of(BoxFace face) {
   return face >> 1;
+}
+
+// The faces of `box` that p lies on, exactly or so far off: bit n for face n.
+inline unsigned box_faces_at(const Vec3& p, const Box3& box, double off = 0) {
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::fabs(p[axis] - box.lo[axis]) <= off) faces |= 1u << (2 * axis);
+    if (std::fabs(p[axis] - box.hi[axis]) <= off) faces |= 2u << (2 * axis);
+  }
+  return faces;
 }
 
 }  // namespace deliso

@@ -47,6 +47,17 @@ class Joiner {
   struct Numbers {
     std::uint64_t first = 0;                                  // of its own vertices
     std::vector<std::pair<VertexId, std::uint64_t>> foreign;  // ascending
+
+    struct Place {
+      std::uint64_t in_whole;
+      bool is_foreign;
+    };
+    Place of(VertexId v) const {
+      const auto at =
+          std::ranges::lower_bound(foreign, v, {}, &std::pair<VertexId, std::uint64_t>::first);
+      if (at != foreign.end() && at->first == v) return {at->second, true};
+      return {first + v - static_cast<std::uint64_t>(at - foreign.begin()), false};
+    }
   };
   // An edge of a seam, as one part runs along it.
   struct SeamEdge {
@@ -66,12 +77,6 @@ class Joiner {
   void number(std::uint32_t p, const PartMesh& part);
   void collect_edges(std::uint32_t p, PartMesh&& part);
   void match_edges();
-  std::uint64_t place(const Numbers& numbers, VertexId v) const;
-  bool is_foreign(const Numbers& numbers, VertexId v) const {
-    const auto at = std::ranges::lower_bound(numbers.foreign, v, {},
-                                             &std::pair<VertexId, std::uint64_t>::first);
-    return at != numbers.foreign.end() && at->first == v;
-  }
 
   Index3 of_;
   std::vector<Part> parts_;  // by block
@@ -123,25 +128,19 @@ Joiner::Joiner(std::span<const std::string> paths) {
 }
 
 void Joiner::require_one_of_each() const {
-  std::size_t n = 0;
-  for (int k = 0; k < of_.k; ++k) {
-    for (int j = 0; j < of_.j; ++j) {
-      for (int i = 0; i < of_.i; ++i, ++n) {
-        const Index3 wanted{i, j, k};
-        if (n > 0 && n < parts_.size() && parts_[n].note.block.at == parts_[n - 1].note.block.at) {
-          throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
-                                " are both block ", name_of(parts_[n].note.block.at)));
-        }
-        if (n >= parts_.size() || parts_[n].note.block.at != wanted) {
-          throw InputError(text("block ", name_of(wanted), " of ", name_of(of_),
-                                " is missing beside ", quote(parts_.front().path)));
-        }
-      }
+  const auto number = [&](std::size_t n) { return number_of(parts_[n].note.block.at); };
+  const std::size_t blocks = number_of({of_.i - 1, of_.j - 1, of_.k - 1}) + std::size_t{1};
+  for (std::size_t n = 0; n < std::max(parts_.size(), blocks); ++n) {
+    if (n > 0 && n < parts_.size() && number(n) == number(n - 1)) {
+      throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
+                            " are both block ", name_of(parts_[n].note.block.at)));
     }
-  }
-  if (n < parts_.size()) {
-    throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
-                          " are both block ", name_of(parts_[n].note.block.at)));
+    if (n >= parts_.size() || number(n) != n) {
+      const int i = static_cast<int>(n);
+      throw InputError(text("block ", name_of({i % of_.i, i / of_.i % of_.j, i / of_.i / of_.j}),
+                            " of ", name_of(of_), " is missing beside ",
+                            quote(parts_.front().path)));
+    }
   }
 }
 
@@ -179,17 +178,10 @@ void Joiner::number(std::uint32_t p, const PartMesh& part) {
   }
   numbers_.push_back(std::move(numbers));
   for (const SeamVertex& s : part.seam) {
-    seam_.try_emplace(s.at, Known{place(numbers_.back(), s.vertex), part.points[s.vertex], p});
+    seam_.try_emplace(s.at, Known{numbers_.back().of(s.vertex).in_whole, part.points[s.vertex], p});
   }
   joined_.vertices += part.points.size() - numbers_.back().foreign.size();
   joined_.triangles += part.triangles.size();
-}
-
-std::uint64_t Joiner::place(const Numbers& numbers, VertexId v) const {
-  const auto at =
-      std::ranges::lower_bound(numbers.foreign, v, {}, &std::pair<VertexId, std::uint64_t>::first);
-  if (at != numbers.foreign.end() && at->first == v) return at->second;
-  return numbers.first + v - static_cast<std::uint64_t>(at - numbers.foreign.begin());
 }
 
 // The part's boundary edges in its inner faces.
@@ -214,7 +206,7 @@ void Joiner::collect_edges(std::uint32_t p, PartMesh&& part) {
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
       if (face.n[i] != kNoId || !is_in_seam(a, b)) continue;
-      const std::uint64_t from = place(numbers_[p], a), to = place(numbers_[p], b);
+      const std::uint64_t from = numbers_[p].of(a).in_whole, to = numbers_[p].of(b).in_whole;
       edges_.push_back({std::min(from, to), std::max(from, to), from < to, p});
     }
   }
@@ -263,12 +255,12 @@ Joined Joiner::run(const std::string& output, bool single_precision, bool ascii)
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
     const PartMesh part = read_part(parts_[p].path);
     for (VertexId v = 0; v < part.points.size(); ++v) {
-      if (!is_foreign(numbers_[p], v)) writer.vertex(part.points[v]);
+      if (!numbers_[p].of(v).is_foreign) writer.vertex(part.points[v]);
     }
   }
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
     for (Triangle t : read_part(parts_[p].path).triangles) {
-      for (VertexId& v : t) v = static_cast<VertexId>(place(numbers_[p], v));
+      for (VertexId& v : t) v = static_cast<VertexId>(numbers_[p].of(v).in_whole);
       writer.facet(t);
     }
   }

@@ -13,15 +13,6 @@
 
 namespace deliso {
 
-unsigned box_faces_at(const Vec3& p, const Box3& box, double off) {
-  unsigned faces = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::fabs(p[axis] - box.lo[axis]) <= off) faces |= 1u << (2 * axis);
-    if (std::fabs(p[axis] - box.hi[axis]) <= off) faces |= 2u << (2 * axis);
-  }
-  return faces;
-}
-
 namespace {
 
 // Faces beyond one that two points have in common: the other face of an edge of the box.

@@ -26,10 +26,6 @@
 
 namespace deliso {
 
-// The faces of `box` that p lies on, exactly or so far off: bit 2 * axis + (0 at the low end, 1 at
-// the high end).
-unsigned box_faces_at(const Vec3& p, const Box3& box, double off = 0);
-
 class BoxCaps {
  public:
   // Corner m of the box is at its high end along axis k where bit k of m is set. Keeps references.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/triangle.h"
-#include "cap/box_caps.h"
 #include "mesh/flip.h"
 #include "refine/replace_disk.h"
 

@@ -105,8 +105,7 @@ void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const I
   const Vec3 spacing = volume.spacing();
   const ComparedComponents compared = compare_components(
       mesh, contour, volume, options.min_component, options.threads, result.faults);
-  result.exact = {contour.summary.components.size(), contour.summary.euler(),
-                  contour.summary.boundary_loops()};
+  result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.small_components = compared.small;
   check_vertices_on_surface(mesh, compared.extra, surface,

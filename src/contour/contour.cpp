@@ -138,6 +138,21 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
   return stream(volume, kappa, slabs, sinks, threads).summary;
 }
 
+namespace {
+
+// What make() makes of the contour at the settled isovalue, which kappa becomes.
+template <class Make, class TiedSaddles>
+auto make_settled(const Volume& volume, double& kappa, int threads, Make&& make,
+                  TiedSaddles&& tied_saddles) {
+  kappa = effective_isovalue(volume, kappa, threads);
+  auto made = make();
+  if (tied_saddles(made) == 0 || volume.is_block()) return made;
+  kappa = lowered_isovalue(volume, kappa, threads);
+  return make();
+}
+
+}  // namespace
+
 double settled_isovalue(const Volume& volume, double kappa, int threads) {
   const double effective = effective_isovalue(volume, kappa, threads);
   if (volume.is_block()) return effective;
@@ -146,12 +161,16 @@ double settled_isovalue(const Volume& volume, double kappa, int threads) {
              : effective;
 }
 
+ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads) {
+  return make_settled(
+      volume, kappa, threads, [&] { return summarize_contour(volume, kappa, threads); },
+      [](const ContourSummary& summary) { return summary.tied_saddles; });
+}
+
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
-  kappa = effective_isovalue(volume, kappa, threads);
-  ContourMesh contour = build_contour(volume, kappa, threads);
-  if (contour.summary.tied_saddles == 0 || volume.is_block()) return contour;
-  kappa = lowered_isovalue(volume, kappa, threads);
-  return build_contour(volume, kappa, threads);
+  return make_settled(
+      volume, kappa, threads, [&] { return build_contour(volume, kappa, threads); },
+      [](const ContourMesh& contour) { return contour.summary.tied_saddles; });
 }
 
 }  // namespace deliso

@@ -33,6 +33,7 @@
 
 #include "base/box3.h"
 #include "base/ids.h"
+#include "base/topology_counts.h"
 #include "base/vec3.h"
 #include "volume/volume.h"
 
@@ -57,6 +58,7 @@ struct ContourSummary {
 
   std::int64_t euler() const;
   std::uint64_t boundary_loops() const;
+  TopologyCounts topology() const { return {components.size(), euler(), boundary_loops()}; }
   friend bool operator==(const ContourSummary&, const ContourSummary&) = default;
 };
 
@@ -150,7 +152,8 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
 // saddle counts as inside, so lowering kappa keeps the topology and parts what touches. Of a block
 // it is isovalue_of_blocks().
 double settled_isovalue(const Volume& volume, double kappa, int threads = 1);
-// T at that isovalue, which kappa becomes.
+// T, or its summary, at that isovalue, which kappa becomes.
+ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 
 }  // namespace deliso

@@ -18,10 +18,6 @@
 namespace deliso {
 namespace {
 
-TopologyCounts counts_of(const ContourSummary& summary) {
-  return {summary.components.size(), summary.euler(), summary.boundary_loops()};
-}
-
 // How often: an edge within an inner face may be in the way of what is to go from the seam.
 constexpr int kRounds = 3;
 
@@ -49,8 +45,9 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const auto begin = [&](const char* stage) { StageProgress(options.progress, stage); };
   if (options.method == Method::marching_cubes) {
     begin("cubes");
-    report.kappa_effective = settled_isovalue(volume, kappa);
-    report.exact = counts_of(summarize_contour(volume, report.kappa_effective));
+    report.kappa_effective = kappa;
+    report.exact =
+        summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
     TriMesh cubes = marching_cubes(volume, report.kappa_effective);
     if (options.cap) {
       begin("cap");
@@ -71,7 +68,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   ContourMesh contour = timed(report.seconds_contour, [&] {
     return build_settled_contour(volume, report.kappa_effective, parameters.threads);
   });
-  report.exact = counts_of(contour.summary);
+  report.exact = contour.summary.topology();
   const VoxelTree tree =
       timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
   const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);

@@ -46,7 +46,7 @@ class SeamClearer {
   // Where f is all there is at v, the edge between v's neighbours becomes the boundary.
   bool cut_ear(FaceId f, VertexId v) {
     const Face& ear = s_.mesh.faces[f];
-    const std::size_t at_v = ear.v[0] == v ? 0 : ear.v[1] == v ? 1 : 2;
+    const int at_v = corner_index(ear, v);
     const FaceId g = ear.n[at_v];
     if (ear.n[(at_v + 1) % 3] != kNoId || ear.n[(at_v + 2) % 3] != kNoId || g == kNoId) {
       return false;

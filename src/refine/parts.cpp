@@ -10,14 +10,15 @@
 namespace deliso {
 namespace {
 
-Vec3 low_corner(const std::vector<Vec3>& p, const Triangle& v) {
-  return {std::min({p[v[0]].x, p[v[1]].x, p[v[2]].x}), std::min({p[v[0]].y, p[v[1]].y, p[v[2]].y}),
-          std::min({p[v[0]].z, p[v[1]].z, p[v[2]].z})};
+Box3 box_of_facet(const TriMesh& mesh, FaceId f) {
+  const Triangle& v = mesh.faces[f].v;
+  return box_of(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
 }
 
-Vec3 high_corner(const std::vector<Vec3>& p, const Triangle& v) {
-  return {std::max({p[v[0]].x, p[v[1]].x, p[v[2]].x}), std::max({p[v[0]].y, p[v[1]].y, p[v[2]].y}),
-          std::max({p[v[0]].z, p[v[1]].z, p[v[2]].z})};
+// The place of an id in an ascending list; that behind the last where it has none.
+std::size_t place_in(std::span<const std::uint32_t> list, std::uint32_t id) {
+  const auto at = std::lower_bound(list.begin(), list.end(), id);
+  return at == list.end() || *at != id ? list.size() : static_cast<std::size_t>(at - list.begin());
 }
 
 }  // namespace
@@ -44,21 +45,16 @@ void Cut::divide(const SurfaceMesh& whole, std::size_t node, Leaf&& leaf, std::s
     return;
   }
   // Through the median, across the longest side.
-  const std::vector<Vec3>& p = whole.mesh.points;
-  const auto corners = [&](FaceId f) -> const Triangle& { return whole.mesh.faces[f].v; };
-  Vec3 lo = p[corners(leaf.facets[0])[0]], hi = lo;
-  for (const FaceId f : leaf.facets) {
-    const Vec3& q = p[corners(f)[0]];
-    for (int axis = 0; axis < 3; ++axis) {
-      lo[axis] = std::min(lo[axis], q[axis]);
-      hi[axis] = std::max(hi[axis], q[axis]);
-    }
-  }
-  const Vec3 size = hi - lo;
+  const auto corner = [&](FaceId f) -> const Vec3& {
+    return whole.mesh.points[whole.mesh.faces[f].v[0]];
+  };
+  Box3 box{corner(leaf.facets[0]), corner(leaf.facets[0])};
+  for (const FaceId f : leaf.facets) box = united(box, {corner(f), corner(f)});
+  const Vec3 size = box.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   std::vector<double> places;
   places.reserve(leaf.facets.size());
-  for (const FaceId f : leaf.facets) places.push_back(p[corners(f)[0]][axis]);
+  for (const FaceId f : leaf.facets) places.push_back(corner(f)[axis]);
   const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
   std::nth_element(places.begin(), middle, places.end());
   const double plane = *middle;
@@ -67,10 +63,11 @@ void Cut::divide(const SurfaceMesh& whole, std::size_t node, Leaf&& leaf, std::s
   below.box.hi[axis] = plane;
   above.box.lo[axis] = plane;
   const auto distribute = [&](FaceId f, bool is_fixed) {
-    const double low = low_corner(p, corners(f))[axis], high = high_corner(p, corners(f))[axis];
-    const bool straddles = low < plane && high >= plane;
-    if (low < plane) (is_fixed || straddles ? below.fixed : below.facets).push_back(f);
-    if (high >= plane) (is_fixed || straddles ? above.fixed : above.facets).push_back(f);
+    const Box3 reach = box_of_facet(whole.mesh, f);
+    const bool is_below = reach.lo[axis] < plane, is_above = reach.hi[axis] >= plane;
+    is_fixed |= is_below && is_above;
+    if (is_below) (is_fixed ? below.fixed : below.facets).push_back(f);
+    if (is_above) (is_fixed ? above.fixed : above.facets).push_back(f);
   };
   for (const FaceId f : leaf.fixed) distribute(f, true);
   for (const FaceId f : leaf.facets) distribute(f, false);
@@ -97,25 +94,17 @@ MeshPart Cut::take(const SurfaceMesh& whole, std::size_t n) const {
   part.part.first = static_cast<FaceId>(leaf.fixed.size());
   part.facets = leaf.fixed;
   part.facets.insert(part.facets.end(), leaf.facets.begin(), leaf.facets.end());
-  // Numbers of vertices and facets here, by those in the whole mesh; in its order.
   for (const FaceId f : part.facets) {
     const Triangle& v = whole.mesh.faces[f].v;
     part.vertices.insert(part.vertices.end(), v.begin(), v.end());
   }
   sort_out(part.vertices);
-  const auto vertex_here = [&](VertexId v) {
-    const auto at = std::lower_bound(part.vertices.begin(), part.vertices.end(), v);
-    return static_cast<VertexId>(at - part.vertices.begin());
-  };
   const auto facet_here = [&](FaceId f) {
-    for (const auto& [begin, end] : {std::pair{std::size_t{0}, leaf.fixed.size()},
-                                     std::pair{leaf.fixed.size(), part.facets.size()}}) {
-      const auto first = part.facets.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto last = part.facets.begin() + static_cast<std::ptrdiff_t>(end);
-      const auto at = std::lower_bound(first, last, f);
-      if (at != last && *at == f) return static_cast<FaceId>(at - part.facets.begin());
+    if (const std::size_t at = place_in(leaf.fixed, f); at < leaf.fixed.size()) {
+      return static_cast<FaceId>(at);
     }
-    return kNoId;
+    const std::size_t at = place_in(leaf.facets, f);
+    return at < leaf.facets.size() ? static_cast<FaceId>(leaf.fixed.size() + at) : kNoId;
   };
   SurfaceMesh& s = part.surface;
   for (const VertexId v : part.vertices) {
@@ -124,7 +113,7 @@ MeshPart Cut::take(const SurfaceMesh& whole, std::size_t n) const {
   }
   for (const FaceId f : part.facets) {
     Face face = whole.mesh.faces[f];
-    for (VertexId& v : face.v) v = vertex_here(v);
+    for (VertexId& v : face.v) v = static_cast<VertexId>(place_in(part.vertices, v));
     for (FaceId& g : face.n) g = g == kNoId ? kNoId : facet_here(g);
     s.mesh.faces.push_back(face);
     s.duals.push_back(whole.duals[f]);

@@ -50,6 +50,7 @@ struct MeshPart {
 // fewer.
 class Cut {
  public:
+  // pre: no facet is dead.
   Cut(const SurfaceMesh& whole, std::size_t most);
 
   std::size_t size() const { return leaves_.size(); }

@@ -7,21 +7,6 @@
 #include "base/text.h"
 
 namespace deliso {
-namespace {
-
-// Which inner faces p lies in.
-unsigned inner_faces_at(const Vec3& p, const Volume& volume) {
-  const Box3 box = volume.box();
-  unsigned faces = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (p[axis] == box.lo[axis]) faces |= 1u << (2 * axis);
-    if (p[axis] == box.hi[axis]) faces |= 2u << (2 * axis);
-  }
-  return faces & volume.inner_faces();
-}
-
-}  // namespace
-
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
   GridEdge edge;
   int off_planes = 0;
@@ -47,10 +32,11 @@ void refuse_seam(const std::string& what) {
 std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
   std::vector<SeamVertex> seam;
   if (volume.inner_faces() == 0) return seam;
+  const Box3 box = volume.box();
   std::vector<unsigned> faces;
   faces.reserve(mesh.points.size());
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    faces.push_back(inner_faces_at(mesh.points[v], volume));
+    faces.push_back(box_faces_at(mesh.points[v], box) & volume.inner_faces());
     if (faces.back() == 0) continue;
     const auto edge = grid_edge_at(mesh.points[v], volume);
     if (!edge) {

@@ -58,6 +58,17 @@ Outcome of_process(Work work) {
   return outcome;
 }
 
+// What a new file of a mebibyte held when it was mapped, with all but ten bytes gone since.
+Bytes mapped_and_cut_short(const std::string& path) {
+  handle_signals();
+  AtomicFile out(path);
+  out.write(std::string(1 << 20, 'x'));
+  out.commit();
+  Bytes bytes = open_file(path);
+  if (truncate(path.c_str(), 10) != 0) _exit(99);
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("signals wait until writing is done, and then arrive") {
@@ -80,12 +91,7 @@ TEST_CASE("a mapped file that shrinks ends in one line that names it") {
   const TemporaryFolder folder;
   const std::string path = folder / "volume.raw";
   const Outcome outcome = of_process([&] {
-    handle_signals();
-    AtomicFile out(path);
-    out.write(std::string(1 << 20, 'x'));
-    out.commit();
-    const Bytes bytes = open_file(path);
-    if (truncate(path.c_str(), 10) != 0) _exit(99);
+    const Bytes bytes = mapped_and_cut_short(path);
     unsigned sum = 0;
     for (const std::byte b : bytes.data) sum += std::to_integer<unsigned>(b);
     _exit(sum > 0 ? 98 : 97);  // the sum is used, so it is made
@@ -100,12 +106,7 @@ TEST_CASE("a mapped file that shrinks under several threads ends in one line all
   const std::string path = folder / "volume.raw";
   for (int repeat = 0; repeat < 20; ++repeat) {
     const Outcome outcome = of_process([&] {
-      handle_signals();
-      AtomicFile out(path);
-      out.write(std::string(1 << 20, 'x'));
-      out.commit();
-      const Bytes bytes = open_file(path);
-      if (truncate(path.c_str(), 10) != 0) _exit(99);
+      const Bytes bytes = mapped_and_cut_short(path);
       constexpr std::size_t kPage = 4096;
       std::atomic<int> begun = 0;
       std::atomic<unsigned> sum = 0;
