@@ -136,9 +136,10 @@ void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Crit
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const double r = distance(circumcenter(a, b, c), a), h = heights[n];
-    // Without area it has no circumcenter.
-    const FacetShape shape{std::isnan(r) ? kNotAsked : r, h, std::sqrt(shortest_edge2(a, b, c))};
+    FacetShape shape = measure(a, b, c, a);
+    const double r = shape.r, h = heights[n];
+    shape.h = h;
+    if (std::isnan(r)) shape.r = kNotAsked;  // without area it has no circumcenter
     bool any = false;
     for (std::size_t k = 0; k < kCriteria; ++k) {
       const bool over = share_of_limit(k, shape, limits) > 1;
