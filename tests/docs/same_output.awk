@@ -18,7 +18,7 @@ function matches(text, pattern,   pieces, n, m, at) {
 }
 
 { sub(/[ \t]+$/, "") }
-FNR == NR { expected[++wanted] = $0; next }
+FILENAME == ARGV[1] { expected[++wanted] = $0; next }
 { output[++got] = $0 }
 END {
   line = 1
