@@ -159,6 +159,7 @@ match($0, FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*") {
   comment = substr($0, RSTART)
   look_up_files(comment)
   look_up_functions(comment)
+  look_up_code(comment)
 }
 END {
   print checks " names, " faults + 0 " faults"

@@ -15,12 +15,10 @@ trap 'rm -rf "$work"' EXIT
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
 pages=$(grep -E '\.md$' "$work/files" | grep -v faulty_page)
-code() { echo "$sources" | grep -E "^$1.*\.(h|cpp)$"; }
-# shellcheck disable=SC2046
-awk '{ sub(/\/\/.*/, ""); gsub(/[^A-Za-z0-9_]+/, " ")
+# shellcheck disable=SC2086
+awk '{ sub(FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")
        for (n = split($0, words, " "); n > 0; n--) print FILENAME ":" words[n] }' \
-  $(code '') CMakeLists.txt Makefile docs/report.schema.json |
-  sort -u >"$work/words"
+  $sources docs/report.schema.json | sort -u >"$work/words"
 # What is not ours: of the rules for names, of the paper, and of Linux.
 printf ':%s\n' CamelCase snake_case Disk RssAnon >>"$work/words"
 printf '%s\n' nifti1.h nifti2.h >>"$work/files"
@@ -30,7 +28,7 @@ printf '%s\n' nifti1.h nifti2.h >>"$work/files"
   for command in $("$deliso" --help | sed -n '/^$/q;s/.* deliso \[*\([a-z]*\).*/\1/p'); do
     "$deliso" "$command" --help
   done
-  cat $(code '(bench|tests)')
+  cat $(echo "$sources" | grep -E '^(bench|tests)/.*\.(h|cpp)$')
 } | grep -oE -e '--[a-z][a-z0-9-]*' | sort -u >"$work/options"
 sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile >"$work/targets"
 

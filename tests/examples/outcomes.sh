@@ -3,6 +3,7 @@
 # Whether what the examples have made is true: by the program, by known constants, by one another.
 # Usage: outcomes.sh FOLDER PROGRAM; FOLDER is where the page of the examples was run.
 set -eu
+# shellcheck source=tests/holds.sh
 . "$(dirname "$0")/../holds.sh"
 cd "$1"
 deliso=$2
@@ -19,13 +20,13 @@ same() {
 holds 'mesh_file makes the mesh of the program' same expected.ply fuel.ply
 holds 'it passes' "$deliso" check fuel.ply builtin:fuel --iso 70.1 -q
 
-out/mesh_function | awk '{ print $NF }' >errors
-set -- $(cat errors)
-holds 'a quarter of the error is left' between 3.8 "$1 / $2" 4.2
-holds 'and again' between 3.8 "$2 / $3" 4.2
+out/mesh_function | awk '{ print $NF }' | paste -s >errors
+read -r coarse middle fine <errors
+holds 'a quarter of the error is left' between 3.8 "$coarse / $middle" 4.2
+holds 'and again' between 3.8 "$middle / $fine" 4.2
 # 2 pi^2 R r^2
 holds 'the rest of the volume is there' between 0.7401 "$(
-  out/largest_piece torus.ply torus.off | sed -n 's/.*volume //p') + $3" 0.7403
+  out/largest_piece torus.ply torus.off | sed -n 's/.*volume //p') + $fine" 0.7403
 
 out/delaunay_points >points
 holds 'neighbours of a point: 2 + 48 pi^2 / 35' \
