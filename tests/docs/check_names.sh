@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What pages and comments name is there: links and headings, files, functions, names of the code in
-# backticks, options, make's targets; and the README's layout has every folder of src/.
+# backticks, options, make's targets; and the README has every folder of src/ and every command.
 # Usage: check_names.sh SOURCE PROGRAM
 set -eu
 cd "$1"
@@ -22,10 +22,11 @@ awk '{ sub(FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*", ""); gsub(/[^A-Za-z0-9_]+/,
 # What is not ours: of the rules for names, of the paper, and of Linux.
 printf ':%s\n' CamelCase snake_case Disk RssAnon >>"$work/words"
 printf '%s\n' nifti1.h nifti2.h >>"$work/files"
+commands=$("$deliso" --help | sed -n '/^$/q;s/.* deliso \[*\([a-z]*\).*/\1/p')
 # shellcheck disable=SC2046
 {
   "$deliso" --help
-  for command in $("$deliso" --help | sed -n '/^$/q;s/.* deliso \[*\([a-z]*\).*/\1/p'); do
+  for command in $commands; do
     "$deliso" "$command" --help
   done
   cat $(echo "$sources" | grep -E '^(bench|tests)/.*\.(h|cpp)$')
@@ -43,11 +44,16 @@ check pass=1 $faulty pass=2 $faulty | sed -n 's/^FAULT: [^:]*:\([0-9]*\):.*/\1/p
   uniq >"$work/got"
 diff "$work/wanted" "$work/got"
 
+# The README has every folder of src/ and every command.
 faults=0
 for folder in src/*/; do
   folder=$(basename "$folder")
   sed -n '/^## Layout/,/^To read/p' README.md | grep -qw "$folder" ||
     { echo "FAULT: README.md: no $folder in the layout"; faults=1; }
+done
+for command in $commands; do
+  grep -qE "^deliso \[?$command\]? [A-Z]" README.md ||
+    { echo "FAULT: README.md: no synopsis of $command"; faults=1; }
 done
 # shellcheck disable=SC2086
 check pass=1 $pages pass=2 $pages $sources | tee "$work/said"
