@@ -23,7 +23,7 @@ FILENAME == ARGV[1] { expected[++wanted] = $0; next }
 END {
   line = 1
   for (n = 1; n <= wanted; n++) {
-    if (expected[n] == "…") {
+    if (expected[n] ~ /^[ \t]*…$/) {
       if (n == wanted) exit 0
       while (line <= got && !matches(output[line], expected[n + 1])) line++
       continue
