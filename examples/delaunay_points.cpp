@@ -21,12 +21,9 @@ bool well_inside(const deliso::Vec3& p) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int number = argc > 1 ? std::atoi(argv[1]) : 20000;
+  std::vector<deliso::Vec3> points(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000);
   deliso::Random random(1);  // the same points everywhere
-  std::vector<deliso::Vec3> points;
-  for (int n = 0; n < number; ++n) {
-    points.push_back({random.uniform(), random.uniform(), random.uniform()});
-  }
+  for (deliso::Vec3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
 
   deliso::Triangulation triangulation;
   std::vector<deliso::VertexId> vertex_of;

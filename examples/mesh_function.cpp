@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "deliso/base/check.h"
 #include "deliso/deliso.h"
 #include "deliso/mesh/quality.h"
 #include "deliso/mesh/write_mesh.h"
@@ -35,9 +36,8 @@ deliso::Volume sample(int n, F f) {
   return deliso::Volume::from_samples({n, n, n}, {step, step, step}, samples, frame);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// Says how much of the torus is missing, at three steps of the grid.
+void mesh_torus(const char* output) {
   // The inside is where the function is at least the isovalue: minus the distance from the surface.
   const auto torus = [](double x, double y, double z) {
     const double from_ring = std::sqrt(x * x + y * y) - kRing;
@@ -47,14 +47,25 @@ int main(int argc, char** argv) {
 
   for (const int n : {17, 33, 65}) {
     const deliso::Volume volume = sample(n, torus);
-    deliso::Options options;
     // As fine as it gets, so that what is missing is due to the grid.
+    deliso::Options options;
     options.limits[deliso::Criterion::distance] = {0.001, deliso::Length::Unit::voxel};
     deliso::Report report;
     const deliso::TriMesh mesh = deliso::mesh_isosurface(volume, 0, options, report);
     std::cout << n << "^3 samples: " << mesh.faces.size() << " triangles, Euler number "
               << report.exact.euler << ", volume too small by "
               << exact - deliso::enclosed_volume(mesh) << "\n";
-    if (argc > 1) deliso::write_mesh(mesh, argv[1]);
+    if (output) deliso::write_mesh(mesh, output);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    mesh_torus(argc > 1 ? argv[1] : nullptr);
+  } catch (const deliso::InputError& error) {  // the file could not be written
+    std::cerr << "mesh_function: " << error.what() << "\n";
+    return 2;
   }
 }
