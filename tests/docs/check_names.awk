@@ -53,19 +53,30 @@ function look_up_functions(text,   name) {
     if (!(name in word)) fault("no function " name "()")
   }
 }
-# `...`: options, make's targets, names of the code.
+# A command, in a block (which may not be run) or in backticks, or an option alone: make's target, the
+# program of bench/, the options.
+function look_up_command(text,   n, count, parts) {
+  if (text !~ /^(make [a-z]|(build\/)?deliso |build\/bench\/[a-z]|--[a-z])/) return
+  count = split(text, parts, /[][ =,|]+/)
+  for (n = 1; n <= count && parts[n] != "#"; n++) {
+    if (n == 2 && parts[1] == "make") {
+      checks++
+      if (!(parts[n] in target)) fault("no target " parts[n])
+    } else if (sub(/^build\/bench\//, "bench/", parts[n])) {
+      checks++
+      if (!((parts[n] ".cpp") in file)) fault("no program " parts[n])
+    } else if (parts[n] ~ /^--[a-z]/) {
+      checks++
+      if (!(parts[n] in option)) fault("no option " parts[n])
+    }
+  }
+}
+# `...`: commands, names of the code.
 function look_up_code(text,   n, m, spans, parts, count) {
   n = split(text, spans, "`")
   for (m = 2; m < n; m += 2) {
-    if (spans[m] ~ /^--[a-z]/) {
-      split(spans[m], parts, /[ =]/)
-      checks++
-      if (!(parts[1] in option)) fault("no option " parts[1])
-    } else if (spans[m] ~ /^make [a-z]/) {
-      split(spans[m], parts, " ")
-      checks++
-      if (!(parts[2] in target)) fault("no target " parts[2])
-    } else if (spans[m] ~ /^[A-Za-z_]+(::[A-Za-z_]+)+$|^[a-z]+_[a-z_]+$|^[A-Z]+_[A-Z_]+$|^[A-Z][a-z]+[A-Z][A-Za-z]+$/) {
+    look_up_command(spans[m])
+    if (spans[m] ~ /^[A-Za-z_]+(::[A-Za-z_]+)+$|^[a-z]+_[a-z_]+$|^[A-Z]+_[A-Z_]+$|^[A-Z][a-z]+[A-Z][A-Za-z]+$/) {
       count = split(spans[m], parts, "::")
       checks++
       if (!(parts[count] in word)) fault("nothing named " spans[m])
@@ -143,6 +154,7 @@ pass == 1 {
   if (/^<!-- file: /) made[FILENAME, $3] = 1
   next
 }
+page && inside { look_up_command($0) }
 page {
   if (inside || /^<!-- /) next
   look_up_links($0)
