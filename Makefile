@@ -16,7 +16,7 @@ CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
 SANITIZE_BUILD = $(BUILD)-sanitize
 FUZZ_BUILD = $(BUILD)-fuzz
 FUZZ_CLANG ?= clang++
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench -name '*.h' -o -name '*.cpp')
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test figures bench datasets tables sanitize fuzz tidy format format-check install
 .PHONY: doctest clean

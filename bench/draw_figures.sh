@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Draws the paper's figures that show meshes, OUT/figure-*.png, and the picture of the README,
-# OUT/fuel.png; writes OUT/README.md, which says of each what it shows and by which commands. Where a
-# data set is missing its built-in analogue is drawn, under a name that says so. Nothing in OUT
+# OUT/fuel.png; writes OUT/README.md, which says of each what it shows and by which commands: those
+# that need no data are run by a test. Where a data set is missing its built-in analogue is drawn, under a name that says so. Nothing in OUT
 # changes unless all of it succeeded.
 # Usage: draw_figures.sh BUILD OUT [DATA]
 set -eu
@@ -34,7 +34,7 @@ count_of() { LC_ALL=C sed -n "s/^element $2 //p;/^end_header/q" "$1"; }
 
 # section TITLE [DATASET...]: begins a figure that shows these data sets.
 section() {
-  panels='' commands='' counts='' remarks=''
+  panels='' commands='' counts='' remarks='' missing='' checks=''
   title=$1
   shift
   for dataset; do
@@ -51,13 +51,17 @@ panel() {
   file=$1 input=$2 isovalue=$3
   shift 3
   panels="$panels $file"
-  commands="$commands    deliso ${input##*/} --iso $isovalue $*${1:+ }-o $file
+  commands="${commands}deliso ${input##*/} --iso $isovalue $*${1:+ }-o $file
 "
+  case $input in builtin:*) ;; *) missing=$dataset ;; esac
   if [ ! -e "$file" ]; then
     echo "$file" >&2
     "$build/deliso" "$input" --iso "$isovalue" -q "$@" -o "$file"
   fi
-  counts="$counts${counts:+ | }$(grouped "$(count_of "$file" vertex)") vertices, $(grouped "$(count_of "$file" face)") triangles"
+  size="$(grouped "$(count_of "$file" vertex)") vertices, $(grouped "$(count_of "$file" face)") triangles"
+  counts="$counts${counts:+ | }$size"
+  checks="$checks<!-- shows: $size -->
+"
 }
 # panel_of DATASET FILE [OPTION...]
 panel_of() {
@@ -70,13 +74,16 @@ panel_of() {
 draw() {
   picture=$1
   shift
+  set -- "$@" --labels auto
   # Words of file names and options of this script, without blanks.
   # shellcheck disable=SC2086
-  set -- "$@" --labels auto
   "$build/deliso" render $panels -q "$@" -o "$work/pictures/$picture"
   {
     printf '\n## %s\n\n![%s](%s)\n\n' "$title" "$title" "$picture"
-    printf '%s    deliso render%s -o %s %s\n\n' "$commands" "$panels" "$picture" "$*"
+    [ -z "$missing" ] || echo "<!-- not run: needs the volume $missing -->"
+    # shellcheck disable=SC2016
+    printf '```sh\n%sdeliso render%s -o %s %s\n```\n\n' "$commands" "$panels" "$picture" "$*"
+    [ -n "$missing" ] || printf %s "$checks"
     printf '%s.%s\n' "$counts" "$remarks"
     cat
   } >>"$work/README.md"

@@ -26,7 +26,7 @@ struct ComparedComponents {
 // extra. Components smaller than min_component (largest side of the box of their voxels) may be
 // missing. Reports missing, extra, different and turned components into `faults`: turned by the
 // sign of what it bounds (contour/bounded_volume.h), or of those that meet opposite faces of the
-// box by most of its area. `contour_tree` holds the contour's triangles.
+// box by most of its area.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
                                       const Volume& volume, double min_component, int threads,
                                       Faults& faults);

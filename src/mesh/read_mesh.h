@@ -7,9 +7,8 @@
 //   R2  what is not geometry (colors, normals, texture, groups, further elements) is skipped;
 //   R3  facets are kept as they are, with corners twice or edges of three facets: check_mesh says;
 //   R4  whatever the bytes, the outcome is a mesh whose corners are below the vertex count and
-//   whose
-//       points are in_range (base/frame.h), or an InputError of one line that names the file, the
-//       line, byte or vertex, and the fault. Memory follows what the file holds, never what it
+//       whose points are in_range (base/frame.h), or an InputError of one line that names the file,
+//       the line, byte or vertex, and the fault. Memory follows what the file holds, never what it
 //       promises;
 //   R5  comments are handed back as far as they stand before the first number or statement, the
 //       first 100 that are not blank, without their mark and the blanks around them. They may hold
@@ -18,8 +17,7 @@
 //   R6  STL has no vertices of its own: corners at the same position, to the last bit of a float,
 //       are one, counted in the order in which they come. Normals are not read;
 //   R7  of VTP, polygons are read; vertices and lines are no geometry here (R2), triangle strips
-//   are
-//       refused.
+//       are refused.
 #pragma once
 
 #include <string>

@@ -11,8 +11,7 @@
 //   R1  at a reported root |p| <= E;
 //   R2  no root is missed: between each root of p in [lo, hi] and some reported root |p| <= E;
 //   R3  between two reported roots |p| exceeds E / 4: so a double or triple root, and a tangency
-//   that
-//       passes or misses zero by no more than rounding, is reported once;
+//       that passes or misses zero by no more than rounding, is reported once;
 //   R4  none is invented: a reported root is in [lo, hi], and p changes sign there, or has a local
 //       extremum or an end of the interval, within rounding (R1).
 // In particular a sign change between two points with |p| > E is never missed. The zero polynomial

@@ -13,9 +13,8 @@
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_fields.h)
 //
 // 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Only
-// a
-//    NIfTI file with a scaling (scl_slope, scl_inter) is converted, to float32 (from types of up to
-//    16 bits and float32) or float64, and the log says so.
+//    a NIfTI file with a scaling (scl_slope, scl_inter) is converted, to float32 (from types of up
+//    to 16 bits and float32) or float64, and the log says so.
 // 2. The format is told by the content, not the name; the name decides only where the content
 //    cannot (MetaImage, .raw). A .nhdr or .mhd finds its data beside itself.
 // 3. Coordinates are those of the file, in its own unit and anatomical space, which is recorded in
@@ -96,8 +95,7 @@ Volume read_volume(const std::string& input, const ReadOptions& options = {},
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
 // "i,j,k/nx,ny,nz", "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned
-// short", "float",
-// ...).
+// short", "float", ...).
 Roi parse_roi(std::string_view text);
 BlockChoice parse_block(std::string_view text);
 Index3 parse_dims(std::string_view text);

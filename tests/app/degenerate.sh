@@ -49,7 +49,7 @@ holds() {
 
 commands=0
 faults=0
-sed -n '/^    \$ deliso /{s/^    \$ deliso //;p;n;s/^    //;p}' page.md >pairs
+sed -n '/^\$ deliso /{s/^\$ deliso //;p;n;p}' page.md >pairs
 while read -r command && read -r answer; do
   commands=$((commands + 1))
   status=0

@@ -1,0 +1,10 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Installs what was built into PREFIX, for the tests that are strangers to the source.
+# Usage: install.sh BUILD PREFIX
+set -eu
+rm -rf "$2"
+cmake --install "$1" --prefix "$2" >/dev/null
+loose=$(grep -rhE '^ *# *include "' "$2/include" | grep -v '"deliso/' || :)
+[ -z "$loose" ] || { echo "includes that are not under deliso/: $loose"; exit 1; }
+[ "$(ls "$2/include")" = deliso ]
