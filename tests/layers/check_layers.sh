@@ -13,6 +13,7 @@ allowed() {
     blocks) echo "base files mesh volume blocks" ;;
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
+    page) echo "base files page" ;;
     kdtree | contour) echo "base volume $1" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
@@ -25,7 +26,7 @@ allowed() {
       "recover refine cap baseline deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
     app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
-      "recover refine cap baseline deliso check render blocks app" ;;
+      "recover refine cap baseline deliso check render page blocks app" ;;
     *) return 1 ;;
   esac
 }
