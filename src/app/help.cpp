@@ -73,6 +73,12 @@ std::string usage(Command command) {
           "Draws a mesh, or several side by side, all seen by one camera: the side where the\n"
           "field is below the isovalue in blue, the other in orange, or numbers as colors.\n";
       return text.append(kMeshes).append(kVolumes);
+    case Command::view:
+      text =
+          "usage: deliso view MESH [MESH] -o PAGE.html [options]\n\n"
+          "A page for any browser that shows a mesh, or two side by side, in 3D, with histograms\n"
+          "of what its triangles are like: one file that needs no network.\n";
+      return text.append(kMeshes).append(kVolumes);
     case Command::join:
       text =
           "usage: deliso join PART.ply [PART.ply ...] -o WHOLE.ply [options]\n\n"
@@ -125,6 +131,7 @@ std::string help_text(std::optional<Command> command) {
       "       deliso info INPUT [--iso K] [options]\n"
       "       deliso check MESH INPUT --iso K [options]\n"
       "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
+      "       deliso view MESH [MESH] -o PAGE.html [options]\n"
       "       deliso join PART.ply [PART.ply ...] -o WHOLE.ply\n"
       "       deliso COMMAND --help                  all options of a command\n"
       "       deliso --version\n\n"
@@ -140,6 +147,7 @@ std::string help_text(std::optional<Command> command) {
       "  deliso scan.nrrd --iso 40 --vertices 20000 --cap -o solid.stl\n"
       "  deliso check scan.ply scan.nrrd --iso 40   is it right?\n"
       "  deliso render scan.ply -o scan.png         a picture\n"
+      "  deliso view scan.ply -o scan.html          a page to turn it in, and to look into it\n"
       "\nExit status: 0 fine, 1 a fault was found, 2 bad usage or input.\n";
   return text;
 }

@@ -79,7 +79,8 @@ constexpr OptionSpec kOptions[] = {
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
-     "what to write, - for standard output: a picture as .png, joined parts as .ply"},
+     "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
+     ".ply"},
     {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
@@ -280,8 +281,9 @@ constexpr OptionSpec kOptions[] = {
                                                   {"distance", distance},
                                                   {"gradient", gradient}}));
      }},
-    {"--volume", 0, "INPUT", kRenderOnly, "the volume that --color-by asks",
-     [](Line& l, Text, Text v) { l.input = v; }},
+    {"--volume", 0, "INPUT", kShown, "the volume that --color-by asks",
+     [](Line& l, Text, Text v) { l.input = v; },
+     "the volume whose isosurface triangles are measured against, with --iso"},
     {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
      [](Line& l, Text o, Text v) { l.render.palette.background = parse_color(o, v); }},
 

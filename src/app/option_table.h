@@ -18,11 +18,13 @@ enum Commands : std::uint8_t {
   kRenderOnly = 4,
   kCheckOnly = 8,
   kJoinOnly = 16,
+  kViewOnly = 32,
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
-  kVolume = kReports | kRenderOnly,
+  kShown = kRenderOnly | kViewOnly,
+  kVolume = kReports | kShown,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
-  kOutput = kMeshAndJoin | kRenderOnly,
+  kOutput = kMeshAndJoin | kShown,
   kAll = kVolume | kJoinOnly
 };
 
@@ -31,6 +33,7 @@ constexpr Commands flag_of(Command command) {
          : command == Command::render ? kRenderOnly
          : command == Command::check  ? kCheckOnly
          : command == Command::join   ? kJoinOnly
+         : command == Command::view   ? kViewOnly
                                       : kMeshOnly;
 }
 
