@@ -54,9 +54,9 @@ void RestrictedTrace::star_asks(VertexId q, bool on_boundary, std::span<const Re
     switch (classify_star(q, facets)) {
       case Star::empty:
         return Reason::star_empty;
+      case Star::disk:
       case Star::half_disk:
         return on_boundary ? Reason::star_off_chain : Reason::star_half_disk;
-      case Star::disk:
       case Star::singular:
         break;
     }

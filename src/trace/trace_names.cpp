@@ -50,7 +50,8 @@ ReasonName name_of(Reason reason) {
       {"half disk", "an inner vertex whose facets are a half disk; value: facets in D_q"},
       {"no disk", "a vertex whose facets are no disk; value: facets in D_q"},
       {"off the box",
-       "a vertex on the box whose half disk does not end on the boundary; value: facets in D_q"},
+       "a vertex on the box whose facets are no half disk that ends on the boundary; value: facets "
+       "in D_q"},
       {"encroached", "a boundary edge has a vertex in its diametral ball; value: its length"},
       {"region",
        "C1: the site's region on T is no disk; value: distance of the vertex inserted "
