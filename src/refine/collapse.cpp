@@ -17,7 +17,7 @@ constexpr double kWorse = 2;
 
 Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
                      const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, std::size_t of_stage1, Report& report)
+                     const Parameters& parameters, std::size_t of_stage1)
     : s_(surface_mesh),
       mesh_(surface_mesh.mesh),
       replacer_(replacer),
@@ -25,7 +25,6 @@ Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Ju
       box_(surface.volume().box()),
       curves_(curves),
       parameters_(parameters),
-      report_(report),
       of_stage1_(of_stage1) {}
 
 // Whether the mesh, and the chain, can do without v.

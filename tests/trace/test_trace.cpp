@@ -355,7 +355,7 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    std::vector<std::uint8_t> samples(8 * 8 * 8);
+    std::vector<std::uint8_t> samples(512);
     for (std::uint8_t& s : samples) s = static_cast<std::uint8_t>(random.below(3));
     const Volume volume = Volume::from_samples({8, 8, 8}, {1, 1, 1}, samples);
     const Traced run = traced(volume, 0.5, Options{});
