@@ -48,8 +48,8 @@ std::vector<Reading> readings(const BenchArguments& arguments) {
   };
   add("as stated");
   add("pole: the further one").pole_side = PoleSide::further;
-  add("without r/h_sigma").epsilon2 = kInfinity;
-  add("without h/r in Stage 2").epsilon1 = kInfinity;
+  add("without r/h_sigma").limits[Criterion::r_over_pole].value = kInfinity;
+  add("without h/r in Stage 2").limits[Criterion::h_over_r].value = kInfinity;
   add("r_min half a voxel").r_min = {0.5, Length::Unit::voxel};
   return all;
 }

@@ -55,10 +55,11 @@ class Scaling {
     double first = 0;
     std::size_t n = 0;
     for (Way& way : ways(arguments_)) {
-      for (double* epsilon : {&way.options.epsilon, &way.options.epsilon1, &way.options.epsilon2}) {
+      for (double* epsilon : {&way.options.epsilon, &way.options.limits[Criterion::h_over_r].value,
+                              &way.options.limits[Criterion::r_over_pole].value}) {
         *epsilon *= factor;
       }
-      way.options.max_radius = max_radius;
+      way.options.limits[Criterion::radius] = {max_radius};
       const Runs runs = measure_runs(opened, way.options, arguments_);
       const double seconds = runs.total().median;
       const auto vertices = static_cast<double>(runs.mesh.points.size());

@@ -79,8 +79,9 @@ int work(const BenchArguments& arguments) {
       const Options& options = setting.options;
       const Runs runs = run_once(opened, options);
       const Report& r = runs.last();
-      const Examined e = examine(runs.mesh, opened, r.kappa_effective, exact, options.lambda,
-                                 Options::paper().epsilon1, r.r_min);
+      const Examined e = examine(runs.mesh, opened, r.kappa_effective, exact,
+                                 options.limits[Criterion::r_over_l].value,
+                                 Options::paper().limits[Criterion::h_over_r].value, r.r_min);
       const auto count = [](auto n) { return count_cell(static_cast<double>(n)); };
       table.add({dataset.name, opened.data, setting.name, e.topology_exact ? "exact" : "wrong",
                  count(e.components), count(exact.components.size()),

@@ -100,9 +100,11 @@ int run_bench(int argc, char** argv, const char* purpose, int (*work)(const Benc
 }
 
 Runs run_once(const OpenedDataset& opened, const Options& options) {
+  Options one_thread = options;
+  one_thread.threads = 1;
   Runs runs;
   runs.reports.emplace_back();
-  runs.mesh = mesh_isosurface(opened.volume, opened.isovalue, options, runs.reports.back());
+  runs.mesh = mesh_isosurface(opened.volume, opened.isovalue, one_thread, runs.reports.back());
   return runs;
 }
 

@@ -51,7 +51,7 @@ struct Runs {
 Runs measure_runs(const OpenedDataset& opened, const Options& options,
                   const BenchArguments& arguments);
 
-// One run, for what does not depend on the clock.
+// One run, as every measurement in one thread.
 Runs run_once(const OpenedDataset& opened, const Options& options);
 
 // Everything as published; the same criteria with the certified way through Recover; and what a run

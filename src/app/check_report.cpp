@@ -52,34 +52,39 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
 }
 
 // "h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels".
-std::string limits_text(const Limits& limits, double voxel) {
+std::string limits_text(const Criteria& limits, double voxel) {
   std::string line;
-  if (limits.max_distance < Options::kNone) {
-    line += text("h <= ", rounded(limits.max_distance / voxel), " voxels, ");
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const CriterionRow& row = kCriterionTable[n];
+    const double limit = limits.limits.values[n];
+    if (!(limit < kNotAsked)) continue;
+    line += text(line.empty() ? "" : ", ", row.measured, " <= ");
+    line += row.is_length ? text(rounded(limit / voxel), " voxels") : text(limit);
   }
-  if (limits.h_over_r < Options::kNone) line += text("h/r <= ", limits.h_over_r, ", ");
-  return line +
-         text("r/l <= ", limits.lambda, "; r_min = ", rounded(limits.r_min / voxel), " voxels");
+  return line + text("; r_min = ", rounded(limits.r_min / voxel), " voxels");
 }
 
 std::string over_text(const Verification& v, double voxel) {
-  const Limits& limits = v.limits;
-  std::string line =
-      text("          of ", v.triangles, " triangles ", share_text(v.over_a_limit, v.triangles),
-           " over a limit: ", v.quality.over_lambda, " in r/l");
-  if (limits.max_distance < Options::kNone) line += text(", ", v.over_distance, " in h");
-  if (limits.h_over_r < Options::kNone) line += text(", ", v.over_h_over_r, " in h/r");
+  std::string line = text("          of ", v.triangles, " triangles ",
+                          share_text(v.over_a_limit, v.triangles), " over a limit");
+  std::string_view before = ": ";
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const CriterionRow& row = kCriterionTable[n];
+    if (!(v.limits.limits.values[n] < kNotAsked)) continue;
+    line += text(std::exchange(before, ", "), v.over.values[n], " in ", row.measured);
+  }
   return line + text("\n          ", v.triangles_above_r_min, " are above r_min; largest h ",
                      rounded(v.max_h_above_r_min / voxel), " voxels, largest h/r ",
                      rounded(v.max_h_over_r_above_r_min), " of these; smallest angle ",
                      rounded(v.quality.min_angle), " degrees\n");
 }
 
-std::string boundary_text(const BoundaryQuality& b, const Limits& limits, double voxel) {
+std::string boundary_text(const BoundaryQuality& b, const Criteria& limits, double voxel) {
   std::string line =
       text("boundary  of ", b.edges, " edges on the box ", b.above_r_min, " are above r_min");
-  if (limits.max_distance < Options::kNone) line += text(", ", b.over_distance, " over h");
-  if (limits.h_over_r < Options::kNone) line += text(", ", b.over_h_over_r, " over h/r");
+  if (limits[Criterion::distance] < Options::kNone) line += text(", ", b.over_distance, " over h");
+  if (limits[Criterion::h_over_r] < Options::kNone)
+    line += text(", ", b.over_h_over_r, " over h/r");
   return line + text(", ", b.without_curve, " without curve; h at most ", rounded(b.max_h / voxel),
                      " voxels, largest h/r ", rounded(b.max_h_over_r), "\n          of ",
                      b.triangles, " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
@@ -134,7 +139,7 @@ std::string counts_text(const TopologyCounts& t) {
 }  // namespace
 
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
-                             const std::optional<NotedCriteria>& noted) {
+                             const std::optional<Criteria>& noted) {
   const Options& asked = line.options;
   const CommandLine::Given& given = line.given;
   VerifyOptions options;
@@ -142,19 +147,23 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   options.min_component = asked.min_component;
   options.restricted_share = line.restricted_share;
   options.solid = asked.cap;
-  options.limits = {asked.max_distance.in(volume), asked.epsilon1, asked.lambda,
-                    asked.r_min.in(volume)};
-  if (line.command != Command::check) return options;
-  options.require_distance = given.max_distance;
-  if (!noted || line.paper) return options;
+  options.limits = resolve(asked, volume).refinement;
+  options.limits.shape_floor = 0;
+  options.require_distance = line.command == Command::check && given.limits[Criterion::distance];
+  const bool by_file = line.command == Command::check && noted && !line.paper;
   const double voxel = voxel_of(volume);
-  // As on the way to a mesh, h/r turns the distance off.
-  if (!given.max_distance && !given.epsilon1) {
-    options.limits.max_distance = noted->max_distance * voxel;
+  if (by_file && !given.r_min) options.limits.r_min = noted->r_min * voxel;
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const auto c = static_cast<Criterion>(n);
+    // As on the way to a mesh, h/r turns the distance off.
+    const bool is_given =
+        given.limits[c] || (c == Criterion::distance && given.limits[Criterion::h_over_r]);
+    if (kCriterionTable[n].check_help.empty()) {
+      options.limits[c] = kNotAsked;
+    } else if (by_file && !is_given) {
+      options.limits[c] = (*noted)[c] * (kCriterionTable[n].is_length ? voxel : 1);
+    }
   }
-  if (!given.epsilon1) options.limits.h_over_r = noted->epsilon1;
-  if (!given.lambda) options.limits.lambda = noted->lambda;
-  if (!given.r_min) options.limits.r_min = noted->r_min * voxel;
   return options;
 }
 
@@ -173,7 +182,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
              " voxels off the box, ", v.solid->self_intersections, " self-intersections with them");
   }
   out += text("\n", delaunay_text(v.delaunay));
-  const double bound = v.limits.max_distance;
+  const double bound = v.limits[Criterion::distance];
   out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
   out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
@@ -225,17 +234,19 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   add_distances(json, "mesh_to_surface_voxels", v.to_surface, voxel);
   add_distances(json, "surface_to_mesh_voxels", v.from_surface, voxel);
   json.open("criteria");
-  json.add("max_distance_voxels", v.limits.max_distance / voxel);
-  json.add("max_h_over_r", v.limits.h_over_r);
-  json.add("lambda", v.limits.lambda);
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const CriterionRow& row = kCriterionTable[n];
+    if (row.check_help.empty()) continue;
+    const double limit = v.limits.limits.values[n];
+    json.add(text("max_", row.key, row.is_length ? "_voxels" : ""),
+             row.is_length ? limit / voxel : limit);
+    json.add(text("over_", row.key), v.over.values[n]);
+  }
   json.add("r_min_voxels", v.limits.r_min / voxel);
   json.add("over_a_limit", v.over_a_limit);
   json.add("above_r_min", v.triangles_above_r_min);
-  json.add("over_distance", v.over_distance);
-  json.add("over_h_over_r", v.over_h_over_r);
   json.add("max_h_voxels_above_r_min", v.max_h_above_r_min / voxel);
   json.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min);
-  json.add("over_lambda", v.quality.over_lambda);
   json.add("over_lambda_above_r_min", v.quality.over_lambda_above_r_min);
   json.add("min_angle_degrees", v.quality.min_angle);
   json.add("max_angle_degrees", v.quality.max_angle);

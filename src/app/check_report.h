@@ -16,7 +16,7 @@ namespace deliso {
 // file says, where options do not say otherwise. Distances are required by the check command alone,
 // and only where it was told one. Lengths in the scaled frame; position_error is left 0.
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
-                             const std::optional<NotedCriteria>& noted = std::nullopt);
+                             const std::optional<Criteria>& noted = std::nullopt);
 
 // Aligned lines; lengths in voxels (the smallest spacing), places of faults in the world frame.
 std::string verification_text(const Verification& v, const Volume& volume);

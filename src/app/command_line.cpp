@@ -260,12 +260,15 @@ void take_paper(Options& options, bool everything, const Given& given) {
   const Options paper = Options::paper();
   if (everything) {
     if (!given("--recover")) options.recover = paper.recover;
-    if (!given("--eps1")) options.epsilon1 = paper.epsilon1;
-    if (!given("--eps2")) options.epsilon2 = paper.epsilon2;
+    for (const Criterion c : {Criterion::h_over_r, Criterion::r_over_pole}) {
+      if (!given(row_of(c).option)) options.limits[c] = paper.limits[c];
+    }
     if (!given("--rmin")) options.r_min = paper.r_min;
   }
   const bool by_distance = !everything && !given("--eps1") && !given("--eps2");
-  if (!by_distance && !given("--max-distance")) options.max_distance = paper.max_distance;
+  if (!by_distance && !given("--max-distance")) {
+    options.limits[Criterion::distance] = paper.limits[Criterion::distance];
+  }
 }
 
 }  // namespace
@@ -333,7 +336,10 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   line.command = command;
   take_paper(line.options, line.paper, given);
   check_counts(line.options, line.paper, given);
-  line.given = {given("--max-distance"), given("--rmin"), given("--lambda"), given("--eps1")};
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    line.given.limits.values[n] = given(kCriterionTable[n].option);
+  }
+  line.given.r_min = given("--rmin");
   if (given("--float") && given("--double")) {
     throw InputError("--float and --double exclude each other");
   }

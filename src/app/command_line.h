@@ -51,7 +51,8 @@ struct CommandLine {
   ColorBy color_by = ColorBy::side;
   bool paper = false;  // the options are the paper's, but for those given
   struct Given {
-    bool max_distance = false, r_min = false, lambda = false, epsilon1 = false;
+    PerCriterion<bool> limits;
+    bool r_min = false;
   } given;  // which criteria of a check are not left to the mesh's file, or to defaults
   std::size_t trace_limit = 200'000;  // events
   bool trace_times = true;

@@ -2,7 +2,6 @@
 #include "app/criteria_note.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -14,17 +13,7 @@
 namespace deliso {
 namespace {
 
-struct Word {
-  std::string_view name;
-  double NotedCriteria::*value;
-  bool needed;  // for a check to judge by the line
-};
-constexpr std::array kWords{Word{"max-distance", &NotedCriteria::max_distance, false},
-                            Word{"r-min", &NotedCriteria::r_min, true},
-                            Word{"lambda", &NotedCriteria::lambda, true},
-                            Word{"eps1", &NotedCriteria::epsilon1, false},
-                            Word{"eps2", &NotedCriteria::epsilon2, false},
-                            Word{"max-radius", &NotedCriteria::max_radius, false}};
+constexpr std::string_view kRMin = "r-min";
 constexpr std::string_view kProgram = "deliso";
 
 std::string_view take_word(std::string_view& line) {
@@ -34,42 +23,48 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-std::optional<NotedCriteria> criteria_in(std::string_view line) {
+// Where in `criteria` a word of that name says its number; null: it is not known.
+double* place_of(Criteria& criteria, std::string_view name) {
+  if (name == kRMin) return &criteria.r_min;
+  const auto row =
+      std::ranges::find(kCriterionTable, name, [](const CriterionRow& r) { return name_of(r); });
+  if (row == kCriterionTable.end()) return nullptr;
+  return &criteria.limits.values[static_cast<std::size_t>(row - kCriterionTable.begin())];
+}
+
+std::optional<Criteria> criteria_in(std::string_view line) {
   if (take_word(line) != kProgram) return std::nullopt;
   take_word(line);  // the version
-  NotedCriteria criteria;
-  std::array<bool, kWords.size()> seen{};
+  Criteria criteria;
+  criteria.limits.values.fill(kNotAsked);
   for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
     const std::size_t equals = word.find('=');
-    const std::string_view name = word.substr(0, equals);
-    const auto known = std::ranges::find(kWords, name, &Word::name);
-    if (known == kWords.end() || equals == std::string_view::npos) continue;
+    double* const place = place_of(criteria, word.substr(0, equals));
+    if (!place || equals == std::string_view::npos) continue;
     const std::string_view digits = word.substr(equals + 1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), *place);
     const bool whole = error == std::errc() && end == digits.data() + digits.size();
-    if (!whole || !std::isfinite(value) || value <= 0) return std::nullopt;
-    criteria.*known->value = value;
-    seen[static_cast<std::size_t>(known - kWords.begin())] = true;
+    if (!whole || !std::isfinite(*place) || *place <= 0) return std::nullopt;
   }
-  for (std::size_t n = 0; n < kWords.size(); ++n) {
-    if (kWords[n].needed && !seen[n]) return std::nullopt;
+  if (!(criteria.r_min > 0) || !criteria.asks(Criterion::r_over_l)) return std::nullopt;
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    if (criteria.limits.values[n] < kCriterionTable[n].least) return std::nullopt;
   }
-  return criteria.lambda < 1 ? std::nullopt : std::optional(criteria);
+  return criteria;
 }
 
 }  // namespace
 
-std::string criteria_note(const NotedCriteria& criteria) {
-  std::string line = text(kProgram, " ", kVersion);
-  for (const Word& word : kWords) {
-    const double value = criteria.*word.value;
-    if (value < NotedCriteria::kNone) line += text(" ", word.name, "=", value);
+std::string criteria_note(const Criteria& criteria) {
+  std::string line = text(kProgram, " ", kVersion, " ", kRMin, "=", criteria.r_min);
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const double limit = criteria.limits.values[n];
+    if (limit < kNotAsked) line += text(" ", name_of(kCriterionTable[n]), "=", limit);
   }
   return line;
 }
 
-std::optional<NotedCriteria> noted_criteria(std::span<const std::string> comments) {
+std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
   for (const std::string& comment : comments) {
     if (auto criteria = criteria_in(comment)) return criteria;
   }
@@ -88,14 +83,13 @@ std::string criteria_note(const CommandLine& line, const Volume& volume, const R
   const auto in_voxels = [&](const Length& length) {
     return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / voxel;
   };
-  NotedCriteria criteria;
-  criteria.max_distance =
-      by_count(options) ? report.max_distance / voxel : in_voxels(options.max_distance);
+  Criteria criteria;
   criteria.r_min = in_voxels(options.r_min);
-  criteria.lambda = options.lambda;
-  criteria.epsilon1 = options.epsilon1;
-  criteria.epsilon2 = options.epsilon2;
-  criteria.max_radius = options.max_radius / voxel;
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const Length& limit = options.limits.values[n];
+    criteria.limits.values[n] = kCriterionTable[n].is_length ? in_voxels(limit) : limit.value;
+  }
+  if (by_count(options)) criteria[Criterion::distance] = report.max_distance / voxel;
   return criteria_note(criteria);
 }
 

@@ -4,36 +4,25 @@
 // does not depend on the frame that the file is in.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "app/command_line.h"
+#include "surface/criteria.h"
 #include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
-struct NotedCriteria {
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-
-  double max_distance = kNone;  // voxels
-  double r_min = 0;             // voxels
-  double lambda = 0;
-  double epsilon1 = kNone, epsilon2 = kNone;
-  double max_radius = kNone;  // voxels
-  friend bool operator==(const NotedCriteria&, const NotedCriteria&) = default;
-};
-
-// `deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2`, then eps1, eps2, max-radius; infinite ones
-// are left out.
-std::string criteria_note(const NotedCriteria& criteria);
+// `deliso 0.1.0 r-min=0.5 max-distance=0.1 lambda=2`, and others of surface/criteria.h; infinite
+// ones are left out. Lengths in voxels.
+std::string criteria_note(const Criteria& criteria);
 
 // What the first such line among a file's comments says. A line of anything else, with a number
 // that is none or out of range, or without r-min or lambda, is no such line; words of names that
 // are not known are passed over.
-std::optional<NotedCriteria> noted_criteria(std::span<const std::string> comments);
+std::optional<Criteria> noted_criteria(std::span<const std::string> comments);
 
 // The line for the mesh of a run: with --vertices the distance that was reached. Where the mesh was
 // made by no criteria (Marching Cubes, Stage 1 alone) it says that, and nothing for a check.

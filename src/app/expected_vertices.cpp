@@ -66,16 +66,18 @@ Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int 
 
 double density(const Options& options, const Volume& volume, double voxel) {
   if (options.stop_after_recover) return kBase;
-  const double distance = options.max_distance.in(volume) / voxel;
-  const double radius = options.max_radius / voxel;
+  const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
+  const auto squared = [](double x) { return x * x; };
+  const double h_over_r = options.limits[Criterion::h_over_r].value;
+  const double r_over_pole = options.limits[Criterion::r_over_pole].value;
   // With --vertices the distance is as small as the number allows.
   const double asked =
       by_count(options)
           ? Options::kNone
-          : std::max({kDistance / distance, kHeight / (options.epsilon1 * options.epsilon1),
-                      kPole / (options.epsilon2 * options.epsilon2), kFull / (radius * radius)});
+          : std::max({kDistance / length(Criterion::distance), kHeight / squared(h_over_r),
+                      kPole / squared(r_over_pole), kFull / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
-  const double creases = options.epsilon1 < Options::kNone ? kCrease / r_min : 0;
+  const double creases = h_over_r < Options::kNone ? kCrease / r_min : 0;
   // Nothing smaller than r_min is refined.
   return 1 / (1 / (kBase + asked + creases) + r_min * r_min / kFull);
 }

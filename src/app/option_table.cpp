@@ -5,12 +5,14 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "app/parse_value.h"
 #include "base/check.h"
+#include "base/text.h"
 
 namespace deliso {
 namespace {
@@ -50,14 +52,6 @@ MeshFormat parse_format(std::string_view option, std::string_view text) {
                     {{"ply", ply}, {"off", off}, {"obj", obj}, {"stl", stl}, {"vtp", vtp}}));
 }
 
-double parse_lambda(std::string_view option, std::string_view text) {
-  const double lambda = parse_positive(option, text);
-  if (lambda < 1) {
-    throw InputError(std::string(option) + " must be at least 1, or refinement would not end");
-  }
-  return lambda;
-}
-
 double parse_share(std::string_view option, std::string_view text) {
   const double share = parse_positive(option, text);
   if (share > 1) throw InputError(std::string(option) + " must be at most 1");
@@ -73,7 +67,25 @@ void require(std::string_view option, std::string_view text, std::string_view on
 using Line = CommandLine;
 using Text = std::string_view;
 
-constexpr OptionSpec kOptions[] = {
+void set_limit(Line& line, Text option, Text value) {
+  const auto row = std::ranges::find(kCriterionTable, option, &CriterionRow::option);
+  const auto n = static_cast<std::size_t>(row - kCriterionTable.begin());
+  Length& limit = line.options.limits.values[n];
+  limit = row->is_length ? parse_length(option, value, Length::Unit::world)
+                         : Length{parse_positive(option, value)};
+  if (limit.value < row->least) {
+    throw InputError(
+        text(option, " must be at least ", row->least, ", or refinement would not end"));
+  }
+}
+
+constexpr OptionSpec option_of(const CriterionRow& row) {
+  return {
+      row.option, 0,         row.argument,  row.check_help.empty() ? kMeshAndTrace : kAllMeshing,
+      row.help,   set_limit, row.check_help};
+}
+
+constexpr OptionSpec kInputAndOutput[] = {
     {"--iso", 'k', "K", kVolume, "isovalue: the surface is where the volume's interpolant is K",
      [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
     {"--output", 'o', "FILE", kOutput,
@@ -113,41 +125,20 @@ constexpr OptionSpec kOptions[] = {
      "meshed; the info command lists them)",
      [](Line& l, Text, Text v) { l.read.array = v; }},
 
-    {"--max-distance", 0, "D|Dvox", kAllMeshing,
-     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
-     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
-     "0.1vox)",
-     [](Line& l, Text o, Text v) {
-       l.options.max_distance = parse_length(o, v, Length::Unit::world);
-     },
-     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
-     "says, "
-     "and no exit 1 for it): world units, or voxels"},
+};
+
+constexpr OptionSpec kRest[] = {
     {"--rmin", 0, "X|Xvox", kAllMeshing,
      "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
      "the box's smallest side",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
      "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
-    {"--lambda", 0, "X", kAllMeshing,
-     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
-     [](Line& l, Text o, Text v) { l.options.lambda = parse_lambda(o, v); },
-     "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
-     "2)"},
     {"--vertices", 0, "N", kMeshAndTrace,
      "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
      "of --max-distance",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
     {"--triangles", 0, "N", kMeshAndTrace, "the same, of about N triangles",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
-    {"--eps1", 0, "X", kAllMeshing,
-     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
-     [](Line& l, Text o, Text v) { l.options.epsilon1 = parse_positive(o, v); },
-     "h/r that is counted as too large (default: what the mesh's file says, or none)"},
-    {"--eps2", 0, "X", kMeshAndTrace,
-     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
-     [](Line& l, Text o, Text v) { l.options.epsilon2 = parse_positive(o, v); }},
-    {"--max-radius", 0, "R", kMeshAndTrace, "largest r, in world units (default: none)",
-     [](Line& l, Text o, Text v) { l.options.max_radius = parse_positive(o, v); }},
     {"--paper", 0, "", kAllMeshing,
      "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
      "--max-distance",
@@ -299,6 +290,16 @@ constexpr OptionSpec kOptions[] = {
     {"--version", 0, "", kAll, "the version",
      [](Line& l, Text, Text) { l.command = Command::version; }},
 };
+
+constexpr auto kOptions = [] {
+  std::array<OptionSpec, std::size(kInputAndOutput) + kCriteria + std::size(kRest)> all{};
+  const auto criteria =
+      std::copy(std::begin(kInputAndOutput), std::end(kInputAndOutput), all.begin());
+  const auto rest =
+      std::transform(kCriterionTable.begin(), kCriterionTable.end(), criteria, option_of);
+  std::copy(std::begin(kRest), std::end(kRest), rest);
+  return all;
+}();
 constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"}, {"Meshing", "--max-distance"},
                                    {"Raw files", "--dims"},       {"Pictures", "--view"},
                                    {"Traces", "--trace-limit"},   {"Help", "--help"}};

@@ -59,7 +59,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   add(!cubes && certified, "labels", 6);
   add(!cubes && !certified, "initial", 3);
   add(!cubes, "recover", certified ? 20 : 32);
-  add(!cubes && options.epsilon2 < Options::kNone, "poles", 2);
+  add(!cubes && options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
   add(!cubes && !options.stop_after_recover, "refine", 45);
   add(options.cap, "cap", 3);
   const bool examined = !line.quiet || line.check || !line.json.empty();

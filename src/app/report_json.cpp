@@ -31,12 +31,16 @@ void add_options(JsonWriter& json, const Options& options) {
   json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
   add_length(json, "fingers", options.fingers);
   json.add("eps", options.epsilon);
-  json.add("eps1", options.epsilon1);
-  json.add("eps2", options.epsilon2);
-  json.add("lambda", options.lambda);
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    std::string key(name_of(kCriterionTable[n]));
+    std::ranges::replace(key, '-', '_');
+    if (kCriterionTable[n].is_length) {
+      add_length(json, key, options.limits.values[n]);
+    } else {
+      json.add(key, options.limits.values[n].value);
+    }
+  }
   add_length(json, "rmin", options.r_min);
-  add_length(json, "max_distance", options.max_distance);
-  json.add("max_radius", options.max_radius);
   json.add("method", options.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
   if (by_count(options)) json.add("vertices", options.target_vertices);
   json.add("seed", options.seed);

@@ -132,7 +132,9 @@ std::string report_text(const MeshRun& run) {
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
   }
-  if (run.triangles > 0) append_quality(text, run.quality, run.line.options.lambda, report.r_min);
+  if (run.triangles > 0)
+    append_quality(text, run.quality, run.line.options.limits[Criterion::r_over_l].value,
+                   report.r_min);
 
   const Options& options = run.line.options;
   const bool refined =

@@ -79,13 +79,15 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       [&] { boundary_fault = check_boundary_on_box(surface, volume.box()); }};
   if (reported) {
     looks.emplace_back([&] { run.mesh = topology_of(mesh_topology(surface)); });
-    looks.emplace_back(
-        [&] { run.quality = measure_quality(surface, options.lambda, run.report.r_min); });
+    looks.emplace_back([&] {
+      run.quality =
+          measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
+    });
   }
   if (reported && options.cap) {
     looks.emplace_back([&] {
       const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
-      run.cap_quality = measure_quality(caps, options.lambda, 0);
+      run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
       run.volume = world_volume(enclosed_volume(mesh), volume.frame());
     });
   }
@@ -96,7 +98,7 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
 // Holds the mesh against the volume, trusting no stage.
 void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
   VerifyOptions options = verify_options(run.line, volume);
-  if (by_count(run.line.options)) options.limits.max_distance = run.report.max_distance;
+  if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
   // Marching Cubes promises no Delaunay triangles.
   if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
   options.progress = [&](double share) { progress.show("check", share); };

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/json.h"
+#include "base/text.h"
+#include "surface/trace_codes.h"
 #include "trace/trace_names.h"
 
 namespace deliso {
@@ -109,13 +111,20 @@ void add_outcomes(JsonWriter& json) {
 }
 
 void add_reasons(JsonWriter& json) {
+  const auto add = [&](std::string_view name, std::string_view meaning) {
+    json.open_item();
+    json.add("name", name);
+    json.add("text", meaning);
+    json.close();
+  };
   json.open_list("reasons");
   for (std::size_t n = 0; n < static_cast<std::size_t>(Reason::count_); ++n) {
     const ReasonName reason = name_of(static_cast<Reason>(n));
-    json.open_item();
-    json.add("name", reason.name);
-    json.add("text", reason.text);
-    json.close();
+    add(reason.name, reason.text);
+  }
+  for (const CriterionRow& row : kCriterionTable) {
+    add(row.measured,
+        text("over its limit, in Stage 2 that of ", row.option, "; value: times the limit"));
   }
   json.close();
 }

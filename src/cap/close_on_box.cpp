@@ -136,7 +136,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
                          : text(caps->crossing_edges().size(), " edges of the boundary cross");
     return;
   }
-  caps->refine(parameters.refinement.lambda);
+  caps->refine(parameters.refinement[Criterion::r_over_l]);
   report[Counter::cap_refused] += caps->refused();
   const std::vector<Triangle> triangles = caps->triangles();
   mesh.points.insert(mesh.points.end(), caps->new_points().begin(), caps->new_points().end());

@@ -65,7 +65,7 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface,
-                                 const Limits& limits) {
+                                 const Criteria& limits) {
   BoundaryQuality q;
   q.min_angle = 60;
   std::uint32_t last = kNoId;
@@ -79,8 +79,8 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
       q.max_h = std::max(q.max_h, *h);
       if (!is_small) {
         q.max_h_over_r = std::max(q.max_h_over_r, *h / r);
-        q.over_h_over_r += *h > limits.h_over_r * r;
-        q.over_distance += *h > limits.max_distance;
+        q.over_h_over_r += *h > limits[Criterion::h_over_r] * r;
+        q.over_distance += *h > limits[Criterion::distance];
       }
     } else {
       q.without_curve += !is_small;
@@ -93,7 +93,7 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
     const double ratio =
         distance(circumcenter(p0, p1, p2), p0) / std::sqrt(shortest_edge2(p0, p1, p2));
     const double angle = smallest_angle(p0, p1, p2);
-    q.over_lambda += !(ratio <= limits.lambda);
+    q.over_lambda += !(ratio <= limits[Criterion::r_over_l]);
     q.slivers += angle < kSliver;
     q.max_r_over_l = std::max(q.max_r_over_l, ratio);
     q.min_angle = std::min(q.min_angle, angle);

@@ -8,6 +8,7 @@
 
 #include "check/validity.h"
 #include "isosurface/isosurface.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -30,16 +31,8 @@ struct BoundaryQuality {
 
 inline constexpr double kSliver = 10;  // degrees
 
-// What edges and triangles are held to. Infinity: not asked.
-struct Limits {
-  double max_distance = std::numeric_limits<double>::infinity();  // h; scaled frame
-  double h_over_r = std::numeric_limits<double>::infinity();
-  double lambda = 2;  // r/l, at every size
-  double r_min = 0;   // what has a smaller r is not held to h and h/r; scaled frame
-};
-
 // `mesh` ends on the box only.
 BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surface,
-                                 const Limits& limits);
+                                 const Criteria& limits);
 
 }  // namespace deliso

@@ -130,31 +130,30 @@ void judge_share(const TriMesh& mesh, const CleanMesh& clean, double least, Veri
                             share.triangles - share.restricted - share.first_outside.size());
 }
 
-// r/l, infinite without area.
-double shape_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ratio = distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c));
-  return std::isnan(ratio) ? std::numeric_limits<double>::infinity() : ratio;
-}
-
-void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Limits& limits,
+void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Criteria& limits,
                     int threads, Verification& result) {
   const std::vector<double> heights = surface_heights(mesh, surface, threads);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    bool over = shape_ratio(a, b, c) > limits.lambda;
-    const double r = distance(circumcenter(a, b, c), a), h = heights[n];
+    FacetShape shape = measure(a, b, c, a);
+    const double r = shape.r, h = heights[n];
+    shape.h = h;
+    if (std::isnan(r)) shape.r = kNotAsked;  // without area it has no circumcenter
+    bool any = false;
+    for (std::size_t k = 0; k < kCriteria; ++k) {
+      const bool over = share_of_limit(k, shape, limits) > 1;
+      result.over.values[k] += over;
+      any |= over;
+    }
+    result.over_a_limit += any;
     if (r > limits.r_min) {
       ++result.triangles_above_r_min;
-      result.over_distance += h > limits.max_distance;
-      result.over_h_over_r += h / r > limits.h_over_r;
-      over |= h > limits.max_distance || h / r > limits.h_over_r;
       if (std::isfinite(h)) {
         result.max_h_above_r_min = std::max(result.max_h_above_r_min, h);
         result.max_h_over_r_above_r_min = std::max(result.max_h_over_r_above_r_min, h / r);
       }
     }
-    result.over_a_limit += over;
   }
 }
 
@@ -188,9 +187,10 @@ CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions
   for (const auto& [f, g] : intersections) {
     summary.self_intersections += parts.is_cap[f] || parts.is_cap[g];
   }
-  summary.quality = measure_quality(parts.caps, options.limits.lambda, 0);
+  summary.quality = measure_quality(parts.caps, options.limits[Criterion::r_over_l], 0);
   result.solid = summary;
-  result.quality = measure_quality(parts.surface, options.limits.lambda, options.limits.r_min);
+  result.quality =
+      measure_quality(parts.surface, options.limits[Criterion::r_over_l], options.limits.r_min);
   const MeshTopology topology = mesh_topology(parts.surface);
   result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
   return clean;
@@ -240,7 +240,8 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   } else {
     const MeshTopology topology = mesh_topology(mesh);
     result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
-    result.quality = measure_quality(mesh, options.limits.lambda, options.limits.r_min);
+    result.quality =
+        measure_quality(mesh, options.limits[Criterion::r_over_l], options.limits.r_min);
   }
   const CleanMesh& clean = surface_part ? *surface_part : whole;
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
@@ -266,7 +267,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   tell(0.65);
   laps.lap();
 
-  const double bound = options.limits.max_distance;
+  const double bound = options.limits[Criterion::distance];
   result.to_surface =
       distances_to_surface(clean, surface, kSearchDiagonals * length(spacing), bound, threads);
   result.from_surface = distances_from_surface(contour, tree, kReach * bound, threads);

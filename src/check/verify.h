@@ -41,7 +41,7 @@ struct VerifyOptions {
   // What triangles are held to, with h from the circumcenter to Sigma. How many are over a limit is
   // counted, and no fault. Points of the mesh further than max_distance from Sigma are counted too,
   // and points of Sigma further than twice that from the mesh (as Stage 2 has it).
-  Limits limits;
+  Criteria limits;
   bool require_distance = false;  // these points are faults
   int threads = 1;
   std::function<void(double)> progress;  // called with the share that is done; may be empty
@@ -71,11 +71,11 @@ struct Verification {
   Distances to_surface;    // from points of the triangles
   Distances from_surface;  // from vertices of the exact contour
   MeshQuality quality;
-  Limits limits;  // as given
+  Criteria limits;  // as given
   std::size_t triangles_above_r_min = 0;
-  std::size_t over_distance = 0, over_h_over_r = 0;            // of these
   double max_h_above_r_min = 0, max_h_over_r_above_r_min = 0;  // of those with a surface ball
-  std::size_t over_a_limit = 0;                                // triangles, of any size
+  PerCriterion<std::size_t> over;                              // triangles that pass the limit
+  std::size_t over_a_limit = 0;                                // any of them
   BoundaryQuality boundary;
   double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
 };

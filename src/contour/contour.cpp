@@ -85,6 +85,7 @@ ContourMesh mesh_slabs(const Volume& volume, double kappa, const std::vector<Sla
                        int threads, MakeSink&& make_sink) {
   std::vector<ContourMesh> parts(slabs.size());
   std::vector<decltype(make_sink(parts[0]))> sinks;
+  sinks.reserve(parts.size());
   for (ContourMesh& part : parts) sinks.push_back(make_sink(part));
   StreamResult result = stream(volume, kappa, slabs, sinks, threads);
   ContourMesh mesh = weld(std::move(parts), result.numbers, threads);

@@ -146,7 +146,7 @@ void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<Ce
   }
   const std::uint32_t first_rank = first_rank_;
   std::uint32_t next_rank = first_rank;
-  std::array<std::array<std::uint32_t, 3>, 2 * kTableVertices> ranks;
+  std::array<std::array<std::uint32_t, 3>, std::size_t{2} * kTableVertices> ranks;
   for (std::size_t k = 0; k < created.size(); ++k) {
     const auto& corner = kFacetVertices[zone.boundary[k].index];
     const auto& v = cells_[created[k]].vertices;
@@ -218,7 +218,7 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
     for (VertexId w : cell.vertices) incident_[w] = c;
   }
 
-  if (created.size() <= 2 * (kTableVertices - 2)) {
+  if (created.size() <= std::size_t{2} * (kTableVertices - 2)) {
     link_by_table(zone, created);
   } else {
     link_by_turning(zone, created);

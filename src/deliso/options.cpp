@@ -37,20 +37,34 @@ void require_limits(const Options& o, const Volume& volume) {
     throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",
                           kSmallestRMin, ": at creases refinement would hardly end"));
   }
-  if (!(o.lambda >= 1))
-    throw InputError("--lambda must be at least 1, or refinement would not end");
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const CriterionRow& row = kCriterionTable[n];
+    if (!(o.limits.values[n].value >= row.least)) {
+      throw InputError(
+          text(row.option, " must be at least ", row.least, ", or refinement would not end"));
+    }
+  }
   if (o.samples > kMostSamples) {
     throw InputError(text("--samples is ", o.samples, ", and must be at most ", kMostSamples));
   }
 }
 
+PerCriterion<Length> Options::usual_limits() {
+  PerCriterion<Length> limits;
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const CriterionRow& row = kCriterionTable[n];
+    limits.values[n] = {row.usual, row.is_length ? Length::Unit::voxel : Length::Unit::world};
+  }
+  return limits;
+}
+
 Options Options::paper() {
   Options options;
   options.recover = RecoverWay::paper;
-  options.epsilon1 = 0.1;
-  options.epsilon2 = 0.2;
+  options.limits[Criterion::h_over_r].value = 0.1;
+  options.limits[Criterion::r_over_pole].value = 0.2;
   options.r_min = {0.001, Length::Unit::box};
-  options.max_distance = {kNone, Length::Unit::world};
+  options.limits[Criterion::distance] = {kNone, Length::Unit::world};
   return options;
 }
 
@@ -60,18 +74,15 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.voxel = voxel;
   p.r_min = r_min;
   p.fingers = o.fingers.in(volume);
-  p.recovery = {o.epsilon, Options::kNone, o.lambda, Options::kNone, Options::kNone, r_min, r_min};
-  p.refinement = {o.epsilon1,
-                  o.epsilon2,
-                  o.lambda,
-                  o.max_distance.in(volume),
-                  o.max_radius,
-                  r_min,
-                  std::min(r_min, kShapeFloor * voxel)};
-  if (o.recover == RecoverWay::paper) {
-    p.as_published = true;
-    p.refinement.shape_floor = r_min;  // nothing smaller than r_min is refined at all
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    p.refinement.limits.values[n] = o.limits.values[n].in(volume);
   }
+  p.recovery[Criterion::h_over_r] = o.epsilon;
+  p.recovery[Criterion::r_over_l] = p.refinement[Criterion::r_over_l];
+  p.recovery.r_min = p.recovery.shape_floor = p.refinement.r_min = r_min;
+  p.as_published = o.recover == RecoverWay::paper;
+  // As published nothing smaller than r_min is refined at all.
+  p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloor * voxel);
   // Fingers would ask for more than so many vertices.
   if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
   p.pole_side = o.pole_side;

@@ -14,8 +14,8 @@
 
 namespace deliso {
 
-// A length in world units, as a share of b, the smallest side of the box, or in voxels (`0.5vox`,
-// of the shortest side of one).
+// A length in world units (or, as a criterion's limit, a plain number), as a share of b, the
+// smallest side of the box, or in voxels (`0.5vox`, of the shortest side of one).
 struct Length {
   enum class Unit : std::uint8_t { world, box, voxel };
   double value = 0;
@@ -34,18 +34,14 @@ enum class RecoverWay : std::uint8_t { certified, paper };
 enum class Method : std::uint8_t { delaunay, marching_cubes };
 
 struct Options {
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  static constexpr double kNone = kNotAsked;
 
   Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
-  // No point of the mesh further from Sigma and no point of Sigma further from the mesh.
-  Length max_distance{0.1, Length::Unit::voxel};
+  // Stage 2's criteria (surface/criteria.h); that on r/l is Stage 1's too. Infinite: not asked.
+  PerCriterion<Length> limits = usual_limits();
   Length r_min{0.5, Length::Unit::voxel};  // nothing with r <= r_min is refined for geometry
-  double lambda = 2.0;                     // r/l, both stages, at every size
   double epsilon = 0.2;                    // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
-  double epsilon1 = kNone;                 // Stage 2: h/r
-  double epsilon2 = kNone;                 // Stage 2: r/h_sigma
-  double max_radius = kNone;               // r, world units
   Length fingers{1, Length::Unit::voxel};  // certified: how far Sigma may be from Stage 1's mesh
   PoleSide pole_side = PoleSide::nearer;
 
@@ -73,6 +69,7 @@ struct Options {
 
   // Everything as published: the paper's Recover, epsilon1 0.1, epsilon2 0.2, r_min = 0.001 b.
   static Options paper();
+  static PerCriterion<Length> usual_limits();
 };
 
 // Limits of what is taken on: beyond them a run could not end in reasonable time
@@ -80,7 +77,7 @@ struct Options {
 inline constexpr double kSmallestRMin = 0.001;           // voxels
 inline constexpr std::size_t kMostSamples = 10'000'000;  // N0
 
-// Throws InputError beyond them, and for a lambda below 1.
+// Throws InputError beyond them, and for a criterion's limit below the least.
 void require_limits(const Options& options, const Volume& volume);
 
 // All lengths in the scaled frame of the volume.

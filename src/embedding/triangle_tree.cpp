@@ -44,8 +44,9 @@ TriangleTree::TriangleTree(const std::vector<Vec3>& points, std::span<const Tria
     tasks = std::move(halves);
   }
   for_each_task(threads, tasks.size(), [&](std::size_t n) { build(tasks[n], items); });
-  for (auto part = above.rbegin(); part != above.rend(); ++part) {
-    boxes_[part->node] = united(boxes_[2 * part->node + 1], boxes_[2 * part->node + 2]);
+  std::reverse(above.begin(), above.end());
+  for (const Part& part : above) {
+    boxes_[part.node] = united(boxes_[2 * part.node + 1], boxes_[2 * part.node + 2]);
   }
 }
 

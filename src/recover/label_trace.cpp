@@ -45,7 +45,7 @@ LabelTrace::LabelTrace(Trace& trace, const ContourMesh& contour, const ContourGr
       label_(labels.all().begin(), labels.all().end()) {
   cells_.number_vertices(triangulation);
   TraceEvent& event =
-      trace.asks(static_cast<std::uint8_t>(Routine::init_triangulation), Reason::beginning);
+      trace.asks(trace_code(Routine::init_triangulation), trace_code(Reason::beginning));
   for (const Triangle& t : contour.triangles) {
     const Triangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
     if (is_dual(sites)) event.added.push_back(cells_.number(sites));
@@ -69,7 +69,7 @@ LabelTrace::LabelTrace(Trace& trace, const ContourMesh& contour, const ContourGr
 
 void LabelTrace::asks(Routine routine, Reason reason, VertexId site, VertexId v) {
   const double value = v == kNoId ? 0 : std::sqrt(labels_.distance2_to_site(v));
-  TraceEvent& event = cells_.trace().asks(static_cast<std::uint8_t>(routine), reason, value);
+  TraceEvent& event = cells_.trace().asks(trace_code(routine), trace_code(reason), value);
   if (site != kNoId) event.caller[0] = cells_.number(site);
 }
 

@@ -44,7 +44,7 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
 
 void Recovery::recover() {
   begin("recover");
-  const bool has_geometry = std::isfinite(parameters_.recovery.h_over_r);
+  const bool has_geometry = std::isfinite(parameters_.recovery[Criterion::h_over_r]);
   begin_part(0.5 * (has_geometry ? kTopology : 1));
   protect_boundary();
   multi_intersect();
@@ -303,15 +303,17 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     }
   };
   const Triangulation& t = restricted_.triangulation();
-  const double infinity = std::numeric_limits<double>::infinity();
   std::priority_queue<Item> queue;
+  const auto shape_of = [&](RecordId r) {
+    const Triangle v = restricted_.triangle(r);
+    FacetShape shape =
+        measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
+    if (!poles.empty()) shape.pole = (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
+    return shape;
+  };
   const auto judge = [&](RecordId r) {
     if (!restricted_.is_live(r) || !restricted_.is_restricted(r)) return;
-    const Triangle v = restricted_.triangle(r);
-    const FacetShape shape =
-        measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
-    const double pole = poles.empty() ? infinity : (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-    const double worst = violation(shape, pole, criteria);
+    const double worst = violation(shape_of(r), criteria);
     if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
@@ -323,7 +325,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     if (!restricted_.is_live(r) || restricted_.generation(r) != item.generation) continue;
     if (!restricted_.is_restricted(r)) continue;
     const std::size_t before = t.vertex_capacity();
-    if (restricted_.trace()) restricted_.trace()->shape_asks(r, criteria, poles);
+    if (restricted_.trace()) restricted_.trace()->shape_asks(r, shape_of(r), criteria);
     const Outcome outcome = insert(r, restricted_.surface_point(r));
     if (!poles.empty()) {
       for (VertexId v = static_cast<VertexId>(before); v < t.vertex_capacity(); ++v) {

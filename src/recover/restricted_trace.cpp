@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/triangle.h"
-#include "surface/worst_criterion.h"
+#include "surface/trace_codes.h"
 
 namespace deliso {
 namespace {
@@ -13,9 +13,9 @@ constexpr Triangle kNone{kNoId, kNoId, kNoId};
 
 }  // namespace
 
-TraceEvent& RestrictedTrace::asks(Routine routine, Reason reason, double value) {
+TraceEvent& RestrictedTrace::asks(Routine routine, std::uint8_t reason, double value) {
   outcome_ = TraceOutcome::done;
-  return cells_.trace().asks(static_cast<std::uint8_t>(routine), reason, value);
+  return cells_.trace().asks(trace_code(routine), reason, value);
 }
 
 void RestrictedTrace::tell_facet(RecordId r, TraceEvent& event) const {
@@ -33,15 +33,15 @@ void RestrictedTrace::tell_facet(RecordId r, TraceEvent& event) const {
 
 void RestrictedTrace::boundary_asks(VertexId from, VertexId to) {
   const Triangulation& t = restricted_->triangulation();
-  TraceEvent& event =
-      asks(Routine::protect_boundary, Reason::encroached, distance(t.point(from), t.point(to)));
+  TraceEvent& event = asks(Routine::protect_boundary, trace_code(Reason::encroached),
+                           distance(t.point(from), t.point(to)));
   event.caller = {cells_.number(from), cells_.number(to), kNoId};
 }
 
 void RestrictedTrace::edge_asks(RecordId r) {
   const auto hits = restricted_->effective_hits(r).size();
   TraceEvent& event =
-      asks(Routine::multi_intersect, Reason::several_hits, static_cast<double>(hits));
+      asks(Routine::multi_intersect, trace_code(Reason::several_hits), static_cast<double>(hits));
   event.caller = cells_.number(restricted_->triangle(r));
   tell_facet(r, event);
 }
@@ -62,30 +62,24 @@ void RestrictedTrace::star_asks(VertexId q, bool on_boundary, std::span<const Re
     }
     return Reason::star_singular;
   }();
-  TraceEvent& event = asks(Routine::extract_manifold, reason, static_cast<double>(facets.size()));
+  TraceEvent& event =
+      asks(Routine::extract_manifold, trace_code(reason), static_cast<double>(facets.size()));
   event.caller[0] = cells_.number(q);
   for (const Triangle& facet : facets) event.star.push_back(cells_.number(facet));
   if (furthest != kNoId) tell_facet(furthest, event);
 }
 
-void RestrictedTrace::shape_asks(RecordId r, const Criteria& criteria,
-                                 std::span<const double> poles) {
-  const Triangulation& t = restricted_->triangulation();
-  const Triangle v = restricted_->triangle(r);
-  const FacetShape shape =
-      measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_->surface_point(r));
-  const double pole = poles.empty() ? std::numeric_limits<double>::infinity()
-                                    : (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-  TraceEvent& event = asks(Routine::approximate_geom, worst_criterion(shape, pole, criteria),
-                           violation(shape, pole, criteria));
-  event.caller = cells_.number(v);
+void RestrictedTrace::shape_asks(RecordId r, const FacetShape& shape, const Criteria& criteria) {
+  TraceEvent& event = asks(Routine::approximate_geom, trace_code(worst_criterion(shape, criteria)),
+                           violation(shape, criteria));
+  event.caller = cells_.number(restricted_->triangle(r));
   tell_facet(r, event);
 }
 
 void RestrictedTrace::begin(const RestrictedDelaunay& restricted) {
   restricted_ = &restricted;
   cells_.number_vertices(restricted.triangulation());
-  TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
+  TraceEvent& event = asks(Routine::init_triangulation, trace_code(Reason::beginning), 0);
   for (const RecordId r : restricted.created()) show(r);
   event.value = static_cast<double>(event.added.size());
   cells_.record(TraceOutcome::done);
@@ -126,7 +120,7 @@ void RestrictedTrace::inserted() {
 
 void RestrictedTrace::splits(VertexId from, VertexId to) {
   TraceEvent& event = cells_.trace().event();
-  if (event.routine == static_cast<std::uint8_t>(Routine::protect_boundary)) {
+  if (event.routine == trace_code(Routine::protect_boundary)) {
     event.caller = {cells_.number(from), cells_.number(to), kNoId};
   } else {
     outcome_ = TraceOutcome::split;

@@ -8,6 +8,7 @@
 
 #include "recover/cell_trace.h"
 #include "recover/restricted.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -21,7 +22,7 @@ class RestrictedTrace {
   void boundary_asks(VertexId from, VertexId to);
   void edge_asks(RecordId r);  // MultiIntersect
   void star_asks(VertexId q, bool on_boundary, std::span<const RecordId> star, RecordId furthest);
-  void shape_asks(RecordId r, const Criteria& criteria, std::span<const double> poles);
+  void shape_asks(RecordId r, const FacetShape& shape, const Criteria& criteria);
 
   // Of RestrictedDelaunay.
   void begin(const RestrictedDelaunay& restricted);
@@ -36,7 +37,7 @@ class RestrictedTrace {
   void end() { cells_.keep_cells(restricted_->triangulation()); }
 
  private:
-  TraceEvent& asks(Routine routine, Reason reason, double value);
+  TraceEvent& asks(Routine routine, std::uint8_t reason, double value);
   void show(RecordId r);
   void tell_facet(RecordId r, TraceEvent& event) const;
 

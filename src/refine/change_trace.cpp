@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "surface/worst_criterion.h"
-
 namespace deliso {
 namespace {
 
@@ -29,9 +27,9 @@ void add(Trace& trace, const Patch& patch, std::vector<Triangle>& out,
 
 }  // namespace
 
-void trace_facet(Trace& trace, const SurfaceMesh& s, FaceId f, Reason reason, double value) {
+void trace_facet(Trace& trace, const SurfaceMesh& s, FaceId f, std::uint8_t reason, double value) {
   if (!is_told(trace)) return;
-  TraceEvent& event = trace.asks(static_cast<std::uint8_t>(Routine::count_), reason, value);
+  TraceEvent& event = trace.asks(trace_code(Routine::count_), reason, value);
   event.caller = number(trace, s.mesh.faces[f].v);
   const Dual& dual = s.duals[f];
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
@@ -39,21 +37,21 @@ void trace_facet(Trace& trace, const SurfaceMesh& s, FaceId f, Reason reason, do
 
 void trace_criteria(Trace& trace, const SurfaceMesh& s, FaceId f, const FacetShape& shape,
                     const Criteria& criteria) {
-  const double pole = s.pole(s.mesh.faces[f].v);
-  trace_facet(trace, s, f, worst_criterion(shape, pole, criteria),
-              violation(shape, pole, criteria));
+  trace_facet(trace, s, f, trace_code(worst_criterion(shape, criteria)),
+              violation(shape, criteria));
 }
 
 void trace_not_delaunay(Trace& trace, const SurfaceMesh& s, FaceId f) {
   const Dual& dual = s.duals[f];
-  trace_facet(trace, s, f, dual.on_surface ? Reason::not_delaunay : Reason::no_surface_point,
+  trace_facet(trace, s, f,
+              trace_code(dual.on_surface ? Reason::not_delaunay : Reason::no_surface_point),
               std::sqrt(dual.radius2));
 }
 
 void trace_off_curve(Trace& trace, const SurfaceMesh& s, FaceId f, int side) {
   const Triangle& v = s.mesh.faces[f].v;
   const Vec3 &a = s.mesh.points[v[(side + 1) % 3]], &b = s.mesh.points[v[(side + 2) % 3]];
-  trace_facet(trace, s, f, Reason::off_curve, distance(a, b));
+  trace_facet(trace, s, f, trace_code(Reason::off_curve), distance(a, b));
 }
 
 void trace_disk(Trace& trace, const Change& change) {
@@ -86,13 +84,10 @@ void trace_try(Trace& trace, Rung rung, const Change& change, std::optional<Refu
   // A boundary edge was split in its place, and has been told.
   if (!refusal && event.removed.empty() && !trace.is_full()) return;
   if (change.what != Change::Vertex::none) event.place = change.place;
-  event.routine = static_cast<std::uint8_t>(static_cast<std::size_t>(Routine::count_) +
-                                            static_cast<std::size_t>(rung));
+  event.routine = trace_code(rung);
   trace.count(report.searches_recover.searches + report.searches_refine.searches,
               report.searches_recover.computations + report.searches_refine.computations);
-  constexpr auto kRefused = static_cast<std::size_t>(TraceOutcome::refused);
-  trace.record(static_cast<std::uint8_t>(refusal ? kRefused + 1 + static_cast<std::size_t>(*refusal)
-                                                 : std::size_t{0}));
+  trace.record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));
 }
 
 }  // namespace deliso

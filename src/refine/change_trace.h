@@ -8,14 +8,13 @@
 
 #include "refine/change.h"
 #include "surface/criteria.h"
-#include "surface/report.h"
-#include "trace/trace.h"
+#include "surface/trace_codes.h"
 
 namespace deliso {
 
 // Facet f asks for what follows.
-void trace_facet(Trace& trace, const SurfaceMesh& s, FaceId f, Reason reason, double value);
-// For its criteria, of which it passes the worst by `value`.
+void trace_facet(Trace& trace, const SurfaceMesh& s, FaceId f, std::uint8_t reason, double value);
+// For the worst of its criteria.
 void trace_criteria(Trace& trace, const SurfaceMesh& s, FaceId f, const FacetShape& shape,
                     const Criteria& criteria);
 // Or for not being Delaunay, or a boundary edge of it for leaving its curve.

@@ -71,7 +71,7 @@ double Collapser::worst_ratio(std::span<const Triangle> facets) const {
 bool Collapser::collapse(FaceId f) {
   const Triangle v = mesh_.faces[f].v;
   const double limit = parameters_.r_min;
-  if (worst_ratio({&v, 1}) <= parameters_.refinement.lambda) return false;
+  if (worst_ratio({&v, 1}) <= parameters_.refinement[Criterion::r_over_l]) return false;
   VertexId a = kNoId, b = kNoId;
   double shortest2 = limit * limit;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -87,7 +87,7 @@ bool Collapser::collapse(FaceId f) {
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
     const auto gains = [&] {
       const double before = worst_ratio(change_.was.facets);
-      return before > parameters_.refinement.lambda &&
+      return before > parameters_.refinement[Criterion::r_over_l] &&
              worst_ratio(change_.in.facets) <= kWorse * before;
     };
     if (!replacer_.count(Rung::collapse, change_, merge(f, from, to, gains))) return true;

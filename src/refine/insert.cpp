@@ -127,7 +127,7 @@ bool Inserter::leaves_curve(EdgeRef edge) const {
   const Criteria& limit = parameters_.refinement;
   return r > parameters_.r_min &&
          curves_.sagitta(s_.chain.place(ends->from), a, s_.chain.place(ends->to), b) >
-             std::min(limit.h_over_r * r, limit.max_distance);
+             std::min(limit[Criterion::h_over_r] * r, limit[Criterion::distance]);
 }
 
 }  // namespace deliso

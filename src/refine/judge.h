@@ -20,11 +20,12 @@ class Judge {
     const std::vector<Vec3>& p = s_.mesh.points;
     FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
     if (!dual.on_surface) shape.h = shape.r;
+    shape.pole = s_.pole(v);
     return shape;
   }
   // Over 1: a criterion is not met.
   double violation(const Triangle& v, const Dual& dual) const {
-    return deliso::violation(shape(v, dual), s_.pole(v), parameters_.refinement);
+    return deliso::violation(shape(v, dual), parameters_.refinement);
   }
 
   double cost_of_shape(const Triangle& v, const Dual& dual) const {

@@ -29,8 +29,7 @@ double Mover::cost_of_needles(const Vec3& p) const {
     };
     const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
     const FacetShape shape = measure(a, b, c, circumcenter(a, b, c));
-    const double over =
-        violation(shape, std::numeric_limits<double>::infinity(), parameters_.refinement);
+    const double over = violation(shape, parameters_.refinement);
     if (over > 1) sum += over;
   }
   return sum;

@@ -36,7 +36,7 @@ void refine_parts(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCu
   std::vector<Work> works(cut.size());
   std::vector<Report> reports(cut.size());
   // Points of Sigma go to a part when what is near enough to them lies in its box.
-  const double reach = kReach * parameters.refinement.max_distance;
+  const double reach = kReach * parameters.refinement[Criterion::distance];
   std::erase_if(work.far, [&](std::uint32_t n) {
     const std::size_t box = cut.box_at(witnesses[n]);
     if (!cut.box(box).holds(witnesses[n], reach)) return false;

@@ -137,7 +137,7 @@ class Refiner {
 };
 
 void Refiner::run(std::span<const Vec3> witnesses) {
-  if (by_count_) parameters_.refinement.max_distance = kFinest * parameters_.voxel;
+  if (by_count_) parameters_.refinement[Criterion::distance] = kFinest * parameters_.voxel;
   for (FaceId f = static_cast<FaceId>(mesh_.faces.size()); f-- > work_.part.first;) {
     if (!is_dead(mesh_.faces[f]) && !settled_[f]) changed_.push_back(f);
   }
@@ -232,13 +232,13 @@ bool Refiner::is_full() {
   for (FaceId f = 0; f < mesh_.faces.size() && reached_ == 0; ++f) {
     if (!is_dead(mesh_.faces[f])) largest = std::max(largest, shape(f).h);
   }
-  parameters_.refinement.max_distance = reached_ > 0 ? reached_ : largest;
+  parameters_.refinement[Criterion::distance] = reached_ > 0 ? reached_ : largest;
   judge_all();
   return false;
 }
 
 bool Refiner::reach(std::span<const Vec3> witnesses) {
-  const double limit = kReach * parameters_.refinement.max_distance;
+  const double limit = kReach * parameters_.refinement[Criterion::distance];
   if (!std::isfinite(limit)) return false;
   keep_far(mesh_, replacer_.facets(), witnesses, limit, work_.far);
   report_[Counter::points_far] = work_.far.size();
@@ -248,7 +248,8 @@ bool Refiner::reach(std::span<const Vec3> witnesses) {
     // An earlier one may have taken its facet away.
     if (is_dead(mesh_.faces[at.facet]) || replacer_.is_fixed(at.facet)) continue;
     if (trace_) {
-      trace_facet(*trace_, s_, at.facet, Reason::far_point, std::sqrt(at.distance2) / limit);
+      trace_facet(*trace_, s_, at.facet, trace_code(Reason::far_point),
+                  std::sqrt(at.distance2) / limit);
     }
     if (!inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
     follow_curves();
@@ -402,7 +403,7 @@ void Refiner::count_left() {
     if (s.r > parameters_.r_min) report_.largest_h = std::max(report_.largest_h, s.h);
     report_[Counter::unrefined_facets] += judge_.violation(mesh_.faces[f].v, s_.duals[f]) > 1;
   }
-  report_.max_distance = parameters_.refinement.max_distance;
+  report_.max_distance = parameters_.refinement[Criterion::distance];
 }
 
 // Nothing more is to be done for the facets of the part but where something was put off, or where

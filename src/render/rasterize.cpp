@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -206,12 +207,13 @@ class FrontToBack {
     }
   }
 
-  void draw(std::vector<FaceId> faces) {
+  void draw(std::span<const FaceId> faces) {
     struct Item {
       double front;
       FaceId face;
     };
     std::vector<Item> items;
+    items.reserve(faces.size());
     for (const FaceId f : faces) {
       items.push_back(
           {std::max({band_.corner(f, 0).depth, band_.corner(f, 1).depth, band_.corner(f, 2).depth}),
@@ -319,7 +321,7 @@ std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& proj
     samples += band.samples(f, box);
   }
   if (samples > kDeep * static_cast<double>(band.seen().size())) {
-    FrontToBack(band).draw(std::move(faces));
+    FrontToBack(band).draw(faces);
   } else {
     for (const FaceId f : faces) band.draw(f, band.box_of(f));
   }

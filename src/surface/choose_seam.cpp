@@ -45,8 +45,8 @@ class FaceSeam {
         u_((face / 2 + 1) % 3),
         v_((face / 2 + 2) % 3),
         voxel_(parameters.voxel),
-        near_(std::isfinite(parameters.refinement.max_distance)
-                  ? kNear * parameters.refinement.max_distance
+        near_(std::isfinite(parameters.refinement[Criterion::distance])
+                  ? kNear * parameters.refinement[Criterion::distance]
                   : kNearVoxels * parameters.voxel) {}
 
   void choose() {

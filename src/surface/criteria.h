@@ -2,21 +2,31 @@
 // When a facet is to be refined: the conditions of paper §3.1 (ApproximateGeom) and §3.2
 // (RefineGeom), and bounds on distance and size, as pure functions of measured numbers. All lengths
 // in the scaled frame.
+//
+// A criterion is a row of kCriterionTable: its option, the help, the note in the mesh's file, the
+// reports and the check follow from that.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
 
 #include "base/triangle.h"
-#include "surface/parameters.h"
 
 namespace deliso {
 
+inline constexpr double kNotAsked = std::numeric_limits<double>::infinity();
+
 // What a facet sigma with surface point x = V_sigma cap Sigma measures.
 struct FacetShape {
-  double r;  // circumradius
-  double h;  // distance from the circumcenter to x
-  double l;  // shortest edge
+  double r;                 // circumradius
+  double h;                 // distance from the circumcenter to x
+  double l;                 // shortest edge
+  double pole = kNotAsked;  // pole height h_sigma; infinite: not known
 };
 
 inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
@@ -24,16 +34,115 @@ inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
   return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
 }
 
-// How much the worst of the conditions is passed, a facet is bad when it is over 1. `pole` is the
-// pole height h_sigma of the facet.
-inline double violation(const FacetShape& s, double pole, const Criteria& k) {
+enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, r_over_pole, radius, count_ };
+inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::count_);
+
+// Facets of no larger r are not refined for the criterion: r_min, or what is small even for shape.
+enum class Floor : std::uint8_t { r_min, shape };
+
+struct CriterionRow {
+  std::string_view option;
+  std::string_view measured;  // what is, as the reports say it
+  std::string_view key;       // in the JSON of a check
+  bool is_length;             // else a plain number
+  double usual;               // the limit where none is given; a length's in voxels
+  double least;               // with a smaller limit refinement would not end
+  Floor floor;
+  // What is measured as a share of its limit: the facet is bad when it is over 1.
+  double (*share)(const FacetShape& s, double limit);
+  std::string_view argument, help;
+  std::string_view check_help;  // empty: the check does not know what is measured
+};
+
+// In the order of Criterion.
+inline constexpr std::array<CriterionRow, kCriteria> kCriterionTable{{
+    {"--max-distance", "h", "distance", true, 0.1, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.h / limit; }, "D|Dvox",
+     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
+     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
+     "0.1vox)",
+     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
+     "says, and no exit 1 for it): world units, or voxels"},
+    {"--lambda", "r/l", "lambda", false, 2, 1, Floor::shape,
+     [](const FacetShape& s, double limit) { return s.r / (s.l * limit); }, "X",
+     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
+     "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
+     "2)"},
+    {"--eps1", "h/r", "h_over_r", false, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.h / (s.r * limit); }, "X",
+     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
+     "h/r that is counted as too large (default: what the mesh's file says, or none)"},
+    {"--eps2", "r/pole", "r_over_pole", false, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.r / (s.pole * limit); }, "X",
+     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
+     ""},
+    {"--max-radius", "r", "radius", true, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.r / limit; }, "R|Rvox",
+     "largest r: world units, or voxels (default: none)",
+     "r that is counted as too large (default: what the mesh's file says, or none)"},
+}};
+
+constexpr const CriterionRow& row_of(Criterion c) {
+  return kCriterionTable[static_cast<std::size_t>(c)];
+}
+// As notes in files name it.
+constexpr std::string_view name_of(const CriterionRow& row) {
+  return row.option.substr(2);
+}
+
+template <class T>
+struct PerCriterion {
+  std::array<T, kCriteria> values{};
+
+  constexpr T& operator[](Criterion c) { return values[static_cast<std::size_t>(c)]; }
+  constexpr const T& operator[](Criterion c) const { return values[static_cast<std::size_t>(c)]; }
+  friend bool operator==(const PerCriterion&, const PerCriterion&) = default;
+};
+
+// Limits on what a facet measures; only its shape is limited where nothing else is said.
+struct Criteria {
+  PerCriterion<double> limits = [] {
+    PerCriterion<double> none;
+    none.values.fill(kNotAsked);
+    none[Criterion::r_over_l] = row_of(Criterion::r_over_l).usual;
+    return none;
+  }();
+  double r_min = 0;        // nothing smaller is refined, but for shape
+  double shape_floor = 0;  // nothing smaller is refined for shape
+
+  double& operator[](Criterion c) { return limits[c]; }
+  double operator[](Criterion c) const { return limits[c]; }
+  bool asks(Criterion c) const { return limits[c] < kNotAsked; }
+  friend bool operator==(const Criteria&, const Criteria&) = default;
+};
+
+// What the facet measures as a share of the limit of criterion n; 0 where it is too small to be
+// asked.
+inline double share_of_limit(std::size_t n, const FacetShape& s, const Criteria& k) {
+  const CriterionRow& row = kCriterionTable[n];
+  const bool is_small = s.r <= (row.floor == Floor::shape ? k.shape_floor : k.r_min);
+  return is_small ? 0 : row.share(s, k.limits.values[n]);
+}
+
+// How far the worst criterion is passed: a facet is bad when it is over 1.
+inline double violation(const FacetShape& s, const Criteria& k) {
   double worst = 0;
-  if (!(s.r <= k.shape_floor)) worst = s.r / (s.l * k.lambda);
-  if (!(s.r <= k.r_min)) {
-    worst = std::max({worst, s.h / (s.r * k.h_over_r), s.r / (pole * k.r_over_pole),
-                      s.h / k.max_distance, s.r / k.max_radius});
+  const auto consider = [&](double share) { worst = worst < share ? share : worst; };
+  // Unrolled: this is the innermost question of Stage 2.
+  [&]<std::size_t... n>(std::index_sequence<n...>) {
+    (consider(share_of_limit(n, s, k)), ...);
   }
+  (std::make_index_sequence<kCriteria>());
   return worst;
+}
+
+// Which one that is.
+inline Criterion worst_criterion(const FacetShape& s, const Criteria& k) {
+  std::size_t worst = 0;
+  for (std::size_t n = 1; n < kCriteria; ++n) {
+    if (share_of_limit(worst, s, k) < share_of_limit(n, s, k)) worst = n;
+  }
+  return static_cast<Criterion>(worst);
 }
 
 }  // namespace deliso

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "surface/criteria.h"
+
 namespace deliso {
 
 // How far vertices are moved where they would touch, in voxels: well within what a vertex may be
@@ -21,18 +23,6 @@ enum class PoleSide : std::uint8_t { nearer, further };
 
 struct Profile;
 class Trace;
-
-// When a facet is to be refined, as limits on its r (circumradius), h (from its circumcenter to its
-// surface point), l (shortest edge) and pole height. Infinity: not asked.
-struct Criteria {
-  double h_over_r;      // epsilon in Stage 1, epsilon1 in Stage 2
-  double r_over_pole;   // epsilon2
-  double lambda;        // r/l
-  double max_distance;  // h
-  double max_radius;    // r
-  double r_min;         // nothing smaller is refined for the above, but for r/l
-  double shape_floor;   // nothing smaller is refined for r/l
-};
 
 struct Parameters {
   double voxel;  // the shortest side of one
@@ -61,9 +51,7 @@ struct Parameters {
   Profile* profile = nullptr;  // filled when given
   Trace* trace = nullptr;      // likewise; Stage 2 then refines in one part
 
-  bool asks_for_poles() const {
-    return refinement.r_over_pole < std::numeric_limits<double>::infinity();
-  }
+  bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };
 
 }  // namespace deliso

@@ -46,7 +46,14 @@ enum class Counter : std::uint8_t {
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
-std::string_view name_of(Counter counter);  // "cancelled_pairs", ...
+inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
+    "seeds_skipped",       "components_skipped", "boundary_splits_recover", "cancelled_pairs",
+    "bogus_hits",          "capped_insertions",  "refused_splits",          "unresolved_facets",
+    "unresolved_vertices", "facets_closed",      "components_put_back",     "voxels_cut",
+    "uncertified_sites",   "unready_facets",     "crossings_handed_over",   "unrefined_facets",
+    "points_far",          "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
+    "cap_edges_split",     "cap_refused"};
+static_assert(!kCounterNames.back().empty());
 
 // What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/replace_disk.h).
 enum class Rung : std::uint8_t {
@@ -60,6 +67,10 @@ enum class Rung : std::uint8_t {
   far_point,  // of Sigma, further from the mesh than asked for, inserted
   count_
 };
+inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
+inline constexpr std::array<std::string_view, kRungs> kRungNames{
+    "surface_point", "foot", "boundary_split", "flip", "patch", "collapse", "move", "far_point"};
+static_assert(!kRungNames.back().empty());
 enum class Refusal : std::uint8_t {
   not_a_disk,        // the facets to go are none, or the new ones were none
   no_surface_point,  // a new facet's dual line misses Sigma
@@ -71,10 +82,21 @@ enum class Refusal : std::uint8_t {
   beyond_part,       // it would change facets of another part, and is tried again later
   count_
 };
-inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
-std::string_view name_of(Rung rung);
-std::string_view name_of(Refusal refusal);
+inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
+    "not_a_disk", "no_surface_point", "too_close", "boundary",
+    "turned",     "no_gain",          "crossing",  "beyond_part"};
+static_assert(!kRefusalNames.back().empty());
+
+constexpr std::string_view name_of(Counter counter) {
+  return kCounterNames[static_cast<std::size_t>(counter)];
+}
+constexpr std::string_view name_of(Rung rung) {
+  return kRungNames[static_cast<std::size_t>(rung)];
+}
+constexpr std::string_view name_of(Refusal refusal) {
+  return kRefusalNames[static_cast<std::size_t>(refusal)];
+}
 
 struct RungCounts {
   std::uint64_t done = 0;

@@ -59,7 +59,7 @@ VertexId Trace::add_vertex(const Vec3& p) {
   return static_cast<VertexId>(points_.size() - 1);
 }
 
-TraceEvent& Trace::asks(std::uint8_t routine, Reason reason, double value) {
+TraceEvent& Trace::asks(std::uint8_t routine, std::uint8_t reason, double value) {
   event_ = {};
   event_.routine = routine;
   event_.reason = reason;
@@ -98,7 +98,7 @@ void Trace::append_event(std::uint8_t outcome) {
   TraceArrays& a = arrays_;
   a.routine.push_back(e.routine);
   a.outcome.push_back(outcome);
-  a.reason.push_back(static_cast<std::uint8_t>(e.reason));
+  a.reason.push_back(e.reason);
   a.value.push_back(static_cast<float>(e.value));
   append(a.place, e.place);
   append(a.edge, e.edge ? e.edge->a : kNowhere);
@@ -130,7 +130,7 @@ void Trace::switch_to(const TriMesh& mesh) {
   std::sort(by_place.begin(), by_place.end(), [&](VertexId a, VertexId b) {
     return points_[a] == points_[b] ? a < b : is_before(points_[a], points_[b]);
   });
-  TraceEvent& e = asks(static_cast<std::uint8_t>(Routine::build_tri_mesh), Reason::beginning,
+  TraceEvent& e = asks(trace_code(Routine::build_tri_mesh), trace_code(Reason::beginning),
                        static_cast<double>(mesh.faces.size()));
   e.removed = complex();
   of_mesh_.clear();

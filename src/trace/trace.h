@@ -44,16 +44,11 @@ enum class Routine : std::uint8_t {
   part_crossings,
   turn_out,
   build_tri_mesh,  // the switch
-  count_           // Stage 2: this and the rung (surface/report.h)
+  count_           // then the rungs of Stage 2
 };
 
 enum class Reason : std::uint8_t {
-  beginning,  // of a stage
-  r_over_l,   // criteria: this and the next four
-  h_over_r,
-  r_over_pole,
-  max_distance,
-  max_radius,
+  beginning,     // of a stage
   several_hits,  // Stage 1, the paper's way
   star_empty,
   star_half_disk,
@@ -73,18 +68,35 @@ enum class Reason : std::uint8_t {
   no_surface_point,
   off_curve,
   far_point,
-  count_
+  count_  // then the criteria
 };
 
-// Of an attempt. What Stage 2 refuses is this and the gate (Refusal of surface/report.h).
-enum class TraceOutcome : std::uint8_t { done, split, forgotten, refused, count_ };
+// Of an attempt.
+enum class TraceOutcome : std::uint8_t {
+  done,
+  split,
+  forgotten,
+  refused,
+  count_  // then the refusals of Stage 2
+};
+
+// Their numbers in events; surface/trace_codes.h has those of what the stages name.
+constexpr std::uint8_t trace_code(Routine routine) {
+  return static_cast<std::uint8_t>(routine);
+}
+constexpr std::uint8_t trace_code(Reason reason) {
+  return static_cast<std::uint8_t>(reason);
+}
+constexpr std::uint8_t trace_code(TraceOutcome outcome) {
+  return static_cast<std::uint8_t>(outcome);
+}
 
 struct TraceEvent {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   // Who asks, and why: stays until another does.
   std::uint8_t routine = 0;
-  Reason reason = Reason::beginning;
+  std::uint8_t reason = 0;
   double value = kNone;                  // how far the criterion is passed, or as the reason says
   Triangle caller{kNoId, kNoId, kNoId};  // the facet that asks, or a vertex alone
   std::optional<Segment> edge;           // its Voronoi edge, within the box
@@ -133,12 +145,12 @@ class Trace {
   // The stages fill it.
   VertexId add_vertex(const Vec3& p);
   // Somebody asks: what is said of the event before goes.
-  TraceEvent& asks(std::uint8_t routine, Reason reason, double value = TraceEvent::kNone);
+  TraceEvent& asks(std::uint8_t routine, std::uint8_t reason, double value = TraceEvent::kNone);
   TraceEvent& event() { return event_; }
   // So much the oracle has done so far.
   void count(std::uint64_t searches, std::uint64_t computations);
   // Ends the event; the next has the same who and why.
-  void record(TraceOutcome outcome) { record(static_cast<std::uint8_t>(outcome)); }
+  void record(TraceOutcome outcome) { record(trace_code(outcome)); }
   void record(std::uint8_t outcome);
   // No more is recorded, and what is said of events does not matter.
   bool is_full() const { return events_seen_ >= limit_; }

@@ -40,11 +40,6 @@ RoutineName name_of(Routine routine) {
 ReasonName name_of(Reason reason) {
   constexpr ReasonName names[] = {
       {"beginning", "the stage begins; value: facets"},
-      {"r/l", "circumradius over shortest edge; value: times the limit"},
-      {"h/r", "distance from circumcenter to surface over circumradius; value: times the limit"},
-      {"r/pole height", "circumradius over pole height; value: times the limit"},
-      {"h", "distance from circumcenter to surface; value: times the limit"},
-      {"r", "circumradius; value: times the limit"},
       {"several hits", "the Voronoi edge meets the surface more than once; value: how often"},
       {"no facet", "a vertex without facets of the surface; value: facets in D_q"},
       {"half disk", "an inner vertex whose facets are a half disk; value: facets in D_q"},

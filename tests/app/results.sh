@@ -67,7 +67,7 @@ holds "the JSON has the distance" grep -q '^  "max_distance": [0-9.e-]*,$' json
 for format in ply off obj stl vtp; do
   "$deliso" builtin:torus -q --max-distance 0.3vox --lambda 1.8 -o noted.$format
   holds "the $format file has the criteria" \
-    grep -a -q 'deliso [0-9.]* max-distance=0.3 r-min=0.5 lambda=1.8' noted.$format
+    grep -a -q 'deliso [0-9.]* r-min=0.5 max-distance=0.3 lambda=1.8' noted.$format
   "$deliso" check noted.$format builtin:torus >report
   holds "check of the $format file says so" grep -q ', judged by the criteria in its comment$' report
   holds "and judges by them" \
@@ -82,7 +82,7 @@ done
 "$deliso" check noted.ply builtin:torus --lambda 2.5 --rmin 0.7vox >report
 holds "options go before" grep -q '^criteria  h <= 0.3 voxels, r/l <= 2.5; r_min = 0.7 voxels$' report
 "$deliso" check noted.ply builtin:torus --paper --json paper.json >report
-holds "--paper is the published h/r, and no distance" grep -q '^criteria  h/r <= 0.1, r/l <= 2; ' report
+holds "--paper is the published h/r, and no distance" grep -q '^criteria  r/l <= 2, h/r <= 0.1; ' report
 holds "in the JSON too" grep -q '"max_distance_voxels": null' paper.json
 sed '/^# deliso /d' noted.obj >bare.obj
 "$deliso" check bare.obj builtin:torus --json bare.json >report
@@ -163,7 +163,7 @@ for name in turned mirrored; do
 done
 holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
 holds "and by which criteria, in voxels of 1" \
-  grep -q -a -x 'comment deliso [0-9.]* max-distance=0.1 r-min=0.5 lambda=2' turned.ply
+  grep -q -a -x 'comment deliso [0-9.]* r-min=0.5 max-distance=0.1 lambda=2' turned.ply
 "$deliso" check turned.ply turned.nrrd --iso 150.3 --restricted 0.9 >report
 holds "which hold where it was made" grep -q '^criteria  h <= 0.1 voxels, ' report
 "$deliso" info mirrored.nrrd >facts

@@ -73,18 +73,18 @@ TEST_CASE("the defaults: by distance, in voxels") {
   CHECK(line.isovalue == 40.1);
   CHECK(line.output.empty());
   CHECK(line.options.epsilon == 0.2);
-  CHECK(same(line.options.max_distance, {0.1, Length::Unit::voxel}));
-  CHECK(line.options.epsilon1 == Options::kNone);
-  CHECK(line.options.epsilon2 == Options::kNone);
-  CHECK(line.options.max_radius == Options::kNone);
-  CHECK(line.options.lambda == 2.0);
+  CHECK(same(line.options.limits[Criterion::distance], {0.1, Length::Unit::voxel}));
+  CHECK(line.options.limits[Criterion::h_over_r].value == Options::kNone);
+  CHECK(line.options.limits[Criterion::r_over_pole].value == Options::kNone);
+  CHECK(line.options.limits[Criterion::radius].value == Options::kNone);
+  CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
   CHECK(same(line.options.r_min, {0.5, Length::Unit::voxel}));
   CHECK(same(line.options.fingers, {1, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
-  CHECK_FALSE(line.given.max_distance);
+  CHECK_FALSE(line.given.limits[Criterion::distance]);
   CHECK_FALSE(line.given.r_min);
-  CHECK_FALSE(line.given.lambda);
-  CHECK_FALSE(line.given.epsilon1);
+  CHECK_FALSE(line.given.limits[Criterion::r_over_l]);
+  CHECK_FALSE(line.given.limits[Criterion::h_over_r]);
   CHECK(line.options.seed == 1);
   CHECK(line.options.recover == RecoverWay::certified);
   CHECK_FALSE(line.read.raw.has_value());
@@ -155,12 +155,12 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.isovalue == -150);
   const Options& options = line.options;
   CHECK(options.epsilon == 0.3);
-  CHECK(options.epsilon1 == 0.4);
-  CHECK(options.epsilon2 == 0.5);
-  CHECK(options.lambda == 1.5);
+  CHECK(options.limits[Criterion::h_over_r].value == 0.4);
+  CHECK(options.limits[Criterion::r_over_pole].value == 0.5);
+  CHECK(options.limits[Criterion::r_over_l].value == 1.5);
   CHECK(same(options.r_min, {0.5, Length::Unit::voxel}));
-  CHECK(same(options.max_distance, {7, Length::Unit::world}));
-  CHECK(options.max_radius == 8);
+  CHECK(same(options.limits[Criterion::distance], {7, Length::Unit::world}));
+  CHECK(options.limits[Criterion::radius].value == 8);
   CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
   CHECK(options.samples == 9);
   CHECK(options.min_component == 2.5);
@@ -199,7 +199,7 @@ TEST_CASE("lengths: in voxels, or in the unit that is the option's own") {
     const Options options = parse({"a", "--iso", "1", option, text}).options;
     return option == "--rmin"      ? options.r_min
            : option == "--fingers" ? options.fingers
-                                   : options.max_distance;
+                                   : options.limits[Criterion::distance];
   };
   CHECK(same(length("--rmin", "0.02"), {0.02, Length::Unit::box}));
   CHECK(same(length("--rmin", "2vox"), {2, Length::Unit::voxel}));
@@ -225,36 +225,38 @@ TEST_CASE("--paper is everything as published, but for what is given") {
     CHECK(line.paper);
     CHECK(line.options.recover == RecoverWay::paper);
     CHECK(line.options.epsilon == published.epsilon);
-    CHECK(line.options.epsilon1 == 0.1);
-    CHECK(line.options.epsilon2 == 0.2);
-    CHECK(line.options.lambda == 2.0);
+    CHECK(line.options.limits[Criterion::h_over_r].value == 0.1);
+    CHECK(line.options.limits[Criterion::r_over_pole].value == 0.2);
+    CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
     CHECK(same(line.options.r_min, {0.001, Length::Unit::box}));
-    CHECK(line.options.max_distance.value == Options::kNone);
+    CHECK(line.options.limits[Criterion::distance].value == Options::kNone);
   }
   const Options some = parse({"a", "--iso", "1", "--paper", "--recover", "certified", "--eps1",
                               "0.3", "--eps2", "0.4", "--rmin", "1vox", "--max-distance", "0.2vox"})
                            .options;
   CHECK(some.recover == RecoverWay::certified);
-  CHECK(some.epsilon1 == 0.3);
-  CHECK(some.epsilon2 == 0.4);
+  CHECK(some.limits[Criterion::h_over_r].value == 0.3);
+  CHECK(some.limits[Criterion::r_over_pole].value == 0.4);
   CHECK(same(some.r_min, {1, Length::Unit::voxel}));
-  CHECK(same(some.max_distance, {0.2, Length::Unit::voxel}));
+  CHECK(same(some.limits[Criterion::distance], {0.2, Length::Unit::voxel}));
 }
 
 TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
   for (const std::string_view option : {"--eps1", "--eps2"}) {
     CAPTURE(option);
     const Options alone = parse({"a", "--iso", "1", option, "0.3"}).options;
-    CHECK(alone.max_distance.value == Options::kNone);
-    CHECK((option == "--eps1" ? alone.epsilon1 : alone.epsilon2) == 0.3);
-    CHECK((option == "--eps1" ? alone.epsilon2 : alone.epsilon1) == Options::kNone);
+    CHECK(alone.limits[Criterion::distance].value == Options::kNone);
+    CHECK((option == "--eps1" ? alone.limits[Criterion::h_over_r].value
+                              : alone.limits[Criterion::r_over_pole].value) == 0.3);
+    CHECK((option == "--eps1" ? alone.limits[Criterion::r_over_pole].value
+                              : alone.limits[Criterion::h_over_r].value) == Options::kNone);
     CHECK(alone.recover == RecoverWay::certified);
     CHECK(same(alone.r_min, {0.5, Length::Unit::voxel}));
     for (const bool before : {false, true}) {
       const Options both =
           before ? parse({"a", "--iso", "1", "--max-distance", "2", option, "0.3"}).options
                  : parse({"a", "--iso", "1", option, "0.3", "--max-distance", "2"}).options;
-      CHECK(same(both.max_distance, {2, Length::Unit::world}));
+      CHECK(same(both.limits[Criterion::distance], {2, Length::Unit::world}));
     }
   }
 }
@@ -291,13 +293,13 @@ TEST_CASE("--vertices and --triangles, and what excludes them") {
 TEST_CASE("the criteria of a check are known as given or not") {
   const CommandLine line = parse({"check", "m", "a", "--iso", "1", "--rmin", "1vox"});
   CHECK(line.given.r_min);
-  CHECK_FALSE(line.given.max_distance);
+  CHECK_FALSE(line.given.limits[Criterion::distance]);
   const CommandLine others = parse(
       {"check", "m", "a", "--iso", "1", "--max-distance", "1", "--eps1", "1", "--lambda", "3"});
   CHECK_FALSE(others.given.r_min);
-  CHECK(others.given.max_distance);
-  CHECK(others.given.lambda);
-  CHECK(others.given.epsilon1);
+  CHECK(others.given.limits[Criterion::distance]);
+  CHECK(others.given.limits[Criterion::r_over_l]);
+  CHECK(others.given.limits[Criterion::h_over_r]);
 }
 
 TEST_CASE("the help of a command lists what it takes, and nothing else") {

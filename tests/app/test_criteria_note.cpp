@@ -25,15 +25,25 @@ CommandLine parse(std::initializer_list<std::string_view> arguments) {
   return parse_command_line(std::vector<std::string_view>(arguments));
 }
 
-std::optional<NotedCriteria> read(const std::string& comment) {
+std::optional<Criteria> read(const std::string& comment) {
   return noted_criteria(std::vector<std::string>{comment});
 }
 
-bool in_range(const NotedCriteria& c) {
-  for (const double value : {c.max_distance, c.epsilon1, c.epsilon2, c.max_radius}) {
-    if (!(value > 0)) return false;
+bool in_range(const Criteria& c) {
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    const double limit = c.limits.values[n];
+    if (!(limit > 0) || limit < kCriterionTable[n].least) return false;
   }
-  return c.r_min > 0 && std::isfinite(c.r_min) && c.lambda >= 1 && std::isfinite(c.lambda);
+  return c.r_min > 0 && std::isfinite(c.r_min) && c.asks(Criterion::r_over_l);
+}
+
+// Nothing is asked for but these.
+Criteria asking(double r_min, std::initializer_list<std::pair<Criterion, double>> limits) {
+  Criteria criteria;
+  criteria.limits.values.fill(kNotAsked);
+  criteria.r_min = r_min;
+  for (const auto& [criterion, limit] : limits) criteria[criterion] = limit;
+  return criteria;
 }
 
 std::string words(const std::string& behind_version) {
@@ -56,13 +66,13 @@ TEST_CASE("the line of a command line, in voxels whatever the units were") {
     arguments.insert(arguments.end(), options);
     return criteria_note(parse_command_line(arguments), volume, report);
   };
-  CHECK(note({}) == words(" max-distance=0.1 r-min=0.5 lambda=2"));
+  CHECK(note({}) == words(" r-min=0.5 max-distance=0.1 lambda=2"));
   CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
-        words(" max-distance=0.4 r-min=2 lambda=1.5 max-radius=4"));
+        words(" r-min=2 max-distance=0.4 lambda=1.5 max-radius=4"));
   CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
   CHECK(note({"--paper"}) == words(" r-min=0.008 lambda=2 eps1=0.1 eps2=0.2"));
   // What was reached, not what is the default.
-  CHECK(note({"--vertices", "100"}) == words(" max-distance=0.125 r-min=0.5 lambda=2"));
+  CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 max-distance=0.125 lambda=2"));
   CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
   CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
   CHECK_FALSE(read(note({"--method", "marching-cubes"})));
@@ -74,8 +84,13 @@ TEST_CASE("what is written is read back to the last bit") {
     CAPTURE(seed);
     Random random(seed);
     const auto any = [&] { return std::exp(random.uniform(-30, 30)); };
-    const auto perhaps = [&] { return random.below(2) == 0 ? NotedCriteria::kNone : any(); };
-    const NotedCriteria criteria{perhaps(), any(), 1 + any(), perhaps(), perhaps(), perhaps()};
+    Criteria criteria = asking(any(), {});
+    for (std::size_t n = 0; n < kCriteria; ++n) {
+      const bool needed = n == static_cast<std::size_t>(Criterion::r_over_l);
+      if (needed || random.below(2) == 0) {
+        criteria.limits.values[n] = kCriterionTable[n].least + any();
+      }
+    }
     const std::vector<std::string> comments = {"DelIso SPACE=RAS", "", criteria_note(criteria),
                                                words(" r-min=7 lambda=7")};
     CHECK(noted_criteria(comments) == criteria);
@@ -84,7 +99,7 @@ TEST_CASE("what is written is read back to the last bit") {
 
 TEST_CASE("a line of a later version, and lines that are none") {
   CHECK(read("deliso 9.9-beta  colour=red r-min=0.25 lambda=3 max-distance=0.5 words more ") ==
-        NotedCriteria{.max_distance = 0.5, .r_min = 0.25, .lambda = 3});
+        asking(0.25, {{Criterion::distance, 0.5}, {Criterion::r_over_l, 3}}));
   CHECK_FALSE(noted_criteria({}));
   for (const std::string line :
        {"", " ", "DelIso", "deliso", "deliso 0.1.0", "deliso 0.1.0 r-min=1",
@@ -100,7 +115,7 @@ TEST_CASE("a line of a later version, and lines that are none") {
 }
 
 TEST_CASE("no bytes in a comment do harm") {
-  const std::string whole = words(" max-distance=0.1 r-min=0.5 lambda=2 eps1=0.1");
+  const std::string whole = words(" r-min=0.5 max-distance=0.1 lambda=2 eps1=0.1");
   int taken = 0, passed = 0;
   for (std::uint64_t seed = 1; seed <= 50000; ++seed) {
     CAPTURE(seed);
@@ -133,27 +148,33 @@ TEST_CASE("no bytes in a comment do harm") {
 
 TEST_CASE("a check judges by the file's criteria, but for what is given") {
   const Volume volume = long_voxels();
-  const NotedCriteria noted{.max_distance = 0.3, .r_min = 0.7, .lambda = 1.5, .epsilon1 = 0.4};
+  const auto limits = [](double distance, double h_over_r, double r_over_l, double r_min) {
+    return asking(r_min, {{Criterion::distance, distance},
+                          {Criterion::h_over_r, h_over_r},
+                          {Criterion::r_over_l, r_over_l}});
+  };
+  const Criteria noted = limits(0.3, 0.4, 1.5, 0.7);
   const auto options = [&](std::initializer_list<std::string_view> given, bool with_file = true) {
     std::vector<std::string_view> arguments = {"check", "m", "a", "--iso", "1"};
     arguments.insert(arguments.end(), given);
     return verify_options(parse_command_line(arguments), volume,
                           with_file ? std::optional(noted) : std::nullopt);
   };
-  const auto same = [](const Limits& a, const Limits& b) {
-    return a.max_distance == b.max_distance && a.h_over_r == b.h_over_r && a.lambda == b.lambda &&
-           a.r_min == b.r_min;
-  };
-  constexpr double kNone = NotedCriteria::kNone;
-  CHECK(same(options({}).limits, {0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5}));
-  CHECK(same(options({}, false).limits, {0.1 * 0.5, kNone, 2, 0.25}));
-  CHECK(same(options({"--lambda", "3"}).limits, {0.3 * 0.5, 0.4, 3, 0.7 * 0.5}));
-  CHECK(same(options({"--rmin", "2vox"}).limits, {0.3 * 0.5, 0.4, 1.5, 1}));
-  CHECK(same(options({"--max-distance", "0.25"}).limits, {0.25, 0.4, 1.5, 0.7 * 0.5}));
-  CHECK(same(options({"--eps1", "0.2"}).limits, {kNone, 0.2, 1.5, 0.7 * 0.5}));
-  CHECK(same(options({"--eps1", "0.2", "--max-distance", "0.25"}).limits,
-             {0.25, 0.2, 1.5, 0.7 * 0.5}));
-  CHECK(same(options({"--paper"}).limits, {kNone, 0.1, 2, 0.001 * 4}));
+  CHECK(options({}).limits == limits(0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5));
+  CHECK(options({}, false).limits == limits(0.1 * 0.5, kNotAsked, 2, 0.25));
+  CHECK(options({"--lambda", "3"}).limits == limits(0.3 * 0.5, 0.4, 3, 0.7 * 0.5));
+  CHECK(options({"--rmin", "2vox"}).limits == limits(0.3 * 0.5, 0.4, 1.5, 1));
+  CHECK(options({"--max-distance", "0.25"}).limits == limits(0.25, 0.4, 1.5, 0.7 * 0.5));
+  CHECK(options({"--eps1", "0.2"}).limits == limits(kNotAsked, 0.2, 1.5, 0.7 * 0.5));
+  CHECK(options({"--eps1", "0.2", "--max-distance", "0.25"}).limits ==
+        limits(0.25, 0.2, 1.5, 0.7 * 0.5));
+  CHECK(options({"--paper"}).limits == limits(kNotAsked, 0.1, 2, 0.001 * 4));
+
+  // A length is a share of a voxel in the file.
+  Criteria with_radius = limits(kNotAsked, kNotAsked, 2, 1);
+  with_radius[Criterion::radius] = 3;
+  CHECK(verify_options(parse({"check", "m", "a", "--iso", "1"}), volume, with_radius)
+            .limits[Criterion::radius] == 1.5);
 
   // Only a distance that the check command itself was given is required.
   CHECK_FALSE(options({}).require_distance);
@@ -162,5 +183,5 @@ TEST_CASE("a check judges by the file's criteria, but for what is given") {
   CHECK(options({"--max-distance", "0.25"}, false).require_distance);
   const CommandLine mesh = parse({"a", "--iso", "1", "--check", "--max-distance", "0.25"});
   CHECK_FALSE(verify_options(mesh, volume).require_distance);
-  CHECK(verify_options(mesh, volume).limits.max_distance == 0.25);
+  CHECK(verify_options(mesh, volume).limits[Criterion::distance] == 0.25);
 }

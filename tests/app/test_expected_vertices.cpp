@@ -85,7 +85,7 @@ TEST_CASE("within a factor of 3 of what meshing gives, by distance") {
         CAPTURE(d);
         CAPTURE(r_min);
         Options options;
-        options.max_distance = {d, Length::Unit::voxel};
+        options.limits[Criterion::distance] = {d, Length::Unit::voxel};
         options.r_min = {r_min, Length::Unit::voxel};
         Report report;
         const double vertices = static_cast<double>(
@@ -107,13 +107,13 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   };
   const Options plain;
   Options finer = plain;
-  finer.max_distance.value /= 4;
+  finer.limits[Criterion::distance].value /= 4;
   CHECK(expected(finer) > 2 * expected(plain));
   Options coarser = plain;
   coarser.r_min.value = 4;
   CHECK(expected(coarser) < expected(plain) / 2);
   Options small = plain;
-  small.max_radius = 0.5;
+  small.limits[Criterion::radius] = {0.5};
   CHECK(expected(small) > 1.5 * expected(plain));
   CHECK(expected(Options::paper()) > expected(plain));
 

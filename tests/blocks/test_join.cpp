@@ -152,7 +152,7 @@ TEST_CASE("blocks without surface are parts like others, and so are blocks of on
 TEST_CASE("a seam asks for the criteria: coarser ones give a coarser seam") {
   const Volume volume = sphere(40, 15);
   Options coarse;
-  coarse.max_distance.value = 0.4;
+  coarse.limits[Criterion::distance].value = 0.4;
   Parts fine_parts(volume, {2, 1, 1}, 0), coarse_parts(volume, {2, 1, 1}, 0, coarse);
   const Joined fine = fine_parts.join(), wide = coarse_parts.join();
   CHECK(wide.seam_vertices < fine.seam_vertices);

@@ -193,7 +193,7 @@ TEST_CASE("what is lifted off the box crosses nothing") {
     Options options;
     options.seed = seed;
     options.r_min = {0.1, Length::Unit::voxel};
-    options.lambda = seed % 2 == 0 ? 1.2 : 2;
+    options.limits[Criterion::r_over_l].value = seed % 2 == 0 ? 1.2 : 2;
     const Solid solid = solid_of(volume, kappa, options);
     check_solid(solid, volume.box());
     CHECK(solid.report.cap.crossings == 0);

@@ -60,9 +60,9 @@ TEST_CASE("the sagitta of polygons inscribed into a circle") {
     CAPTURE(n);
     const CleanMesh mesh = prism(surface, n);
     const double expected = std::tan(kPi / n / 2);
-    Limits limits;
-    limits.h_over_r = 0.1;
-    limits.max_distance = 0.3;
+    Criteria limits;
+    limits[Criterion::h_over_r] = 0.1;
+    limits[Criterion::distance] = 0.3;
     const BoundaryQuality q = measure_boundary(mesh, surface, limits);
     CHECK(q.edges == std::size_t(2 * n));
     CHECK(q.triangles == std::size_t(2 * n));
@@ -104,9 +104,9 @@ TEST_CASE("the stages follow the curves on the box, with no slivers along them")
     const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
     Faults faults;
     const CleanMesh clean = check_validity(mesh, scene.volume.box(), 0, MayEnd::on_box, faults);
-    Limits limits;
-    limits.max_distance = options.max_distance.in(scene.volume);
-    limits.lambda = options.lambda;
+    Criteria limits;
+    limits[Criterion::distance] = options.limits[Criterion::distance].in(scene.volume);
+    limits[Criterion::r_over_l] = options.limits[Criterion::r_over_l].value;
     limits.r_min = report.r_min;
     const BoundaryQuality q = measure_boundary(clean, scene.surface, limits);
     edges += static_cast<int>(q.edges);

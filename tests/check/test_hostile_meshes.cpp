@@ -26,7 +26,7 @@ struct Ball {
   Verification verify(const Hostile& mesh, int threads) const {
     VerifyOptions options;
     options.threads = threads;
-    options.limits.max_distance = 0.1;
+    options.limits[Criterion::distance] = 0.1;
     return deliso::verify(make_tri_mesh(mesh.points, mesh.triangles), volume, kappa, options);
   }
 };

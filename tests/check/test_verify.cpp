@@ -197,10 +197,10 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     VerifyOptions options;
     options.restricted_share = 0.5;
     const auto run = [&](double bound) {
-      options.limits.max_distance = bound;
+      options.limits[Criterion::distance] = bound;
       return verify(mesh, good.volume, good.kappa, options);
     };
-    const Verification before = run(VerifyOptions{}.limits.max_distance);
+    const Verification before = run(VerifyOptions{}.limits[Criterion::distance]);
     const double there = before.to_surface.max, back = before.from_surface.max;
     REQUIRE(there > 0);
     REQUIRE(back > 0);
@@ -263,7 +263,10 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
         CAPTURE(lambda);
         VerifyOptions options;
         options.restricted_share = 0.5;
-        options.limits = {bound, h_over_r, lambda, 0.8};
+        options.limits.r_min = 0.8;
+        options.limits[Criterion::distance] = bound;
+        options.limits[Criterion::h_over_r] = h_over_r;
+        options.limits[Criterion::r_over_l] = lambda;
         const Verification v = verify(good.mesh, good.volume, good.kappa, options);
         CHECK_FALSE(v.faults.any());
         std::size_t above = 0, far = 0, steep = 0, needles = 0, any = 0;
@@ -286,11 +289,12 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
           any += is_needle || (is_large && (h > bound || h > h_over_r * r));
         }
         CHECK(v.triangles_above_r_min == above);
-        CHECK(v.over_distance == far);
-        CHECK(v.over_h_over_r == steep);
+        CHECK(v.over[Criterion::distance] == far);
+        CHECK(v.over[Criterion::h_over_r] == steep);
+        CHECK(v.over[Criterion::r_over_l] == needles);
         CHECK(v.quality.over_lambda == needles);
         CHECK(v.over_a_limit == any);
-        CHECK(v.limits.max_distance == bound);
+        CHECK(v.limits[Criterion::distance] == bound);
         over_some += any > 0 && any < good.mesh.faces.size();
       }
     }
@@ -325,7 +329,7 @@ TEST_CASE("triangles with no surface near by are too far, where distances are re
   p.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   VerifyOptions options;
   options.restricted_share = 0;
-  options.limits.max_distance = 1;
+  options.limits[Criterion::distance] = 1;
   const Verification counted = verify(make_tri_mesh(p.points, p.triangles), volume, kappa, options);
   REQUIRE(counted.to_surface.not_found > 0);
   CHECK(counted.faults.count(FaultKind::too_far) == 0);

@@ -61,7 +61,8 @@ std::size_t violations(const Run& out, const Isosurface& surface, const Options&
   for (const Face& face : out.mesh.faces) {
     const FacetShape s = shape_of(out.mesh, face, finder);
     if (s.r <= out.report.r_min) continue;
-    count += s.h > options.epsilon1 * s.r || s.r > options.lambda * s.l;
+    count += s.h > options.limits[Criterion::h_over_r].value * s.r ||
+             s.r > options.limits[Criterion::r_over_l].value * s.l;
   }
   return count;
 }
@@ -113,7 +114,7 @@ TEST_CASE("fields of known topology come out right, well shaped and on the surfa
       const Scene scene = builtin_scene(name, 32);
       Options options = Options::paper();
       options.recover = way;
-      options.epsilon1 = 0.15;
+      options.limits[Criterion::h_over_r].value = 0.15;
       const Run out = run(scene.volume, scene.surface.kappa(), options);
       check_sound(out, scene.volume);
       check_topology(out.mesh, scene.contour.summary);
@@ -276,8 +277,8 @@ TEST_CASE("max_vertices stops with a message, or with the mesh so far on request
 TEST_CASE("max_distance and max_radius are kept") {
   const Scene scene = builtin_scene("sphere", 32);
   Options options;
-  options.max_radius = 0.9;
-  options.max_distance = {0.02};
+  options.limits[Criterion::radius] = {0.9};
+  options.limits[Criterion::distance] = {0.02};
   options.r_min = {0.001, Length::Unit::box};
   const Run out = run(scene.volume, scene.surface.kappa(), options);
   CHECK(out.report[Counter::unrefined_facets] == 0);
@@ -305,12 +306,12 @@ TEST_CASE("lengths in world units, shares of the box and voxels mean the same wh
   const Parameters p = resolve({}, flat);
   CHECK(p.voxel == 0.5);
   CHECK(p.r_min == 0.25);
-  CHECK(p.refinement.max_distance == doctest::Approx(0.05));
-  CHECK(p.refinement.h_over_r == Options::kNone);
+  CHECK(p.refinement[Criterion::distance] == doctest::Approx(0.05));
+  CHECK(p.refinement[Criterion::h_over_r] == Options::kNone);
   CHECK_FALSE(p.asks_for_poles());
   const Parameters published = resolve(Options::paper(), flat);
-  CHECK(published.refinement.max_distance == Options::kNone);
-  CHECK(published.refinement.h_over_r == 0.1);
+  CHECK(published.refinement[Criterion::distance] == Options::kNone);
+  CHECK(published.refinement[Criterion::h_over_r] == 0.1);
   CHECK(published.refinement.shape_floor == published.r_min);
   CHECK(published.r_min == doctest::Approx(0.002));
   CHECK(published.asks_for_poles());

@@ -143,7 +143,7 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
                      Length::Unit::voxel};
   if ((flags & 2) != 0) options.min_component = 4 * source.share();
   if ((flags & 4) != 0) options.seed = source.next();
-  if ((flags & 8) != 0) options.lambda = 1 + 2 * source.share();
+  if ((flags & 8) != 0) options.limits[Criterion::r_over_l].value = 1 + 2 * source.share();
   if ((flags & 16) != 0) options.samples = source.next();
   if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
   options.keep_partial = (flags & 64) != 0;
@@ -151,10 +151,10 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
     const std::uint32_t rare = source.below(8);
     options.stop_after_recover = rare == 0;
     options.single_stage = rare == 1 && options.recover == RecoverWay::paper;
-    if (rare == 2) options.max_distance = {spacing.x * (0.01 + source.share())};
-    if (rare == 3) options.max_radius = spacing.x * (0.2 + source.share());
-    if (rare == 4) options.epsilon1 = 0.05 + source.share();
-    if (rare == 5) options.epsilon2 = 0.05 + source.share();
+    if (rare == 2) options.limits[Criterion::distance] = {spacing.x * (0.01 + source.share())};
+    if (rare == 3) options.limits[Criterion::radius] = {spacing.x * (0.2 + source.share())};
+    if (rare == 4) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
+    if (rare == 5) options.limits[Criterion::r_over_pole].value = 0.05 + source.share();
     if (rare == 6) options.cubic = CubicMethod::schwarze;
     if (rare == 7) options.method = Method::marching_cubes;
   }
@@ -168,11 +168,14 @@ void write_case(const Volume& volume, double isovalue, const Options& o, const c
       "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu%s%s%s"
       " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
       path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
-      o.fingers.value, o.min_component, static_cast<unsigned long long>(o.seed), o.lambda,
-      o.samples, o.max_vertices, o.keep_partial ? " --keep-partial" : "",
-      o.stop_after_recover ? " --stop-after recover" : "", o.single_stage ? " --single-stage" : "",
-      o.max_distance.value, o.max_distance.unit == Length::Unit::voxel ? "vox" : "", o.max_radius,
-      o.epsilon1, o.epsilon2, o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
+      o.fingers.value, o.min_component, static_cast<unsigned long long>(o.seed),
+      o.limits[Criterion::r_over_l].value, o.samples, o.max_vertices,
+      o.keep_partial ? " --keep-partial" : "", o.stop_after_recover ? " --stop-after recover" : "",
+      o.single_stage ? " --single-stage" : "", o.limits[Criterion::distance].value,
+      o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
+      o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value,
+      o.limits[Criterion::r_over_pole].value,
+      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
       o.method == Method::marching_cubes ? " --method marching-cubes" : "");
   std::fflush(stdout);
 }

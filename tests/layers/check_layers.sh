@@ -25,7 +25,8 @@ allowed() {
     baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
       "recover refine cap baseline deliso" ;;
-    check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface check" ;;
+    check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
+      "surface/criteria.h check" ;;
     app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
       "recover refine cap baseline deliso check render page blocks app" ;;
     *) return 1 ;;

@@ -60,7 +60,7 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
   const Scene scene = some_scene(n);
   Options options;
   options.r_min = {r_min, Length::Unit::voxel};
-  options.lambda = lambda;
+  options.limits[Criterion::r_over_l].value = lambda;
   Stage stage(scene, options);
   Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
                       stage.recovered.curves, stage.parameters, stage.mesh.points.size());
@@ -78,8 +78,9 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
     const Stage::Snapshot before = stage.snapshot();
     const std::size_t vertices = used_vertices(stage.mesh), on_boundary = boundary_vertices(stage);
     const bool take_out = random.below(2) == 0;
-    const bool asked = take_out || (ratio(stage, f) > stage.parameters.refinement.lambda &&
-                                    shortest_edge(stage, f) < stage.parameters.r_min);
+    const bool asked =
+        take_out || (ratio(stage, f) > stage.parameters.refinement[Criterion::r_over_l] &&
+                     shortest_edge(stage, f) < stage.parameters.r_min);
     double worst_before = 0;
     for (FaceId g = 0; g < stage.mesh.faces.size(); ++g) {
       if (!is_dead(stage.mesh.faces[g])) worst_before = std::max(worst_before, ratio(stage, g));

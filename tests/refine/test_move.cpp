@@ -142,8 +142,8 @@ TEST_CASE(
     const Scene scene = some_scene(n);
     Options options;
     options.r_min = {n % 2 == 0 ? 0.3 : 1.0, Length::Unit::voxel};
-    options.lambda = 1;
-    options.max_distance = {0.02, Length::Unit::voxel};
+    options.limits[Criterion::r_over_l].value = 1;
+    options.limits[Criterion::distance] = {0.02, Length::Unit::voxel};
     Stage stage(scene, options);
     Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
     Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,

@@ -12,7 +12,11 @@ using namespace deliso;
 
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Criteria kLoose{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity, 0, 0};
+const Criteria kLoose = [] {
+  Criteria none;
+  none.limits.values.fill(kInfinity);
+  return none;
+}();
 }  // namespace
 
 TEST_CASE("a facet's measures") {
@@ -24,8 +28,8 @@ TEST_CASE("a facet's measures") {
 }
 
 TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
-  const FacetShape s{2, 0.5, 0.8};  // h/r = 0.25, r/l = 2.5
-  CHECK_FALSE(violation(s, 10, kLoose) > 1);
+  const FacetShape s{2, 0.5, 0.8, 10};  // h/r = 0.25, r/l = 2.5
+  CHECK_FALSE(violation(s, kLoose) > 1);
   struct Case {
     Criteria passes, fails;
     double violation;
@@ -35,44 +39,53 @@ TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
     change(k);
     return k;
   };
-  const Case cases[] = {{with([](Criteria& k) { k.h_over_r = 0.26; }),
-                         with([](Criteria& k) { k.h_over_r = 0.24; }), 0.25 / 0.24},
-                        {with([](Criteria& k) { k.r_over_pole = 0.21; }),
-                         with([](Criteria& k) { k.r_over_pole = 0.19; }), 0.2 / 0.19},
-                        {with([](Criteria& k) { k.lambda = 2.6; }),
-                         with([](Criteria& k) { k.lambda = 2.4; }), 2.5 / 2.4},
-                        {with([](Criteria& k) { k.max_distance = 0.6; }),
-                         with([](Criteria& k) { k.max_distance = 0.4; }), 0.5 / 0.4},
-                        {with([](Criteria& k) { k.max_radius = 2.1; }),
-                         with([](Criteria& k) { k.max_radius = 1.9; }), 2 / 1.9}};
+  const Case cases[] = {{with([](Criteria& k) { k[Criterion::h_over_r] = 0.26; }),
+                         with([](Criteria& k) { k[Criterion::h_over_r] = 0.24; }), 0.25 / 0.24},
+                        {with([](Criteria& k) { k[Criterion::r_over_pole] = 0.21; }),
+                         with([](Criteria& k) { k[Criterion::r_over_pole] = 0.19; }), 0.2 / 0.19},
+                        {with([](Criteria& k) { k[Criterion::r_over_l] = 2.6; }),
+                         with([](Criteria& k) { k[Criterion::r_over_l] = 2.4; }), 2.5 / 2.4},
+                        {with([](Criteria& k) { k[Criterion::distance] = 0.6; }),
+                         with([](Criteria& k) { k[Criterion::distance] = 0.4; }), 0.5 / 0.4},
+                        {with([](Criteria& k) { k[Criterion::radius] = 2.1; }),
+                         with([](Criteria& k) { k[Criterion::radius] = 1.9; }), 2 / 1.9}};
   for (const Case& c : cases) {
-    CHECK_FALSE(violation(s, 10, c.passes) > 1);
-    CHECK(violation(s, 10, c.fails) > 1);
+    CHECK_FALSE(violation(s, c.passes) > 1);
+    CHECK(violation(s, c.fails) > 1);
     // How badly: by what share the limit is passed.
-    CHECK(violation(s, 10, c.fails) == doctest::Approx(c.violation));
+    CHECK(violation(s, c.fails) == doctest::Approx(c.violation));
     Criteria small = c.fails;
     small.r_min = 2;
     small.shape_floor = 2;
-    CHECK_FALSE(violation(s, 10, small) > 1);
+    CHECK_FALSE(violation(s, small) > 1);
     // Either floor excuses from what is its own: r_min from geometry, shape_floor from shape.
-    const bool of_shape = c.fails.lambda < kInfinity;
+    const bool of_shape = c.fails[Criterion::r_over_l] < kInfinity;
     small.shape_floor = 0;
-    CHECK((violation(s, 10, small) > 1) == of_shape);
+    CHECK((violation(s, small) > 1) == of_shape);
     small.r_min = 0;
     small.shape_floor = 2;
-    CHECK((violation(s, 10, small) > 1) != of_shape);
+    CHECK((violation(s, small) > 1) != of_shape);
   }
 }
 
 TEST_CASE("the worst condition tells how bad a facet is; one without end is bad") {
-  const FacetShape s{2, 0.5, 0.8};
-  Criteria k{0.2, 0.1, 2, 0.4, 1.5, 0, 0};
-  CHECK(violation(s, 10, k) == doctest::Approx(2));  // r/h_sigma
-  CHECK(violation(s, 100, k) == doctest::Approx(4.0 / 3));
-  CHECK(violation(s, kInfinity, k) == doctest::Approx(4.0 / 3));
+  FacetShape s{2, 0.5, 0.8, 10};
+  Criteria k;
+  k[Criterion::h_over_r] = 0.2;
+  k[Criterion::r_over_pole] = 0.1;
+  k[Criterion::r_over_l] = 2;
+  k[Criterion::distance] = 0.4;
+  k[Criterion::radius] = 1.5;
+  CHECK(violation(s, k) == doctest::Approx(2));
+  CHECK(worst_criterion(s, k) == Criterion::r_over_pole);
+  for (const double pole : {100.0, kInfinity}) {
+    s.pole = pole;
+    CHECK(violation(s, k) == doctest::Approx(4.0 / 3));
+    CHECK(worst_criterion(s, k) == Criterion::radius);
+  }
   // A facet of no area.
   k.r_min = k.shape_floor = 1;
-  CHECK(violation({kInfinity, kInfinity, 0.5}, 10, k) > 1);
+  CHECK(violation({kInfinity, kInfinity, 0.5, 10}, k) > 1);
 }
 
 TEST_CASE(
