@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Looks up what pages and comments name. Usage, after check_names.sh has made the lists:
-#   awk -v files=LIST -v words=LIST -v options=LIST -v targets=LIST -f check_names.awk \
-#       pass=1 PAGES pass=2 PAGES SOURCES
-# A line of the words is FILE:WORD, of the other lists what it is a list of.
+#   awk -v files=LIST -v words=LIST -v options=LIST -v targets=LIST -v defaults=LIST \
+#       -f check_names.awk pass=1 PAGES pass=2 PAGES SOURCES
+# A line of the words is FILE:WORD, of the defaults OPTION=NUMBER, of the others a name.
 
 function load(list, set,   line) {
   while ((getline line <list) > 0) set[line] = 1
@@ -106,6 +106,17 @@ function look_up_row(text,   row, n, m, spans, parts, count, named, name, found)
     if (!found) fault("no " spans[m] " in the files of the row")
   }
 }
+# A row about an option: the default is what the help says.
+function look_up_default(row,   name, value) {
+  if (!match(row, /^\| `--[a-z0-9-]+/)) return
+  name = substr(row, 4, RLENGTH - 3)
+  if (!match(row, /default `?[0-9][0-9a-z.]*/)) return
+  value = substr(row, RSTART + 8, RLENGTH - 8)
+  sub(/^`/, "", value)
+  checks++
+  if ((name in has_default) && !((name "=" value) in default_of))
+    fault(name " is not " value " by default")
+}
 function look_up_links(text,   to, parts) {
   while (match(text, /\]\([^)]*\)/)) {
     to = substr(text, RSTART + 2, RLENGTH - 3)
@@ -129,6 +140,11 @@ BEGIN {
   }
   load(options, option)
   load(targets, target)
+  load(defaults, default_of)
+  for (line in default_of) {
+    sub(/=.*/, "", line)
+    has_default[line] = 1
+  }
   for (path in file) {
     name = path
     while (sub(/\/[^\/]*$/, "", name)) folder[name] = 1
@@ -164,6 +180,7 @@ page {
   look_up_functions($0)
   look_up_code($0)
   if (/^\|/) look_up_row($0)
+  look_up_default($0)
   next
 }
 # Of sources the comments.

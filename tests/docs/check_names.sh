@@ -23,19 +23,24 @@ awk '{ sub(FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*", ""); gsub(/[^A-Za-z0-9_]+/,
 printf ':%s\n' CamelCase snake_case Disk RssAnon >>"$work/words"
 printf '%s\n' nifti1.h nifti2.h >>"$work/files"
 commands=$("$deliso" --help | sed -n '/^$/q;s/.* deliso \[*\([a-z]*\).*/\1/p')
+for command in $commands; do "$deliso" "$command" --help; done >"$work/help"
 # shellcheck disable=SC2046
 {
   "$deliso" --help
-  for command in $commands; do
-    "$deliso" "$command" --help
-  done
-  cat $(echo "$sources" | grep -E '^(bench|tests)/.*\.(h|cpp)$')
+  cat "$work/help" $(echo "$sources" | grep -E '^(bench|tests)/.*\.(h|cpp)$')
 } | grep -oE -e '--[a-z][a-z0-9-]*' | sort -u >"$work/options"
+# Of each option with a number for default: OPTION=NUMBER.
+awk '/^  (-., )?--/ { text = ""; for (n = 1; n <= NF; n++) if ($n ~ /^--/) { option = $n; break } }
+     /^ / { text = text " " $0 }
+     match(text, /\(default [0-9][0-9a-z.]*/) {
+       print option "=" substr(text, RSTART + 9, RLENGTH - 9)
+       text = ""
+     }' "$work/help" | sort -u >"$work/defaults"
 sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile >"$work/targets"
 
 check() {
   awk -v files="$work/files" -v words="$work/words" -v options="$work/options" \
-    -v targets="$work/targets" -f tests/docs/check_names.awk "$@"
+    -v targets="$work/targets" -v defaults="$work/defaults" -f tests/docs/check_names.awk "$@"
 }
 # The page of faults has exactly those that it says it has.
 faulty=tests/docs/faulty_page.md
