@@ -31,6 +31,7 @@ class FacetLayer {
   }
 
   set(n, a, b, c, paint) {
+    if (n >= this.facets.capacity) this.facets.reserve(n + 1);
     const { data } = this.facets;
     data[4 * n] = a;
     data[4 * n + 1] = b;

@@ -1,7 +1,7 @@
 'use strict';
 // Begins: reads the data, and makes the view that the header names.
 
-const kViews = { view: MeshView };
+const kViews = { view: MeshView, trace: TraceView };
 
 function show_fault(text) {
   const place = document.getElementById('message');
