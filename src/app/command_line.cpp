@@ -18,12 +18,13 @@
 namespace deliso {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Command>, 6> kCommands{
+constexpr std::array<std::pair<std::string_view, Command>, 7> kCommands{
     {{"mesh", Command::mesh},
      {"info", Command::info},
      {"check", Command::check},
      {"render", Command::render},
      {"view", Command::view},
+     {"trace", Command::trace},
      {"join", Command::join}}};
 
 // Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
@@ -121,6 +122,13 @@ void check_streams(const CommandLine& line) {
   }
 }
 
+void check_page_name(const CommandLine& line) {
+  if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".html")) {
+    throw InputError("cannot write '" + line.output + "': pages are .html");
+  }
+}
+
 void check_page(CommandLine& line) {
   if (line.meshes.empty()) throw InputError("no mesh given: deliso view MESH -o PAGE.html");
   if (line.meshes.size() > 2) throw InputError("a page shows one mesh, or two side by side");
@@ -132,10 +140,7 @@ void check_page(CommandLine& line) {
     line.isovalue = field->isovalue;
   }
   if (!line.input.empty() && !line.isovalue) throw InputError("--volume needs --iso K");
-  if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".html")) {
-    throw InputError("cannot write '" + line.output + "': pages are .html");
-  }
+  check_page_name(line);
 }
 
 void check_picture(CommandLine& line) {
@@ -219,6 +224,7 @@ void check_combination(CommandLine& line) {
       line.options.max_vertices == std::numeric_limits<std::size_t>::max()) {
     throw InputError("--keep-partial needs --max-vertices N");
   }
+  if (line.command == Command::trace) return check_page_name(line);
   if (!line.output.empty() && !line.write.format) {
     line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
   }

@@ -18,7 +18,7 @@
 
 namespace deliso {
 
-enum class Command { mesh, info, check, render, view, join, help, version };
+enum class Command { mesh, info, check, render, view, trace, join, help, version };
 
 // The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
 // space.
@@ -53,6 +53,8 @@ struct CommandLine {
   struct Given {
     bool max_distance = false, r_min = false, lambda = false, epsilon1 = false;
   } given;  // which criteria of a check are not left to the mesh's file, or to defaults
+  std::size_t trace_limit = 200'000;  // events
+  bool trace_times = true;
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0.999;  // the least that a check lets pass

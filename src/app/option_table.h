@@ -19,12 +19,15 @@ enum Commands : std::uint8_t {
   kCheckOnly = 8,
   kJoinOnly = 16,
   kViewOnly = 32,
+  kTraceOnly = 64,
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
   kShown = kRenderOnly | kViewOnly,
-  kVolume = kReports | kShown,
+  kVolume = kReports | kShown | kTraceOnly,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
+  kMeshAndTrace = kMeshOnly | kTraceOnly,
+  kAllMeshing = kMeshAndCheck | kTraceOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
-  kOutput = kMeshAndJoin | kShown,
+  kOutput = kMeshAndJoin | kShown | kTraceOnly,
   kAll = kVolume | kJoinOnly
 };
 
@@ -34,6 +37,7 @@ constexpr Commands flag_of(Command command) {
          : command == Command::check  ? kCheckOnly
          : command == Command::join   ? kJoinOnly
          : command == Command::view   ? kViewOnly
+         : command == Command::trace  ? kTraceOnly
                                       : kMeshOnly;
 }
 

@@ -43,7 +43,7 @@ bool Collapser::take_out(FaceId f, VertexId v, bool at_any_cost) {
   least_cosine_ = at_any_cost ? -1 : kSharpest;
   change_.leaves_box = at_any_cost;
   const auto merge_into = [&](VertexId to) {
-    return !report_[Rung::collapse].count(merge(f, v, to, [] { return true; }));
+    return !replacer_.count(Rung::collapse, change_, merge(f, v, to, [] { return true; }));
   };
   const VertexId next = s_.chain.next(v), before = s_.chain.previous(v);
   return merge_into(before) || merge_into(next);
@@ -91,7 +91,7 @@ bool Collapser::collapse(FaceId f) {
       return before > parameters_.refinement.lambda &&
              worst_ratio(change_.in.facets) <= kWorse * before;
     };
-    if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
+    if (!replacer_.count(Rung::collapse, change_, merge(f, from, to, gains))) return true;
   }
   return false;
 }
@@ -123,7 +123,7 @@ bool Collapser::take_out_corner(FaceId f) {
         }
         return after < before;
       };
-      if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
+      if (!replacer_.count(Rung::collapse, change_, merge(f, from, to, gains))) return true;
     }
   }
   return false;

@@ -20,6 +20,7 @@ inline constexpr double kHair = 1e-7;
 enum class PoleSide : std::uint8_t { nearer, further };
 
 struct Profile;
+class Trace;
 
 // When a facet is to be refined, as limits on its r (circumradius), h (from its circumcenter to its
 // surface point), l (shortest edge) and pole height. Infinity: not asked.
@@ -58,6 +59,7 @@ struct Parameters {
   // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
   std::function<void(const char* stage, double share)> progress;
   Profile* profile = nullptr;  // filled when given
+  Trace* trace = nullptr;      // likewise; Stage 2 then refines in one part
 
   bool asks_for_poles() const {
     return refinement.r_over_pole < std::numeric_limits<double>::infinity();
