@@ -35,7 +35,7 @@ class EventMarks {
     this.fills = {};
     for (const key of ['caller', 'zone', 'star', 'cone', 'came', 'went']) {
       this.fills[key] = new FacetLayer(new Texels(true), {
-        opacity: { zone: 0.3, came: 0.0, went: 0.3 }[key] ?? 0.55, ghost: key === 'zone' ? 0.25 : 0.3,
+        opacity: { zone: 0.22, came: 0.0, went: 0.3 }[key] ?? 0.55, ghost: key === 'zone' ? 0.25 : 0.3,
         edge_width: key === 'zone' ? 1 : 0, clipped: false });
     }
     this.lines = {};
@@ -47,7 +47,8 @@ class EventMarks {
     for (const key of Object.keys(kMarks)) this.on[key] = true;
     this.layers = [...Object.values(this.fills), ...Object.values(this.lines),
                    ...Object.values(this.dots)];
-    this.box = null;  // around all that is marked
+    this.box = null;            // around what is marked, but for the zone and the Voronoi edge
+    this.normal = [0, 0, 0];    // of the facets there, on average
   }
 
   switch_on(key, on) {
@@ -59,6 +60,7 @@ class EventMarks {
   show(e, after) {
     const { trace } = this;
     this.box = empty_box();
+    this.normal = [0, 0, 0];
     for (const layer of this.layers) layer.count = 0;
     if (trace.count === 0) return;
     const place = trace.place(e);
@@ -86,10 +88,14 @@ class EventMarks {
       this.show_facets(there, list(there), point, 1.8, false);
     }
     if (!(this.box.lo[0] <= this.box.hi[0])) this.box = null;
+    this.normal = unit(this.normal);
   }
 
   // Whether so little changes that it can be pointed at.
-  is_small(e) { return this.trace.size('added', e) + this.trace.size('removed', e) < 3000; }
+  is_small(e) {
+    const { trace } = this;
+    return trace.size('added', e) + trace.size('removed', e) < 400 && e !== trace.switch_at && e > 0;
+  }
 
   look_up(v) {
     const { points } = this.trace;
@@ -103,7 +109,6 @@ class EventMarks {
     corners.forEach((p, i) => {
       layer.points.data.set(p, 4 * (at + i));
       layer.points.touch(at + i);
-      extend_box(this.box, ...p);
     });
     layer.set(layer.count++, at, at + 1, at + 2, color);
   }
@@ -113,7 +118,9 @@ class EventMarks {
     for (let n = 0; n < triangles.length; n += 3) {
       const corners = [0, 1, 2].map((i) => point(triangles[n + i]));
       if (fill) this.add_fill(this.fills[key], corners, color);
-      else corners.forEach((p) => extend_box(this.box, ...p));
+      corners.forEach((p) => extend_box(this.box, ...p));
+      this.normal = add(this.normal, cross(subtract(corners[1], corners[0]),
+                                           subtract(corners[2], corners[0])));
       if (width > 0) this.lines[key].add_triangle(...corners, color, width);
     }
   }
@@ -122,6 +129,7 @@ class EventMarks {
     const { color } = kMarks.caller;
     corners.forEach((p) => extend_box(this.box, ...p));
     if (corners.length === 3) {
+      this.normal = cross(subtract(corners[1], corners[0]), subtract(corners[2], corners[0]));
       this.add_fill(this.fills.caller, corners, color);
       this.lines.caller.add_triangle(...corners, color, 3);
     } else if (corners.length === 2) {
@@ -140,7 +148,6 @@ class EventMarks {
     for (let n = 0; n < hits.length; n += 3) {
       const hit = hits.subarray(n, n + 3);
       this.dots.edge.add(hit, kMarks.edge.color, 9);
-      extend_box(this.box, ...hit);
     }
   }
 

@@ -18,7 +18,7 @@ class Trace {
     this.count = this.whole_events();
     this.switch_at = -1;  // the event between the stages
     for (let e = 0; e < this.count && this.switch_at < 0; ++e) {
-      if (this.routine(e).name === 'switch') this.switch_at = e;
+      if (this.routine(e).name === 'build_tri_mesh') this.switch_at = e;
     }
     this.add_up();
   }
@@ -44,6 +44,7 @@ class Trace {
   }
 
   routine(e) { return this.routines[this.arrays.event_routine[e]] ?? { name: 'step', stage: 1 }; }
+  outcome_text(e) { return this.header.outcome_texts?.[this.arrays.event_outcome?.[e] ?? 0] ?? ''; }
   outcome(e) { return this.outcomes[this.arrays.event_outcome?.[e] ?? 0] ?? ''; }
   reason(e) { return this.reasons[this.arrays.event_reason?.[e]] ?? null; }
   value(e) { return this.arrays.event_value?.[e] ?? NaN; }

@@ -54,7 +54,6 @@ class Regions {
   constructor(trace) {
     const { contour_points: points, contour_triangles: triangles, contour_label: label } = trace.arrays;
     this.trace = trace;
-    this.triangles = triangles;
     this.labels = Uint32Array.from(label ?? new Uint32Array(points.length / 3).fill(kNone));
     this.step = 0;
     // What each change of a label replaced, so that steps can be taken back.
@@ -66,10 +65,11 @@ class Regions {
       this.before[n] = labels[relabel[2 * n]];
       labels[relabel[2 * n]] = relabel[2 * n + 1];
     }
-    this.layer = new FacetLayer(texels_of_points(points), { edge_width: 0, clipped: true });
+    this.points = texels_of_points(points);
+    this.layer = new FacetLayer(this.points, { edge_width: 0, regions: true });
     this.layer.set_all(triangles, () => 0);
     this.layer.normals = vertex_normals(points, triangles);
-    this.dirty = true;
+    for (let v = 0; v < this.labels.length; ++v) this.paint(v);
   }
 
   go_to(step) {
@@ -78,23 +78,22 @@ class Regions {
     const end = Math.min(step, trace.count);
     const target = trace.begin('relabel', end);
     let at = trace.begin('relabel', this.step);
-    this.dirty ||= at !== target;
-    for (; at < target; ++at) labels[relabel[2 * at]] = relabel[2 * at + 1];
-    for (; at > target; --at) labels[relabel[2 * at - 2]] = this.before[at - 1];
+    const set = (v, label) => {
+      labels[v] = label;
+      this.paint(v);
+    };
+    for (; at < target; ++at) set(relabel[2 * at], relabel[2 * at + 1]);
+    for (; at > target; --at) set(relabel[2 * at - 2], this.before[at - 1]);
     this.step = end;
-    if (this.dirty) this.paint();
   }
 
-  // A triangle of two regions or three is dark: these make the boundaries.
-  paint() {
-    const { triangles, labels, layer } = this;
-    for (let n = 0; n < layer.count; ++n) {
-      const a = labels[triangles[3 * n]], b = labels[triangles[3 * n + 1]];
-      const c = labels[triangles[3 * n + 2]];
-      const color = a === kNone ? 0xb8bec8 : mixed(kind_color(Math.imul(a, 7) >>> 0), 0xffffff, 0.25);
-      layer.set_paint(n, a === b && b === c ? color : mixed(color, 0x303844, 0.45));
-    }
-    this.dirty = false;
+  // Colors are as many as there are kinds, each in three tones, so that neighbours mostly differ.
+  paint(v) {
+    const label = this.labels[v];
+    const tone = 0.15 + 0.2 * (Math.floor(label / kKinds.length) % 3);
+    const color = label === kNone ? 0xb8bec8 : mixed(kind_color(label), 0xffffff, tone);
+    this.points.data[4 * v + 3] = color;
+    this.points.touch(v);
   }
 }
 

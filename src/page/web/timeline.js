@@ -42,17 +42,7 @@ class Timeline {
 
   buttons() {
     const { trace } = this;
-    const icon = (path) => {
-      const made = element('span', { class: 'icon', 'aria-hidden': 'true' });
-      made.textContent = path;
-      return made;
-    };
-    const act = (symbol, title, press) => {
-      const made = button('', title, press);
-      made.append(icon(symbol));
-      return made;
-    };
-    this.play_button = act('\u25b6', 'Play (Space)', () => this.play(!this.playing));
+    this.play_button = icon_button('play', 'Play (Space)', () => this.play(!this.playing));
     this.number = element('input', { type: 'number', min: 1, max: Math.max(1, trace.count),
                                      'aria-label': 'Number of the event',
                                      onchange: () => this.show(Number(this.number.value) - 1) });
@@ -65,15 +55,17 @@ class Timeline {
                          (value) => { this.speed = Number(value); });
     speed.classList.add('inline');
     return element('div', { class: 'buttons' },
-                   act('\u23ee', 'First event (Home)', () => this.show(0)),
-                   act('\u25c0', 'One step back (left arrow)', () => this.step(-1)),
+                   icon_button('first', 'First event (Home)', () => this.show(0)),
+                   icon_button('back', 'One step back (left arrow)', () => this.step(-1)),
                    this.play_button,
-                   act('\u25b6\u258f', 'One step on (right arrow)', () => this.step(1)),
-                   act('\u23ed', 'Last event (End)', () => this.show(trace.count - 1)),
+                   icon_button('on', 'One step on (right arrow)', () => this.step(1)),
+                   icon_button('last', 'Last event (End)', () => this.show(trace.count - 1)),
                    element('span', { class: 'of' }, this.number, ` of ${grouped(trace.count)}`),
                    element('span', { class: 'group' },
-                           act('\u2039', 'Previous of this kind (P)', () => this.next_of_kind(-1)),
-                           kind, act('\u203a', 'Next of this kind (N)', () => this.next_of_kind(1))),
+                           icon_button('previous-kind', 'Previous of this kind (P)',
+                                       () => this.next_of_kind(-1)), kind,
+                           icon_button('next-kind', 'Next of this kind (N)',
+                                       () => this.next_of_kind(1))),
                    speed);
   }
 
@@ -113,7 +105,7 @@ class Timeline {
   play(on) {
     if (on === this.playing) return;
     this.playing = on;
-    this.play_button.firstChild.textContent = on ? '\u23f8' : '\u25b6';
+    this.play_button.replaceChildren(icon(on ? 'pause' : 'play'));
     this.play_button.setAttribute('aria-pressed', on);
     if (!on) return;
     if (this.at >= this.trace.count - 1) this.show(0);
@@ -209,10 +201,10 @@ class Timeline {
     if (trace.switch_at >= 0) {
       const x = labels + trace.switch_at / trace.count * columns;
       context.fillRect(x, 0, 1, bottom);
-      context.textAlign = 'right';
-      context.fillText('Stage 1', x - 5, height);
-      context.textAlign = 'left';
-      context.fillText('Stage 2', x + 6, height);
+      context.textAlign = 'center';
+      for (const [stage, from, to] of [[1, labels, x], [2, x, width]]) {
+        if (to - from > 60) context.fillText(`Stage ${stage}`, (from + to) / 2, height);
+      }
     }
     this.draw_head();
   }

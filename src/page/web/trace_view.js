@@ -13,6 +13,8 @@ class TraceView {
     this.after = true;
     this.follow = false;
     this.both = false;             // both structures side by side
+    this.surface_style = 'auto';
+    this.regions_on = true;
     this.marked = [];              // slots that have a color of this event
     this.surface = new FacetLayer(this.points, { edge_width: 0.8, age: null });
     this.live = new LiveFacets(trace, this.history, (slot, id) => this.write(slot, id));
@@ -50,7 +52,7 @@ class TraceView {
 
   show_title() {
     const { header } = this.trace;
-    document.getElementById('title').textContent = header.input ?? 'Trace';
+    document.getElementById('title').textContent = (header.input ?? 'Trace').replace(/^.*\//, '');
     const parts = [`isovalue ${rounded(header.iso)}`,
                    header.way === 'paper' ? 'the paper\u2019s way' : 'the certified way'];
     if (header.truncated) {
@@ -97,6 +99,7 @@ class TraceView {
     this.vertices.count = Math.min(trace.vertices[Math.min(e + 1, trace.count)] ?? 0,
                                    trace.points.length / 3);
     this.regions?.go_to(this.after ? e + 1 : e);
+    this.arrange_surface();
     this.arrange_panes(e);
     this.tell(e);
     this.numbers.show(e);
@@ -189,14 +192,24 @@ class TraceView {
       element('h2', {}, element('span', { class: 'swatch', style:
         `background:${css_color(this.routine_color(this.trace.arrays.event_routine[e]))}` }),
               title, ...outcome),
-      ...lines.map(([kind, text]) => element('p', { class: kind }, text)));
+      ...lines.map(([kind, text, heading]) =>
+        element('p', { class: kind }, ...(heading ? [element('strong', {}, heading)] : []), text)));
   }
 
   zoom_to_step() {
-    const { box } = this.marks;
+    const { box, normal } = this.marks;
     if (!box) return;
-    const radius = Math.max(box_radius(box), 0.02 * this.scene.camera.radius);
-    this.scene.camera.glide_to({ target: box_middle(box), distance: 3.2 * radius / Math.sin(kHalfAngle) / Math.min(1, this.scene.aspect) * 0.6 });
+    const { camera, aspect } = this.scene;
+    const radius = Math.max(box_radius(box), 0.01 * camera.radius);
+    const goal = { target: box_middle(box),
+                   distance: 1.7 * radius / Math.sin(kHalfAngle) / Math.min(1, aspect) };
+    // Where the surface there looks away, or is seen from the edge, the eye goes round to its front.
+    if (length_of(normal) > 0 && dot(normal, camera.back) < 0.4) {
+      const back = unit(add(normal, scaled(camera.up, 0.4)));
+      goal.azimuth = Math.atan2(back[1], back[0]) * 180 / Math.PI;
+      goal.elevation = Math.asin(clamp(back[2], -1, 1)) * 180 / Math.PI;
+    }
+    camera.glide_to(goal);
     this.scene.invalidate();
   }
 
@@ -231,7 +244,10 @@ class TraceView {
       toggle('All points so far', false, seen(this.vertices)),
       toggle('Box of the volume', true, seen(this.frame))];
     if (this.regions) {
-      toggles.splice(1, 0, toggle('Regions of T', true, seen(this.regions.layer)));
+      toggles.splice(1, 0, toggle('Regions of T, in Stage 1', true, (on) => {
+        this.regions_on = on;
+        this.show(this.event);
+      }));
     }
     const both = toggle('Tetrahedra of Del S beside it', false, (on) => {
       this.both = on;
@@ -260,9 +276,10 @@ class TraceView {
                 this.color_by = value;
                 this.repaint();
               }), this.legend,
-              choice('Surface', [['solid', 'solid'], ['glass', 'glass'], ['wires', 'edges only']], 'solid',
+              choice('Surface', [['auto', 'automatic'], ['solid', 'solid'], ['glass', 'glass'],
+                                 ['wires', 'edges only']], 'auto',
                      (value) => this.set_surface_style(value))),
-      section('Show', false, ...toggles));
+      section('Show', true, ...toggles));
     if (this.samples.there) {
       this.slice = new SlicePanel(this.samples, this.trace.header.iso, this.slice_lines,
                                   () => this.scene.invalidate());
@@ -280,9 +297,22 @@ class TraceView {
     return true;
   }
 
+  // In the certified Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
+  // are then their edges.
+  arrange_surface() {
+    const { surface, regions, trace } = this;
+    const style = this.surface_style;
+    const before = trace.switch_at < 0 || this.event < trace.switch_at;
+    if (regions) regions.layer.visible = this.regions_on && before;
+    surface.wires = style === 'wires' || (style === 'auto' && Boolean(regions?.layer.visible));
+    surface.opacity = style === 'glass' ? 0.35 : 1;
+    surface.ghost = surface.wires ? 0.3 : 0;
+    surface.edge_width = surface.wires ? 1.8 : 0.8;
+  }
+
   set_surface_style(value) {
-    this.surface.opacity = value === 'glass' ? 0.35 : 1;
-    this.surface.wires = value === 'wires';
+    this.surface_style = value;
+    this.arrange_surface();
     this.scene.invalidate();
   }
 

@@ -16,7 +16,8 @@ const sentence = (text) => {
   return whole[0].toUpperCase() + whole.slice(1);
 };
 
-// {title, where, lines: [[kind, text], ...]}; kind names a style: why, done, refused, or nothing.
+// {title, where, lines: [[kind, text, heading], ...]}; kind names a style: why, done, refused, or
+// nothing; a line may have a heading.
 function tell_event(trace, e) {
   const routine = trace.routine(e), reason = trace.reason(e);
   const caller = name_of_caller(trace.caller(e)), value = trace.value(e);
@@ -25,10 +26,11 @@ function tell_event(trace, e) {
 
   if (routine.text) lines.push(['', sentence(routine.text)]);
   if (reason && (reason.name || reason.text)) {
-    const by = caller ? `${caller} called for it. ` : '';
-    const what = reason.text ? `${reason.name}: ${reason.text}` : reason.name;
-    const number = Number.isFinite(value) ? `; here ${rounded(value)}` : '';
-    lines.push(['why', sentence(`${by}${sentence(what).slice(0, -1)}${number}`)]);
+    // A reason's text ends with what the value is: "... over ...; value: times the limit".
+    const [meaning, unit = ''] = reason.text.split('; value: ');
+    const by = caller ? ` of ${caller}` : '';
+    const number = Number.isFinite(value) ? `; ${unit || 'value'}: ${rounded(value)}` : '';
+    lines.push(['why', `${by}: ${meaning}${number}.`, reason.name]);
   } else if (caller) {
     lines.push(['why', sentence(`${caller} called for it`)]);
   }
@@ -36,9 +38,13 @@ function tell_event(trace, e) {
     const at = place ? ` at (${Array.from(place, rounded).join(', ')})` : '';
     lines.push(['done', `Vertex ${vertex} comes in${at}.`]);
   } else if (refused) {
-    lines.push(['refused', sentence(`${outcome}; nothing is changed`)]);
+    const gate = outcome.replace(/^refused:? */, '');
+    const why = trace.outcome_text(e);
+    lines.push(['refused', sentence(`Refused${gate ? ` by the gate \u201c${gate}\u201d` : ''}` +
+                                    `${why ? `: ${why}` : ''}`) + ' Nothing is changed.']);
+  } else if (outcome !== 'done') {
+    lines.push(['', sentence(trace.outcome_text(e) || outcome)]);
   }
-  if (!refused && outcome && outcome !== 'done') lines.push(['', sentence(`outcome: ${outcome}`)]);
   const counts = count_changes(trace, e);
   if (counts) lines.push(['', counts]);
   const figure = routine.figure ? `, Figure ${routine.figure}` : '';
