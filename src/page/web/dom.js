@@ -100,6 +100,11 @@ function fit_canvas(canvas, width, height) {
   return context;
 }
 
+// Calls act() when the element's size has changed, before the next picture.
+function on_resize(target, act) {
+  new ResizeObserver(() => requestAnimationFrame(act)).observe(target);
+}
+
 const prefers_stillness = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 // Dark or light: the system's choice until the button is used.

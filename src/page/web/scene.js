@@ -20,7 +20,7 @@ class Scene {
     this.colors_changed();
     this.begin();
     this.controls = new Controls(this);
-    new ResizeObserver(() => this.invalidate()).observe(canvas);
+    on_resize(canvas, () => this.invalidate());
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.message('The graphics card is away. The picture comes back with it.');

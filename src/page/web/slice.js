@@ -96,7 +96,7 @@ class SlicePanel {
                            choice('Across', [['0', 'x'], ['1', 'y'], ['2', 'z']], '2', (axis) => this.turn(Number(axis))),
                            this.position, this.canvas, this.note, this.in_space);
     this.element.addEventListener('toggle', () => this.draw());
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    on_resize(this.canvas, () => this.draw());
     this.listen();
   }
 

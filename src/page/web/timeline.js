@@ -30,7 +30,7 @@ class Timeline {
     this.picture = document.createElement('canvas');
     place.append(this.buttons(), this.canvas);
     this.listen();
-    new ResizeObserver(() => this.redraw()).observe(this.canvas);
+    on_resize(this.canvas, () => this.redraw());
   }
 
   // Routines that occur, in the order of the header: that of the paper's figures.
