@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "files/atomic_file.h"
 #include "files/base64.h"
+#include "files/deflate.h"
 #include "page/web_sources.h"
 
 namespace deliso {
@@ -68,12 +69,20 @@ void write_data(AtomicFile& out, std::string_view header, const PageData& data) 
   out.write(text(kJson, "header\">", without_tags(header, "\\u003c"), kEnd));
   out.write(text(kJson, "arrays\">", without_tags(data.directory(), "\\u003c"), kEnd));
   out.write("<script type=\"text/plain\" id=\"bytes\">");
-  constexpr std::size_t kPiece = 3 << 14;  // of whole groups of three, so that no padding is within
-  for (std::span<const std::byte> rest = data.bytes(); !rest.empty();) {
-    const auto piece = rest.first(std::min(kPiece, rest.size()));
-    out.write(encode_base64(piece));
-    rest = rest.subspan(piece.size());
+  ZlibStream stream;
+  std::string waiting;  // less than a group of three, so that no padding is within
+  const auto encode = [&](std::string_view compressed, bool last) {
+    waiting += compressed;
+    const std::size_t ready = last ? waiting.size() : waiting.size() / 3 * 3;
+    out.write(encode_base64(std::as_bytes(std::span(waiting).first(ready))));
+    waiting.erase(0, ready);
+  };
+  constexpr std::size_t kPiece = std::size_t{1} << 20;
+  for (std::string_view rest = data.bytes(); !rest.empty();) {
+    encode(stream.add(rest.substr(0, kPiece)), false);
+    rest.remove_prefix(std::min(kPiece, rest.size()));
   }
+  encode(stream.finish(), true);
   out.write(kEnd);
 }
 

@@ -6,7 +6,7 @@
 //       they lie is JSON in <script id="arrays">,
 //         {"points": {"type": "f32", "offset": 0, "length": 3}, ...},
 //       with offsets in bytes, multiples of 4, and lengths in elements; the bytes of all of them,
-//       little-endian, are one piece of base64 in <script id="bytes">.
+//       little-endian and compressed (zlib), are one piece of base64 in <script id="bytes">.
 //   W2  No text that is put into a page can end the element that it is in: "<" is \u003c in JSON
 //   and
 //       &lt; in markup.
@@ -29,7 +29,7 @@ class PageData {
   void add(std::string_view name, std::span<const std::uint16_t> values);
   void add(std::string_view name, std::span<const std::uint8_t> values);
 
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(bytes_)); }
+  std::string_view bytes() const { return bytes_; }
   std::string directory() const { return "{" + directory_ + "}"; }  // JSON, W1
 
  private:

@@ -62,8 +62,10 @@ void trace_disk(Trace& trace, const Change& change) {
 }
 
 void trace_replacement(Trace& trace, const Change& change, bool is_done) {
-  if (!is_told(trace)) return;
+  if (!trace.follows_mesh()) return;
   TraceEvent& event = trace.event();
+  event.is_changed = is_done;
+  if (trace.is_full()) return;
   const bool has_vertex = change.what != Change::Vertex::none;
   if (!is_done) return add(trace, change.in, event.cone, has_vertex ? change.vertex : kNoId);
   event.star.clear();
@@ -82,7 +84,7 @@ void trace_try(Trace& trace, Rung rung, const Change& change, std::optional<Refu
   if (!trace.follows_mesh()) return;
   TraceEvent& event = trace.event();
   // A boundary edge was split in its place, and has been told.
-  if (!refusal && event.removed.empty() && !trace.is_full()) return;
+  if (!refusal && !event.is_changed) return;
   if (change.what != Change::Vertex::none) event.place = change.place;
   event.routine = trace_code(rung);
   trace.count(report.searches_recover.searches + report.searches_refine.searches,

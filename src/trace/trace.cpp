@@ -83,6 +83,7 @@ std::uint32_t Trace::micros_since_last() {
 void Trace::record(std::uint8_t outcome) {
   if (events_seen_++ < limit_) append_event(outcome);
   TraceEvent& e = event_;
+  e.is_changed = false;
   e.vertex = kNoId;
   e.place = kNowhere;
   e.removed.clear();
@@ -121,6 +122,7 @@ void Trace::append_event(std::uint8_t outcome) {
 }
 
 void Trace::switch_to(const TriMesh& mesh) {
+  follows_mesh_ = true;
   if (is_full()) {
     ++events_seen_;
     return;
@@ -147,7 +149,6 @@ void Trace::switch_to(const TriMesh& mesh) {
     e.added.push_back({of_mesh_[face.v[0]], of_mesh_[face.v[1]], of_mesh_[face.v[2]]});
   }
   record(TraceOutcome::done);
-  follows_mesh_ = true;
 }
 
 std::vector<Triangle> Trace::complex() const {

@@ -104,6 +104,7 @@ struct TraceEvent {
   std::vector<Vec3> hits;                       // of Sigma with the edge
 
   // What comes of it.
+  bool is_changed = false;          // the mesh is another one, in Stage 2
   VertexId vertex = kNoId;          // the one that came
   Vec3 place{kNone, kNone, kNone};  // where it came, or was to
   std::vector<Triangle> removed, added;
@@ -137,6 +138,7 @@ struct TraceArrays {
   std::vector<std::uint32_t> contour_triangles, contour_label;
 };
 
+// Of one run.
 class Trace {
  public:
   // `with_times`: the clock is read at every event.

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "files/base64.h"
+#include "files/inflate.h"
 
 namespace deliso {
 
@@ -39,13 +40,12 @@ std::vector<T> array_of(std::string_view page, std::string_view name) {
   if (at == std::string_view::npos) return {};
   description.remove_prefix(at);
   const std::string_view digits = element_of(page, "bytes");
-  const std::vector<std::byte> bytes = decode_base64(digits, digits.size());
+  const std::vector<std::byte> compressed = decode_base64(digits, digits.size());
   std::vector<T> values(number_in(description, "length"));
   const std::size_t offset = number_in(description, "offset");
-  if (offset + values.size() * sizeof(T) > bytes.size()) return {};
-  if (!values.empty()) {
-    std::memcpy(values.data(), bytes.data() + offset, values.size() * sizeof(T));
-  }
+  std::vector<std::byte> bytes(offset + values.size() * sizeof(T));
+  if (inflate(compressed, Wrapping::zlib, bytes).size < bytes.size()) return {};
+  if (!values.empty()) std::memcpy(values.data(), bytes.data() + offset, bytes.size() - offset);
   return values;
 }
 

@@ -309,6 +309,7 @@ TEST_CASE("a limit keeps the first events, and counts the others") {
       const Traced cut = traced(scene.volume, scene.surface.kappa(), options, limit);
       CHECK(same_mesh(cut.mesh, whole.mesh));
       REQUIRE(cut.trace.size() == limit);
+      CHECK(cut.trace.events_seen() == whole.trace.size());
       CHECK(cut.trace.truncated() == (limit < whole.trace.size()));
       const TraceArrays &a = cut.trace.arrays(), &b = whole.trace.arrays();
       const auto begins = [](const auto& part, const auto& all) {

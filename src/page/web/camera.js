@@ -21,12 +21,21 @@ class Camera {
 
   // What there is to see.
   set_scene(box) {
+    this.box = box;
     this.middle = box_middle(box);
     this.radius = box_radius(box);
   }
-  // How far away a ball fills a view of this aspect.
-  distance_for(radius, aspect) {
-    return 1.02 * radius / Math.sin(kHalfAngle) / Math.min(1, Math.max(aspect, 0.2));
+  // How far from its middle all of a box is seen in a view of this aspect.
+  distance_for(box, aspect) {
+    const half = scaled(subtract(box.hi, box.lo), 0.5);
+    const tangent = Math.tan(kHalfAngle);
+    let distance = 1e-3 * this.radius;
+    for (let n = 0; n < 8; ++n) {
+      const corner = half.map((x, axis) => n >> axis & 1 ? x : -x);
+      const off = Math.max(Math.abs(dot(corner, this.up)), Math.abs(dot(corner, this.right)) / aspect);
+      distance = Math.max(distance, dot(corner, this.back) + 1.08 * off / tangent);
+    }
+    return distance;
   }
 
   turn(azimuth, elevation) {

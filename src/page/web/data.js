@@ -1,5 +1,5 @@
 'use strict';
-// The data of a page (src/page/page.h): a header, and flat arrays of numbers in base64.
+// The data of a page (src/page/page.h): a header, and flat arrays of numbers, compressed, in base64.
 
 const kNone = 0xffffffff;  // an id that names nothing
 
@@ -45,11 +45,26 @@ function arrays_of(directory, bytes) {
   return arrays;
 }
 
-// The page's own data. Gives up the text, which is larger than what it means.
-function read_page_data() {
+// What zlib has compressed; of data that was cut off, what there is of it.
+async function inflate(compressed) {
+  const reader = new Blob([compressed]).stream().pipeThrough(new DecompressionStream('deflate'))
+    .getReader();
+  const pieces = [];
+  try {
+    for (let next = await reader.read(); !next.done; next = await reader.read()) {
+      pieces.push(next.value);
+    }
+  } catch (fault) {
+    console.info(`The page's data end early: ${fault.message}`);
+  }
+  return new Uint8Array(await new Blob(pieces).arrayBuffer());
+}
+
+// The page's own data. Gives up the text, which is not needed again.
+async function read_page_data() {
   const text = (id) => document.getElementById(id)?.textContent ?? '';
   const header = JSON.parse(text('header') || '{}');
-  const arrays = arrays_of(JSON.parse(text('arrays') || '{}'), decode_base64(text('bytes')));
+  const bytes = await inflate(decode_base64(text('bytes')));
   document.getElementById('bytes')?.remove();
-  return { header, arrays };
+  return { header, arrays: arrays_of(JSON.parse(text('arrays') || '{}'), bytes) };
 }

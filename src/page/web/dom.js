@@ -57,6 +57,23 @@ function button(label, title, press) {
   return element('button', { type: 'button', title, 'aria-label': title, onclick: press }, label);
 }
 
+// A symbol of page.html, made anew as an element.
+function icon(name) {
+  const symbol = document.getElementById('icon-' + name);
+  const made = symbol.parentNode.cloneNode(false);
+  made.removeAttribute('hidden');
+  made.setAttribute('viewBox', symbol.getAttribute('viewBox'));
+  made.setAttribute('class', 'icon');
+  made.append(...[...symbol.children].map((child) => child.cloneNode(true)));
+  return made;
+}
+
+function icon_button(name, title, press) {
+  const made = button('', title, press);
+  made.append(icon(name));
+  return made;
+}
+
 const grouped = (n) => Math.round(n).toLocaleString('en');
 const counted = (n, one, many) => `${grouped(n)} ${n === 1 ? one : many}`;
 
@@ -81,6 +98,11 @@ function fit_canvas(canvas, width, height) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
   return context;
+}
+
+// Calls act() when the element's size has changed, before the next picture.
+function on_resize(target, act) {
+  new ResizeObserver(() => requestAnimationFrame(act)).observe(target);
 }
 
 const prefers_stillness = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

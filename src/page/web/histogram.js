@@ -23,7 +23,7 @@ class Histogram {
                            element('div', { class: 'row' }, element('strong', {}, measure.name),
                                    this.note, this.clear_button), this.canvas);
     this.listen();
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    on_resize(this.canvas, () => this.draw());
     this.describe();
   }
 

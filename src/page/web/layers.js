@@ -27,10 +27,12 @@ class FacetLayer {
     this.ghost = 0;                    // how strongly it is seen through what hides it
     this.clipped = true;
     this.age = null;                   // {step, span}
+    this.regions = false;              // points have colors, not facets
     Object.assign(this, options);
   }
 
   set(n, a, b, c, paint) {
+    if (n >= this.facets.capacity) this.facets.reserve(n + 1);
     const { data } = this.facets;
     data[4 * n] = a;
     data[4 * n + 1] = b;
@@ -79,6 +81,7 @@ class FacetLayer {
     gl.uniform4fv(u.u_clip, this.clipped ? view.clip : view.no_clip);
     gl.uniform1f(u.u_edge_width, this.edge_width * view.ratio);
     gl.uniform1i(u.u_wires, this.wires);
+    gl.uniform1i(u.u_regions, this.regions);
     gl.uniform1i(u.u_age, this.age !== null);
     gl.uniform1f(u.u_step, this.age ? this.age.step : 0);
     gl.uniform1f(u.u_span, this.age ? this.age.span : 1);

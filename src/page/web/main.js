@@ -1,7 +1,7 @@
 'use strict';
 // Begins: reads the data, and makes the view that the header names.
 
-const kViews = { view: MeshView };
+const kViews = { view: MeshView, trace: TraceView };
 
 function show_fault(text) {
   const place = document.getElementById('message');
@@ -9,7 +9,7 @@ function show_fault(text) {
   place.hidden = false;
 }
 
-function begin() {
+async function begin() {
   const canvas = document.getElementById('scene');
   let view = null;
   let scene = null;
@@ -24,9 +24,14 @@ function begin() {
                'for "hardware acceleration" in the settings.');
     return;
   }
-  const data = read_page_data();
+  if (typeof DecompressionStream === 'undefined') {
+    show_fault('This page needs a browser of 2023 or later (it reads compressed data).');
+    return;
+  }
+  const data = await read_page_data();
   const View = kViews[data.header.kind];
   if (!View) throw new Error(`the page holds "${data.header.kind}", which its scripts do not know`);
+  scene.message('');
   view = new View(scene, data);
   document.documentElement.dataset.kind = data.header.kind;
 
@@ -48,4 +53,7 @@ function begin() {
 }
 
 window.addEventListener('error', (event) => show_fault(`Something went wrong: ${event.message}`));
-begin();
+begin().catch((fault) => {
+  show_fault(`Something went wrong: ${fault.message}`);
+  throw fault;
+});

@@ -2,6 +2,8 @@
 // The page of `deliso view`: one finished mesh, or two side by side with a camera in common;
 // histograms that highlight what is brushed, components, a clipping plane.
 
+const kEdgeWidth = 0.8;
+
 class MeshView {
   constructor(scene, { header, arrays }) {
     this.scene = scene;
@@ -42,7 +44,7 @@ class MeshView {
     if (arrays['h' + n]?.length >= count && arrays['h' + n].length > 0) mesh.h = arrays['h' + n];
     mesh.sizes = [];
     for (const c of component) mesh.sizes[c] = (mesh.sizes[c] ?? 0) + 1;
-    mesh.layer = new FacetLayer(texels_of_points(points));
+    mesh.layer = new FacetLayer(texels_of_points(points), { edge_width: kEdgeWidth });
     mesh.layer.set_all(triangles, () => kSides);
     mesh.smooth_normals = vertex_normals(points, triangles);
     mesh.layer.normals = mesh.smooth_normals;
@@ -55,7 +57,7 @@ class MeshView {
     const of = (key) => this.meshes.map((mesh) => mesh[key]);
     const list = [{ key: 'angle', name: 'Smallest angle', unit: '\u00b0', lo: 0, hi: 60, open: false },
                   { key: 'r_over_l', name: 'r / l', unit: '', lo: 0.5,
-                    hi: Math.max(2, round_up(quantile(of('r_over_l'), 0.999))), open: true },
+                    hi: clamp(round_up(quantile(of('r_over_l'), 0.999)), 2, 4), open: true },
                   { key: 'radius', name: 'Size (circumradius)', unit: '', lo: 0,
                     hi: round_up(quantile(of('radius'), 0.999)), open: true }];
     if (this.meshes.every((mesh) => mesh.h)) {
@@ -92,7 +94,7 @@ class MeshView {
                      })),
               choice('Edges', [['on', 'on the surface'], ['off', 'off'], ['wires', 'wireframe']], 'on',
                      (value) => each(({ layer }) => {
-                       layer.edge_width = value === 'off' ? 0 : 1;
+                       layer.edge_width = value === 'off' ? 0 : kEdgeWidth;
                        layer.wires = value === 'wires';
                      }))),
       section('Triangles', true, hint, ...this.histograms.map((h) => h.element), this.share_note),

@@ -20,7 +20,7 @@ class Scene {
     this.colors_changed();
     this.begin();
     this.controls = new Controls(this);
-    new ResizeObserver(() => this.invalidate()).observe(canvas);
+    on_resize(canvas, () => this.invalidate());
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.message('The graphics card is away. The picture comes back with it.');
@@ -65,7 +65,7 @@ class Scene {
 
   fit(glide = true) {
     const { camera } = this;
-    const goal = { target: camera.middle, distance: camera.distance_for(camera.radius, this.aspect) };
+    const goal = { target: camera.middle, distance: camera.distance_for(camera.box, this.aspect) };
     if (glide) camera.glide_to(goal);
     else Object.assign(camera, goal);
     this.invalidate();
@@ -120,8 +120,7 @@ class Scene {
     gl.enable(gl.SCISSOR_TEST);
     this.panes.forEach((pane, n) => {
       gl.viewport(n * columns, 0, columns, height);
-      gl.scissor(n * columns, 0, n + 1 < this.panes.length ? columns - ratio : width - n * columns,
-                 height);
+      gl.scissor(n * columns, 0, n + 1 < this.panes.length ? columns : width - n * columns, height);
       gl.clearColor(...this.background, 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       view.clip = pane.clip ?? view.no_clip;

@@ -12,7 +12,7 @@ ivec2 place(int n) { return ivec2(n & 1023, n >> 10); }
 `;
 
 // A facet is its three points and a word of paint: a color, or in the age mode when it was made, and
-// flags above.
+// flags above. In the regions mode points have colors of their own, the fourth number.
 const kTriangleVertex = kShaderHead + `
 uniform sampler2D u_points, u_normals;
 uniform usampler2D u_facets;
@@ -20,13 +20,16 @@ uniform mat4 u_project;
 uniform bool u_smooth;
 out vec3 v_place, v_normal, v_corner;
 flat out uint v_paint;
+flat out vec3 v_regions;
 void main() {
   int f = gl_VertexID / 3, corner = gl_VertexID - 3 * f;
   uvec4 facet = texelFetch(u_facets, place(f), 0);
   v_paint = facet.w;
-  vec3 a = texelFetch(u_points, place(int(facet.x)), 0).xyz;
-  vec3 b = texelFetch(u_points, place(int(facet.y)), 0).xyz;
-  vec3 c = texelFetch(u_points, place(int(facet.z)), 0).xyz;
+  vec4 first = texelFetch(u_points, place(int(facet.x)), 0);
+  vec4 second = texelFetch(u_points, place(int(facet.y)), 0);
+  vec4 third = texelFetch(u_points, place(int(facet.z)), 0);
+  vec3 a = first.xyz, b = second.xyz, c = third.xyz;
+  v_regions = vec3(first.w, second.w, third.w);
   v_place = corner == 0 ? a : corner == 1 ? b : c;
   v_corner = vec3(corner == 0, corner == 1, corner == 2);
   float size = max(length(b - a), length(c - a));
@@ -44,10 +47,25 @@ const kTriangleFragment = kShaderHead + `
 uniform vec3 u_key, u_fill, u_gloss, u_outside, u_inside, u_edge_color, u_sequence[9];
 uniform vec4 u_clip;
 uniform float u_edge_width, u_opacity, u_step, u_span;
-uniform bool u_age, u_wires;
+uniform bool u_age, u_wires, u_regions;
 in vec3 v_place, v_normal, v_corner;
 flat in uint v_paint;
+flat in vec3 v_regions;
 out vec4 o_color;
+vec3 color_of(uint paint) {
+  return vec3(paint >> 16 & 255u, paint >> 8 & 255u, paint & 255u) / 255.0;
+}
+// What is nearest to a corner is in the corner's region, with a line between regions.
+vec3 region(vec3 corner, vec3 per_pixel) {
+  int n = corner.x >= corner.y ? (corner.x >= corner.z ? 0 : 2) : (corner.y >= corner.z ? 1 : 2);
+  float line = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (v_regions[i] == v_regions[n]) continue;
+    float off = (corner[n] - corner[i]) / max(per_pixel[n] + per_pixel[i], 1e-9);
+    line = max(line, clamp(1.6 - off, 0.0, 1.0));
+  }
+  return mix(color_of(uint(v_regions[n])), u_edge_color, 0.75 * line);
+}
 vec3 sequential(float share) {
   float at = clamp(share, 0.0, 1.0) * 7.999;
   int n = int(at);
@@ -65,7 +83,7 @@ void main() {
   vec3 normal = normalize(v_normal) * (outside ? 1.0 : -1.0);
   if (!(dot(normal, normal) > 0.0)) normal = u_key;
   bool sides = (v_paint & 0x01000000u) != 0u;
-  vec3 base = vec3(v_paint >> 16 & 255u, v_paint >> 8 & 255u, v_paint & 255u) / 255.0;
+  vec3 base = u_regions ? region(v_corner, per_pixel) : color_of(v_paint);
   if (u_age && sides) {
     base = sequential(1.0 - (u_step - float(v_paint & 0xffffffu)) / u_span);
     sides = false;
