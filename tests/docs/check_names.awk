@@ -83,14 +83,15 @@ function look_up_code(text,   n, m, spans, parts, count) {
     }
   }
 }
-# A row of a table that has names of the code and source files: these have those names.
+# A row of a table that has names of the code and source files, or folders of them: these have those
+# names.
 function look_up_row(text,   row, n, m, spans, parts, count, named, name, found) {
   row = text
-  while (match(text, /[a-z_]+\/[a-z_0-9]+\.(h|cpp)/)) {
-    name = substr(text, RSTART, RLENGTH)
+  while (match(text, /[a-z_]+\/([a-z_0-9]+\.(h|cpp)|[ ,|])/)) {
+    name = "src/" substr(text, RSTART, RLENGTH)
     text = substr(text, RSTART + RLENGTH)
-    sub(/\.(h|cpp)$/, "", name)
-    if (("src/" name ".h") in file || ("src/" name ".cpp") in file) named[name] = 1
+    sub(/\.(h|cpp)$|\/[ ,|]$/, "", name)
+    if ((name ".h") in file || (name ".cpp") in file || name in folder) named[name] = 1
   }
   n = split(row, spans, "`")
   for (m = 2; m < n; m += 2) {
@@ -98,8 +99,7 @@ function look_up_row(text,   row, n, m, spans, parts, count, named, name, found)
     count = split(spans[m], parts, "::")
     found = 1
     for (name in named) {
-      found = (("src/" name ".h", parts[count]) in word_of) || \
-              (("src/" name ".cpp", parts[count]) in word_of)
+      found = (name, parts[count]) in word_of
       if (found) break
     }
     checks++
@@ -136,7 +136,9 @@ BEGIN {
   while ((getline line <words) > 0) {
     split(line, pair, ":")
     word[pair[2]] = 1
-    word_of[pair[1], pair[2]] = 1
+    sub(/\.[a-z]+$/, "", pair[1])
+    do word_of[pair[1], pair[2]] = 1  # of the file, whatever its ending, and of its folders
+    while (sub(/\/[^\/]*$/, "", pair[1]))
   }
   load(options, option)
   load(targets, target)
