@@ -52,7 +52,7 @@ class Insertion {
         mesh_(recovered_.mesh.mesh),
         replacer_(recovered_.mesh, surface, parameters_, report_),
         inserter_(recovered_.mesh, replacer_, recovered_.curves, parameters_, report_),
-        flipper_(recovered_.mesh, replacer_, report_),
+        flipper_(recovered_.mesh, replacer_),
         count_(count) {}
 
   void run() {

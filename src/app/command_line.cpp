@@ -18,11 +18,13 @@
 namespace deliso {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Command>, 5> kCommands{
+constexpr std::array<std::pair<std::string_view, Command>, 7> kCommands{
     {{"mesh", Command::mesh},
      {"info", Command::info},
      {"check", Command::check},
      {"render", Command::render},
+     {"view", Command::view},
+     {"trace", Command::trace},
      {"join", Command::join}}};
 
 // Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
@@ -110,16 +112,40 @@ void check_colors(CommandLine& line) {
     line.isovalue = field->isovalue;
   }
   if (of_distance && !line.isovalue) throw InputError(colors + " needs --iso K");
-  if (line.input == "-" && std::count(line.meshes.begin(), line.meshes.end(), "-") > 0) {
+}
+
+void check_streams(const CommandLine& line) {
+  const auto streams = std::count(line.meshes.begin(), line.meshes.end(), "-");
+  if (streams > 1) throw InputError("only one mesh can come from standard input");
+  if (streams > 0 && line.input == "-") {
     throw InputError("mesh and volume cannot both come from standard input");
   }
 }
 
+void check_page_name(const CommandLine& line) {
+  if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".html")) {
+    throw InputError("cannot write '" + line.output + "': pages are .html");
+  }
+}
+
+void check_page(CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no mesh given: deliso view MESH -o PAGE.html");
+  if (line.meshes.size() > 2) throw InputError("a page shows one mesh, or two side by side");
+  check_streams(line);
+  if (line.input.empty() && (line.isovalue || line.read.raw || line.read.roi)) {
+    throw InputError("an isovalue, and how to read a volume, mean nothing without --volume INPUT");
+  }
+  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
+    line.isovalue = field->isovalue;
+  }
+  if (!line.input.empty() && !line.isovalue) throw InputError("--volume needs --iso K");
+  check_page_name(line);
+}
+
 void check_picture(CommandLine& line) {
   if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
-  if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 1) {
-    throw InputError("only one mesh can come from standard input");
-  }
+  check_streams(line);
   if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
     throw InputError("--clip wants one plane, or one for each mesh");
   }
@@ -183,10 +209,9 @@ void check_combination(CommandLine& line) {
     throw InputError("no input given; --help shows how");
   }
   if (line.command == Command::render) return check_picture(line);
+  if (line.command == Command::view) return check_page(line);
   if (line.command == Command::join) return check_join(line);
-  if (line.command == Command::check && line.meshes.front() == "-" && line.input == "-") {
-    throw InputError("mesh and volume cannot both come from standard input");
-  }
+  if (line.command == Command::check) check_streams(line);
   const BuiltinField* field = find_builtin_field(line.input);
   if (field && !line.isovalue) line.isovalue = field->isovalue;
   if (line.command != Command::info && !line.isovalue) {
@@ -199,6 +224,7 @@ void check_combination(CommandLine& line) {
       line.options.max_vertices == std::numeric_limits<std::size_t>::max()) {
     throw InputError("--keep-partial needs --max-vertices N");
   }
+  if (line.command == Command::trace) return check_page_name(line);
   if (!line.output.empty() && !line.write.format) {
     line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
   }
@@ -262,7 +288,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const std::string_view argument = arguments[at];
     if (options_end || argument == "-" || !argument.starts_with('-')) {
       if (argument.empty()) throw InputError("the input's name is empty");
-      if (command == Command::render || command == Command::join ||
+      if (command == Command::render || command == Command::view || command == Command::join ||
           (command == Command::check && line.meshes.empty())) {
         line.meshes.emplace_back(argument);
         continue;

@@ -18,7 +18,7 @@
 
 namespace deliso {
 
-enum class Command { mesh, info, check, render, join, help, version };
+enum class Command { mesh, info, check, render, view, trace, join, help, version };
 
 // The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
 // space.
@@ -37,7 +37,7 @@ struct CommandLine {
   std::optional<Command> help_of;  // for help: of this command alone
   std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; pictures need it only
                       // for some colors
-  // Paths, or - for standard input: one to check, some to draw; parts to join, paths alone.
+  // Paths, or - for standard input: one to check, some to draw or show; parts to join, paths alone.
   std::vector<std::string> meshes;
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
@@ -54,6 +54,8 @@ struct CommandLine {
     PerCriterion<bool> limits;
     bool r_min = false;
   } given;  // which criteria of a check are not left to the mesh's file, or to defaults
+  std::size_t trace_limit = 200'000;  // events
+  bool trace_times = true;
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0.999;  // the least that a check lets pass

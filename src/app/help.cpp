@@ -73,6 +73,20 @@ std::string usage(Command command) {
           "Draws a mesh, or several side by side, all seen by one camera: the side where the\n"
           "field is below the isovalue in blue, the other in orange, or numbers as colors.\n";
       return text.append(kMeshes).append(kVolumes);
+    case Command::view:
+      text =
+          "usage: deliso view MESH [MESH] -o PAGE.html [options]\n\n"
+          "A page for any browser that shows a mesh, or two side by side, in 3D, with histograms\n"
+          "of what its triangles are like: one file that needs no network.\n";
+      return text.append(kMeshes).append(kVolumes);
+    case Command::trace:
+      text =
+          "usage: deliso trace INPUT --iso K -o PAGE.html [options]\n\n"
+          "A page for any browser on which a run of the mesher can be watched, insertion by\n"
+          "insertion: who asked for it and why, and what came of it. Stage 2 refines the mesh\n"
+          "undivided, in one thread, so that the order is that of the paper's Figure 9; vertices\n"
+          "may be others than those that deliso mesh gives.\n";
+      return text.append(kVolumes);
     case Command::join:
       text =
           "usage: deliso join PART.ply [PART.ply ...] -o WHOLE.ply [options]\n\n"
@@ -102,7 +116,10 @@ void append_options(std::string& text, Command command) {
     if (spec.letter != 0) left.append({'-', spec.letter, ',', ' '});
     left += spec.name;
     if (!spec.argument.empty()) left.append(" ").append(spec.argument);
-    const bool other = command != Command::mesh && !spec.other_help.empty();
+    // A trace is of a run that meshes: where check means less by an option, it does not.
+    const bool meshes = command == Command::mesh ||
+                        (command == Command::trace && (spec.commands & kCheckOnly) != 0);
+    const bool other = !meshes && !spec.other_help.empty();
     append_entry(text, std::move(left), other ? spec.other_help : spec.help);
   }
 }
@@ -125,6 +142,8 @@ std::string help_text(std::optional<Command> command) {
       "       deliso info INPUT [--iso K] [options]\n"
       "       deliso check MESH INPUT --iso K [options]\n"
       "       deliso render MESH [MESH ...] -o PICTURE.png [options]\n"
+      "       deliso view MESH [MESH] -o PAGE.html [options]\n"
+      "       deliso trace INPUT --iso K -o PAGE.html [options]\n"
       "       deliso join PART.ply [PART.ply ...] -o WHOLE.ply\n"
       "       deliso COMMAND --help                  all options of a command\n"
       "       deliso --version\n\n"
@@ -140,6 +159,7 @@ std::string help_text(std::optional<Command> command) {
       "  deliso scan.nrrd --iso 40 --vertices 20000 --cap -o solid.stl\n"
       "  deliso check scan.ply scan.nrrd --iso 40   is it right?\n"
       "  deliso render scan.ply -o scan.png         a picture\n"
+      "  deliso view scan.ply -o scan.html          a page to turn it in, and to look into it\n"
       "\nExit status: 0 fine, 1 a fault was found, 2 bad usage or input.\n";
   return text;
 }

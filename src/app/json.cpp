@@ -89,6 +89,18 @@ void JsonWriter::add(std::string_view key, std::initializer_list<double> values)
   text_ += ']';
 }
 
+void JsonWriter::add(std::string_view key, std::span<const std::string> values) {
+  begin_member(key);
+  text_ += '[';
+  bool first = true;
+  for (const std::string& value : values) {
+    if (!first) text_ += ", ";
+    append_string(value);
+    first = false;
+  }
+  text_ += ']';
+}
+
 void JsonWriter::add(std::string_view key, bool value) {
   begin_member(key);
   text_ += value ? "true" : "false";

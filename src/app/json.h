@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,7 @@ class JsonWriter {
   void add(std::string_view key, const char* value) { add(key, std::string_view(value)); }
   void add(std::string_view key, double value);  // null where it is not finite
   void add(std::string_view key, std::initializer_list<double> values);
+  void add(std::string_view key, std::span<const std::string> values);
   void add(std::string_view key, bool value);
   void add(std::string_view key, std::integral auto value) {
     begin_member(key);

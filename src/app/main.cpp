@@ -31,6 +31,10 @@ int run(std::span<const std::string_view> arguments) {
       return run_info(line);
     case Command::render:
       return run_render(line);
+    case Command::view:
+      return run_view(line);
+    case Command::trace:
+      return run_trace(line);
     case Command::check:
       return run_check(line);
     case Command::join:

@@ -80,8 +80,9 @@ void set_limit(Line& line, Text option, Text value) {
 }
 
 constexpr OptionSpec option_of(const CriterionRow& row) {
-  return {row.option, 0,         row.argument,  row.check_help.empty() ? kMeshOnly : kMeshAndCheck,
-          row.help,   set_limit, row.check_help};
+  return {
+      row.option, 0,         row.argument,  row.check_help.empty() ? kMeshAndTrace : kAllMeshing,
+      row.help,   set_limit, row.check_help};
 }
 
 constexpr OptionSpec kInputAndOutput[] = {
@@ -90,7 +91,8 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
-     "what to write, - for standard output: a picture as .png, joined parts as .ply"},
+     "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
+     ".ply"},
     {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
@@ -126,43 +128,43 @@ constexpr OptionSpec kInputAndOutput[] = {
 };
 
 constexpr OptionSpec kRest[] = {
-    {"--rmin", 0, "X|Xvox", kMeshAndCheck,
+    {"--rmin", 0, "X|Xvox", kAllMeshing,
      "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
      "the box's smallest side",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
      "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
-    {"--vertices", 0, "N", kMeshOnly,
+    {"--vertices", 0, "N", kMeshAndTrace,
      "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
      "of --max-distance",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
-    {"--triangles", 0, "N", kMeshOnly, "the same, of about N triangles",
+    {"--triangles", 0, "N", kMeshAndTrace, "the same, of about N triangles",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
-    {"--paper", 0, "", kMeshAndCheck,
+    {"--paper", 0, "", kAllMeshing,
      "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
      "--max-distance",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
-    {"--eps", 0, "X", kMeshOnly, "stage 1 of --recover paper: largest h/r (default 0.2)",
+    {"--eps", 0, "X", kMeshAndTrace, "stage 1 of --recover paper: largest h/r (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
-    {"--min-component", 0, "N", kMeshAndCheck,
+    {"--min-component", 0, "N", kAllMeshing,
      "leave out components smaller than N voxels (default 0); with --cap "
      "dissolve the regions of inside and outside that they bound",
      [](Line& l, Text o, Text v) { l.options.min_component = v == "0" ? 0 : parse_positive(o, v); },
      "the mesh was made with it"},
-    {"--samples", 0, "N", kMeshOnly, "random points to begin with (default 50)",
+    {"--samples", 0, "N", kMeshAndTrace, "random points to begin with (default 50)",
      [](Line& l, Text o, Text v) { l.options.samples = parse_count(o, v); }},
-    {"--seed", 0, "N", kMeshOnly, "of all random numbers (default 1)",
+    {"--seed", 0, "N", kMeshAndTrace, "of all random numbers (default 1)",
      [](Line& l, Text o, Text v) { l.options.seed = parse_count(o, v); }},
-    {"--max-vertices", 0, "N", kMeshOnly, "stop with an error beyond N vertices",
+    {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
-    {"--keep-partial", 0, "", kMeshOnly, "with --max-vertices: write the valid mesh so far",
+    {"--keep-partial", 0, "", kMeshAndTrace, "with --max-vertices: write the valid mesh so far",
      [](Line& l, Text, Text) { l.options.keep_partial = true; }},
-    {"--threads", 0, "N", kMeshAndCheck,
+    {"--threads", 0, "N", kAllMeshing,
      "threads to use (default: as many as the machine has); the result is the same with any number",
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
-    {"--recover", 0, "NAME", kMeshOnly,
+    {"--recover", 0, "NAME", kMeshAndTrace,
      "how stage 1 knows that it is done: certified (default), on the exact contour, or paper, by "
      "the paper's tests",
      [](Line& l, Text o, Text v) {
@@ -171,11 +173,11 @@ constexpr OptionSpec kRest[] = {
                                   std::to_array<Choice>({{"certified", RecoverWay::certified},
                                                          {"paper", RecoverWay::paper}}));
      }},
-    {"--fingers", 0, "X|Xvox", kMeshOnly,
+    {"--fingers", 0, "X|Xvox", kMeshAndTrace,
      "certified: no point of the exact contour further than X from the mesh at the end of stage 1 "
      "(default 1vox)",
      [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
-    {"--stop-after", 0, "recover", kMeshOnly, "write the mesh as stage 1 leaves it",
+    {"--stop-after", 0, "recover", kMeshAndTrace, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {
        require(o, v, "recover");
        l.options.stop_after_recover = true;
@@ -192,9 +194,10 @@ constexpr OptionSpec kRest[] = {
      }},
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
-    {"--single-stage", 0, "", kMeshOnly, "all refinement on the 3D triangulation (for comparison)",
+    {"--single-stage", 0, "", kMeshAndTrace,
+     "all refinement on the 3D triangulation (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
-    {"--solver", 0, "NAME", kMeshOnly, "roots of cubics: isolation (default) or schwarze",
+    {"--solver", 0, "NAME", kMeshAndTrace, "roots of cubics: isolation (default) or schwarze",
      [](Line& l, Text o, Text v) {
        using Choice = std::pair<std::string_view, CubicMethod>;
        l.options.cubic = choose(o, v,
@@ -270,10 +273,18 @@ constexpr OptionSpec kRest[] = {
                                                   {"distance", distance},
                                                   {"gradient", gradient}}));
      }},
-    {"--volume", 0, "INPUT", kRenderOnly, "the volume that --color-by asks",
-     [](Line& l, Text, Text v) { l.input = v; }},
+    {"--volume", 0, "INPUT", kShown, "the volume that --color-by asks",
+     [](Line& l, Text, Text v) { l.input = v; },
+     "the volume whose isosurface triangles are measured against, with --iso"},
     {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
      [](Line& l, Text o, Text v) { l.render.palette.background = parse_color(o, v); }},
+
+    {"--trace-limit", 0, "N", kTraceOnly,
+     "at most N events in the page (default 200000); the run goes on without",
+     [](Line& l, Text o, Text v) { l.trace_limit = parse_count(o, v, 1); }},
+    {"--no-times", 0, "", kTraceOnly,
+     "leave out how long everything took: the same page from every run",
+     [](Line& l, Text, Text) { l.trace_times = false; }},
 
     {"--help", 'h', "", kAll, "this text", [](Line& l, Text, Text) { l.command = Command::help; }},
     {"--version", 0, "", kAll, "the version",
@@ -289,11 +300,9 @@ constexpr auto kOptions = [] {
   std::copy(std::begin(kRest), std::end(kRest), rest);
   return all;
 }();
-constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"},
-                                   {"Meshing", "--max-distance"},
-                                   {"Raw files", "--dims"},
-                                   {"Pictures", "--view"},
-                                   {"Help", "--help"}};
+constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"}, {"Meshing", "--max-distance"},
+                                   {"Raw files", "--dims"},       {"Pictures", "--view"},
+                                   {"Traces", "--trace-limit"},   {"Help", "--help"}};
 
 }  // namespace
 

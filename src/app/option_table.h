@@ -18,11 +18,16 @@ enum Commands : std::uint8_t {
   kRenderOnly = 4,
   kCheckOnly = 8,
   kJoinOnly = 16,
+  kViewOnly = 32,
+  kTraceOnly = 64,
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
-  kVolume = kReports | kRenderOnly,
+  kShown = kRenderOnly | kViewOnly,
+  kVolume = kReports | kShown | kTraceOnly,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
+  kMeshAndTrace = kMeshOnly | kTraceOnly,
+  kAllMeshing = kMeshAndCheck | kTraceOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
-  kOutput = kMeshAndJoin | kRenderOnly,
+  kOutput = kMeshAndJoin | kShown | kTraceOnly,
   kAll = kVolume | kJoinOnly
 };
 
@@ -31,6 +36,8 @@ constexpr Commands flag_of(Command command) {
          : command == Command::render ? kRenderOnly
          : command == Command::check  ? kCheckOnly
          : command == Command::join   ? kJoinOnly
+         : command == Command::view   ? kViewOnly
+         : command == Command::trace  ? kTraceOnly
                                       : kMeshOnly;
 }
 

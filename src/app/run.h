@@ -15,6 +15,8 @@ int run_mesh(const CommandLine& line);
 int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);
 int run_render(const CommandLine& line);
+int run_view(const CommandLine& line);
+int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);
 
 }  // namespace deliso

@@ -14,6 +14,7 @@
 #include "refine/refine.h"
 #include "surface/seam.h"
 #include "surface/stage_progress.h"
+#include "trace/trace.h"
 
 namespace deliso {
 namespace {
@@ -86,9 +87,11 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
           : recover_paper(surface, std::move(contour), parameters, options.single_stage, report);
   const unsigned inner_faces = volume.inner_faces();
   if (inner_faces != 0) clear_seam(s.mesh, surface, s.curves, parameters, report);
+  if (options.trace) options.trace->switch_to(s.mesh.mesh);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
+  if (options.trace) options.trace->end_mesh();
   if (inner_faces != 0) make_seam(s, surface, parameters, report);
   if (options.cap) {
     begin("cap");

@@ -95,6 +95,7 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.keep_partial = o.keep_partial;
   p.progress = o.progress;
   p.profile = o.profile;
+  p.trace = o.trace;
   return p;
 }
 

@@ -65,6 +65,7 @@ struct Options {
   // name and the share of it that is done, in [0, 1], which never falls; may be empty.
   std::function<void(const char* stage, double share)> progress;
   Profile* profile = nullptr;  // surface/profile.h: filled when given
+  Trace* trace = nullptr;      // trace/trace.h: likewise; the mesh is then refined undivided
 
   // Everything as published: the paper's Recover, epsilon1 0.1, epsilon2 0.2, r_min = 0.001 b.
   static Options paper();

@@ -12,13 +12,14 @@ namespace {
 
 constexpr std::uint8_t kPadding = 64, kSpace = 65, kOther = 66;
 
+constexpr std::string_view kDigits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 constexpr std::array<std::uint8_t, 256> make_values() {
   std::array<std::uint8_t, 256> values{};
   values.fill(kOther);
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t n = 0; n < digits.size(); ++n)
-    values[static_cast<unsigned char>(digits[n])] = static_cast<std::uint8_t>(n);
+  for (std::size_t n = 0; n < kDigits.size(); ++n)
+    values[static_cast<unsigned char>(kDigits[n])] = static_cast<std::uint8_t>(n);
   for (char c : {' ', '\t', '\n', '\r', '\v', '\f'}) values[static_cast<unsigned char>(c)] = kSpace;
   values['='] = kPadding;
   return values;
@@ -46,6 +47,19 @@ std::vector<std::byte> decode_base64(std::string_view text, std::size_t at_most)
     group = digits = padding = 0;
   }
   return bytes;
+}
+
+std::string encode_base64(std::span<const std::byte> bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  for (std::size_t at = 0, to = 0; at < bytes.size(); at += 3, to += 4) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - at);
+    std::uint32_t group = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      group |= std::to_integer<std::uint32_t>(bytes[at + n]) << (16 - 8 * n);
+    }
+    for (std::size_t n = 0; n <= count; ++n) text[to + n] = kDigits[group >> (18 - 6 * n) & 63u];
+  }
+  return text;
 }
 
 }  // namespace deliso

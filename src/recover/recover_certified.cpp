@@ -14,6 +14,7 @@
 #include "recover/dual_crossings.h"
 #include "recover/fine_contour.h"
 #include "recover/fingers.h"
+#include "recover/label_trace.h"
 #include "recover/poles.h"
 #include "recover/sample.h"
 #include "surface/stage_progress.h"
@@ -56,6 +57,10 @@ class CertifiedRecovery {
       site_[contour_vertex_[s]] = s;
       queue_site(s);
     }
+    if (parameters.trace) {
+      trace_.emplace(*parameters.trace, contour, graph_, labels_, triangulation_,
+                     surface.volume().box(), report);
+    }
   }
 
   SurfaceMesh run();
@@ -80,7 +85,8 @@ class CertifiedRecovery {
   std::size_t part_crossings();
   // And to components that are inside out: four sites on a rod may be either way round.
   std::size_t turn_out();
-  std::size_t add_sites(std::span<const VertexId> vertices);  // kNoId: none
+  // kNoId: none.
+  std::size_t add_sites(std::span<const VertexId> vertices, Routine routine, Reason reason);
   DualFacets all_facets() const;
   Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
@@ -115,6 +121,7 @@ class CertifiedRecovery {
   ConflictZone zone_;
   std::vector<CellId> created_;
   std::vector<VertexId> neighbors_, changed_;
+  std::optional<LabelTrace> trace_;
 };
 
 SurfaceMesh CertifiedRecovery::run() {
@@ -127,6 +134,7 @@ SurfaceMesh CertifiedRecovery::run() {
   for (const std::uint8_t state : unready_) {
     report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
   }
+  if (trace_) trace_->end();
   return dual();
 }
 
@@ -177,6 +185,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   const Vec3& p = contour_.points[v];
   triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
   if (zone_.duplicate != kNoId) return false;
+  if (trace_) trace_->begin_insertion(p, zone_);
   const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
   if (triangulation_.vertex_capacity() > parameters_.max_vertices) {
     throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
@@ -208,6 +217,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
     chain_.insert_after(site_[before], s, graph_.chain_place(v));
     ++report_[Counter::boundary_splits_recover];
   }
+  if (trace_) trace_->added(s);
   return true;
 }
 
@@ -275,6 +285,7 @@ void CertifiedRecovery::settle() {
       const Verdict verdict = verdicts_[n];
       const bool fine = verdict.violation == Violation::none && verdict.insert == kNoId;
       if (fine || queued_[s]) continue;
+      if (trace_) trace_->verdict_asks(verdict, s, facets_[s], parameters_.fingers);
       if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
         queue_site(s);
       } else if (verdict.violation != Violation::none) {
@@ -301,7 +312,9 @@ std::size_t CertifiedRecovery::make_ready() {
   for (const SearchCounters& n : searches) report_.searches_recover += n;
   std::size_t added = 0;
   for (std::size_t n = 0; n < round_.size(); ++n) {
-    if (worst[n] != kNoId && !queued_[round_[n]]) added += add_site(worst[n]);
+    if (worst[n] == kNoId || queued_[round_[n]]) continue;
+    if (trace_) trace_->asks(Routine::make_ready, Reason::unready, round_[n], worst[n]);
+    added += add_site(worst[n]);
   }
   return added;
 }
@@ -349,12 +362,18 @@ std::size_t CertifiedRecovery::turn_out() {
     const std::uint32_t c = contour_.component[v];
     if (is_turned[c]) furthest[c] = labels_.further(furthest[c], v);
   }
-  return add_sites(furthest);
+  return add_sites(furthest, Routine::turn_out, Reason::turned_in);
 }
 
-std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices) {
-  return static_cast<std::size_t>(std::count_if(
-      vertices.begin(), vertices.end(), [&](VertexId v) { return v != kNoId && add_site(v); }));
+std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Routine routine,
+                                         Reason reason) {
+  std::size_t added = 0;
+  for (const VertexId v : vertices) {
+    if (v == kNoId) continue;
+    if (trace_) trace_->asks(routine, reason, kNoId, v);
+    added += add_site(v);
+  }
+  return added;
 }
 
 std::size_t CertifiedRecovery::part_crossings() {
@@ -362,7 +381,7 @@ std::size_t CertifiedRecovery::part_crossings() {
       between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
   report_[Counter::crossings_handed_over] = between.size();
   sort_out(between);
-  return add_sites(between);
+  return add_sites(between, Routine::part_crossings, Reason::crossing);
 }
 
 Dual CertifiedRecovery::dual_of(const Triangle& sites, SurfacePointFinder& finder,

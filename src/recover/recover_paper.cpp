@@ -11,6 +11,7 @@
 #include "recover/build_tri_mesh.h"
 #include "recover/lost_components.h"
 #include "recover/poles.h"
+#include "recover/restricted_trace.h"
 #include "surface/criteria.h"
 
 namespace deliso {
@@ -102,6 +103,15 @@ std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
 }
 
 Recovery::Outcome Recovery::insert(RecordId r, const Vec3& x) {
+  const Outcome outcome = try_insert(r, x);
+  if (RestrictedTrace* const trace = restricted_.trace()) {
+    if (outcome == Outcome::forgotten) trace->ended(TraceOutcome::forgotten, x);
+    if (outcome == Outcome::refused) trace->ended(TraceOutcome::refused, x);
+  }
+  return outcome;
+}
+
+Recovery::Outcome Recovery::try_insert(RecordId r, const Vec3& x) {
   const Triangulation& t = restricted_.triangulation();
   const double radius = distance(x, t.point(restricted_.triangle(r)[0]));
   if (radius < floor_) {
@@ -149,6 +159,7 @@ bool Recovery::split_edge(VertexId a) {
         if (chain_.is_boundary(v)) near.push_back(v);
       }
     }
+    if (restricted_.trace()) restricted_.trace()->splits(from, to);
     const VertexId v = restricted_.insert_prepared(middle->point);
     chain_.insert_after(from, v, middle->place);
     queue_vertex(from);
@@ -189,6 +200,7 @@ void Recovery::protect_boundary() {
   const std::size_t count = restricted_.triangulation().vertex_capacity();
   for (VertexId v = 1; v < count; ++v) {
     while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
+      if (restricted_.trace()) restricted_.trace()->boundary_asks(v, chain_.next(v));
       if (!split_edge(v)) break;
     }
   }
@@ -211,6 +223,7 @@ void Recovery::multi_intersect() {
     const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
       return distance2(p, a) < distance2(q, a);
     });
+    if (restricted_.trace()) restricted_.trace()->edge_asks(r);
     const Outcome outcome = insert(r, x);
     if (outcome == Outcome::inserted || outcome == Outcome::split) {
       for (const RecordId n : restricted_.created())
@@ -265,6 +278,9 @@ void Recovery::extract_manifold() {
         x = hit;
       }
     }
+    if (restricted_.trace()) {
+      restricted_.trace()->star_asks(q, chain_.is_boundary(q), star_, furthest);
+    }
     if (furthest != kNoId) {
       if (insert(furthest, x) != Outcome::refused) queue_vertex(q);
     } else if (chain_.is_boundary(q)) {
@@ -288,13 +304,16 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
   };
   const Triangulation& t = restricted_.triangulation();
   std::priority_queue<Item> queue;
-  const auto judge = [&](RecordId r) {
-    if (!restricted_.is_live(r) || !restricted_.is_restricted(r)) return;
+  const auto shape_of = [&](RecordId r) {
     const Triangle v = restricted_.triangle(r);
     FacetShape shape =
         measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
     if (!poles.empty()) shape.pole = (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-    const double worst = violation(shape, criteria);
+    return shape;
+  };
+  const auto judge = [&](RecordId r) {
+    if (!restricted_.is_live(r) || !restricted_.is_restricted(r)) return;
+    const double worst = violation(shape_of(r), criteria);
     if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
@@ -306,6 +325,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     if (!restricted_.is_live(r) || restricted_.generation(r) != item.generation) continue;
     if (!restricted_.is_restricted(r)) continue;
     const std::size_t before = t.vertex_capacity();
+    if (restricted_.trace()) restricted_.trace()->shape_asks(r, shape_of(r), criteria);
     const Outcome outcome = insert(r, restricted_.surface_point(r));
     if (!poles.empty()) {
       for (VertexId v = static_cast<VertexId>(before); v < t.vertex_capacity(); ++v) {
@@ -352,8 +372,10 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
   StageProgress(parameters.progress, "initial");
   InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);
   timer.emplace(report.seconds_recover);
+  std::optional<RestrictedTrace> trace;
+  if (parameters.trace) trace.emplace(*parameters.trace, surface.volume().box(), report);
   RestrictedDelaunay restricted(surface, std::move(initial.triangulation), parameters.r_min, report,
-                                parameters.profile);
+                                parameters.profile, trace ? &*trace : nullptr);
   Recovery recovery(restricted, curves, initial.chain, parameters);
   recovery.recover();
   const Triangulation& t = restricted.triangulation();
@@ -374,6 +396,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
     recovery.extract_manifold();
     if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
   }
+  if (trace) trace->end();
   recovery.count_unresolved();
   std::vector<VertexId> source;
   SurfaceMesh mesh = build_tri_mesh(std::move(restricted), initial.chain, poles, source);

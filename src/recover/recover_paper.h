@@ -48,6 +48,7 @@ class Recovery {
   // Inserts x, an effective hit of r, or splits the boundary edge it encroaches upon; forgets r's
   // hits when x's ball holds a vertex.
   Outcome insert(RecordId r, const Vec3& x);
+  Outcome try_insert(RecordId r, const Vec3& x);
   // Splits the chain's edge from a to its next; then those that the new vertex encroaches upon.
   bool split_edge(VertexId a);
   // The longest edge of the chain, by its first vertex, whose ball holds p. The zone of p must be

@@ -6,16 +6,19 @@
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "delaunay/tet_tables.h"
+#include "recover/restricted_trace.h"
 
 namespace deliso {
 
 RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation,
-                                       double delta, Report& report, Profile* profile)
+                                       double delta, Report& report, Profile* profile,
+                                       RestrictedTrace* trace)
     : surface_(surface),
       triangulation_(std::move(triangulation)),
       delta_(delta),
       report_(report),
       profile_(profile),
+      trace_(trace),
       watch_(profile ? &profile->recover : nullptr),
       box_(surface.volume().box()) {
   const Triangulation& t = triangulation_;
@@ -27,6 +30,7 @@ RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation 
       if (c < t.neighbor(c, i)) search({c, i});
     }
   }
+  if (trace_) trace_->begin(*this);
 }
 
 Triangle RestrictedDelaunay::triangle(RecordId r) const {
@@ -61,6 +65,7 @@ void RestrictedDelaunay::search(Facet f) {
 }
 
 void RestrictedDelaunay::release(RecordId r) {
+  if (trace_) trace_->gone(r);
   records_[r].hits.clear();
   ++records_[r].generation;
   free_records_.push_back(r);
@@ -176,6 +181,7 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
   ++stamp_;
   touched_.clear();
   created_records_.clear();
+  if (trace_) trace_->begin_insertion(p, zone_);
 
   // Records of the zone's boundary survive with their facets; all others in it go.
   surviving_.clear();
@@ -237,6 +243,7 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     }
   }
   watch_.done(report_.searches_recover);
+  if (trace_) trace_->inserted();
   return v;
 }
 

@@ -29,18 +29,20 @@
 namespace deliso {
 
 using RecordId = std::uint32_t;
+class RestrictedTrace;
 
 class RestrictedDelaunay {
  public:
   // Searches every facet of `triangulation`, which it takes over. The surface must outlive it, and
-  // so must `profile`, if given.
+  // so must `profile` and `trace`, if given.
   RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation, double delta,
-                     Report& report, Profile* profile = nullptr);
+                     Report& report, Profile* profile = nullptr, RestrictedTrace* trace = nullptr);
 
   const Triangulation& triangulation() const { return triangulation_; }
   const Isosurface& surface() const { return surface_; }
   Report& report() const { return report_; }
   Profile* profile() const { return profile_; }
+  RestrictedTrace* trace() const { return trace_; }
 
   bool is_auxiliary(VertexId v) const {
     return deliso::is_auxiliary(triangulation_.point(v), box_);
@@ -105,6 +107,7 @@ class RestrictedDelaunay {
   double delta_;
   Report& report_;
   Profile* profile_;
+  RestrictedTrace* trace_;
   InsertionWatch watch_;
   Box3 box_;
 

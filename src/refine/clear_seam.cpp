@@ -28,8 +28,7 @@ class SeamClearer {
         hair_(kHair * parameters.voxel),
         replacer_(s, surface, parameters, report),
         judge_(s, replacer_, parameters),
-        collapser_(s, replacer_, judge_, surface, curves, parameters, s.mesh.points.size(),
-                   report) {}
+        collapser_(s, replacer_, judge_, surface, curves, parameters, s.mesh.points.size()) {}
 
   // Whether v went.
   bool take_out(VertexId v, Effort effort) {

@@ -17,7 +17,7 @@ constexpr double kWorse = 2;
 
 Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
                      const Isosurface& surface, const BoundaryCurves& curves,
-                     const Parameters& parameters, std::size_t of_stage1, Report& report)
+                     const Parameters& parameters, std::size_t of_stage1)
     : s_(surface_mesh),
       mesh_(surface_mesh.mesh),
       replacer_(replacer),
@@ -25,7 +25,6 @@ Collapser::Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Ju
       box_(surface.volume().box()),
       curves_(curves),
       parameters_(parameters),
-      report_(report),
       of_stage1_(of_stage1) {}
 
 // Whether the mesh, and the chain, can do without v.
@@ -43,7 +42,7 @@ bool Collapser::take_out(FaceId f, VertexId v, bool at_any_cost) {
   least_cosine_ = at_any_cost ? -1 : kSharpest;
   change_.leaves_box = at_any_cost;
   const auto merge_into = [&](VertexId to) {
-    return !report_[Rung::collapse].count(merge(f, v, to, [] { return true; }));
+    return !replacer_.count(Rung::collapse, change_, merge(f, v, to, [] { return true; }));
   };
   const VertexId next = s_.chain.next(v), before = s_.chain.previous(v);
   return merge_into(before) || merge_into(next);
@@ -91,7 +90,7 @@ bool Collapser::collapse(FaceId f) {
       return before > parameters_.refinement[Criterion::r_over_l] &&
              worst_ratio(change_.in.facets) <= kWorse * before;
     };
-    if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
+    if (!replacer_.count(Rung::collapse, change_, merge(f, from, to, gains))) return true;
   }
   return false;
 }
@@ -123,7 +122,7 @@ bool Collapser::take_out_corner(FaceId f) {
         }
         return after < before;
       };
-      if (!report_[Rung::collapse].count(merge(f, from, to, gains))) return true;
+      if (!replacer_.count(Rung::collapse, change_, merge(f, from, to, gains))) return true;
     }
   }
   return false;

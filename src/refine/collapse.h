@@ -16,7 +16,7 @@ class Collapser {
   // Keeps references. The first `of_stage1` vertices are those of Stage 1.
   Collapser(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Judge& judge,
             const Isosurface& surface, const BoundaryCurves& curves, const Parameters& parameters,
-            std::size_t of_stage1, Report& report);
+            std::size_t of_stage1);
 
   // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than
   // r_min, unless the worst r/l there would more than double.
@@ -44,7 +44,6 @@ class Collapser {
   const Box3 box_;
   const BoundaryCurves& curves_;
   const Parameters& parameters_;
-  Report& report_;
   std::size_t of_stage1_;
   double least_cosine_ = kSharpest;
   Change change_;

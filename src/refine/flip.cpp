@@ -31,7 +31,7 @@ bool Flipper::flip_if_not_delaunay(FaceId f, int i) {
   };
   const auto refusal = replacer_.take_out(change_) ? replacer_.replace(change_, accept)
                                                    : std::optional(Refusal::not_a_disk);
-  return !report_[Rung::flip].count(refusal);
+  return !replacer_.count(Rung::flip, change_, refusal);
 }
 
 }  // namespace deliso

@@ -12,8 +12,8 @@ namespace deliso {
 class Flipper {
  public:
   // Keeps references.
-  Flipper(SurfaceMesh& surface_mesh, DiskReplacer& replacer, Report& report)
-      : s_(surface_mesh), replacer_(replacer), report_(report) {}
+  Flipper(SurfaceMesh& surface_mesh, DiskReplacer& replacer)
+      : s_(surface_mesh), replacer_(replacer) {}
 
   // Flips the edge of f opposite its corner i, when that is called for and allowed.
   bool flip_if_not_delaunay(FaceId f, int i);
@@ -22,7 +22,6 @@ class Flipper {
  private:
   SurfaceMesh& s_;
   DiskReplacer& replacer_;
-  Report& report_;
   Change change_;
 };
 

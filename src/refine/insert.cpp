@@ -24,7 +24,7 @@ Inserter::Inserter(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Boun
       report_(report) {}
 
 std::optional<Refusal> Inserter::insert(Rung rung, FaceId start, const Vec3& p) {
-  return report_[rung].count(try_insert(start, p, std::nullopt));
+  return replacer_.count(rung, change_, try_insert(start, p, std::nullopt));
 }
 
 void Inserter::find_encroached(FaceId start, const Vec3& p) {
@@ -45,6 +45,10 @@ std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
                                             std::optional<EdgeRef> opened) {
   InsertionWatch watch(parameters_.profile ? &parameters_.profile->refine : nullptr);
   watch.start(report_.searches_refine);
+  const auto v = static_cast<VertexId>(mesh_.points.size());
+  change_.what = Change::Vertex::comes;
+  change_.vertex = v;
+  change_.place = p;
   find_encroached(start, p);
   if (!opened) {
     if (const auto edge = encroached_boundary(p)) {
@@ -55,16 +59,12 @@ std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
   if (!replacer_.take_out(change_) || change_.was.inner_vertices() > 0) return Refusal::not_a_disk;
 
   const double too_close = kTooClose * parameters_.r_min;
-  const auto v = static_cast<VertexId>(mesh_.points.size());
   change_.in.facets.clear();
   for (const Patch::RimEdge& edge : change_.was.rim) {
     if (distance2(p, mesh_.points[edge.from]) < too_close * too_close) return Refusal::too_close;
     if (opened && change_.out[edge.facet] == opened->face && edge.side == opened->index) continue;
     change_.in.facets.push_back({edge.from, edge.to, v});
   }
-  change_.what = Change::Vertex::comes;
-  change_.vertex = v;
-  change_.place = p;
   const auto refusal = replacer_.replace(change_, [] { return true; });
   if (refusal) return refusal;
   ++report_.insertions_refine;
@@ -113,7 +113,8 @@ bool Inserter::split_boundary(EdgeRef edge) {
   const auto middle = curves_.split(s_.chain.place(ends->from), mesh_.points[ends->from],
                                     s_.chain.place(ends->to), mesh_.points[ends->to]);
   if (!middle) return false;
-  if (report_[Rung::boundary_split].count(try_insert(edge.face, middle->point, edge))) return false;
+  const auto refusal = try_insert(edge.face, middle->point, edge);
+  if (replacer_.count(Rung::boundary_split, change_, refusal)) return false;
   s_.chain.insert_after(ends->from, change_.vertex, middle->place);
   return true;
 }

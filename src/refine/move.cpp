@@ -103,7 +103,7 @@ bool Mover::move(FaceId f, VertexId v) {
     change_.place = *best;
     refusal = replacer_.replace(change_, [] { return true; });
   }
-  return !report_[Rung::move].count(refusal);
+  return !replacer_.count(Rung::move, change_, refusal);
 }
 
 bool Mover::move_corner(FaceId f) {

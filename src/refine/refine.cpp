@@ -20,10 +20,10 @@ namespace {
 // What refining the parts takes of the stage's time, by one thread or many.
 constexpr double kPartsShare = 0.75;
 
-// Whether the mesh may be cut: where the refinement may end before all is done, and where it is
-// the paper's, what is worst anywhere comes first.
+// Whether the mesh may be cut: where the refinement may end before all is done, where it is the
+// paper's, and where it is looked at, what is worst anywhere comes first.
 bool in_parts(const Parameters& p) {
-  return !p.as_published && !p.keep_partial &&
+  return !p.as_published && !p.keep_partial && !p.trace &&
          p.target_vertices == std::numeric_limits<std::size_t>::max();
 }
 

@@ -57,15 +57,15 @@ class Refiner {
       : s_(surface_mesh),
         mesh_(surface_mesh.mesh),
         parameters_(parameters),
+        trace_(parameters.trace),
         progress_(progress),
         report_(report),
         work_(work),
         replacer_(surface_mesh, surface, parameters_, report, work.part),
         judge_(surface_mesh, replacer_, parameters_),
         inserter_(surface_mesh, replacer_, curves, parameters_, report),
-        flipper_(surface_mesh, replacer_, report),
-        collapser_(surface_mesh, replacer_, judge_, surface, curves, parameters_, work.of_stage1,
-                   report),
+        flipper_(surface_mesh, replacer_),
+        collapser_(surface_mesh, replacer_, judge_, surface, curves, parameters_, work.of_stage1),
         retriangulator_(surface_mesh, replacer_, report),
         mover_(surface_mesh, replacer_, judge_, parameters_, report),
         by_count_(parameters.target_vertices != std::numeric_limits<std::size_t>::max()),
@@ -109,6 +109,7 @@ class Refiner {
   SurfaceMesh& s_;
   const TriMesh& mesh_;
   Parameters parameters_;  // its bound on the distance gives way to target_vertices
+  Trace* trace_;
   StageProgress& progress_;
   Report& report_;
   Work& work_;
@@ -194,6 +195,7 @@ void Refiner::refine_geom(Rungs rungs) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       if (is_dead(mesh_.faces[f])) continue;
+      if (trace_) trace_criteria(*trace_, s_, f, shape(f), parameters_.refinement);
       if (by_count_ && s_.duals[f].on_surface) reached_ = shape(f).h;
       if (climb(f, rungs)) {
         any = true;
@@ -245,6 +247,10 @@ bool Refiner::reach(std::span<const Vec3> witnesses) {
     const Vec3& p = witnesses[at.witness];
     // An earlier one may have taken its facet away.
     if (is_dead(mesh_.faces[at.facet]) || replacer_.is_fixed(at.facet)) continue;
+    if (trace_) {
+      trace_facet(*trace_, s_, at.facet, trace_code(Reason::far_point),
+                  std::sqrt(at.distance2) / limit);
+    }
     if (!inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
     follow_curves();
   }
@@ -268,6 +274,7 @@ void Refiner::make_delaunay() {
     for (const FaceId f : found) {
       // An earlier one may have mended it, or taken it away.
       if (is_dead(mesh_.faces[f]) || replacer_.is_delaunay(f)) continue;
+      if (trace_) trace_not_delaunay(*trace_, s_, f);
       const bool is_small = shape(f).r <= kSmall * parameters_.r_min;
       beyond_before_ = replacer_.refused_beyond();
       const bool mended = (!is_small && refine(f)) || (!is_put_off() && rearrange(f));
@@ -365,6 +372,7 @@ void Refiner::legalize() {
   while (!changed_.empty()) {
     const FaceId f = changed_.back();
     changed_.pop_back();
+    if (trace_ && !is_dead(mesh_.faces[f])) trace_not_delaunay(*trace_, s_, f);
     for (int i = 0; i < 3 && !is_dead(mesh_.faces[f]); ++i) {
       if (!flipper_.flip_if_not_delaunay(f, i)) continue;
       take(flipper_.created());
@@ -380,6 +388,7 @@ void Refiner::follow_curves() {
     ends_.pop_back();
     for (int i = 0; i < 3 && !is_dead(mesh_.faces[f]); ++i) {
       if (mesh_.faces[f].n[i] != kNoId || !inserter_.leaves_curve({f, i})) continue;
+      if (trace_) trace_off_curve(*trace_, s_, f, i);
       if (!inserter_.split_boundary({f, i})) continue;
       take(inserter_.created());
       break;

@@ -69,6 +69,7 @@ bool DiskReplacer::take_out(Change& change) {
     marks_[f] = stamp_;
     change.was.facets.push_back(mesh_.faces[f].v);
   }
+  if (parameters_.trace) trace_disk(*parameters_.trace, change);
   return change.was.link();
 }
 

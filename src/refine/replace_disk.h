@@ -23,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "refine/change_trace.h"
 #include "refine/parts.h"
 #include "refine/patch.h"
 #include "surface/box_grid.h"
@@ -36,23 +37,6 @@ namespace deliso {
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
 // was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
 inline constexpr double kSharpest = -0.97;
-
-struct Change {
-  std::vector<FaceId> out;
-  Patch was;  // their corners, by take_out()
-  Patch in;
-  // A vertex that comes, or is moved, and to where.
-  enum class Vertex { none, comes, moves } what = Vertex::none;
-  VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
-  Vec3 place;
-  double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
-  // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 is not asked, and
-  // a component flat in that face, which bounds nothing yet, may be turned either way.
-  bool leaves_box = false;
-  // Found on the way.
-  std::vector<Dual> duals;      // of `in`
-  std::vector<FaceId> created;  // of `in`, once it is done
-};
 
 class DiskReplacer {
  public:
@@ -74,7 +58,13 @@ class DiskReplacer {
     if (!refusal && !accept()) refusal = Refusal::no_gain;
     if (!refusal && crosses(change)) refusal = Refusal::crossing;
     refusal ? take_back(change) : commit(change);
+    if (parameters_.trace) trace_replacement(*parameters_.trace, change, !refusal);
     return refusal;
+  }
+  // Counts what came of a try, and gives it back.
+  std::optional<Refusal> count(Rung rung, const Change& change, std::optional<Refusal> refusal) {
+    if (parameters_.trace) trace_try(*parameters_.trace, rung, change, refusal, report_);
+    return report_[rung].count(refusal);
   }
 
   // Whether any vertex of the mesh but the corners of v is in the ball.

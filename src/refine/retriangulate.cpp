@@ -94,7 +94,7 @@ bool Retriangulator::retriangulate(FaceId f) {
     refusal =
         fill() ? replacer_.replace(change_, [] { return true; }) : std::optional(Refusal::no_gain);
   }
-  return !report_[Rung::patch].count(refusal);
+  return !replacer_.count(Rung::patch, change_, refusal);
 }
 
 }  // namespace deliso

@@ -22,6 +22,7 @@ inline constexpr double kHair = 1e-7;
 enum class PoleSide : std::uint8_t { nearer, further };
 
 struct Profile;
+class Trace;
 
 struct Parameters {
   double voxel;  // the shortest side of one
@@ -48,6 +49,7 @@ struct Parameters {
   // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
   std::function<void(const char* stage, double share)> progress;
   Profile* profile = nullptr;  // filled when given
+  Trace* trace = nullptr;      // likewise; Stage 2 then refines in one part
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };

@@ -48,4 +48,15 @@ holds 'it was the largest' [ "$(grep '^component' piece)" = "$(
 out/ray_in_voxel >ray
 holds 'three points by either solver' [ "$(grep -c ', where the interpolant is 0.5$' ray)" -eq 6 ]
 holds 'the same' [ "$(grep 't =' ray | sort -u | wc -l)" -eq 3 ]
-all_hold 12
+
+out/watch_run >events
+# Each triangle that an event took out was there, and what is left is the mesh.
+holds 'triangles come and go until they are the mesh' \
+  [ "$(sed -n 's/.*add up to \([0-9]*\), .*/\1/p' events)" = "$(
+    sed -n 's/.*the mesh has //p' events)" ]
+"$deliso" builtin:fuel:32 --iso 70.1 -q --json report.json -o whole.ply
+inserted() { awk -v stage="Stage $1" 'index($0, stage) == 1 { n += $NF } END { print n }' events; }
+told() { sed -n "s/.*\"insertions_$1\": *\([0-9]*\).*/\1/p" report.json; }
+holds 'Stage 1 inserts as many vertices as the report says' [ "$(inserted 1)" -eq "$(told recover)" ]
+holds 'and so does Stage 2' [ "$(inserted 2)" -eq "$(told refine)" ]
+all_hold 16

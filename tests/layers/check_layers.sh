@@ -13,20 +13,22 @@ allowed() {
     blocks) echo "base files mesh volume blocks" ;;
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
+    page) echo "base files page" ;;
     kdtree | contour) echo "base volume $1" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    surface) echo "base mesh embedding volume isosurface surface" ;;
-    recover) echo "base delaunay mesh embedding volume contour isosurface surface recover" ;;
-    refine) echo "base delaunay/predicates.h mesh embedding volume isosurface surface refine" ;;
+    trace) echo "base mesh trace" ;;
+    surface) echo "base mesh embedding volume isosurface trace surface" ;;
+    recover) echo "base delaunay mesh embedding volume contour isosurface trace surface recover" ;;
+    refine) echo "base delaunay/predicates.h mesh embedding volume isosurface trace surface refine" ;;
     cap) echo "base delaunay planar mesh embedding volume isosurface surface refine/replace_disk.h cap" ;;
     baseline) echo "base mesh volume contour baseline" ;;
-    deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
+    deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
       "recover refine cap baseline deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;
-    app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface surface" \
-      "recover refine cap baseline deliso check render blocks app" ;;
+    app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
+      "recover refine cap baseline deliso check render page blocks app" ;;
     *) return 1 ;;
   esac
 }

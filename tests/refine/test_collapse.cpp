@@ -63,8 +63,7 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
   options.limits[Criterion::r_over_l].value = lambda;
   Stage stage(scene, options);
   Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
-                      stage.recovered.curves, stage.parameters, stage.mesh.points.size(),
-                      stage.report);
+                      stage.recovered.curves, stage.parameters, stage.mesh.points.size());
   const std::size_t of_stage1 = stage.mesh.points.size();
   Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
                     stage.report);
@@ -136,8 +135,7 @@ TEST_CASE(
     Stage stage(scene);
     REQUIRE(stage.fault() == "");
     Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
-                        stage.recovered.curves, stage.parameters, stage.mesh.points.size(),
-                        stage.report);
+                        stage.recovered.curves, stage.parameters, stage.mesh.points.size());
     for (bool any = true; any;) {
       any = false;
       for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {

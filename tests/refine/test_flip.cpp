@@ -107,7 +107,7 @@ TEST_CASE("every flip is wanted, lowers the radii and keeps the mesh what it is"
     Options options;
     options.r_min = {0.1, Length::Unit::voxel};
     Stage stage(scene, options);
-    Flipper flipper(stage.surface_mesh, stage.replacer, stage.report);
+    Flipper flipper(stage.surface_mesh, stage.replacer);
     Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
                       stage.report);
     Random random(static_cast<std::uint64_t>(n) + 500);
@@ -147,7 +147,7 @@ TEST_CASE("flips come to an end, and an edge of a Delaunay mesh that was flipped
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 20);
     Stage stage(scene, {}, true);
-    Flipper flipper(stage.surface_mesh, stage.replacer, stage.report);
+    Flipper flipper(stage.surface_mesh, stage.replacer);
     flip_all(stage, flipper);
     std::set<Triangle> before = facets_of(stage.mesh);
     Random random(7);

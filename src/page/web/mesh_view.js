@@ -1,0 +1,266 @@
+'use strict';
+// The page of `deliso view`: one finished mesh, or two side by side with a camera in common;
+// histograms that highlight what is brushed, components, a clipping plane.
+
+const kEdgeWidth = 0.8;
+
+class MeshView {
+  constructor(scene, { header, arrays }) {
+    this.scene = scene;
+    this.header = header;
+    this.meshes = header.meshes.map((about, n) => this.read_mesh(about, arrays, n));
+    this.color_by = 'side';
+    this.hidden = new Set();   // components
+    this.clip = { on: false, axis: 0, share: 0.5, above: false };
+    const box = empty_box();
+    for (const mesh of this.meshes) {
+      extend_box(box, ...mesh.box.lo);
+      extend_box(box, ...mesh.box.hi);
+    }
+    this.box = box;
+    scene.panes = this.meshes.map((mesh) =>
+      ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
+    scene.camera.set_scene(box);
+    scene.fit(false);
+    scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
+    this.build_panel(document.getElementById('panel'));
+    this.paint();
+    this.show_captions();
+    document.getElementById('title').textContent = this.meshes.map((mesh) => mesh.about.name).join(' | ');
+    document.getElementById('subtitle').textContent = header.volume
+      ? `measured against ${header.volume} at ${rounded(header.iso)}` : '';
+  }
+
+  read_mesh(about, arrays, n) {
+    const points = arrays['points' + n] ?? new Float32Array(0);
+    const all = arrays['triangles' + n] ?? new Uint32Array(0);
+    // A page that was cut off may name points that it does not have.
+    const triangles = complete_triangles(all, points.length / 3);
+    const count = triangles.length / 3;
+    const component = arrays['component' + n]?.length >= count ? arrays['component' + n]
+                                                              : new Uint32Array(count);
+    const mesh = { about, points, triangles, component, count,
+                   box: box_of_points(points, triangles), ...measure_triangles(points, triangles) };
+    if (arrays['h' + n]?.length >= count && arrays['h' + n].length > 0) mesh.h = arrays['h' + n];
+    mesh.sizes = [];
+    for (const c of component) mesh.sizes[c] = (mesh.sizes[c] ?? 0) + 1;
+    mesh.layer = new FacetLayer(texels_of_points(points), { edge_width: kEdgeWidth });
+    mesh.layer.set_all(triangles, () => kSides);
+    mesh.smooth_normals = vertex_normals(points, triangles);
+    mesh.layer.normals = mesh.smooth_normals;
+    mesh.mark = new LineLayer({ ghost: 0.35 });
+    return mesh;
+  }
+
+  // What is known of every triangle, each with a scale that a few outliers do not set.
+  measures() {
+    const of = (key) => this.meshes.map((mesh) => mesh[key]);
+    const list = [{ key: 'angle', name: 'Smallest angle', unit: '\u00b0', lo: 0, hi: 60, open: false },
+                  { key: 'r_over_l', name: 'r / l', unit: '', lo: 0.5,
+                    hi: clamp(round_up(quantile(of('r_over_l'), 0.999)), 2, 4), open: true },
+                  { key: 'radius', name: 'Size (circumradius)', unit: '', lo: 0,
+                    hi: round_up(quantile(of('radius'), 0.999)), open: true }];
+    if (this.meshes.every((mesh) => mesh.h)) {
+      list.splice(2, 0, { key: 'h', name: 'Distance (voxels)', unit: '', lo: 0,
+                          hi: round_up(quantile(of('h'), 0.995)), open: true });
+    }
+    return list.map((measure) => ({ ...measure, values: of(measure.key) }));
+  }
+
+  build_panel(panel) {
+    this.histograms = this.measures().map((measure) => {
+      const histogram = new Histogram(measure, () => this.paint());
+      histogram.key = measure.key;
+      return histogram;
+    });
+    const { scene } = this;
+    const each = (act) => {
+      for (const mesh of this.meshes) act(mesh);
+      scene.invalidate();
+    };
+    const colors = [['side', 'side of the surface'], ['component', 'component'],
+                    ...this.histograms.map((h) => [h.key, h.measure.name.toLowerCase()])];
+    this.color_choice = choice('Color by', colors, this.color_by, (value) => {
+      this.color_by = value;
+      this.paint();
+    });
+    this.share_note = element('p', { class: 'note', 'aria-live': 'polite' });
+    const hint = element('p', { class: 'hint' }, 'Drag over the bars to see where such triangles are.');
+    panel.append(
+      section('Look', true, this.color_choice,
+              choice('Shading', [['smooth', 'smooth'], ['flat', 'flat']], 'smooth',
+                     (value) => each((mesh) => {
+                       mesh.layer.normals = value === 'smooth' ? mesh.smooth_normals : null;
+                     })),
+              choice('Edges', [['on', 'on the surface'], ['off', 'off'], ['wires', 'wireframe']], 'on',
+                     (value) => each(({ layer }) => {
+                       layer.edge_width = value === 'off' ? 0 : kEdgeWidth;
+                       layer.wires = value === 'wires';
+                     }))),
+      section('Triangles', true, hint, ...this.histograms.map((h) => h.element), this.share_note),
+      section('Cut open', false, ...this.clip_controls()),
+      section('Components', false, this.component_list()));
+  }
+
+  clip_controls() {
+    const change = (values) => {
+      Object.assign(this.clip, values);
+      if (!('on' in values)) {
+        this.clip.on = true;
+        cut.input.checked = true;
+      }
+      this.apply_clip();
+    };
+    const cut = toggle('Cut by a plane', false, (on) => change({ on }));
+    return [cut,
+            choice('Across', [['0', 'x'], ['1', 'y'], ['2', 'z']], '0',
+                   (axis) => change({ axis: Number(axis) })),
+            slider('Where', { min: 0, max: 1, step: 0.002, value: 0.5 }, (share) => change({ share })),
+            toggle('Keep the upper part', false, (above) => change({ above }))];
+  }
+
+  apply_clip() {
+    const { on, axis, share, above } = this.clip;
+    const sign = above ? -1 : 1;
+    const plane = [0, 0, 0, sign * (this.box.lo[axis] * (1 - share) + this.box.hi[axis] * share)];
+    plane[axis] = sign;
+    for (const pane of this.scene.panes) pane.clip = on ? plane : null;
+    this.scene.invalidate();
+  }
+
+  component_list() {
+    const kMost = 60;
+    const count = Math.max(...this.meshes.map((mesh) => mesh.sizes.length), 0);
+    const rows = [];
+    for (let c = 0; c < Math.min(count, kMost); ++c) {
+      const sizes = this.meshes.map((mesh) => grouped(mesh.sizes[c] ?? 0)).join(' | ');
+      const shown = toggle(`${c + 1}: ${sizes}`, true, (on) => {
+        if (on) this.hidden.delete(c);
+        else this.hidden.add(c);
+        this.paint();
+      }, kind_color(c));
+      const alone = button('only', `Show component ${c + 1} alone`, () => {
+        const was_alone = this.hidden.size === count - 1 && !this.hidden.has(c);
+        this.hidden = new Set(was_alone ? [] : Array.from({ length: count }, (_, n) => n));
+        if (!was_alone) this.hidden.delete(c);
+        rows.forEach((row, n) => { row.shown.input.checked = !this.hidden.has(n); });
+        this.paint();
+      });
+      const row = element('li', {}, shown, alone);
+      row.shown = shown;
+      rows.push(row);
+    }
+    const rest = count > kMost ? [element('p', { class: 'hint' },
+                                          `and ${grouped(count - kMost)} smaller ones`)] : [];
+    return element('div', {},
+                   element('p', { class: 'hint' },
+                           count === 0 ? 'There are no triangles.' : 'By triangles, the largest first.'),
+                   element('ul', { class: 'list' }, ...rows), ...rest);
+  }
+
+  // Every triangle's color anew.
+  paint() {
+    const colored = this.histograms.find((h) => h.key === this.color_by);
+    const brushed = this.histograms.filter((h) => h.brush);
+    for (const h of this.histograms) {
+      if (h.colored !== (h === colored)) {
+        h.colored = h === colored;
+        h.draw();
+      }
+    }
+    const accent = style_color('--accent'), dim = style_color('--dim');
+    const shares = this.meshes.map((mesh) => {
+      let chosen = 0;
+      for (let n = 0; n < mesh.count; ++n) {
+        const c = mesh.component[n];
+        let paint = kSides;
+        if (colored) {
+          const { lo, hi } = colored.measure;
+          paint = sequential_color((mesh[colored.key][n] - lo) / (hi - lo));
+        } else if (this.color_by === 'component') {
+          paint = kind_color(c);
+        }
+        if (brushed.length > 0) {
+          if (!brushed.every((h) => h.holds(mesh[h.key][n]))) {
+            paint = dim;
+          } else {
+            ++chosen;
+            if (paint === kSides) paint = accent;
+          }
+        }
+        mesh.layer.set_paint(n, this.hidden.has(c) ? kHidden : paint);
+      }
+      return `${grouped(chosen)} of ${counted(mesh.count, 'triangle', 'triangles')}`;
+    });
+    this.share_note.textContent = brushed.length > 0 ? `Brushed: ${shares.join(' | ')}` : '';
+    this.scene.invalidate();
+  }
+
+  show_captions() {
+    this.scene.panes.forEach((pane, n) => {
+      const { about, count } = this.meshes[n];
+      pane.caption = `${about.name}: ${counted(count, 'triangle', 'triangles')}, ` +
+                     counted(about.vertices, 'vertex', 'vertices');
+    });
+    this.scene.show_captions();
+  }
+
+  // A click tells of a triangle; a double one makes it the middle of the view.
+  pick({ origin, direction }, pane, twice) {
+    const mesh = this.meshes[pane];
+    const { points, triangles } = mesh;
+    const plane = this.scene.panes[pane].clip;
+    let nearest = Infinity, found = -1;
+    for (let n = 0; n < mesh.count; ++n) {
+      if (this.hidden.has(mesh.component[n])) continue;
+      const t = ray_meets_triangle(origin, direction, point_at(points, triangles[3 * n]),
+                                   point_at(points, triangles[3 * n + 1]),
+                                   point_at(points, triangles[3 * n + 2]));
+      if (t >= nearest) continue;
+      if (plane && dot(plane, add(origin, scaled(direction, t))) > plane[3]) continue;
+      nearest = t;
+      found = n;
+    }
+    for (const { mark } of this.meshes) mark.clear();
+    const readout = document.getElementById('readout');
+    if (found < 0) {
+      readout.textContent = '';
+    } else {
+      const corners = [0, 1, 2].map((i) => triangles[3 * found + i]);
+      mesh.mark.add_triangle(...corners.map((v) => point_at(points, v)), style_color('--accent'), 3);
+      const values = this.histograms.map((h) =>
+        `${h.measure.name.toLowerCase()} ${rounded(mesh[h.key][found])}${h.measure.unit}`);
+      readout.textContent = `Triangle ${grouped(found)} (vertices ${corners.join(', ')}), component ` +
+                            `${mesh.component[found] + 1}: ${values.join(', ')}`;
+      if (twice) this.scene.camera.glide_to({ target: add(origin, scaled(direction, nearest)) });
+    }
+    this.scene.invalidate();
+  }
+
+  keys() {
+    const { scene } = this;
+    const next_color = () => {
+      const { select } = this.color_choice;
+      select.selectedIndex = (select.selectedIndex + 1) % select.length;
+      select.dispatchEvent(new Event('change'));
+    };
+    return { f: () => scene.fit(), c: next_color,
+             Escape: () => this.histograms.forEach((h) => h.brush && h.set(null)) };
+  }
+
+  theme_changed() {
+    this.histograms.forEach((h) => h.draw());
+    this.paint();
+  }
+
+  static help() {
+    return ['View', [['C', 'next color'], ['Esc', 'clear what is brushed']]];
+  }
+}
+
+// The triangles up to the first that names a point beyond `count`.
+function complete_triangles(triangles, count) {
+  const end = triangles.findIndex((v) => v >= count);
+  const whole = Math.floor((end < 0 ? triangles.length : end) / 3);
+  return triangles.subarray(0, 3 * whole);
+}

@@ -1,0 +1,375 @@
+'use strict';
+// The page of `deliso trace`: one run of both stages, event by event.
+
+class TraceView {
+  constructor(scene, data) {
+    this.scene = scene;
+    this.trace = new Trace(data);
+    this.samples = new Samples(data);
+    const { trace } = this;
+    this.points = texels_of_points(trace.points);
+    this.history = new FacetHistory(trace);
+    this.color_by = 'side';
+    this.after = true;
+    this.follow = false;
+    this.both = false;             // both structures side by side
+    this.surface_style = 'auto';
+    this.regions_on = true;
+    this.marked = [];              // slots that have a color of this event
+    this.surface = new FacetLayer(this.points, { edge_width: 0.8, age: null });
+    this.live = new LiveFacets(trace, this.history, (slot, id) => this.write(slot, id));
+    this.marks = new EventMarks(trace);
+    this.vertices = this.make_vertices();
+    this.regions = trace.arrays.contour_triangles ? new Regions(trace) : null;
+    this.tetrahedra = new SwitchTetrahedra(trace, this.samples);
+    this.frame = new LineLayer();
+    this.slice_lines = new LineLayer({ ghost: 0.4, clipped: false });
+    const { box } = trace.header;
+    this.box = box ? { lo: box.slice(0, 3), hi: box.slice(3) } : box_of_points(trace.points);
+    const layers = [this.surface, ...(this.regions ? [this.regions.layer] : []), this.frame,
+                    this.vertices, this.slice_lines, ...this.marks.layers];
+    this.main_pane = { layers, caption: '', clip: null };
+    this.tetrahedra_pane = { layers: [this.tetrahedra.layer, this.frame], caption: '', clip: null };
+    scene.panes = [this.main_pane];
+    scene.arrows_step = true;
+    // What is to be seen is the surface; the box may be far larger.
+    scene.camera.set_scene(trace.points.length > 0 ? box_of_points(trace.points) : this.box);
+    scene.camera.radius = Math.max(scene.camera.radius, box_radius(this.box));
+    scene.fit(false);
+    scene.on_pick = (ray, pane, twice) => this.pick(ray, twice);
+
+    this.telling = element('div', { class: 'telling', 'aria-live': 'polite' });
+    this.build_panel(document.getElementById('panel'));
+    const place = document.getElementById('timeline');
+    place.hidden = false;
+    this.timeline = new Timeline(place, trace, (routine) => this.routine_color(routine),
+                                 (e) => this.show(e));
+    this.legend.replaceChildren(...this.legend_entries());
+    this.show_title();
+    this.draw_frame();
+    this.timeline.show(0);
+  }
+
+  show_title() {
+    const { header } = this.trace;
+    document.getElementById('title').textContent = (header.input ?? 'Trace').replace(/^.*\//, '');
+    const parts = [`isovalue ${rounded(header.iso)}`,
+                   header.way === 'paper' ? 'the paper\u2019s way' : 'the certified way'];
+    if (header.truncated) {
+      parts.push(`the first ${grouped(this.trace.count)} of ${grouped(header.events_seen)} events`);
+    }
+    document.getElementById('subtitle').textContent = parts.join(', ');
+  }
+
+  routine_color(routine) { return kind_color(routine); }
+
+  // The paint of a facet of the surface, without what this event does to it.
+  paint_of(id) {
+    const e = this.history.birth[id];
+    switch (this.color_by) {
+      case 'routine': return this.routine_color(this.trace.arrays.event_routine[e]);
+      case 'reason': return kind_color(this.trace.arrays.event_reason?.[e] ?? 0);
+      case 'age': return kSides | Math.min(e, 0xffffff);
+      case 'component': return this.component_color(id);
+      default: return kSides;
+    }
+  }
+
+  write(slot, id) {
+    const { corners } = this.history;
+    this.surface.set(slot, corners[3 * id], corners[3 * id + 1], corners[3 * id + 2],
+                     this.color_by === 'component' ? kSides : this.paint_of(id));
+  }
+
+  component_color(id) {
+    if (!this.components) return kSides;
+    return this.components.color(this.history.corners[3 * id]);
+  }
+
+  show(e) {
+    this.event = e;
+    const { trace, surface } = this;
+    this.unmark();
+    this.live.go_to(trace.count === 0 ? 0 : this.after ? e + 1 : e);
+    surface.count = this.live.count;
+    if (this.color_by === 'component') this.paint_components();
+    surface.age = this.color_by === 'age' ? { step: e, span: Math.max(50, e) } : null;
+    this.marks.show(e, this.after);
+    this.mark_changes(e);
+    this.vertices.count = Math.min(trace.vertices[Math.min(e + 1, trace.count)] ?? 0,
+                                   trace.points.length / 3);
+    this.regions?.go_to(this.after ? e + 1 : e);
+    this.arrange_surface();
+    this.arrange_panes(e);
+    this.tell(e);
+    this.numbers.show(e);
+    if (this.follow) this.zoom_to_step();
+    this.scene.invalidate();
+  }
+
+  // The facets that come (or go, in the state before) have their color within the surface.
+  mark_changes(e) {
+    const { trace, history, live } = this;
+    if (trace.count === 0 || !this.marks.is_small(e)) return;
+    const key = this.after ? 'came' : 'went';
+    if (!this.marks.on[key]) return;
+    const name = this.after ? 'added' : 'removed';
+    for (let n = trace.begin(name, e); n < trace.begin(name, e + 1); ++n) {
+      const id = this.after ? n : history.removed[n];
+      if (id < 0 || live.slot[id] < 0) continue;
+      this.marked.push(id);
+      this.surface.set_paint(live.slot[id], mixed(kMarks[key].color, 0xffffff, 0.35));
+    }
+  }
+  unmark() {
+    for (const id of this.marked) {
+      if (this.live.slot[id] >= 0) this.surface.set_paint(this.live.slot[id], this.paint_of(id));
+    }
+    this.marked.length = 0;
+  }
+
+  repaint() {
+    this.marked.length = 0;
+    if (this.color_by !== 'component') {
+      for (let slot = 0; slot < this.live.count; ++slot) {
+        this.surface.set_paint(slot, this.paint_of(this.live.ids[slot]));
+      }
+    }
+    this.legend.replaceChildren(...this.legend_entries());
+    this.show(this.event);
+  }
+
+  paint_components() {
+    const { live, history, surface } = this;
+    this.components = new Components(this.trace.points.length / 3);
+    for (let slot = 0; slot < live.count; ++slot) this.components.add(history.corners, live.ids[slot]);
+    for (let slot = 0; slot < live.count; ++slot) {
+      surface.set_paint(slot, this.component_color(live.ids[slot]));
+    }
+  }
+
+  legend_entries() {
+    const entry = (color, text) =>
+      element('li', {}, element('span', { class: 'swatch', style: `background:${css_color(color)}` }), text);
+    const { trace } = this;
+    if (this.color_by === 'routine') {
+      return this.timeline.lanes.map((n) => entry(this.routine_color(n), trace.routines[n].name));
+    }
+    if (this.color_by === 'reason') {
+      return trace.reasons.map(({ name }, n) => [name, n]).filter(([name, n]) =>
+        name && this.timeline.occurs('reason', n)).map(([name, n]) => entry(kind_color(n), name));
+    }
+    if (this.color_by === 'age') {
+      return [entry(sequential_color(1), 'new'), entry(sequential_color(0.5), 'half way back'),
+              entry(sequential_color(0), 'from the beginning')];
+    }
+    if (this.color_by === 'side') {
+      return [entry(kOutside, 'below the isovalue'), entry(kInside, 'above it')];
+    }
+    return [];
+  }
+
+  // Side by side at the switch, or where that is asked for.
+  arrange_panes(e) {
+    const wanted = this.tetrahedra.layer.count > 0 && (this.both || e === this.trace.switch_at);
+    const { scene } = this;
+    this.main_pane.caption = wanted ? (e >= this.trace.switch_at ? 'the plain mesh' : 'the surface') : '';
+    this.tetrahedra_pane.caption = 'Del S: its tetrahedra inside the surface';
+    if (wanted === (scene.panes.length === 2)) return;
+    scene.panes = wanted ? [this.tetrahedra_pane, this.main_pane] : [this.main_pane];
+    scene.show_captions();
+  }
+
+  tell(e) {
+    if (this.trace.count === 0) {
+      this.telling.replaceChildren(element('p', {}, 'The trace has no events.'));
+      return;
+    }
+    const { title, where, lines } = tell_event(this.trace, e);
+    const outcome = this.trace.refused(e) ? [element('span', { class: 'badge refused' }, 'refused')] : [];
+    this.telling.replaceChildren(
+      element('p', { class: 'where' }, where),
+      element('h2', {}, element('span', { class: 'swatch', style:
+        `background:${css_color(this.routine_color(this.trace.arrays.event_routine[e]))}` }),
+              title, ...outcome),
+      ...lines.map(([kind, text, heading]) =>
+        element('p', { class: kind }, ...(heading ? [element('strong', {}, heading)] : []), text)));
+  }
+
+  zoom_to_step() {
+    const { box, normal } = this.marks;
+    if (!box) return;
+    const { camera, aspect } = this.scene;
+    const radius = Math.max(box_radius(box), 0.01 * camera.radius);
+    const goal = { target: box_middle(box),
+                   distance: 1.7 * radius / Math.sin(kHalfAngle) / Math.min(1, aspect) };
+    // Where the surface there looks away, or is seen from the edge, the eye goes round to its front.
+    if (length_of(normal) > 0 && dot(normal, camera.back) < 0.4) {
+      const back = unit(add(normal, scaled(camera.up, 0.4)));
+      goal.azimuth = Math.atan2(back[1], back[0]) * 180 / Math.PI;
+      goal.elevation = Math.asin(clamp(back[2], -1, 1)) * 180 / Math.PI;
+    }
+    camera.glide_to(goal);
+    this.scene.invalidate();
+  }
+
+  make_vertices() {
+    const layer = new DotLayer({ visible: false });
+    const { points } = this.trace;
+    for (let n = 0; n < points.length / 3; ++n) layer.add(point_at(points, n), 0x39424f, 4);
+    return layer;
+  }
+
+  draw_frame() {
+    this.frame.clear();
+    this.frame.add_box(this.box.lo, this.box.hi, style_color('--line'), 1);
+  }
+
+  build_panel(panel) {
+    this.numbers = new RunningNumbers(this.trace);
+    this.legend = element('ul', { class: 'legend' });
+    const colors = [['side', 'side of the surface'], ['routine', 'routine that made it'],
+                    ['reason', 'criterion that made it'], ['age', 'age'], ['component', 'component']];
+    const seen = (layer) => (on) => {
+      layer.visible = on;
+      this.scene.invalidate();
+    };
+    const toggles = [
+      toggle('Surface', true, seen(this.surface)),
+      ...Object.entries(kMarks).filter(([key]) => this.has_marks(key)).map(([key, { label, color }]) =>
+        toggle(label, true, (on) => {
+          this.marks.switch_on(key, on);
+          this.show(this.event);
+        }, color)),
+      toggle('All points so far', false, seen(this.vertices)),
+      toggle('Box of the volume', true, seen(this.frame))];
+    if (this.regions) {
+      toggles.splice(1, 0, toggle('Regions of T, in Stage 1', true, (on) => {
+        this.regions_on = on;
+        this.show(this.event);
+      }));
+    }
+    const both = toggle('Tetrahedra of Del S beside it', false, (on) => {
+      this.both = on;
+      this.show(this.event);
+    });
+    if (this.tetrahedra.layer.count > 0) toggles.push(both);
+    this.after_toggle = toggle('Show the surface after the step', true, (on) => {
+      this.after = on;
+      this.show(this.event);
+    });
+    this.follow_toggle = toggle('Follow: go to every step', false, (on) => {
+      this.follow = on;
+      if (on) this.zoom_to_step();
+      else this.scene.fit();
+    });
+    panel.append(
+      element('section', { class: 'section open', 'aria-label': 'This step' },
+              element('div', { class: 'content' }, this.telling,
+                      element('div', { class: 'row' },
+                              button('Go there', 'Zoom to the step (Z)', () => this.zoom_to_step()),
+                              button('See all', 'See all (F)', () => this.scene.fit())),
+                      this.after_toggle, this.follow_toggle)),
+      section('Running numbers', true, this.numbers.element),
+      section('Look', true,
+              choice('Color by', colors, this.color_by, (value) => {
+                this.color_by = value;
+                this.repaint();
+              }), this.legend,
+              choice('Surface', [['auto', 'automatic'], ['solid', 'solid'], ['glass', 'glass'],
+                                 ['wires', 'edges only']], 'auto',
+                     (value) => this.set_surface_style(value))),
+      section('Show', true, ...toggles));
+    if (this.samples.there) {
+      this.slice = new SlicePanel(this.samples, this.trace.header.iso, this.slice_lines,
+                                  () => this.scene.invalidate());
+      panel.append(this.slice.element);
+    }
+  }
+
+  // Whether any event has something of a kind.
+  has_marks(key) {
+    const { trace } = this;
+    const list = { zone: 'zone', star: 'star', cone: 'cone', came: 'added', went: 'removed' }[key];
+    if (list) return trace.begin(list, trace.count) > 0;
+    if (key === 'edge') return trace.arrays.event_edge?.some(Number.isFinite) ?? false;
+    if (key === 'ball') return trace.arrays.event_ball?.some(Number.isFinite) ?? false;
+    return true;
+  }
+
+  // In the certified Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
+  // are then their edges.
+  arrange_surface() {
+    const { surface, regions, trace } = this;
+    const style = this.surface_style;
+    const before = trace.switch_at < 0 || this.event < trace.switch_at;
+    if (regions) regions.layer.visible = this.regions_on && before;
+    surface.wires = style === 'wires' || (style === 'auto' && Boolean(regions?.layer.visible));
+    surface.opacity = style === 'glass' ? 0.35 : 1;
+    surface.ghost = surface.wires ? 0.3 : 0;
+    surface.edge_width = surface.wires ? 1.8 : 0.8;
+  }
+
+  set_surface_style(value) {
+    this.surface_style = value;
+    this.arrange_surface();
+    this.scene.invalidate();
+  }
+
+  // A click tells of a facet of the surface: what made it, and when.
+  pick({ origin, direction }, twice) {
+    const { live, history, trace } = this;
+    let nearest = Infinity, found = -1;
+    for (let slot = 0; slot < live.count; ++slot) {
+      const id = live.ids[slot];
+      const [a, b, c] = [0, 1, 2].map((i) => point_at(trace.points, history.corners[3 * id + i]));
+      const t = ray_meets_triangle(origin, direction, a, b, c);
+      if (t < nearest) {
+        nearest = t;
+        found = id;
+      }
+    }
+    const readout = document.getElementById('readout');
+    if (found < 0) {
+      readout.textContent = '';
+      return;
+    }
+    const corners = [0, 1, 2].map((i) => history.corners[3 * found + i]);
+    const e = history.birth[found], reason = trace.reason(e)?.name;
+    readout.textContent = `Facet (${corners.join(', ')}): came at event ${grouped(e + 1)}, ` +
+                          `${trace.routine(e).name}${reason ? `, ${reason}` : ''}`;
+    if (twice) {
+      this.scene.camera.glide_to({ target: add(origin, scaled(direction, nearest)) });
+      this.scene.invalidate();
+    }
+  }
+
+  keys() {
+    const { timeline, scene } = this;
+    return { ' ': () => timeline.play(!timeline.playing), ArrowRight: () => timeline.step(1),
+             ArrowLeft: () => timeline.step(-1), PageDown: () => timeline.step(100),
+             PageUp: () => timeline.step(-100), Home: () => timeline.show(0),
+             End: () => timeline.show(this.trace.count - 1), n: () => timeline.next_of_kind(1),
+             p: () => timeline.next_of_kind(-1), z: () => this.zoom_to_step(), f: () => scene.fit(),
+             b: () => this.after_toggle.input.click(), l: () => this.follow_toggle.input.click() };
+  }
+
+  theme_changed() {
+    this.draw_frame();
+    this.timeline.redraw();
+    this.slice?.draw();
+  }
+
+  static help() {
+    return ['Timeline', [['Space', 'play, stop'], ['Left Right', 'one step'],
+                         ['PageUp PageDown', 'a hundred steps'], ['Home End', 'first, last'],
+                         ['N P', 'next, previous of the kind'], ['Z', 'go to what this step changes'],
+                         ['L', 'follow: go to every step'], ['B', 'the surface before, after the step']]];
+  }
+}
+
+TraceView.intro = [
+  'One run of DelIso, as it went: every step inserts a point, or tries to, and says which routine ' +
+  'asked for it and why. Stage 1 works on a Delaunay triangulation of tetrahedra, Stage 2 on the ' +
+  'plain triangle mesh alone; the timeline has a lane for each routine. Click the name of a lane to ' +
+  'go to its next event.'];

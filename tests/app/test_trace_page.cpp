@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The trace command: what its page holds, read back from the file.
+#include "app/trace_page.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/run.h"
+#include "base/check.h"
+#include "files/temporary_folder.h"
+#include "page/page_text.h"
+#include "volume/builtin_fields.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+std::string page_of(const std::vector<std::string_view>& options, const std::string& file) {
+  std::vector<std::string_view> arguments{"trace", "-q", "-o", file};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const CommandLine line = parse_command_line(arguments);
+  CHECK(run_trace(line) == kFine);
+  return file_bytes(file);
+}
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the page has every array of the events, of one length, and both ways' own") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "page.html";
+  for (const bool paper : {false, true}) {
+    CAPTURE(paper);
+    std::vector<std::string_view> options{"builtin:torus:16"};
+    if (paper) options.insert(options.end(), {"--recover", "paper"});
+    const std::string page = page_of(options, file);
+    const std::string_view header = element_of(page, "header");
+    CHECK(has(header, "\"kind\": \"trace\""));
+    CHECK(has(header, paper ? "\"way\": \"paper\"" : "\"way\": \"certified\""));
+    CHECK(has(header, "\"truncated\": false"));
+    CHECK(has(header, "\"refused: crossing\""));
+    CHECK(has(header, "\"seconds_refine\""));
+    const std::size_t events = array_of<std::uint8_t>(page, "event_routine").size();
+    REQUIRE(events > 10);
+    CHECK(array_of<std::uint8_t>(page, "event_outcome").size() == events);
+    CHECK(array_of<std::uint8_t>(page, "event_reason").size() == events);
+    CHECK(array_of<float>(page, "event_value").size() == events);
+    CHECK(array_of<std::uint32_t>(page, "event_vertex").size() == events);
+    CHECK(array_of<float>(page, "event_place").size() == 3 * events);
+    CHECK(array_of<std::uint32_t>(page, "event_caller").size() == 3 * events);
+    CHECK(array_of<float>(page, "event_edge").size() == 6 * events);
+    CHECK(array_of<float>(page, "event_ball").size() == 4 * events);
+    for (const char* name : {"event_micros", "event_searches", "event_computations"}) {
+      CHECK(array_of<std::uint32_t>(page, name).size() == events);
+    }
+    for (const char* name : {"removed", "added", "zone", "star", "cone", "hits", "relabel"}) {
+      CAPTURE(name);
+      const auto begin = array_of<std::uint32_t>(page, std::string(name) + "_begin");
+      REQUIRE(begin.size() == events + 1);
+      CHECK(std::is_sorted(begin.begin(), begin.end()));
+      const bool pairs = std::string_view(name) == "relabel";
+      const bool fours = std::string_view(name) == "zone";
+      CHECK(array_of<std::uint32_t>(page, name).size() == (pairs   ? 2
+                                                           : fours ? 4
+                                                                   : 3) *
+                                                              begin.back());
+    }
+    // What is told of the run never falls, and the mesh is there in the end.
+    const auto searches = array_of<std::uint32_t>(page, "event_searches");
+    CHECK(std::is_sorted(searches.begin(), searches.end()));
+    CHECK(array_of<std::uint32_t>(page, "tets").size() > 0);
+    CHECK(array_of<float>(page, "contour_points").empty() == paper);
+  }
+}
+
+TEST_CASE("samples are those of the volume") {
+  const TemporaryFolder folder;
+  const std::string page = page_of({"builtin:torus:16"}, folder / "page.html");
+  const Volume volume = make_builtin_volume("builtin:torus:16");
+  const auto samples = array_of<std::uint16_t>(page, "samples");
+  REQUIRE(samples.size() == volume.sample_count());
+  const ValueRange range = value_range(volume);
+  const double step = (range.max - range.min) / 65535;
+  const Index3 dims = volume.dims();
+  std::size_t n = 0;
+  for (int k = 0; k < dims.k; ++k) {
+    for (int j = 0; j < dims.j; ++j) {
+      for (int i = 0; i < dims.i; ++i, ++n) {
+        CHECK(std::abs(range.min + step * samples[n] - volume.sample(i, j, k)) <= 0.51 * step);
+      }
+    }
+  }
+}
+
+TEST_CASE("without times two pages are the same, and the limit is said") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "page.html";
+  const auto page = [&] { return page_of({"builtin:fuel:16", "--no-times"}, file); };
+  const std::string first = page();
+  CHECK(first == page());
+  CHECK_FALSE(has(element_of(first, "header"), "seconds"));
+  const std::string cut = page_of({"builtin:fuel:16", "--trace-limit", "20"}, file);
+  CHECK(array_of<std::uint8_t>(cut, "event_routine").size() == 20);
+  CHECK(has(element_of(cut, "header"), "\"truncated\": true"));
+  CHECK(has(element_of(cut, "header"), "\"limit\": 20"));
+}
+
+TEST_CASE("what a trace refuses") {
+  const auto refusal = [](std::vector<std::string_view> arguments) -> std::string {
+    arguments.insert(arguments.begin(), "trace");
+    try {
+      run_trace(parse_command_line(arguments));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(has(refusal({"builtin:torus:16"}), "no page named"));
+  CHECK(has(refusal({"builtin:torus:16", "-o", "a.ply"}), "pages are .html"));
+  CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--cap"}), "no meaning"));
+  CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--block", "0,0,0/2,1,1"}), "no meaning"));
+  CHECK(has(refusal({"volume.nrrd", "-o", "a.html"}), "no isovalue"));
+  CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--trace-limit", "0"}), "--trace-limit"));
+  const TemporaryFolder folder;
+  const std::string file = folder / "a.html";
+  CHECK(has(refusal({"builtin:torus:16", "--iso", "1e9", "-q", "-o", file}), "no surface"));
+  CHECK_FALSE(std::filesystem::exists(file));
+}
