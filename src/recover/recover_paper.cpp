@@ -67,6 +67,7 @@ void Recovery::queue_vertex(VertexId v) {
 
 void Recovery::after_insertion() {
   for (const VertexId v : restricted_.touched()) queue_vertex(v);
+  created_.insert(created_.end(), restricted_.created().begin(), restricted_.created().end());
   check_room();
 }
 
@@ -103,6 +104,7 @@ std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
 }
 
 Recovery::Outcome Recovery::insert(RecordId r, const Vec3& x) {
+  created_.clear();
   const Outcome outcome = try_insert(r, x);
   if (RestrictedTrace* const trace = restricted_.trace()) {
     if (outcome == Outcome::forgotten) trace->ended(TraceOutcome::forgotten, x);
@@ -226,8 +228,7 @@ void Recovery::multi_intersect() {
     if (restricted_.trace()) restricted_.trace()->edge_asks(r);
     const Outcome outcome = insert(r, x);
     if (outcome == Outcome::inserted || outcome == Outcome::split) {
-      for (const RecordId n : restricted_.created())
-        queue.emplace_back(n, restricted_.generation(n));
+      for (const RecordId n : created_) queue.emplace_back(n, restricted_.generation(n));
       if (outcome == Outcome::split) queue.emplace_back(r, restricted_.generation(r));
     }
   }
@@ -333,7 +334,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
       }
     }
     if (outcome == Outcome::inserted || outcome == Outcome::split) {
-      for (const RecordId n : restricted_.created()) judge(n);
+      for (const RecordId n : created_) judge(n);
       if (outcome == Outcome::split) judge(r);
     }
   }

@@ -75,6 +75,7 @@ class Recovery {
 
   std::deque<VertexId> vertex_queue_;
   std::vector<std::uint8_t> vertex_queued_;
+  std::vector<RecordId> created_;  // by what insert() last did, of all vertices that it took
   std::vector<RecordId> star_;
   std::vector<Triangle> triangles_;
 };
