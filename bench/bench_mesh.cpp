@@ -84,7 +84,7 @@ class Insertion {
   bool insert(FaceId f) {
     if (is_dead(mesh_.faces[f]) || !recovered_.mesh.duals[f].on_surface) return false;
     const Vec3 p = recovered_.mesh.duals[f].center;
-    return !inserter_.insert(Rung::surface_point, f, p);
+    return inserter_.insert(Rung::surface_point, f, p);
   }
 
   // step() is run until it says that it is done.

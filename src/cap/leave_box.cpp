@@ -187,7 +187,7 @@ bool BoxLeaver::replace(bool near_surface) {
 
 bool BoxLeaver::move_off(FaceId f, VertexId v) {
   facets_around(mesh_, f, v, change_.out);
-  if (!replacer().take_out(change_)) return false;
+  if (!replacer().mark_old(change_)) return false;
   change_.in.facets = change_.was.facets;
   change_.what = Change::Vertex::moves;
   change_.vertex = v;
@@ -252,7 +252,7 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
 
   change_.out.assign(1, f);
   if (is_edge) change_.out.push_back(g);
-  if (!replacer().take_out(change_)) return false;
+  if (!replacer().mark_old(change_)) return false;
   if (effort == Effort::next_to_it) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {

@@ -19,7 +19,8 @@
 namespace deliso {
 namespace {
 
-// How often: an edge within an inner face may be in the way of what is to go from the seam.
+// How often a seam is cleared: what is to go from it may be in the way of an edge within the face,
+// which leaves in the same round.
 constexpr int kRounds = 3;
 
 // Leaves nothing on the inner faces but the seam (surface/seam.h).
@@ -34,38 +35,42 @@ void make_seam(Recovered& s, const Isosurface& surface, const Parameters& parame
   if (unknown > 0) refuse_seam(text("a vertex, one of ", unknown));
 }
 
+TriMesh mesh_by_cubes(const Volume& volume, double kappa, const Options& options,
+                      const Parameters& parameters, Report& report) {
+  begin_stage(parameters.progress, "cubes");
+  report.kappa_effective = kappa;
+  report.exact =
+      summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
+  SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
+  if (options.cap) {
+    begin_stage(parameters.progress, "cap");
+    const VoxelTree tree =
+        timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+    const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
+    s.duals.resize(s.mesh.faces.size());
+    close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
+                 report);
+  }
+  s.mesh.frame = volume.frame();
+  return std::move(s.mesh);
+}
+
 }  // namespace
 
-// Figure 4. InitTriangulation and BuildTriMesh are the first and the last thing that Recover does.
+// Figure 4, whose triangulation lives in Stage 1: recover_certified (ours, the default) or
+// recover_paper (Figure 5), which begin with the first sample and end with BuildTriMesh. refine()
+// is what is left of Figure 9. What is ours stands around them: the isovalue, seams, caps.
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options,
                         Report& report) {
   const StepTimer total(report.seconds_total);
   require_limits(options, volume);
   Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
-  const auto begin = [&](const char* stage) { StageProgress(options.progress, stage); };
   if (options.method == Method::marching_cubes) {
-    begin("cubes");
-    report.kappa_effective = kappa;
-    report.exact =
-        summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
-    TriMesh cubes = marching_cubes(volume, report.kappa_effective);
-    if (options.cap) {
-      begin("cap");
-      const VoxelTree tree =
-          timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
-      const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
-      SurfaceMesh s{std::move(cubes), {}, {}, {}};
-      s.duals.resize(s.mesh.faces.size());
-      close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
-                   report);
-      cubes = std::move(s.mesh);
-    }
-    cubes.frame = volume.frame();
-    return cubes;
+    return mesh_by_cubes(volume, kappa, options, parameters, report);
   }
   report.kappa_effective = kappa;
-  begin("contour");
+  begin_stage(parameters.progress, "contour");
   ContourMesh contour = timed(report.seconds_contour, [&] {
     return build_settled_contour(volume, report.kappa_effective, parameters.threads);
   });
@@ -86,6 +91,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
           ? recover_certified(surface, std::move(contour), parameters, report)
           : recover_paper(surface, std::move(contour), parameters, options.single_stage, report);
   const unsigned inner_faces = volume.inner_faces();
+  // Before Stage 2 too, which then has less to keep out of; what is left now, make_seam() clears.
   if (inner_faces != 0) clear_seam(s.mesh, surface, s.curves, parameters, report);
   if (options.trace) options.trace->switch_to(s.mesh.mesh);
   if (!options.stop_after_recover && !options.single_stage) {
@@ -94,7 +100,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   if (options.trace) options.trace->end_mesh();
   if (inner_faces != 0) make_seam(s, surface, parameters, report);
   if (options.cap) {
-    begin("cap");
+    begin_stage(parameters.progress, "cap");
     close_on_box(s.mesh, surface, s.curves, inside, parameters, report);
   }
   s.mesh.mesh.frame = volume.frame();

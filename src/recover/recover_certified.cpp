@@ -395,13 +395,13 @@ Dual CertifiedRecovery::dual_of(const Triangle& sites, SurfacePointFinder& finde
 Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
                             const Parameters& parameters, Report& report) {
   std::optional<StepTimer> timer(report.seconds_contour);
-  StageProgress(parameters.progress, "cutting");
+  begin_stage(parameters.progress, "cutting");
   ContourMesh contour =
       fine_contour(std::move(plain), surface.volume(), surface.kappa(), report, parameters.threads);
   order_by_blocks(contour, surface.volume(), parameters.threads);
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   timer.emplace(report.seconds_labels);
-  StageProgress(parameters.progress, "labels");
+  begin_stage(parameters.progress, "labels");
   CertifiedRecovery recovery(surface, contour,
                              init_sites(contour, curves, surface.volume(), parameters, report),
                              parameters, report);

@@ -187,7 +187,8 @@ bool Recovery::split_edge(VertexId a) {
 bool Recovery::edge_holds_a_vertex(VertexId a) {
   const Triangulation& t = restricted_.triangulation();
   const VertexId b = chain_.next(a);
-  // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end.
+  // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end; so does that
+  // of an edge which is not Delaunay.
   // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
   // ball however short the edges are; the edge is Delaunay all the same.
   for (const VertexId v : restricted_.neighbors(a)) {
@@ -221,6 +222,7 @@ void Recovery::multi_intersect() {
     if (!restricted_.is_live(r) || restricted_.generation(r) != generation) continue;
     const std::span<const Vec3> hits = restricted_.effective_hits(r);
     if (hits.size() < 2) continue;
+    // All hits lie on the facet's dual line: furthest from a corner is furthest from the facet.
     const Vec3& a = t.point(restricted_.triangle(r)[0]);
     const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
       return distance2(p, a) < distance2(q, a);
@@ -370,7 +372,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report) {
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   std::optional<StepTimer> timer(report.seconds_init);
-  StageProgress(parameters.progress, "initial");
+  begin_stage(parameters.progress, "initial");
   InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);
   timer.emplace(report.seconds_recover);
   std::optional<RestrictedTrace> trace;
@@ -385,7 +387,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
       report.points_recovered - std::min(report.points_recovered, report.points_initial);
 
   timer.reset();
-  if (parameters.asks_for_poles()) StageProgress(parameters.progress, "poles");
+  if (parameters.asks_for_poles()) begin_stage(parameters.progress, "poles");
   std::vector<double> poles;
   if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report, parameters.pole_side);
   timer.emplace(report.seconds_refine);

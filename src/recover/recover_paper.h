@@ -71,8 +71,9 @@ class Recovery {
   const Parameters& parameters_;
   std::optional<StageProgress> progress_;
   Report& report_;
-  double floor_;  // no ball and no boundary edge smaller than this is worked on
+  double floor_;  // no ball smaller than this gets its point
 
+  // Whose D_q is to be looked at: what extract_manifold() leaves empty, later insertions fill.
   std::deque<VertexId> vertex_queue_;
   std::vector<std::uint8_t> vertex_queued_;
   std::vector<RecordId> created_;  // by what insert() last did, of all vertices that it took
@@ -80,8 +81,9 @@ class Recovery {
   std::vector<Triangle> triangles_;
 };
 
-// InitTriangulation, Recover and BuildTriMesh of Figure 4 (or, with `single_stage`, all refinement
-// on the triangulation too: the baseline of Table 2). `contour`: build_contour().
+// InitTriangulation and Recover of Figure 4, ComputePoles and BuildTriMesh, with which Figure 9
+// begins (or, with `single_stage`, all refinement on the triangulation too: the baseline of Table
+// 2). `contour`: build_contour().
 Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report);
 

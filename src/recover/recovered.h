@@ -13,7 +13,7 @@ namespace deliso {
 struct Recovered {
   SurfaceMesh mesh;
   BoundaryCurves curves;        // that its chain is on
-  std::vector<Vec3> witnesses;  // points of Sigma, dense: the vertices of T
+  std::vector<Vec3> witnesses;  // points of Sigma, dense: the vertices of T (contour/)
 };
 
 }  // namespace deliso

@@ -81,7 +81,7 @@ class RestrictedDelaunay {
   // Inserts p into the prepared zone. pre: the zone has cells.
   VertexId insert_prepared(const Vec3& p);
   // What the last insertion touched: vertices of facets that came, went, or lost hits (each once),
-  // the new vertex first; and the records that came.
+  // the new vertex first; and the records that came, or lost hits.
   std::span<const VertexId> touched() const { return touched_; }
   std::span<const RecordId> created() const { return created_records_; }
 

@@ -11,7 +11,7 @@ namespace deliso {
 
 struct Change {
   std::vector<FaceId> out;
-  Patch was;  // their corners, by take_out()
+  Patch was;  // their corners, by mark_old()
   Patch in;
   // A vertex that comes, or is moved, and to where.
   enum class Vertex { none, comes, moves } what = Vertex::none;

@@ -54,7 +54,7 @@ class SeamClearer {
     change.out = {f, g};
     change.in.facets = {s_.mesh.faces[g].v};
     change.leaves_box = true;
-    if (!replacer_.take_out(change) || replacer_.replace(change, [] { return true; })) return false;
+    if (!replacer_.mark_old(change) || replacer_.replace(change, [] { return true; })) return false;
     s_.chain.remove(v);
     return true;
   }
@@ -62,7 +62,7 @@ class SeamClearer {
   bool lift(FaceId f, VertexId v) {
     Change change;
     facets_around(s_.mesh, f, v, change.out);
-    if (!replacer_.take_out(change)) return false;
+    if (!replacer_.mark_old(change)) return false;
     change.in.facets = change.was.facets;
     change.in.facets.push_back({s_.chain.previous(v), s_.chain.next(v), v});
     change.what = Change::Vertex::moves;

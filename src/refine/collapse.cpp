@@ -134,7 +134,7 @@ std::optional<Refusal> Collapser::merge(FaceId f, VertexId from, VertexId to, Ga
   const bool on_boundary = s_.chain.is_boundary(from);
   if (on_boundary && !s_.chain.is_edge(from, to)) return Refusal::boundary;
   facets_around(mesh_, f, from, change_.out);
-  if (!replacer_.take_out(change_)) return Refusal::not_a_disk;
+  if (!replacer_.mark_old(change_)) return Refusal::not_a_disk;
   change_.in.facets.clear();
   for (const Triangle& t : change_.was.facets) {
     if (has_corner(t, to)) continue;

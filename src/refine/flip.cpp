@@ -29,7 +29,7 @@ bool Flipper::flip_if_not_delaunay(FaceId f, int i) {
            !y.holds(mesh.points[q.b]) &&
            std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kLower) * radii;
   };
-  const auto refusal = replacer_.take_out(change_) ? replacer_.replace(change_, accept)
+  const auto refusal = replacer_.mark_old(change_) ? replacer_.replace(change_, accept)
                                                    : std::optional(Refusal::not_a_disk);
   return !replacer_.count(Rung::flip, change_, refusal);
 }

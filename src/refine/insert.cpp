@@ -23,8 +23,9 @@ Inserter::Inserter(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const Boun
       parameters_(parameters),
       report_(report) {}
 
-std::optional<Refusal> Inserter::insert(Rung rung, FaceId start, const Vec3& p) {
-  return replacer_.count(rung, change_, try_insert(start, p, std::nullopt));
+bool Inserter::insert(Rung rung, FaceId start, const Vec3& p) {
+  refusal_ = replacer_.count(rung, change_, try_insert(start, p, std::nullopt));
+  return !refusal_;
 }
 
 void Inserter::find_encroached(FaceId start, const Vec3& p) {
@@ -56,7 +57,7 @@ std::optional<Refusal> Inserter::try_insert(FaceId start, const Vec3& p,
       return split_boundary(*edge) ? std::nullopt : std::optional(Refusal::boundary);
     }
   }
-  if (!replacer_.take_out(change_) || change_.was.inner_vertices() > 0) return Refusal::not_a_disk;
+  if (!replacer_.mark_old(change_) || change_.was.inner_vertices() > 0) return Refusal::not_a_disk;
 
   const double too_close = kTooClose * parameters_.r_min;
   change_.in.facets.clear();

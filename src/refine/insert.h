@@ -29,8 +29,11 @@ class Inserter {
   Inserter(SurfaceMesh& surface_mesh, DiskReplacer& replacer, const BoundaryCurves& curves,
            const Parameters& parameters, Report& report);
 
-  // Inserts p, a point of Sigma; E begins with `start`. Counts under `rung`.
-  std::optional<Refusal> insert(Rung rung, FaceId start, const Vec3& p);
+  // Inserts p, a point of Sigma, or the middle of the boundary edge that it encroaches upon;
+  // whether either was done. E begins with `start`. Counts under `rung`.
+  bool insert(Rung rung, FaceId start, const Vec3& p);
+  // Why the last insert() did nothing.
+  std::optional<Refusal> refusal() const { return refusal_; }
 
   // Inserts the middle of the arc that a boundary edge stands for. pre: no facet beyond it.
   bool split_boundary(EdgeRef edge);
@@ -41,6 +44,7 @@ class Inserter {
   std::span<const FaceId> created() const { return change_.created; }
 
  private:
+  // `opened`: the boundary edge that p splits, on which D has no facet.
   std::optional<Refusal> try_insert(FaceId start, const Vec3& p, std::optional<EdgeRef> opened);
   void find_encroached(FaceId start, const Vec3& p);
   std::optional<EdgeRef> encroached_boundary(const Vec3& p) const;
@@ -56,7 +60,8 @@ class Inserter {
   const BoundaryCurves& curves_;
   const Parameters& parameters_;
   Report& report_;
-  Change change_;
+  Change change_;  // `out` is E, `in` is D
+  std::optional<Refusal> refusal_;
   std::vector<std::uint32_t> marks_;  // per facet: stamp_ when it is in E
   std::uint32_t stamp_ = 0;
 };

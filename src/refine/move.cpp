@@ -38,7 +38,7 @@ double Mover::cost_of_needles(const Vec3& p) const {
 bool Mover::move(FaceId f, VertexId v) {
   if (s_.chain.is_boundary(v)) return false;
   facets_around(mesh_, f, v, change_.out);
-  if (!replacer_.take_out(change_)) return false;
+  if (!replacer_.mark_old(change_)) return false;
   change_.in.facets = change_.was.facets;
   change_.what = Change::Vertex::moves;
   change_.vertex = v;

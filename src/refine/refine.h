@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Stage 2, Refine and RefineGeom of paper Figures 4 and 9: the mesh that Stage 1 hands over is
-// refined until every facet meets the criteria, by one queue, worst first.
+// Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9: the mesh that Stage 1 hands over is
+// refined until every facet meets the criteria, by a queue, worst first: one for each part of the
+// mesh (refine/parts.h), then one for what is left.
 //
-// For a facet that does not, what is tried, rung by rung: its surface point inserted; another point
-// of Sigma near it; a boundary edge split; an edge flipped; a short edge collapsed; and where all
-// of that is refused, the patch around it triangulated anew, a corner moved. What none of them
-// mends is left and counted. Each is one replacement of a disk of facets (refine/replace_disk.h),
-// so the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
+// For a facet that does not, what is tried, rung by rung: its short edge collapsed; its surface
+// point inserted; another point of Sigma near it; a boundary edge split; an edge flipped; and where
+// all of that is refused, the patch around it triangulated anew, a corner taken out, a corner
+// moved. What none of them mends is left and counted. Each is one replacement of a disk of facets
+// (refine/replace_disk.h), so the mesh stays a manifold of the same topology, embedded, with its
+// vertices on Sigma.
 #pragma once
 
 #include <cstddef>

@@ -86,11 +86,11 @@ class Refiner {
   void make_delaunay();
   std::vector<FaceId> not_delaunay() const;  // but for the stuck ones
   void count_left();
-  void settle();
+  void hand_back();
 
   FacetShape shape(FaceId f) const;
-  void judge(FaceId f);
-  void judge_all();
+  void queue_if_bad(FaceId f);
+  void queue_all_bad();
   // New facets: judged, and looked at for flips and for leaving the boundary's curve.
   bool take(std::span<const FaceId> created);
   bool climb(FaceId f, Rungs rungs);
@@ -102,8 +102,9 @@ class Refiner {
   std::array<std::optional<Vec3>, 2> other_points(FaceId f);
   void legalize();
   void follow_curves();
-  // Whether there may be no more vertices.
-  bool is_full();
+  // Whether to stop, at max_vertices; at target_vertices it fixes the bound on the distance, so
+  // that only shape is refined from there on.
+  bool must_stop();
   void show_progress();
 
   SurfaceMesh& s_;
@@ -143,7 +144,7 @@ void Refiner::run(std::span<const Vec3> witnesses) {
   }
   ends_ = changed_;
   legalize();
-  judge_all();
+  queue_all_bad();
   follow_curves();
   progress_.begin_part_of_rest(parameters_.as_published ? 1 : kRefining);
   refine_geom(Rungs::cheap);
@@ -155,28 +156,28 @@ void Refiner::run(std::span<const Vec3> witnesses) {
     refine_geom(Rungs::all);
     make_delaunay();
   }
-  work_.part.is_whole() ? count_left() : settle();
+  work_.part.is_whole() ? count_left() : hand_back();
 }
 
 FacetShape Refiner::shape(FaceId f) const {
   return judge_.shape(mesh_.faces[f].v, s_.duals[f]);
 }
 
-void Refiner::judge(FaceId f) {
+void Refiner::queue_if_bad(FaceId f) {
   const Triangle& v = mesh_.faces[f].v;
   queue_.set(f, judge_.violation(v, s_.duals[f]), mesh_.points[v[0]]);
 }
 
-void Refiner::judge_all() {
+void Refiner::queue_all_bad() {
   for (FaceId f = work_.part.first; f < mesh_.faces.size(); ++f) {
-    if (!is_dead(mesh_.faces[f]) && !settled_[f]) judge(f);
+    if (!is_dead(mesh_.faces[f]) && !settled_[f]) queue_if_bad(f);
   }
 }
 
 bool Refiner::take(std::span<const FaceId> created) {
   settled_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : created) {
-    judge(f);
+    queue_if_bad(f);
     changed_.push_back(f);
     settled_[f] = 0;
     for (const FaceId g : mesh_.faces[f].n) {
@@ -204,18 +205,18 @@ void Refiner::refine_geom(Rungs rungs) {
       }
       follow_curves();
       show_progress();
-      if (is_full()) return;
+      if (must_stop()) return;
     }
     // New facets are Delaunay with each other, but need not be with those beyond their rim.
     legalize();
     // What was refused is tried again once its surroundings have changed.
     for (const FaceId f : std::exchange(refused_, {})) {
-      if (!is_dead(mesh_.faces[f]) && !settled_[f]) judge(f);
+      if (!is_dead(mesh_.faces[f]) && !settled_[f]) queue_if_bad(f);
     }
   }
 }
 
-bool Refiner::is_full() {
+bool Refiner::must_stop() {
   const std::size_t vertices = mesh_.points.size();
   if (vertices >= parameters_.max_vertices) {
     if (!parameters_.keep_partial) {
@@ -233,7 +234,7 @@ bool Refiner::is_full() {
     if (!is_dead(mesh_.faces[f])) largest = std::max(largest, shape(f).h);
   }
   parameters_.refinement[Criterion::distance] = reached_ > 0 ? reached_ : largest;
-  judge_all();
+  queue_all_bad();
   return false;
 }
 
@@ -251,7 +252,7 @@ bool Refiner::reach(std::span<const Vec3> witnesses) {
       trace_facet(*trace_, s_, at.facet, trace_code(Reason::far_point),
                   std::sqrt(at.distance2) / limit);
     }
-    if (!inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
+    if (inserter_.insert(Rung::far_point, at.facet, p)) any = take(inserter_.created());
     follow_curves();
   }
   return any;
@@ -314,12 +315,12 @@ bool Refiner::refine(FaceId f) {
   if (collapser_.collapse(f)) return take(collapser_.created());
   if (is_put_off()) return false;
   const Dual dual = s_.duals[f];
-  if (dual.on_surface && !inserter_.insert(Rung::surface_point, f, dual.center)) {
+  if (dual.on_surface && inserter_.insert(Rung::surface_point, f, dual.center)) {
     return take(inserter_.created());
   }
   if (is_put_off()) return false;
   for (const std::optional<Vec3>& p : other_points(f)) {
-    if (p && !inserter_.insert(Rung::foot, f, *p)) return take(inserter_.created());
+    if (p && inserter_.insert(Rung::foot, f, *p)) return take(inserter_.created());
   }
   if (is_put_off()) return false;
   // Next to the boundary a shorter boundary edge makes room, unless it is short already.
@@ -408,7 +409,7 @@ void Refiner::count_left() {
 
 // Nothing more is to be done for the facets of the part but where something was put off, or where
 // more may be in their balls than is seen here.
-void Refiner::settle() {
+void Refiner::hand_back() {
   settled_.resize(mesh_.faces.size(), 0);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     const Dual& dual = s_.duals[f];

@@ -21,7 +21,8 @@ struct Work {
   std::size_t of_stage1 = 0;  // so many vertices, the first ones, are Stage 1's
   // Per facet: nothing is to be done for it until something changes around it.
   std::vector<std::uint8_t> settled;
-  std::vector<std::uint32_t> far;  // points of Sigma to be looked at; that are too far still
+  // Which points of Sigma may be too far from the mesh: all, and later those that are.
+  std::vector<std::uint32_t> far;
 };
 
 // How much further than facets from Sigma, at their circumcenters, points of Sigma may be from the

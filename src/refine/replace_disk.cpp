@@ -62,7 +62,7 @@ DiskReplacer::DiskReplacer(SurfaceMesh& surface_mesh, const Isosurface& surface,
   }
 }
 
-bool DiskReplacer::take_out(Change& change) {
+bool DiskReplacer::mark_old(Change& change) {
   ++stamp_;
   change.was.facets.clear();
   for (const FaceId f : change.out) {

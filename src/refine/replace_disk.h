@@ -45,7 +45,7 @@ class DiskReplacer {
                Report& report, const Part& part = {});
 
   // Fills change.was; whether change.out is a disk. Comes before replace().
-  bool take_out(Change& change);
+  bool mark_old(Change& change);
 
   // Does it, or says which gate it did not pass and leaves everything as it was. accept(): G4,
   // asked when the duals are known and the vertex is in its place. The boundary chain is the

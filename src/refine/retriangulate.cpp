@@ -90,7 +90,7 @@ bool Retriangulator::retriangulate(FaceId f) {
   }
   change_.least_cosine = kSharpest;
   std::optional<Refusal> refusal = Refusal::not_a_disk;
-  if (replacer_.take_out(change_)) {
+  if (replacer_.mark_old(change_)) {
     refusal =
         fill() ? replacer_.replace(change_, [] { return true; }) : std::optional(Refusal::no_gain);
   }

@@ -30,7 +30,7 @@ struct Parameters {
   double fingers;     // Stage 1, certified: how far a vertex of T may be from K
   Criteria recovery;  // ApproximateGeom, paper §3.1
   Criteria refinement;
-  // Stage 2 as published: facets are inserted into or left, nothing is rearranged for them.
+  // Stage 2 as published: no dear rungs, no point of Sigma looked for, no crossing refused.
   bool as_published = false;
   PoleSide pole_side = PoleSide::nearer;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a run did: seconds, points, searches, and a counter for everything that was refused or left
 // unresolved. A clean run shows zeros; nothing is dropped without being counted. The stages write
-// it; none reads it.
+// it; none reads it but for the isovalue.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Counter : std::uint8_t {
   boundary_splits_recover,  // boundary edges split because a point encroached upon them
   cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
   bogus_hits,               // hits whose ball holds a vertex: the Voronoi edge was garbage
-  capped_insertions,        // insertions refused by the hard cap
+  capped_insertions,        // insertions refused since the ball is too small
   refused_splits,           // boundary edges encroached upon that are too short to be split
   unresolved_facets,        // facets that still meet Sigma more than once
   unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk

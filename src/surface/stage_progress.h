@@ -50,4 +50,9 @@ class StageProgress {
   std::size_t done_ = 0;
 };
 
+// Tells of a stage that says nothing more.
+inline void begin_stage(const StageProgress::Callback& callback, const char* stage) {
+  StageProgress(callback, stage);
+}
+
 }  // namespace deliso

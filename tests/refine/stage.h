@@ -245,7 +245,7 @@ class Stage {
     change.out = {f, g};
     change.in.facets = {{a, b, d}, {d, c, a}};
     change.least_cosine = kSharpest;
-    if (!replacer.take_out(change) || replacer.replace(change, [] { return true; })) return false;
+    if (!replacer.mark_old(change) || replacer.replace(change, [] { return true; })) return false;
     if (created) *created = change.created;
     return true;
   }

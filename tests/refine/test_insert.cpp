@@ -96,7 +96,8 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     if (!p) continue;
     const std::set<FaceId> disk = encroached(stage, f, *p);
     const std::size_t facets = stage.live_facets();
-    const auto refusal = inserter.insert(Rung::foot, f, *p);
+    inserter.insert(Rung::foot, f, *p);
+    const auto refusal = inserter.refusal();
     if (refusal) {
       ++tally.refused;
       ++tally.refusals[static_cast<std::size_t>(*refusal)];
@@ -160,7 +161,8 @@ TEST_CASE(
                     stage.report);
   const Vec3 at = stage.corner(0, 0);
   const Stage::Snapshot before = stage.snapshot();
-  CHECK(inserter.insert(Rung::foot, 0, at) == Refusal::too_close);
+  CHECK_FALSE(inserter.insert(Rung::foot, 0, at));
+  CHECK(inserter.refusal() == Refusal::too_close);
   CHECK(stage.snapshot() == before);
   // Balls so large that p encroaches upon every facet around a vertex.
   std::vector<FaceId> star;
@@ -168,6 +170,7 @@ TEST_CASE(
   const Vec3 out = at + 5 * (at - Vec3{7.5, 7.5, 7.5});
   for (const FaceId f : star) stage.surface_mesh.duals[f] = {out, 1e6, true};
   const Vec3 p = stage.surface_mesh.duals[0].center;
-  CHECK(inserter.insert(Rung::foot, 0, p) == Refusal::not_a_disk);
+  CHECK_FALSE(inserter.insert(Rung::foot, 0, p));
+  CHECK(inserter.refusal() == Refusal::not_a_disk);
   CHECK(stage.mesh.points.size() == before.points.size());
 }

@@ -33,7 +33,7 @@ Wanting count_wanting(const Stage& stage) {
 bool push(Stage& stage, FaceId f, VertexId v, const Vec3& p) {
   Change change;
   facets_around(stage.mesh, f, v, change.out);
-  if (!stage.replacer.take_out(change)) return false;
+  if (!stage.replacer.mark_old(change)) return false;
   change.in.facets = change.was.facets;
   change.what = Change::Vertex::moves;
   change.vertex = v;

@@ -184,7 +184,7 @@ struct Bare {
   }
   // Whether G1 lets the change pass. Nothing is done.
   bool keeps_manifold(Change& change) {
-    if (!replacer->take_out(change)) return false;
+    if (!replacer->mark_old(change)) return false;
     const auto refusal = replacer->replace(change, [] { return false; });
     REQUIRE(refusal);
     // Of points anywhere a change turns small components inside out.
@@ -342,14 +342,14 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
   const auto good = [&] {
     Change change = cone(stage, {f}, stage.surface_mesh.duals[f].center);
-    REQUIRE(stage.replacer.take_out(change));
+    REQUIRE(stage.replacer.mark_old(change));
     fill_cone(change);
     return change;
   };
 
   SUBCASE("what is to go is no disk") {
     Change change = cone(stage, {f, f}, {});
-    CHECK_FALSE(stage.replacer.take_out(change));
+    CHECK_FALSE(stage.replacer.mark_old(change));
     FaceId far = 0;
     while (far == f || has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[0]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[1]) ||
@@ -357,7 +357,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
       ++far;
     }
     change.out = {f, far};
-    CHECK_FALSE(stage.replacer.take_out(change));
+    CHECK_FALSE(stage.replacer.mark_old(change));
   }
   SUBCASE("what comes is no disk over that rim") {
     Change change = good();
@@ -386,13 +386,13 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
     Change flip;
     flip.out = {g, h};
     flip.in.facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}};
-    REQUIRE(stage.replacer.take_out(flip));
+    REQUIRE(stage.replacer.mark_old(flip));
     CHECK(stage.replacer.replace(flip, yes) == Refusal::not_a_disk);
     CHECK(stage.snapshot() == with);
     // And back to the one facet that was there: a change of three for one.
     Change back;
     back.out = first.created;
-    REQUIRE(stage.replacer.take_out(back));
+    REQUIRE(stage.replacer.mark_old(back));
     back.in.facets = {before.faces[f].v};
     CHECK_FALSE(stage.replacer.replace(back, yes));
     CHECK(stage.fault() == "");
@@ -415,7 +415,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
               stage, {g}, (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0);
           change.place = change.place + height * stage.longest_edge(g) * up;
           change.least_cosine = least_cosine;
-          REQUIRE(stage.replacer.take_out(change));
+          REQUIRE(stage.replacer.mark_old(change));
           fill_cone(change);
           return stage.replacer.replace(change, [] { return false; });
         };
@@ -475,7 +475,7 @@ TEST_CASE("no facet crosses another, exactly: what is refused would cross, what 
     Change change;
     facets_around(stage.mesh, f, v, change.out);
     for (const FaceId g : change.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE(stage.replacer.take_out(change));
+    REQUIRE(stage.replacer.mark_old(change));
     change.in.facets = change.was.facets;
     change.what = Change::Vertex::moves;
     change.vertex = v;
@@ -499,7 +499,7 @@ TEST_CASE("no facet crosses another, exactly: what is refused would cross, what 
     Change back;
     back.out = change.created;
     for (const FaceId g : back.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE(stage.replacer.take_out(back));
+    REQUIRE(stage.replacer.mark_old(back));
     back.in.facets = back.was.facets;
     back.what = Change::Vertex::moves;
     back.vertex = v;
@@ -603,7 +603,7 @@ TEST_CASE("thousands of changes of any kind: what is done is sound, what is not 
         return std::count(face.n.begin(), face.n.end(), kNoId) > 0;
       });
       std::optional<Refusal> refusal = Refusal::not_a_disk;
-      if (stage.replacer.take_out(change)) {
+      if (stage.replacer.mark_old(change)) {
         refusal = stage.replacer.replace(change, [&] { return !at_rim; });
       }
       if (refusal) {
