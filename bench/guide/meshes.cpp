@@ -59,7 +59,7 @@ void draw_fineness(const std::string& folder) {
   for (const auto& [distance, caption] :
        {std::pair{1.0, "1vox"}, std::pair{0.3, "0.3vox"}, std::pair{0.1, "0.1vox"}}) {
     Options options;
-    options.max_distance = {distance, Length::Unit::voxel};
+    options.limits[Criterion::distance] = {distance, Length::Unit::voxel};
     panels.push_back(meshed("builtin:fuel", options, caption));
   }
   draw(folder, "fineness", panels, {60, 25}, {1140, 380});
