@@ -11,11 +11,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-for page in "$source"/docs/guide/add-*.md; do
+for page in docs/guide/add-a-criterion.md docs/guide/add-a-reader.md docs/guide/add-a-bench.md; do
   name=$(basename "$page" .md)
   mkdir "$work/$name"
   cp -r "$source/src" "$source/tests" "$source/bench" "$source/docs" "$work/$name"
-  awk '/^```diff$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$page" >"$work/$name.patch"
+  awk '/^```diff$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$source/$page" >"$work/$name.patch"
   grep -q '^+' "$work/$name.patch" || { echo "$page: shows no change"; exit 1; }
   (cd "$work/$name" && patch -p1 --fuzz=0 --quiet <"$work/$name.patch") ||
     { echo "$page: a change does not apply"; exit 1; }
