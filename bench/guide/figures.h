@@ -23,6 +23,8 @@ void draw_insert(const std::string& folder);
 void draw_rungs(const std::string& folder);
 void draw_boundary(const std::string& folder);
 void draw_checking(const std::string& folder);
+// gates.cpp
+void draw_gates(const std::string& folder);
 // meshes.cpp
 
 void draw_fineness(const std::string& folder);

@@ -30,6 +30,7 @@ constexpr Figure kFigures[] = {
     {"certified", draw_certified},
     {"switch", draw_switch},
     {"insert", draw_insert},
+    {"gates", draw_gates},
     {"rungs", draw_rungs},
     {"boundary", draw_boundary},
     {"checking", draw_checking},

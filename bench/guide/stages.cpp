@@ -9,14 +9,12 @@
 #include "base/append_format.h"
 #include "base/check.h"
 #include "base/triangle.h"
-#include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
+#include "guide/handed.h"
 #include "guide/slice.h"
-#include "kdtree/voxel_tree.h"
-#include "recover/recover_certified.h"
 #include "recover/sample.h"
 #include "refine/insert.h"
 #include "refine/refine.h"
@@ -25,27 +23,6 @@
 
 namespace deliso::guide {
 namespace {
-
-// A field between the stages.
-struct Handed {
-  Volume volume;
-  double kappa;
-  ContourMesh contour;
-  VoxelTree tree;
-  Isosurface surface;
-  Parameters parameters;
-  Report report;
-  Recovered recovered;
-
-  Handed(const char* field, double isovalue, const Options& options)
-      : volume(make_builtin_volume(field)),
-        kappa(isovalue),
-        contour(build_settled_contour(volume, kappa)),
-        tree(volume),
-        surface(volume, tree, kappa),
-        parameters(resolve(options, volume)),
-        recovered(recover_certified(surface, ContourMesh(contour), parameters, report)) {}
-};
 
 // Looking at a facet along its normal.
 struct Plan {
@@ -57,18 +34,6 @@ struct Plan {
     return panel.at({dot(d, right), dot(d, up)});
   }
 };
-
-std::vector<FaceId> encroached(const SurfaceMesh& s, FaceId start) {
-  const Vec3 p = s.duals[start].center;
-  std::vector<FaceId> disk{start};
-  for (std::size_t n = 0; n < disk.size(); ++n) {
-    for (const FaceId g : s.mesh.faces[disk[n]].n) {
-      if (g == kNoId || std::find(disk.begin(), disk.end(), g) != disk.end()) continue;
-      if (s.duals[g].holds(p)) disk.push_back(g);
-    }
-  }
-  return disk;
-}
 
 void draw_facets(Drawing& out, const Plan& plan, const SurfaceMesh& s,
                  const std::vector<FaceId>& shaded, const char* fill) {
@@ -105,7 +70,7 @@ void draw_insert(const std::string& folder) {
   FaceId start = 0;
   std::size_t most = 0;
   for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
-    const std::size_t count = encroached(s, f).size();
+    const std::size_t count = encroached(s, f, s.duals[f].center).size();
     if (s.duals[f].on_surface && count > most && count <= 7) {
       most = count;
       start = f;
@@ -118,7 +83,7 @@ void draw_insert(const std::string& folder) {
   const Vec3 right = (b - a) / length(b - a);
   Plan plan{circumcenter(a, b, c), right, cross(unit, right), unit, {}};
   const Dual ball = s.duals[start];
-  const std::vector<FaceId> disk = encroached(s, start);
+  const std::vector<FaceId> disk = encroached(s, start, s.duals[start].center);
   Drawing out(760, 290);
   const double reach = 2.6 * std::sqrt(ball.radius2);
   const auto panel = [&](double x) {
