@@ -11,7 +11,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-for page in docs/guide/add-a-criterion.md docs/guide/add-a-reader.md docs/guide/add-a-bench.md; do
+for page in docs/guide/add-a-criterion.md docs/guide/add-a-proposer.md docs/guide/add-a-reader.md \
+    docs/guide/add-a-bench.md; do
   name=$(basename "$page" .md)
   mkdir "$work/$name"
   cp -r "$source/src" "$source/tests" "$source/bench" "$source/docs" "$work/$name"
