@@ -37,10 +37,11 @@ test: doctest
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-# docs/figures: the paper's figures, on the volumes in DATA.
+# docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's.
 figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures
+	@$(BUILD)/bench/guide/guide_figures docs/guide/figures
 	@sh bench/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
 # The micro-benchmarks, one primitive each; they need no data.

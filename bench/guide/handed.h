@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A field between the stages, with what Stage 2 asks for.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contour/contour.h"
+#include "deliso/options.h"
+#include "kdtree/voxel_tree.h"
+#include "recover/recover_certified.h"
+#include "volume/builtin_fields.h"
+
+namespace deliso::guide {
+
+struct Handed {
+  Volume volume;
+  double kappa;
+  ContourMesh contour;
+  VoxelTree tree;
+  Isosurface surface;
+  Parameters parameters;
+  Report report;
+  Recovered recovered;
+
+  Handed(const char* field, double isovalue, const Options& options)
+      : volume(make_builtin_volume(field)),
+        kappa(isovalue),
+        contour(build_settled_contour(volume, kappa)),
+        tree(volume),
+        surface(volume, tree, kappa),
+        parameters(resolve(options, volume)),
+        recovered(recover_certified(surface, ContourMesh(contour), parameters, report)) {}
+};
+
+// E: the facets, from `start` on, whose balls hold p.
+inline std::vector<FaceId> encroached(const SurfaceMesh& s, FaceId start, const Vec3& p) {
+  std::vector<FaceId> disk{start};
+  for (std::size_t n = 0; n < disk.size(); ++n) {
+    for (const FaceId g : s.mesh.faces[disk[n]].n) {
+      if (g == kNoId || std::find(disk.begin(), disk.end(), g) != disk.end()) continue;
+      if (s.duals[g].holds(p)) disk.push_back(g);
+    }
+  }
+  return disk;
+}
+
+}  // namespace deliso::guide

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Pictures of whole meshes, by the renderer.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/append_format.h"
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "deliso/options.h"
+#include "guide/figures.h"
+#include "kdtree/voxel_tree.h"
+#include "recover/certificate.h"
+#include "recover/labels.h"
+#include "recover/recover_certified.h"
+#include "recover/sample.h"
+#include "render/color_map.h"
+#include "render/render.h"
+#include "render/write_png.h"
+#include "volume/builtin_fields.h"
+
+namespace deliso::guide {
+namespace {
+
+struct Pictured {
+  TriMesh mesh;
+  std::string caption;
+  std::vector<Rgb> colors = {};
+};
+
+void draw(const std::string& folder, const std::string& name, const std::vector<Pictured>& panels,
+          View view, PictureSize size) {
+  RenderOptions options;
+  options.view = view;
+  options.size = size;
+  options.edges = Edges::drawn;
+  options.shading = Shading::flat;
+  std::vector<Subject> subjects;
+  for (const Pictured& p : panels) {
+    subjects.push_back({&p.mesh, {}, p.colors});
+    options.captions.push_back(p.caption);
+  }
+  write_png(render(subjects, options), folder + "/" + name + ".png");
+}
+
+Pictured meshed(const char* field, const Options& options, const char* caption) {
+  Report report;
+  Pictured p{mesh_isosurface(make_builtin_volume(field), find_builtin_field(field)->isovalue,
+                             options, report),
+             {}};
+  append_format(p.caption, "%s: %zu triangles", caption, p.mesh.faces.size());
+  return p;
+}
+
+}  // namespace
+
+void draw_fineness(const std::string& folder) {
+  std::vector<Pictured> panels;
+  for (const auto& [distance, caption] :
+       {std::pair{1.0, "1vox"}, std::pair{0.3, "0.3vox"}, std::pair{0.1, "0.1vox"}}) {
+    Options options;
+    options.limits[Criterion::distance] = {distance, Length::Unit::voxel};
+    panels.push_back(meshed("builtin:fuel", options, caption));
+  }
+  draw(folder, "fineness", panels, {60, 25}, {1140, 380});
+}
+
+void draw_switch(const std::string& folder) {
+  Options at_the_switch;
+  at_the_switch.stop_after_recover = true;
+  draw(folder, "switch",
+       {meshed("builtin:machine", at_the_switch, "K, at the switch"),
+        meshed("builtin:machine", {}, "M, at the end")},
+       {50, 35}, {1140, 480});
+}
+
+void draw_certified(const std::string& folder) {
+  const Volume volume = make_builtin_volume("builtin:torus:32");
+  double kappa = 0;
+  const ContourMesh contour = build_settled_contour(volume, kappa);
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, kappa);
+  Options options;
+  options.samples = 6;
+  const Parameters parameters = resolve(options, volume);
+  Report report;
+  const ContourGraph graph(contour, 1);
+  // T in the colors of its labels: a triangle of one label has that one's, others are light.
+  const auto labelled = [&](const Triangulation& sites, std::size_t count) {
+    const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
+    const Labels labels(contour, sites, kept, 1);
+    Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
+    Certificate certificate(contour, graph, labels);
+    Certificate::Scratch scratch;
+    std::vector<DualFacet> facets;
+    std::size_t broken = 0;
+    for (VertexId v = 0; v < contour.points.size(); ++v) {
+      if (labels.distance2_to_site(v) > 0) continue;
+      broken += certificate.check(labels.label(v), v, scratch, facets).violation != Violation::none;
+    }
+    append_format(p.caption, "%zu sites, %zu break a condition", count, broken);
+    for (const Triangle& t : contour.triangles) {
+      const VertexId a = labels.label(t[0]);
+      const bool is_one = labels.label(t[1]) == a && labels.label(t[2]) == a;
+      p.colors.push_back(is_one ? category_color(a) : Rgb{245, 245, 245});
+    }
+    return p;
+  };
+  const BoundaryCurves curves = boundary_curves(surface, contour, parameters);
+  std::vector<Pictured> panels;
+  {
+    // The random ones alone, before blocks have theirs.
+    Triangulation sites;
+    std::vector<Vec3> points;
+    const Box3 box = volume.box();
+    const Vec3 middle = 0.5 * (box.lo + box.hi);
+    const double far = 16 * length(box.size());
+    for (const Vec3& way : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+      points.push_back(middle + far * way);
+    }
+    constexpr std::size_t kSites = 9;
+    for (std::size_t n = 0; n < kSites; ++n) {
+      points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
+    }
+    std::vector<VertexId> ids;
+    sites.build(points, ids);
+    panels.push_back(labelled(sites, kSites));
+  }
+  const Recovered recovered = recover_certified(surface, ContourMesh(contour), parameters, report);
+  {
+    Triangulation sites;
+    std::vector<VertexId> ids;
+    sites.build(recovered.mesh.mesh.points, ids);
+    panels.push_back(labelled(sites, recovered.mesh.mesh.points.size()));
+  }
+  Pictured k{recovered.mesh.mesh, {}};
+  append_format(k.caption, "K, their dual: %zu triangles", k.mesh.faces.size());
+  panels.push_back(std::move(k));
+  draw(folder, "certified", panels, {30, 45}, {1140, 380});
+}
+
+}  // namespace deliso::guide

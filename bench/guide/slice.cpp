@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "guide/slice.h"
+
+#include "base/check.h"
+#include "contour/contour.h"
+
+namespace deliso::guide {
+namespace {
+
+Volume extruded(int columns, int rows, const std::function<double(double, double)>& f) {
+  std::vector<double> samples;
+  for (int layer = 0; layer < 2; ++layer) {
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) samples.push_back(f(i, j));
+    }
+  }
+  return Volume::from_samples({columns, rows, 2}, {1, 1, Slice::kLayers}, samples);
+}
+
+}  // namespace
+
+Slice::Slice(int columns, int rows, const std::function<double(double, double)>& f, int cells)
+    : volume_(extruded(columns, rows, f)), tree_(volume_), surface_(volume_, tree_, 0) {
+  const ContourMesh contour = build_contour(volume_, 0, {{}, {1, 1, 1}, {cells, cells, 1}});
+  for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
+    std::vector<Vec2> loop;
+    for (const VertexId v : contour.boundary.chain(c)) {
+      DELISO_CHECK((contour.box_faces[v] & 15u) == 0);
+      loop.push_back({contour.points[v].x, contour.points[v].y});
+    }
+    // The same outline is on the upper layer.
+    if (contour.points[contour.boundary.chain(c)[0]].z == 0) loops_.push_back(std::move(loop));
+  }
+}
+
+std::vector<Vec2> Slice::hits(const Vec2& a, const Vec2& b) const {
+  std::vector<Hit> found;
+  SearchCounters counters;
+  surface_.intersect({lifted(a), lifted(b)}, found, counters);
+  std::vector<Vec2> points;
+  for (const Hit& hit : found) points.push_back({hit.point.x, hit.point.y});
+  return points;
+}
+
+}  // namespace deliso::guide

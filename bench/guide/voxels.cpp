@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Pictures of what is decided by cases: a voxel's pieces, and the triangles at a vertex.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "contour/contour.h"
+#include "contour/voxel_topology.h"
+#include "guide/drawing.h"
+#include "guide/figures.h"
+#include "mesh/star.h"
+
+namespace deliso::guide {
+namespace {
+
+// The voxel of these values, seen from the front, a little from the right and above.
+void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const char* title,
+                const char* subtitle) {
+  constexpr double kSide = 106;
+  const auto at = [&](const Vec3& p) {
+    return Vec2{corner.x + kSide * (p.x + 0.42 * p.y), corner.y + kSide * (1.3 - p.z - 0.3 * p.y)};
+  };
+  const auto corner_at = [&](int m) {
+    return at({double(m & 1), double(m >> 1 & 1), double(m >> 2)});
+  };
+  const auto edge = [&](int e) {
+    const auto ends = corners_of_edge(e);
+    const bool is_hidden = ends[0] == 2 || ends[1] == 2;
+    out.line(corner_at(ends[0]), corner_at(ends[1]),
+             {.stroke = ink::kGrey, .width = 1, .dashed = is_hidden});
+  };
+  for (int e = 0; e < 12; ++e) edge(e);
+  // T's triangles there, the furthest first.
+  const Volume volume =
+      Volume::from_samples<double>({2, 2, 2}, {1, 1, 1}, {values.begin(), values.end()});
+  const ContourMesh contour = build_contour(volume, 0);
+  auto triangles = contour.triangles;
+  const auto depth = [&](const std::array<VertexId, 3>& t) {
+    double sum = 0;
+    for (const VertexId v : t) {
+      sum += contour.points[v].y - 0.42 * contour.points[v].x - 0.3 * contour.points[v].z;
+    }
+    return sum;
+  };
+  std::stable_sort(triangles.begin(), triangles.end(),
+                   [&](const auto& a, const auto& b) { return depth(a) > depth(b); });
+  for (const auto& t : triangles) {
+    const Vec2 p[] = {at(contour.points[t[0]]), at(contour.points[t[1]]), at(contour.points[t[2]])};
+    out.polygon(p, {.stroke = ink::kBlue, .width = 0.6, .fill = "#9fbce3", .opacity = 0.75});
+  }
+  for (const VertexId v : contour.boundary.vertices) out.dot(at(contour.points[v]), ink::kSigma, 3);
+  for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
+    std::vector<Vec2> loop;
+    for (const VertexId v : contour.boundary.chain(c)) loop.push_back(at(contour.points[v]));
+    out.polygon(loop, {.stroke = ink::kSigma, .width = 1.8});
+  }
+  for (int m = 0; m < 8; ++m) {
+    out.dot(corner_at(m), values[static_cast<std::size_t>(m)] >= 0 ? ink::kOrange : ink::kBlue, 6);
+  }
+  out.text({corner.x, corner.y - 30}, title, Anchor::start, 13, ink::kText, true);
+  out.text({corner.x, corner.y - 13}, subtitle);
+}
+
+Corners two_inside(int a, int b, double inside, double outside) {
+  Corners values;
+  values.fill(outside);
+  values[static_cast<std::size_t>(a)] = values[static_cast<std::size_t>(b)] = inside;
+  return values;
+}
+
+// Triangles around q = vertex 0, with the others on a circle, and the edges of its link in red.
+void draw_star(Drawing& out, const Vec2& center, std::span<const double> degrees,
+               std::span<const Triangle> triangles, const char* subtitle) {
+  constexpr double kRadius = 74;
+  std::vector<Vec2> places{center};
+  for (const double d : degrees) {
+    const double angle = d * std::numbers::pi / 180;
+    places.push_back(center + Vec2{kRadius * std::cos(angle), -kRadius * std::sin(angle)});
+  }
+  for (const Triangle& t : triangles) {
+    const Vec2 p[] = {places[t[0]], places[t[1]], places[t[2]]};
+    out.polygon(p, {.stroke = ink::kBlue, .width = 1.2, .fill = ink::kBelow, .opacity = 0.9});
+  }
+  for (const Triangle& t : triangles) {
+    out.line(places[t[1]], places[t[2]], {.stroke = ink::kRed, .width = 3});
+  }
+  for (std::size_t n = 1; n < places.size(); ++n) out.dot(places[n], ink::kSigma, 4);
+  out.dot(center, ink::kOrange, 6);
+  const Star star = classify_star(0, triangles);
+  out.text({center.x, 26}, name_of(star), Anchor::middle, 13,
+           is_disk_or_allowed_half_disk(star, true) ? ink::kText : ink::kRed, true);
+  out.text({center.x, 232}, subtitle, Anchor::middle);
+}
+
+}  // namespace
+
+void draw_contour(const std::string& folder) {
+  Drawing out(760, 214);
+  draw_voxel(out, {18, 56}, two_inside(0, 3, 2, -1), "a face decides", "saddle inside: joined");
+  draw_voxel(out, {206, 56}, two_inside(0, 3, 1, -2), "", "saddle outside: apart");
+  draw_voxel(out, {394, 56}, two_inside(0, 7, 1, -1), "the interior decides", "two disks");
+  draw_voxel(out, {582, 56}, two_inside(0, 7, 4, -1), "", "one tube");
+  out.write(folder, "contour");
+}
+
+void draw_stars(const std::string& folder) {
+  Drawing out(760, 244);
+  const double six[] = {10, 70, 130, 190, 250, 310}, fan[] = {10, 65, 120, 175},
+               bow[] = {-40, 0, 40, 140, 180, 220}, book[] = {0, 70, 130, 230};
+  const Triangle disk[] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}};
+  const Triangle half[] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  const Triangle two_fans[] = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}};
+  const Triangle pages[] = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  draw_star(out, {98, 130}, six, disk, "one cycle");
+  draw_star(out, {286, 152}, fan, half, "one path: on the box only");
+  draw_star(out, {474, 130}, bow, two_fans, "two pieces");
+  draw_star(out, {662, 130}, book, pages, "three edges at a vertex");
+  out.write(folder, "stars");
+}
+
+}  // namespace deliso::guide

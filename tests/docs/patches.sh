@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The changes that docs/guide/add-*.md show apply to the sources as they are, and compile.
+# Usage: patches.sh SOURCE BUILD [CXX]
+set -eu
+source=$(cd "$1" && pwd)
+build=$(cd "$2" && pwd)
+compiler=${3:-c++}
+command -v patch >/dev/null || { echo 'no patch here'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+
+for page in docs/guide/add-a-criterion.md docs/guide/add-a-proposer.md docs/guide/add-a-reader.md \
+    docs/guide/add-a-bench.md; do
+  name=$(basename "$page" .md)
+  mkdir "$work/$name"
+  cp -r "$source/src" "$source/tests" "$source/bench" "$source/docs" "$work/$name"
+  awk '/^```diff$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$source/$page" >"$work/$name.patch"
+  grep -q '^+' "$work/$name.patch" || { echo "$page: shows no change"; exit 1; }
+  (cd "$work/$name" && patch -p1 --fuzz=0 --quiet <"$work/$name.patch") ||
+    { echo "$page: a change does not apply"; exit 1; }
+  changed=$(sed -n 's|^+++ b/||p' "$work/$name.patch")
+  for file in $changed; do
+    case $file in
+      src/*.cpp | bench/*.cpp | tests/*.cpp | src/*.h | tests/*.h) ;;
+      *) continue ;;
+    esac
+    "$compiler" -std=c++20 -fsyntax-only -w -x c++ \
+      -I"$work/$name/src" -I"$build/generated" -I"$work/$name/bench" -I"$work/$name/tests" \
+      "$work/$name/$file" || { echo "$page: $file does not compile"; exit 1; }
+  done
+  echo "$name: $(echo "$changed" | wc -l | tr -d ' ') files"
+done

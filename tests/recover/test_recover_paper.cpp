@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What each step of Figure 5 leaves, and what no step of it can see.
+#include "recover/recover_paper.h"
+
+#include <doctest/doctest.h>
+
+#include "deliso/fields.h"
+#include "deliso/options.h"
+#include "mesh/check_mesh.h"
+
+using namespace deliso;
+
+namespace {
+
+// A field as InitTriangulation leaves it.
+struct Begun {
+  Begun(const Scene& scene, const Options& options)
+      : parameters(resolve(options, scene.volume)),
+        curves(boundary_curves(scene.surface, scene.contour, parameters)),
+        initial(init_triangulation(scene.surface, scene.contour, curves, parameters, report)),
+        restricted(scene.surface, std::move(initial.triangulation), parameters.r_min, report),
+        recovery(restricted, curves, initial.chain, parameters) {}
+  Begun(const Begun&) = delete;
+
+  Report report;
+  Parameters parameters;
+  BoundaryCurves curves;
+  InitialSample initial;
+  RestrictedDelaunay restricted;
+  Recovery recovery;
+};
+
+std::size_t facets_met_twice(const RestrictedDelaunay& restricted) {
+  std::size_t count = 0;
+  for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
+    count += restricted.is_live(r) && restricted.effective_hits(r).size() > 1;
+  }
+  return count;
+}
+
+std::size_t vertices_without_disk(const RestrictedDelaunay& restricted) {
+  std::size_t count = 0;
+  std::vector<RecordId> star;
+  std::vector<Triangle> triangles;
+  for (VertexId q = 1; q < restricted.triangulation().vertex_capacity(); ++q) {
+    if (restricted.is_auxiliary(q)) continue;
+    restricted.star(q, star);
+    triangles.clear();
+    for (const RecordId r : star) triangles.push_back(restricted.triangle(r));
+    count += classify_star(q, triangles) != Star::disk;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("MultiIntersect leaves no edge met twice, ExtractManifold a disk everywhere") {
+  std::size_t met_twice = 0, no_disk = 0;
+  for (const char* name : {"torus", "linked_tori", "machine"}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      CAPTURE(name);
+      CAPTURE(seed);
+      const Scene scene = builtin_scene(name, 24);
+      Options options = Options::paper();
+      options.seed = seed;
+      Begun begun(scene, options);
+      met_twice += facets_met_twice(begun.restricted);
+      begun.recovery.multi_intersect();
+      CHECK(facets_met_twice(begun.restricted) == 0);
+      no_disk += vertices_without_disk(begun.restricted);
+      begun.recovery.extract_manifold();
+      CHECK(vertices_without_disk(begun.restricted) == 0);
+    }
+  }
+  // There was something to do.
+  CHECK(met_twice > 0);
+  CHECK(no_disk > 0);
+}
+
+TEST_CASE("a speck smaller than r_min has a site and no facet: it is lost, and put back") {
+  constexpr int kSize = 24;
+  std::vector<float> samples;
+  for (int k = 0; k < kSize; ++k) {
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) {
+        const auto ball = [&](double x, double y, double z, double r) {
+          return r - std::sqrt((i - x) * (i - x) + (j - y) * (j - y) + (k - z) * (k - z));
+        };
+        samples.push_back(
+            static_cast<float>(std::max(ball(9.1, 11.2, 10.7, 6.4), ball(20.1, 20, 20.2, 0.7))));
+      }
+    }
+  }
+  const Scene scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples), 0);
+  REQUIRE(scene.contour.summary.components.size() == 2);
+  Options options = Options::paper();
+  options.r_min = {2, Length::Unit::voxel};
+  Report report;
+  const Recovered recovered = recover_paper(scene.surface, ContourMesh(scene.contour),
+                                            resolve(options, scene.volume), false, report);
+  CHECK(report[Counter::unresolved_facets] == 0);
+  CHECK(report[Counter::unresolved_vertices] == 1);
+  CHECK(report[Counter::components_put_back] == 1);
+  CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 2);
+}
