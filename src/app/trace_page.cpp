@@ -20,56 +20,6 @@ void add_list(PageData& data, const std::string& name, const TraceList<T>& list)
   data.add(name + "_begin", list.begin);
 }
 
-std::string_view text_of(Rung rung) {
-  switch (rung) {
-    case Rung::surface_point:
-      return "RefineGeom: the facet's surface point is inserted; the facets whose balls hold it, "
-             "the disk E, give way to the cone D";
-    case Rung::foot:
-      return "another point of the surface near the facet is inserted";
-    case Rung::boundary_split:
-      return "an edge on the box is split at the middle of its arc";
-    case Rung::flip:
-      return "an edge gives way to the other diagonal of its two facets";
-    case Rung::patch:
-      return "facets that are not Delaunay are triangulated anew";
-    case Rung::collapse:
-      return "a short edge is collapsed, or a corner merged into a neighbour";
-    case Rung::move:
-      return "a vertex moves along the surface";
-    case Rung::far_point:
-      return "a point of the surface that is too far from the mesh is inserted";
-    case Rung::count_:
-      break;
-  }
-  return {};
-}
-
-// Why a gate lets no change pass: refine/replace_disk.h.
-std::string_view text_of(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::not_a_disk:
-      return "E or what takes its place is no disk (G1)";
-    case Refusal::no_surface_point:
-      return "a new facet's dual line misses the surface (G3)";
-    case Refusal::too_close:
-      return "the point is too near to a vertex of the rim";
-    case Refusal::boundary:
-      return "a boundary edge encroached upon that cannot be split";
-    case Refusal::turned:
-      return "an edge would be too sharp, or a component inside out (G2)";
-    case Refusal::no_gain:
-      return "nothing would be better (G4)";
-    case Refusal::crossing:
-      return "a new facet would cross another (G5)";
-    case Refusal::beyond_part:
-      return "it would change facets of another part (G0)";
-    case Refusal::count_:
-      break;
-  }
-  return {};
-}
-
 void add_routine(JsonWriter& json, const RoutineName& routine) {
   json.open_item();
   json.add("name", routine.name);
@@ -84,10 +34,8 @@ void add_routines(JsonWriter& json) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(Routine::count_); ++n) {
     add_routine(json, name_of(static_cast<Routine>(n)));
   }
-  for (std::size_t n = 0; n < kRungs; ++n) {
-    const Rung rung = static_cast<Rung>(n);
-    const bool published = rung == Rung::surface_point || rung == Rung::boundary_split;
-    add_routine(json, {name_of(rung), published ? "9" : "", 2, text_of(rung)});
+  for (const Words& rung : kRungTable) {
+    add_routine(json, {rung.name, rung.figure, 2, rung.meaning});
   }
   json.close();
 }
@@ -101,10 +49,9 @@ void add_outcomes(JsonWriter& json) {
   texts = {"done", "a boundary edge was split in its place",
            "the hit was the work of a garbage Voronoi edge, and is forgotten",
            "the ball is too small, or the boundary edge to be split too short"};
-  for (std::size_t n = 0; n < kRefusals; ++n) {
-    const Refusal refusal = static_cast<Refusal>(n);
-    names.push_back("refused: " + std::string(name_of(refusal)));
-    texts.emplace_back(text_of(refusal));
+  for (const Words& refusal : kRefusalTable) {
+    names.push_back("refused: " + std::string(refusal.name));
+    texts.emplace_back(refusal.meaning);
   }
   json.add("outcomes", names);
   json.add("outcome_texts", texts);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A reader of JSON (RFC 8259) and a validator for the part of JSON Schema 2020-12 that
-// docs/report.schema.json uses: type, properties, required, additionalProperties false, items,
-// enum, const, minimum, oneOf and $ref into $defs. Any other keyword in a schema is a fault.
+// docs/report.schema.json uses: type, properties, required, additionalProperties, items, enum,
+// const, minimum, oneOf and $ref into $defs. Any other keyword in a schema is a fault.
 #pragma once
 
 #include <algorithm>
@@ -165,8 +165,7 @@ class Validator {
 
   std::string fault_by(const Value& value, const Value& schema, const std::string& keyword,
                        const Value& rule, const std::string& at) const {
-    constexpr std::array<std::string_view, 5> kNotes{"$schema", "$defs", "title", "description",
-                                                     "additionalProperties"};
+    constexpr std::array<std::string_view, 4> kNotes{"$schema", "$defs", "title", "description"};
     if (std::ranges::find(kNotes, keyword) != kNotes.end()) return {};
     if (keyword == "$ref") return fault(value, resolve(rule.string), at);
     if (keyword == "oneOf") {
@@ -208,13 +207,23 @@ class Validator {
       return {};
     }
     if (keyword == "properties") {
-      const Value* more = schema.find("additionalProperties");
-      const bool closed = more != nullptr && more->kind == Value::Kind::boolean && !more->boolean;
       for (const auto& [key, member] : value.members) {
         const Value* rule_of = rule.find(key);
-        if (rule_of == nullptr && closed) return at + " has an unknown \"" + key + "\"";
-        const std::string found =
-            rule_of != nullptr ? fault(member, *rule_of, at + "." + key) : std::string();
+        if (rule_of == nullptr) continue;
+        const std::string found = fault(member, *rule_of, at + "." + key);
+        if (!found.empty()) return found;
+      }
+      return {};
+    }
+    if (keyword == "additionalProperties") {
+      const Value* named = schema.find("properties");
+      for (const auto& [key, member] : value.members) {
+        if (named != nullptr && named->find(key) != nullptr) continue;
+        if (rule.kind == Value::Kind::boolean) {
+          if (!rule.boolean) return at + " has an unknown \"" + key + "\"";
+          continue;
+        }
+        const std::string found = fault(member, rule, at + "." + key);
         if (!found.empty()) return found;
       }
       return {};

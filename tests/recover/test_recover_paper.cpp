@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "base/random.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
@@ -75,6 +76,46 @@ TEST_CASE("MultiIntersect leaves no edge met twice, ExtractManifold a disk every
   // There was something to do.
   CHECK(met_twice > 0);
   CHECK(no_disk > 0);
+}
+
+// A split may take several vertices, and each brings facets: all are looked at, not the last one's.
+TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are split for it") {
+  constexpr int kSize = 9;
+  std::uint64_t splits = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<double> noise(kSize * kSize * kSize);
+    for (double& x : noise) x = random.uniform(-1, 1);
+    const auto mean_at = [&](int i, int j, int k) {
+      double sum = 0;
+      int count = 0;
+      for (int c = std::max(k - 1, 0); c <= std::min(k + 1, kSize - 1); ++c) {
+        for (int b = std::max(j - 1, 0); b <= std::min(j + 1, kSize - 1); ++b) {
+          for (int a = std::max(i - 1, 0); a <= std::min(i + 1, kSize - 1); ++a, ++count) {
+            sum += noise[static_cast<std::size_t>(a + kSize * (b + kSize * c))];
+          }
+        }
+      }
+      return static_cast<float>(sum / count);
+    };
+    std::vector<float> samples;
+    for (int k = 0; k < kSize; ++k) {
+      for (int j = 0; j < kSize; ++j) {
+        for (int i = 0; i < kSize; ++i) samples.push_back(mean_at(i, j, k));
+      }
+    }
+    const Scene scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples), 0.02);
+    Options options = Options::paper();
+    options.samples = 5;
+    Begun begun(scene, options);
+    begun.recovery.protect_boundary();
+    const std::uint64_t before = begun.report[Counter::boundary_splits_recover];
+    begun.recovery.multi_intersect();
+    splits += begun.report[Counter::boundary_splits_recover] - before;
+    CHECK(facets_met_twice(begun.restricted) == 0);
+  }
+  CHECK(splits > 300);
 }
 
 TEST_CASE("a speck smaller than r_min has a site and no facet: it is lost, and put back") {
