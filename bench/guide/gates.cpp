@@ -83,7 +83,7 @@ class Search {
   void consider(FaceId f, const Vec3& p, Refusal wanted, Found& best, double& most) {
     Change change;
     change.out = encroached(h_.recovered.mesh, f, p);
-    if (!replacer_.take_out(change) || change.was.inner_vertices() > 0) return;
+    if (!replacer_.mark_old(change) || change.was.inner_vertices() > 0) return;
     const auto is_there = [&p](const Vec3& q) { return distance2(p, q) < 1e-6; };
     if (std::any_of(mesh_.points.begin(), mesh_.points.end(), is_there)) return;
     const auto v = static_cast<VertexId>(mesh_.points.size());

@@ -111,7 +111,7 @@ void draw_insert(const std::string& folder) {
 
   DiskReplacer replacer(s, h.surface, h.parameters, h.report);
   Inserter inserter(s, replacer, h.recovered.curves, h.parameters, h.report);
-  DELISO_CHECK(!inserter.insert(Rung::surface_point, start, p));
+  DELISO_CHECK(inserter.insert(Rung::surface_point, start, p));
   plan.panel = panel(514);
   out.clip_to(plan.panel);
   draw_facets(out, plan, s, {inserter.created().begin(), inserter.created().end()}, ink::kAbove);
