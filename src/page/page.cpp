@@ -64,11 +64,11 @@ void write_element(AtomicFile& out, std::string_view tag, const WebSource& conte
 }
 
 void write_data(AtomicFile& out, std::string_view header, const PageData& data) {
-  constexpr std::string_view kJson = "<script type=\"application/json\" id=\"";
+  constexpr std::string_view kJson = R"(<script type="application/json" id=")";
   constexpr std::string_view kEnd = "</script>\n";
   out.write(text(kJson, "header\">", without_tags(header, "\\u003c"), kEnd));
   out.write(text(kJson, "arrays\">", without_tags(data.directory(), "\\u003c"), kEnd));
-  out.write("<script type=\"text/plain\" id=\"bytes\">");
+  out.write(R"(<script type="text/plain" id="bytes">)");
   ZlibStream stream;
   std::string waiting;  // less than a group of three, so that no padding is within
   const auto encode = [&](std::string_view compressed, bool last) {
@@ -93,8 +93,8 @@ void PageData::put(std::string_view name, std::string_view type, std::span<const
   static_assert(std::endian::native == std::endian::little, "the page's bytes are little-endian");
   bytes_.resize((bytes_.size() + 3) / 4 * 4);
   if (!directory_.empty()) directory_ += ",\n";
-  directory_ += text("\"", name, "\":{\"type\":\"", type, "\",\"offset\":", bytes_.size(),
-                     ",\"length\":", values.size(), "}");
+  directory_ += text("\"", name, R"(":{"type":")", type, R"(","offset":)", bytes_.size(),
+                     R"(,"length":)", values.size(), "}");
   bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
@@ -121,9 +121,9 @@ void write_page(const std::string& path, std::string_view title, std::string_vie
       const std::size_t end = rest.find('\n');
       const std::string_view line = rest.substr(0, end);
       rest.remove_prefix(line.size() + 1);
-      if (const auto style = between(line, "<link rel=\"stylesheet\" href=\"", "\">")) {
+      if (const auto style = between(line, R"(<link rel="stylesheet" href=")", "\">")) {
         write_element(out, "style", source_named(*style));
-      } else if (const auto script = between(line, "<script src=\"", "\"></script>")) {
+      } else if (const auto script = between(line, "<script src=\"", R"("></script>)")) {
         write_element(out, "script", source_named(*script));
       } else if (between(line, "<title>", "</title>")) {
         out.write(text("<title>", in_markup(title), "</title>\n"));

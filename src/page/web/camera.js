@@ -63,7 +63,8 @@ class Camera {
   }
   eye() { return add(this.target, scaled(this.back, this.distance)); }
 
-  // Into `out`, of 16 floats.
+  // Into `out`, of 16 floats; in multiples of the scene's size, as such places matter by their ratios
+  // alone, and the card's numbers end at 1e38.
   project(out, aspect) {
     const eye = this.eye();
     const depth = dot(subtract(eye, this.middle), this.back);
@@ -72,7 +73,7 @@ class Camera {
     look_from(this.eye_space, eye, this.right, this.up, this.back);
     perspective(this.lens, Math.tan(kHalfAngle), aspect, near, far);
     multiply(this.product, this.lens, this.eye_space);
-    out.set(this.product);
+    for (let n = 0; n < 16; ++n) out[n] = this.product[n] / this.radius;
   }
 
   // The ray through a place in the view, from -1 to 1 each.

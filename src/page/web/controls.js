@@ -22,11 +22,9 @@ class Controls {
 
   down(event) {
     this.scene.canvas.setPointerCapture(event.pointerId);
-    this.scene.canvas.focus({ preventScroll: true });
     this.pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     this.moved = this.pointers.size > 1 ? Infinity : 0;
     this.scene.camera.glide = null;
-    event.preventDefault();
   }
 
   move(event) {

@@ -40,7 +40,7 @@ function arrays_of(directory, bytes) {
   for (const [name, { type, offset, length }] of Object.entries(directory)) {
     const Type = kArrayTypes[type];
     const there = Math.floor((bytes.length - offset) / Type.BYTES_PER_ELEMENT);
-    arrays[name] = new Type(bytes.buffer, offset, clamp(there, 0, length));
+    arrays[name] = there > 0 ? new Type(bytes.buffer, offset, Math.min(there, length)) : new Type(0);
   }
   return arrays;
 }

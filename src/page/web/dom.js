@@ -82,8 +82,8 @@ function rounded(x) {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? '-' : x > 0 ? '\u221e' : '-\u221e';
   if (x === 0) return '0';
   const size = Math.abs(x);
-  if (size >= 1e6 || size < 1e-3) return x.toExponential(2);
-  return String(Number(x.toPrecision(size >= 100 ? Math.ceil(Math.log10(size + 1)) : 3)));
+  const digits = size >= 1000 && size < 1e6 ? Math.ceil(Math.log10(size + 1)) : 3;
+  return String(Number(x.toPrecision(digits)));
 }
 
 // A canvas's own resolution made that of the screen; the 2D context is scaled to CSS pixels.

@@ -9,7 +9,7 @@ const kMarks = {
   edge: { label: 'Voronoi edge and its hits', color: 0x0b90b1 },
   ball: { label: 'Surface ball', color: 0x54bec8 },
   zone: { label: 'Conflict zone', color: 0x9e7acc },
-  star: { label: 'Disk looked at (D\u1d69, E) and its rim', color: 0xe0a100 },
+  star: { label: 'Disk looked at (D_q or E), its rim', color: 0xe0a100 },
   cone: { label: 'Cone D that was refused', color: 0xb0399b },
   came: { label: 'Facets that come', color: 0x2f9e5f },
   went: { label: 'Facets that go', color: 0xcf3f3a },

@@ -3,6 +3,15 @@
 // (a driver that starts anew, a laptop that wakes); what is here keeps its content in memory, and
 // makes its part on the card again when it belongs to a context of the past.
 
+// Whether WebGL is there, but by the processor.
+function draws_by_software() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /SwiftShader|llvmpipe|softpipe|Basic Render/i.test(name);
+}
+
 class Program {
   constructor(vertex, fragment) {
     this.sources = [vertex, fragment];

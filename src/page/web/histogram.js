@@ -100,7 +100,9 @@ class Histogram {
       });
       text = `${low} \u2013 ${high}${unit}: ${shares.join(' | ')}`;
     } else {
-      const least = this.measure.values.map((v) => rounded(v.reduce((a, b) => Math.min(a, b), Infinity)));
+      // What is nothing beside the scale is 0.
+      const plain = (x) => rounded(Math.abs(x) < 1e-6 * this.measure.hi ? 0 : x);
+      const least = this.measure.values.map((v) => plain(v.reduce((a, b) => Math.min(a, b), Infinity)));
       const most = this.measure.values.map((v) => rounded(v.reduce((a, b) => Math.max(a, b), -Infinity)));
       if (this.totals.some((n) => n > 0)) {
         text = least.map((low, n) => `${low} \u2013 ${most[n]}${unit}`).join(' | ');

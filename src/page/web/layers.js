@@ -6,6 +6,8 @@
 const kSides = 0x01000000;   // the colors of the two sides, or in the age mode of its age
 const kHidden = 0x02000000;
 
+const kEdgeWidth = 0.8;      // of facets' edges, in CSS pixels
+
 const kTriangleProgram = new Program(kTriangleVertex, kTriangleFragment);
 const kLineProgram = new Program(kLineVertex, kLineFragment);
 const kDotProgram = new Program(kDotVertex, kDotFragment);
@@ -78,7 +80,10 @@ class FacetLayer {
     gl.uniform3fv(u.u_inside, view.inside);
     gl.uniform3fv(u.u_edge_color, this.edge_color ?? view.edge_color);
     gl.uniform3fv(u.u_sequence, kSequenceParts);
-    gl.uniform4fv(u.u_clip, this.clipped ? view.clip : view.no_clip);
+    const clip = this.clipped ? view.clip : view.no_clip;
+    gl.uniform3fv(u.u_target, view.target);
+    gl.uniform1f(u.u_unit, view.unit);
+    gl.uniform4f(u.u_clip, clip[0], clip[1], clip[2], (clip[3] - dot(clip, view.target)) * view.unit);
     gl.uniform1f(u.u_edge_width, this.edge_width * view.ratio);
     gl.uniform1i(u.u_wires, this.wires);
     gl.uniform1i(u.u_regions, this.regions);
@@ -159,7 +164,7 @@ class MarkLayer {
     gl.uniform4fv(u.u_clip, this.clipped ? view.clip : view.no_clip);
     gl.uniform1f(u.u_pull, this.pull);
     gl.uniform1f(u.u_opacity, this.opacity);
-    if (u.u_ratio) gl.uniform1f(u.u_ratio, view.ratio);
+    gl.uniform1f(u.u_ratio, view.ratio);
     if (u.u_edge_color) gl.uniform3fv(u.u_edge_color, view.edge_color);
     gl.drawArrays(gl.TRIANGLES, 0, 6 * this.count);
     if (this.ghost > 0) {
@@ -174,9 +179,8 @@ class LineLayer extends MarkLayer {
 
   // Width in CSS pixels.
   add(a, b, color, width) {
-    const ratio = Math.min(window.devicePixelRatio || 1, 2);
     this.put(2 * this.count, a[0], a[1], a[2], color);
-    this.put(2 * this.count + 1, b[0], b[1], b[2], Math.round(8 * width * ratio));
+    this.put(2 * this.count + 1, b[0], b[1], b[2], Math.round(8 * width));
     ++this.count;
   }
   add_triangle(a, b, c, color, width) {

@@ -53,7 +53,8 @@ async function begin() {
 }
 
 window.addEventListener('error', (event) => show_fault(`Something went wrong: ${event.message}`));
-begin().catch((fault) => {
+// The data come behind the scripts: of a page that was cut off, there is what there is.
+document.addEventListener('DOMContentLoaded', () => begin().catch((fault) => {
   show_fault(`Something went wrong: ${fault.message}`);
   throw fault;
-});
+}));

@@ -2,8 +2,6 @@
 // The page of `deliso view`: one finished mesh, or two side by side with a camera in common;
 // histograms that highlight what is brushed, components, a clipping plane.
 
-const kEdgeWidth = 0.8;
-
 class MeshView {
   constructor(scene, { header, arrays }) {
     this.scene = scene;
@@ -11,7 +9,6 @@ class MeshView {
     this.meshes = header.meshes.map((about, n) => this.read_mesh(about, arrays, n));
     this.color_by = 'side';
     this.hidden = new Set();   // components
-    this.clip = { on: false, axis: 0, share: 0.5, above: false };
     const box = empty_box();
     for (const mesh of this.meshes) {
       extend_box(box, ...mesh.box.lo);
@@ -42,6 +39,7 @@ class MeshView {
     const mesh = { about, points, triangles, component, count,
                    box: box_of_points(points, triangles), ...measure_triangles(points, triangles) };
     if (arrays['h' + n]?.length >= count && arrays['h' + n].length > 0) mesh.h = arrays['h' + n];
+    if (this.header.voxel) mesh.radius = mesh.radius.map((r) => r / this.header.voxel);
     mesh.sizes = [];
     for (const c of component) mesh.sizes[c] = (mesh.sizes[c] ?? 0) + 1;
     mesh.layer = new FacetLayer(texels_of_points(points), { edge_width: kEdgeWidth });
@@ -58,7 +56,8 @@ class MeshView {
     const list = [{ key: 'angle', name: 'Smallest angle', unit: '\u00b0', lo: 0, hi: 60, open: false },
                   { key: 'r_over_l', name: 'r / l', unit: '', lo: 0.5,
                     hi: clamp(round_up(quantile(of('r_over_l'), 0.999)), 2, 4), open: true },
-                  { key: 'radius', name: 'Size (circumradius)', unit: '', lo: 0,
+                  { key: 'radius', name: this.header.voxel ? 'Circumradius (voxels)' : 'Circumradius',
+                    unit: '', lo: 0,
                     hi: round_up(quantile(of('radius'), 0.999)), open: true }];
     if (this.meshes.every((mesh) => mesh.h)) {
       list.splice(2, 0, { key: 'h', name: 'Distance (voxels)', unit: '', lo: 0,
@@ -98,34 +97,8 @@ class MeshView {
                        layer.wires = value === 'wires';
                      }))),
       section('Triangles', true, hint, ...this.histograms.map((h) => h.element), this.share_note),
-      section('Cut open', false, ...this.clip_controls()),
+      new ClipPlane(scene, this.box).element,
       section('Components', false, this.component_list()));
-  }
-
-  clip_controls() {
-    const change = (values) => {
-      Object.assign(this.clip, values);
-      if (!('on' in values)) {
-        this.clip.on = true;
-        cut.input.checked = true;
-      }
-      this.apply_clip();
-    };
-    const cut = toggle('Cut by a plane', false, (on) => change({ on }));
-    return [cut,
-            choice('Across', [['0', 'x'], ['1', 'y'], ['2', 'z']], '0',
-                   (axis) => change({ axis: Number(axis) })),
-            slider('Where', { min: 0, max: 1, step: 0.002, value: 0.5 }, (share) => change({ share })),
-            toggle('Keep the upper part', false, (above) => change({ above }))];
-  }
-
-  apply_clip() {
-    const { on, axis, share, above } = this.clip;
-    const sign = above ? -1 : 1;
-    const plane = [0, 0, 0, sign * (this.box.lo[axis] * (1 - share) + this.box.hi[axis] * share)];
-    plane[axis] = sign;
-    for (const pane of this.scene.panes) pane.clip = on ? plane : null;
-    this.scene.invalidate();
   }
 
   component_list() {
@@ -230,8 +203,10 @@ class MeshView {
       mesh.mark.add_triangle(...corners.map((v) => point_at(points, v)), style_color('--accent'), 3);
       const values = this.histograms.map((h) =>
         `${h.measure.name.toLowerCase()} ${rounded(mesh[h.key][found])}${h.measure.unit}`);
+      const place = add(this.header.origin, add(origin, scaled(direction, nearest)));
       readout.textContent = `Triangle ${grouped(found)} (vertices ${corners.join(', ')}), component ` +
-                            `${mesh.component[found] + 1}: ${values.join(', ')}`;
+                            `${mesh.component[found] + 1}: ${values.join(', ')}; at ` +
+                            `(${place.map(rounded).join(', ')}) ${mesh.about.space}`;
       if (twice) this.scene.camera.glide_to({ target: add(origin, scaled(direction, nearest)) });
     }
     this.scene.invalidate();
@@ -257,6 +232,11 @@ class MeshView {
     return ['View', [['C', 'next color'], ['Esc', 'clear what is brushed']]];
   }
 }
+
+MeshView.intro = [
+  'Histograms of what the triangles are like: drag over the bars, and the triangles that are so stand ' +
+  'out on the mesh. A click on the mesh tells of a triangle, a double one makes the place the middle ' +
+  'of the view. Blue is the side where the field is below the isovalue, orange the other.'];
 
 // The triangles up to the first that names a point beyond `count`.
 function complete_triangles(triangles, count) {

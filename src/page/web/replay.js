@@ -20,8 +20,29 @@ class Trace {
     for (let e = 0; e < this.count && this.switch_at < 0; ++e) {
       if (this.routine(e).name === 'build_tri_mesh') this.switch_at = e;
     }
+    this.routines_used = this.numbers_used('routine');
+    this.reasons_used = this.numbers_used('reason');
+    this.routine_colors = this.colors_by_frequency('routine');
+    this.reason_colors = this.colors_by_frequency('reason');
     this.add_up();
   }
+
+  // Which numbers events have, ascending: the order of the header, that of the paper's figures.
+  numbers_used(what) {
+    const values = this.arrays['event_' + what]?.subarray(0, this.count) ?? [];
+    return [...new Set(values)].sort((a, b) => a - b);
+  }
+  // The most frequent have the first colors.
+  colors_by_frequency(what) {
+    const counts = new Map();
+    for (const n of this.arrays['event_' + what]?.subarray(0, this.count) ?? []) {
+      counts.set(n, (counts.get(n) ?? 0) + 1);
+    }
+    const ranked = [...counts].sort(([a, x], [b, y]) => y - x || a - b);
+    return new Map(ranked.map(([n], rank) => [n, kind_color(rank)]));
+  }
+  routine_color(routine) { return this.routine_colors.get(routine) ?? kKinds.at(-1); }
+  reason_color(reason) { return this.reason_colors.get(reason) ?? kKinds.at(-1); }
 
   // The events of which all is there: a page may be cut off.
   whole_events() {
@@ -77,16 +98,22 @@ class Trace {
     return this.arrays[name]?.subarray(begin, end) ?? new Uint32Array(0);
   }
 
-  // Sums before every event: vertices, and by stage insertions and microseconds.
+  // Before every event: how many vertices have been named, and by stage sums of insertions and
+  // microseconds.
   add_up() {
     const { count } = this;
+    const { added } = this.arrays;
     this.vertices = new Uint32Array(count + 1);
     this.inserted = [1, 2].map(() => new Uint32Array(count + 1));
     this.micros = [1, 2].map(() => new Float64Array(count + 1));
     for (let e = 0; e < count; ++e) {
       const stage = this.stage(e) - 1;
       const came = this.vertex(e) !== kNone ? 1 : 0;
-      this.vertices[e + 1] = this.vertices[e] + came;
+      let named = Math.max(this.vertices[e], came ? this.vertex(e) + 1 : 0);
+      for (let n = 3 * this.begin('added', e); n < 3 * this.begin('added', e + 1); ++n) {
+        named = Math.max(named, added[n] + 1);
+      }
+      this.vertices[e + 1] = named;
       for (const s of [0, 1]) {
         this.inserted[s][e + 1] = this.inserted[s][e] + (s === stage ? came : 0);
         this.micros[s][e + 1] = this.micros[s][e] +

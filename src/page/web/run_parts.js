@@ -20,6 +20,7 @@ class RunningNumbers {
               row('time', 'time per point', 'mean time of an insertion, t_RC and t_RF of Table 3'),
               row('searches', 'searches', 'times the surface was asked for along a line'),
               row('cpi', 'CPI', 'voxels computed per search, Table 4'),
+              row('vertices', 'vertices so far', 'all that have been, those that moved once more'),
               row('facets', 'facets', 'facets of the surface'))), this.ratio);
   }
 
@@ -40,8 +41,10 @@ class RunningNumbers {
       put('cpi', asked.map((n, s) => n > 0 ? (voxels[s] / n).toFixed(2) : ''));
     }
     const facets = trace.begin('added', end) - trace.begin('removed', end);
-    put('facets', trace.switch_at >= 0 && e >= trace.switch_at ? ['', grouped(facets)]
-                                                               : [grouped(facets), '']);
+    const by_stage = (n) => trace.switch_at >= 0 && e >= trace.switch_at ? ['', grouped(n)]
+                                                                         : [grouped(n), ''];
+    put('vertices', by_stage(trace.vertices[end]));
+    put('facets', by_stage(facets));
     const ratio = micros[0] / micros[1];
     this.ratio.textContent = Number.isFinite(ratio)
       ? `t_RC / t_RF = ${rounded(ratio)}: what an insertion among tetrahedra costs against one in the mesh`
@@ -56,6 +59,7 @@ class Regions {
     this.trace = trace;
     this.labels = Uint32Array.from(label ?? new Uint32Array(points.length / 3).fill(kNone));
     this.step = 0;
+    this.site = kNone;  // whose region stands out
     // What each change of a label replaced, so that steps can be taken back.
     const { relabel } = trace.arrays;
     const count = trace.begin('relabel', trace.count);
@@ -87,35 +91,100 @@ class Regions {
     this.step = end;
   }
 
+  // Has the region of one site stand out.
+  point_out(site) {
+    const before = this.site;
+    this.site = site;
+    if (site === before) return;
+    this.labels.forEach((label, v) => {
+      if (label === site || label === before) this.paint(v);
+    });
+  }
+
   // Colors are as many as there are kinds, each in three tones, so that neighbours mostly differ.
   paint(v) {
     const label = this.labels[v];
     const tone = 0.15 + 0.2 * (Math.floor(label / kKinds.length) % 3);
-    const color = label === kNone ? 0xb8bec8 : mixed(kind_color(label), 0xffffff, tone);
+    const color = label === kNone ? 0xb8bec8 : label === this.site ? kMarks.caller.color
+                                             : mixed(kind_color(label), 0xffffff, tone);
     this.points.data[4 * v + 3] = color;
     this.points.touch(v);
   }
 }
 
-// The tetrahedra of Del S when the stages switch, those inside the surface, shrunk.
-class SwitchTetrahedra {
-  constructor(trace, samples) {
-    this.layer = new FacetLayer(new Texels(true), { edge_width: 0.7, clipped: true });
-    const { tets } = trace.arrays;
-    if (!tets || tets.length === 0) return;
-    const point = (v) => point_at(trace.points, v);
-    const { layer } = this;
-    let inside = true;
-    const chosen = [];
-    for (let n = 0; n + 3 < tets.length; n += 4) {
-      const middle = scaled([0, 1, 2, 3].map((i) => point(tets[n + i])).reduce(add), 0.25);
-      inside = !samples.there || samples.value(middle) >= trace.header.iso;
-      if (inside) chosen.push(tets[n], tets[n + 1], tets[n + 2], tets[n + 3]);
+// Which tetrahedra are inside a surface of some of their facets, counter-clockwise seen from outside:
+// those on the inner side of such a facet, and from there on across all others. Where the surface has
+// holes or facets of no tetrahedron, it is the nearest of its facets that tells.
+function inside_of(tetrahedra, surface, points) {
+  const key = (corners) => corners.sort((a, b) => a - b).join(' ');
+  const at_facet = new Map();  // of the two tetrahedra there, and -1 in front where it is the surface's
+  const count = Math.floor(tetrahedra.length / 4);
+  const facet_of = (n, i) => [0, 1, 2, 3].filter((k) => k !== i).map((k) => tetrahedra[4 * n + k]);
+  for (let n = 0; n < count; ++n) {
+    for (let i = 0; i < 4; ++i) {
+      const name = key(facet_of(n, i));
+      if (at_facet.has(name)) at_facet.get(name).push(n);
+      else at_facet.set(name, [n]);
     }
+  }
+  const side = new Int8Array(count);  // 1: inside, -1: outside
+  const queue = [];
+  for (const corners of surface) {
+    const [a, b, c] = corners.map((v) => point_at(points, v));
+    const normal = cross(subtract(b, a), subtract(c, a));
+    const beside = at_facet.get(key([...corners])) ?? [];
+    for (const n of beside) {
+      if (n < 0 || side[n] !== 0) continue;
+      const apex = [0, 1, 2, 3].map((k) => tetrahedra[4 * n + k]).find((v) => !corners.includes(v));
+      side[n] = dot(normal, subtract(point_at(points, apex), a)) > 0 ? -1 : 1;
+      queue.push(n);
+    }
+    if (beside.length > 0 && beside[0] >= 0) beside.unshift(-1);
+  }
+  for (let head = 0; head < queue.length; ++head) {
+    const n = queue[head];
+    for (let i = 0; i < 4; ++i) {
+      const beside = at_facet.get(key(facet_of(n, i)));
+      if (beside[0] < 0) continue;
+      for (const other of beside) {
+        if (side[other] !== 0) continue;
+        side[other] = side[n];
+        queue.push(other);
+      }
+    }
+  }
+  return side;
+}
+
+// The tetrahedra of Del S when the stages switch, those inside the surface, shrunk. Made when they
+// are first asked for.
+class SwitchTetrahedra {
+  constructor(trace, history) {
+    this.trace = trace;
+    this.history = history;
+    this.there = trace.switch_at >= 0 && (trace.arrays.tets?.length ?? 0) >= 4;
+    this.layer = new FacetLayer(new Texels(true), { edge_width: 0.7 });
+  }
+
+  make() {
+    if (!this.there || this.layer.count > 0) return;
+    const { tets } = this.trace.arrays;
+    const { points, switch_at: e } = this.trace;
+    const { birth, death, corners } = this.history;
+    const surface = [];
+    for (let id = 0; id < this.history.count && birth[id] < e; ++id) {
+      if (death[id] >= e) surface.push(Array.from(corners.subarray(3 * id, 3 * id + 3)));
+    }
+    const side = inside_of(tets, surface, points);
+    const chosen = [];
+    side.forEach((s, n) => {
+      if (s > 0) chosen.push(...tets.subarray(4 * n, 4 * n + 4));
+    });
+    const { layer } = this;
     layer.points.reserve(3 * chosen.length);
-    add_shrunk(chosen, point, 0.86, (corners) => {
+    add_shrunk(chosen, (v) => point_at(points, v), 0.86, (facet) => {
       const at = 3 * layer.count;
-      corners.forEach((p, i) => layer.points.data.set(p, 4 * (at + i)));
+      facet.forEach((p, i) => layer.points.data.set(p, 4 * (at + i)));
       layer.set(layer.count++, at, at + 1, at + 2, 0xe8b878);
     });
     layer.points.touch_all();

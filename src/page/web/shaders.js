@@ -17,38 +17,38 @@ const kTriangleVertex = kShaderHead + `
 uniform sampler2D u_points, u_normals;
 uniform usampler2D u_facets;
 uniform mat4 u_project;
-uniform bool u_smooth;
-out vec3 v_place, v_normal, v_corner;
+uniform vec3 u_target;
+uniform float u_unit;
+uniform bool u_smooth, u_regions;
+out vec3 v_off, v_normal, v_corner;
 flat out uint v_paint;
 flat out vec3 v_regions;
 void main() {
   int f = gl_VertexID / 3, corner = gl_VertexID - 3 * f;
   uvec4 facet = texelFetch(u_facets, place(f), 0);
   v_paint = facet.w;
-  vec4 first = texelFetch(u_points, place(int(facet.x)), 0);
-  vec4 second = texelFetch(u_points, place(int(facet.y)), 0);
-  vec4 third = texelFetch(u_points, place(int(facet.z)), 0);
-  vec3 a = first.xyz, b = second.xyz, c = third.xyz;
-  v_regions = vec3(first.w, second.w, third.w);
-  v_place = corner == 0 ? a : corner == 1 ? b : c;
+  ivec2 at = place(int(corner == 0 ? facet.x : corner == 1 ? facet.y : facet.z));
+  vec3 point = texelFetch(u_points, at, 0).xyz;
   v_corner = vec3(corner == 0, corner == 1, corner == 2);
-  float size = max(length(b - a), length(c - a));
-  v_normal = size > 0.0 ? cross((b - a) / size, (c - a) / size) : vec3(0);
-  if (u_smooth) {
-    vec3 bent = texelFetch(u_normals, place(int(corner == 0 ? facet.x : corner == 1 ? facet.y : facet.z)), 0).xyz;
-    if (dot(bent, v_normal) > 0.0) v_normal = bent;
+  v_off = (point - u_target) * u_unit;
+  v_normal = u_smooth ? texelFetch(u_normals, at, 0).xyz : vec3(0);
+  v_regions = vec3(0);
+  if (u_regions) {
+    for (int i = 0; i < 3; ++i) v_regions[i] = texelFetch(u_points, place(int(facet[i])), 0).w;
   }
-  gl_Position = (facet.w & 0x02000000u) != 0u ? vec4(0, 0, 2, 1) : u_project * vec4(v_place, 1);
+  gl_Position = (facet.w & 0x02000000u) != 0u ? vec4(0, 0, 2, 1) : u_project * vec4(point, 1);
 }`;
 
-// Lights as in src/render/shade.cpp. Lines are as strong as the share of a pixel that they cover,
+// Places are told from the camera's target, in multiples of the scene's size: squares of lengths in a
+// mesh's own unit may be too large for the card. Lights as in src/render/shade.cpp. A flat facet's normal is that of its picture: the eye's side, from
+// how places change over pixels. Lines are as strong as the share of a pixel that they cover,
 // and cover no more than a part of facets that are small on the screen.
 const kTriangleFragment = kShaderHead + `
 uniform vec3 u_key, u_fill, u_gloss, u_outside, u_inside, u_edge_color, u_sequence[9];
 uniform vec4 u_clip;
 uniform float u_edge_width, u_opacity, u_step, u_span;
 uniform bool u_age, u_wires, u_regions;
-in vec3 v_place, v_normal, v_corner;
+in vec3 v_off, v_normal, v_corner;
 flat in uint v_paint;
 flat in vec3 v_regions;
 out vec4 o_color;
@@ -72,16 +72,18 @@ vec3 sequential(float share) {
   return mix(u_sequence[n], u_sequence[n + 1], at - float(n));
 }
 void main() {
-  if (dot(u_clip.xyz, v_place) > u_clip.w) discard;
+  if (dot(u_clip.xyz, v_off) > u_clip.w) discard;
   vec3 per_pixel = fwidth(v_corner);
   vec3 off = v_corner / max(per_pixel, 1e-9);
   float edge = clamp(0.5 * u_edge_width + 0.5 - min(off.x, min(off.y, off.z)), 0.0, 1.0);
   float crowd = u_edge_width * max(per_pixel.x, max(per_pixel.y, per_pixel.z));
-  edge *= u_edge_width > 0.0 ? min(1.0, 0.22 / max(crowd, 1e-9)) : 0.0;
+  edge *= u_edge_width > 0.0 ? min(1.0, 0.11 / max(crowd, 1e-9)) : 0.0;
   if (u_wires && edge < 0.02) discard;
   bool outside = gl_FrontFacing;
-  vec3 normal = normalize(v_normal) * (outside ? 1.0 : -1.0);
-  if (!(dot(normal, normal) > 0.0)) normal = u_key;
+  vec3 flat_normal = cross(dFdx(v_off), dFdy(v_off)), bent = outside ? v_normal : -v_normal;
+  vec3 normal = dot(bent, flat_normal) > 0.0 ? bent : flat_normal;
+  float size = length(normal);
+  normal = size > 0.0 ? normal / size : u_gloss;
   bool sides = (v_paint & 0x01000000u) != 0u;
   vec3 base = u_regions ? region(v_corner, per_pixel) : color_of(v_paint);
   if (u_age && sides) {
@@ -99,13 +101,13 @@ void main() {
   o_color = vec4((u_wires ? u_edge_color : mix(lit, u_edge_color, edge)) * alpha, alpha);
 }`;
 
-// A line is two texels: an end and its color, the other end and eight times its width in pixels.
+// A line is two texels: an end and its color, the other end and eight times its width in CSS pixels.
 // Ends are drawn towards the eye a little, so that lines lie on the facets they belong to.
 const kLineVertex = kShaderHead + `
 uniform usampler2D u_lines;
 uniform mat4 u_project;
 uniform vec2 u_size;
-uniform float u_pull;
+uniform float u_pull, u_ratio;
 out vec3 v_place;
 flat out uint v_color;
 out float v_side;
@@ -115,11 +117,11 @@ void main() {
   uvec4 first = texelFetch(u_lines, place(2 * n), 0), second = texelFetch(u_lines, place(2 * n + 1), 0);
   vec3 a = uintBitsToFloat(first.xyz), b = uintBitsToFloat(second.xyz);
   v_color = first.w;
-  v_half = 0.5 * float(second.w & 0xffffu) / 8.0;
+  v_half = 0.5 * float(second.w) / 8.0 * u_ratio;
   vec4 from = u_project * vec4(a, 1), to = u_project * vec4(b, 1);
   bool end = corner == 1 || corner == 2 || corner == 4;  // two triangles: 0 1 2, 3 4 5
   bool left = corner == 2 || corner == 4 || corner == 5;
-  vec2 p = from.xy / max(from.w, 1e-9) * u_size, q = to.xy / max(to.w, 1e-9) * u_size;
+  vec2 p = from.xy / max(from.w, 1e-30) * u_size, q = to.xy / max(to.w, 1e-30) * u_size;
   vec2 along = q - p;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1, 0);
   float reach = v_half + 1.0;
@@ -148,7 +150,7 @@ void main() {
   o_color = vec4(color * alpha, alpha);
 }`;
 
-// A dot is one texel: its place, and a color with the diameter in pixels above it.
+// A dot is one texel: its place, and a color with the diameter in CSS pixels above it.
 const kDotVertex = kShaderHead + `
 uniform usampler2D u_dots;
 uniform mat4 u_project;

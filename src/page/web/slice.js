@@ -93,9 +93,12 @@ class SlicePanel {
                              this.draw();
                            });
     this.element = section('Slice and kd-tree (Figure 13)', false,
-                           choice('Across', [['0', 'x'], ['1', 'y'], ['2', 'z']], '2', (axis) => this.turn(Number(axis))),
+                           choice('Slice across', [['0', 'x'], ['1', 'y'], ['2', 'z']], '2', (axis) => this.turn(Number(axis))),
                            this.position, this.canvas, this.note, this.in_space);
-    this.element.addEventListener('toggle', () => this.draw());
+    this.element.addEventListener('toggle', () => {
+      this.draw();
+      if (this.element.open) this.element.scrollIntoView({ block: 'nearest' });
+    });
     on_resize(this.canvas, () => this.draw());
     this.listen();
   }
@@ -107,6 +110,10 @@ class SlicePanel {
     this.rays[this.axis] ??= [[0.06 * (dims[this.u] - 1), 0.30 * (dims[this.v] - 1)],
                               [0.94 * (dims[this.u] - 1), 0.62 * (dims[this.v] - 1)]];
     return this.rays[this.axis];
+  }
+
+  turn_open() {
+    this.element.open = !this.element.open;
   }
 
   turn(axis) {

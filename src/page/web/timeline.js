@@ -3,6 +3,7 @@
 // or played; buttons for steps, and for the next event of a kind.
 
 const kLane = 11;         // height in CSS pixels
+const kHead = 11;         // of the room above the lanes for the head's knob
 const kLabels = 148;      // width of the names, where there is room
 
 // What makes two events of one kind.
@@ -13,10 +14,9 @@ const kKindsOfEvent = {
 };
 
 class Timeline {
-  // go(event) shows an event; color_of(routine number).
-  constructor(place, trace, color_of, go) {
+  // go(event) shows an event.
+  constructor(place, trace, go) {
     this.trace = trace;
-    this.color_of = color_of;
     this.go = go;
     this.at = 0;
     this.playing = false;
@@ -25,19 +25,12 @@ class Timeline {
     this.canvas = element('canvas', { class: 'lanes', tabindex: 0, role: 'slider',
                                       'aria-label': 'Event', 'aria-valuemin': 1,
                                       'aria-valuemax': Math.max(1, trace.count) });
-    this.lanes = this.routines_used();
-    this.canvas.style.height = `${this.lanes.length * kLane + 15}px`;
+    this.lanes = trace.routines_used;
+    this.canvas.style.height = `${kHead + this.lanes.length * kLane + 15}px`;
     this.picture = document.createElement('canvas');
     place.append(this.buttons(), this.canvas);
     this.listen();
     on_resize(this.canvas, () => this.redraw());
-  }
-
-  // Routines that occur, in the order of the header: that of the paper's figures.
-  routines_used() {
-    const used = new Set();
-    for (let e = 0; e < this.trace.count; ++e) used.add(this.trace.arrays.event_routine[e]);
-    return [...used].sort((a, b) => a - b);
   }
 
   buttons() {
@@ -135,9 +128,9 @@ class Timeline {
     };
     canvas.addEventListener('pointerdown', (event) => {
       this.play(false);
-      const lane = Math.floor(event.offsetY / kLane);
+      const lane = Math.floor((event.offsetY - kHead) / kLane);
       if (event.offsetX < this.labels) {
-        if (lane < this.lanes.length) this.next_in_lane(this.lanes[lane]);
+        if (lane >= 0 && lane < this.lanes.length) this.next_in_lane(this.lanes[lane]);
         return;
       }
       canvas.setPointerCapture(event.pointerId);
@@ -177,8 +170,8 @@ class Timeline {
     const wide = Math.max(1, columns / Math.max(1, trace.count));
     const full = Math.max(1, trace.count / columns);
     this.lanes.forEach((routine, row) => {
-      const y = row * kLane;
-      context.fillStyle = css_color(this.color_of(routine));
+      const y = kHead + row * kLane;
+      context.fillStyle = css_color(trace.routine_color(routine));
       for (let column = 0; column < columns; ++column) {
         const share = there[row * columns + column] / full;
         if (share === 0) continue;
@@ -195,12 +188,12 @@ class Timeline {
       const { name, figure } = trace.routines[routine];
       context.fillText(figure ? `${name} (Fig. ${figure})` : name, 2, y + kLane / 2 + 0.5, labels - 10);
     });
-    const bottom = this.lanes.length * kLane;
+    const bottom = kHead + this.lanes.length * kLane;
     context.fillStyle = ink;
     context.textBaseline = 'bottom';
     if (trace.switch_at >= 0) {
       const x = labels + trace.switch_at / trace.count * columns;
-      context.fillRect(x, 0, 1, bottom);
+      context.fillRect(x, kHead, 1, bottom - kHead);
       context.textAlign = 'center';
       for (const [stage, from, to] of [[1, labels, x], [2, x, width]]) {
         if (to - from > 60) context.fillText(`Stage ${stage}`, (from + to) / 2, height);
@@ -217,9 +210,9 @@ class Timeline {
     context.drawImage(this.picture, 0, 0, width, height);
     const x = labels + (this.at + 0.5) / Math.max(1, trace.count) * (width - labels);
     context.fillStyle = css_color(style_color('--accent'));
-    context.fillRect(x - 1, 0, 2, this.lanes.length * kLane);
+    context.fillRect(x - 1, 5, 2, kHead - 5 + this.lanes.length * kLane);
     context.beginPath();
-    context.arc(x, this.lanes.length * kLane + 6, 5, 0, 7);
+    context.arc(clamp(x, 5, width - 5), 5.5, 5, 0, 7);
     context.fill();
   }
 }

@@ -8,25 +8,21 @@ class TraceView {
     this.samples = new Samples(data);
     const { trace } = this;
     this.points = texels_of_points(trace.points);
-    this.history = new FacetHistory(trace);
-    this.color_by = 'side';
     this.after = true;
     this.follow = false;
     this.both = false;             // both structures side by side
     this.surface_style = 'auto';
     this.regions_on = true;
-    this.marked = [];              // slots that have a color of this event
-    this.surface = new FacetLayer(this.points, { edge_width: 0.8, age: null });
-    this.live = new LiveFacets(trace, this.history, (slot, id) => this.write(slot, id));
+    this.surface = new TraceSurface(trace, this.points);
     this.marks = new EventMarks(trace);
     this.vertices = this.make_vertices();
     this.regions = trace.arrays.contour_triangles ? new Regions(trace) : null;
-    this.tetrahedra = new SwitchTetrahedra(trace, this.samples);
+    this.tetrahedra = new SwitchTetrahedra(trace, this.surface.history);
     this.frame = new LineLayer();
     this.slice_lines = new LineLayer({ ghost: 0.4, clipped: false });
     const { box } = trace.header;
     this.box = box ? { lo: box.slice(0, 3), hi: box.slice(3) } : box_of_points(trace.points);
-    const layers = [this.surface, ...(this.regions ? [this.regions.layer] : []), this.frame,
+    const layers = [this.surface.layer, ...(this.regions ? [this.regions.layer] : []), this.frame,
                     this.vertices, this.slice_lines, ...this.marks.layers];
     this.main_pane = { layers, caption: '', clip: null };
     this.tetrahedra_pane = { layers: [this.tetrahedra.layer, this.frame], caption: '', clip: null };
@@ -42,9 +38,8 @@ class TraceView {
     this.build_panel(document.getElementById('panel'));
     const place = document.getElementById('timeline');
     place.hidden = false;
-    this.timeline = new Timeline(place, trace, (routine) => this.routine_color(routine),
-                                 (e) => this.show(e));
-    this.legend.replaceChildren(...this.legend_entries());
+    this.timeline = new Timeline(place, trace, (e) => this.show(e));
+    this.show_legend();
     this.show_title();
     this.draw_frame();
     this.timeline.show(0);
@@ -61,123 +56,43 @@ class TraceView {
     document.getElementById('subtitle').textContent = parts.join(', ');
   }
 
-  routine_color(routine) { return kind_color(routine); }
-
-  // The paint of a facet of the surface, without what this event does to it.
-  paint_of(id) {
-    const e = this.history.birth[id];
-    switch (this.color_by) {
-      case 'routine': return this.routine_color(this.trace.arrays.event_routine[e]);
-      case 'reason': return kind_color(this.trace.arrays.event_reason?.[e] ?? 0);
-      case 'age': return kSides | Math.min(e, 0xffffff);
-      case 'component': return this.component_color(id);
-      default: return kSides;
-    }
-  }
-
-  write(slot, id) {
-    const { corners } = this.history;
-    this.surface.set(slot, corners[3 * id], corners[3 * id + 1], corners[3 * id + 2],
-                     this.color_by === 'component' ? kSides : this.paint_of(id));
-  }
-
-  component_color(id) {
-    if (!this.components) return kSides;
-    return this.components.color(this.history.corners[3 * id]);
-  }
-
   show(e) {
     this.event = e;
-    const { trace, surface } = this;
-    this.unmark();
-    this.live.go_to(trace.count === 0 ? 0 : this.after ? e + 1 : e);
-    surface.count = this.live.count;
-    if (this.color_by === 'component') this.paint_components();
-    surface.age = this.color_by === 'age' ? { step: e, span: Math.max(50, e) } : null;
-    this.marks.show(e, this.after);
-    this.mark_changes(e);
+    const { trace, marks } = this;
+    marks.show(e, this.after);
+    const small = trace.count > 0 && marks.is_small(e);
+    this.surface.show(e, this.after, small ? marks.on : {});
     this.vertices.count = Math.min(trace.vertices[Math.min(e + 1, trace.count)] ?? 0,
                                    trace.points.length / 3);
     this.regions?.go_to(this.after ? e + 1 : e);
+    const caller = marks.on.caller && trace.count > 0 ? trace.caller(e) : [];
+    this.regions?.point_out(caller.length === 1 ? caller[0] : kNone);
     this.arrange_surface();
     this.arrange_panes(e);
+    this.telling.setAttribute('aria-live', this.timeline?.playing ? 'off' : 'polite');
     this.tell(e);
     this.numbers.show(e);
     if (this.follow) this.zoom_to_step();
     this.scene.invalidate();
   }
 
-  // The facets that come (or go, in the state before) have their color within the surface.
-  mark_changes(e) {
-    const { trace, history, live } = this;
-    if (trace.count === 0 || !this.marks.is_small(e)) return;
-    const key = this.after ? 'came' : 'went';
-    if (!this.marks.on[key]) return;
-    const name = this.after ? 'added' : 'removed';
-    for (let n = trace.begin(name, e); n < trace.begin(name, e + 1); ++n) {
-      const id = this.after ? n : history.removed[n];
-      if (id < 0 || live.slot[id] < 0) continue;
-      this.marked.push(id);
-      this.surface.set_paint(live.slot[id], mixed(kMarks[key].color, 0xffffff, 0.35));
-    }
-  }
-  unmark() {
-    for (const id of this.marked) {
-      if (this.live.slot[id] >= 0) this.surface.set_paint(this.live.slot[id], this.paint_of(id));
-    }
-    this.marked.length = 0;
-  }
-
-  repaint() {
-    this.marked.length = 0;
-    if (this.color_by !== 'component') {
-      for (let slot = 0; slot < this.live.count; ++slot) {
-        this.surface.set_paint(slot, this.paint_of(this.live.ids[slot]));
-      }
-    }
-    this.legend.replaceChildren(...this.legend_entries());
-    this.show(this.event);
-  }
-
-  paint_components() {
-    const { live, history, surface } = this;
-    this.components = new Components(this.trace.points.length / 3);
-    for (let slot = 0; slot < live.count; ++slot) this.components.add(history.corners, live.ids[slot]);
-    for (let slot = 0; slot < live.count; ++slot) {
-      surface.set_paint(slot, this.component_color(live.ids[slot]));
-    }
-  }
-
-  legend_entries() {
-    const entry = (color, text) =>
-      element('li', {}, element('span', { class: 'swatch', style: `background:${css_color(color)}` }), text);
-    const { trace } = this;
-    if (this.color_by === 'routine') {
-      return this.timeline.lanes.map((n) => entry(this.routine_color(n), trace.routines[n].name));
-    }
-    if (this.color_by === 'reason') {
-      return trace.reasons.map(({ name }, n) => [name, n]).filter(([name, n]) =>
-        name && this.timeline.occurs('reason', n)).map(([name, n]) => entry(kind_color(n), name));
-    }
-    if (this.color_by === 'age') {
-      return [entry(sequential_color(1), 'new'), entry(sequential_color(0.5), 'half way back'),
-              entry(sequential_color(0), 'from the beginning')];
-    }
-    if (this.color_by === 'side') {
-      return [entry(kOutside, 'below the isovalue'), entry(kInside, 'above it')];
-    }
-    return [];
+  show_legend() {
+    this.legend.replaceChildren(...this.surface.legend().map(([color, text]) =>
+      element('li', {}, element('span', { class: 'swatch', style: `background:${css_color(color)}` }),
+              text)));
   }
 
   // Side by side at the switch, or where that is asked for.
   arrange_panes(e) {
-    const wanted = this.tetrahedra.layer.count > 0 && (this.both || e === this.trace.switch_at);
+    const wanted = this.tetrahedra.there && (this.both || e === this.trace.switch_at);
+    if (wanted) this.tetrahedra.make();
     const { scene } = this;
     this.main_pane.caption = wanted ? (e >= this.trace.switch_at ? 'the plain mesh' : 'the surface') : '';
     this.tetrahedra_pane.caption = 'Del S: its tetrahedra inside the surface';
     if (wanted === (scene.panes.length === 2)) return;
     scene.panes = wanted ? [this.tetrahedra_pane, this.main_pane] : [this.main_pane];
     scene.show_captions();
+    this.clip.apply();
   }
 
   tell(e) {
@@ -190,7 +105,7 @@ class TraceView {
     this.telling.replaceChildren(
       element('p', { class: 'where' }, where),
       element('h2', {}, element('span', { class: 'swatch', style:
-        `background:${css_color(this.routine_color(this.trace.arrays.event_routine[e]))}` }),
+        `background:${css_color(this.trace.routine_color(this.trace.arrays.event_routine[e]))}` }),
               title, ...outcome),
       ...lines.map(([kind, text, heading]) =>
         element('p', { class: kind }, ...(heading ? [element('strong', {}, heading)] : []), text)));
@@ -198,25 +113,33 @@ class TraceView {
 
   zoom_to_step() {
     const { box, normal } = this.marks;
-    if (!box) return;
-    const { camera, aspect } = this.scene;
-    const radius = Math.max(box_radius(box), 0.01 * camera.radius);
-    const goal = { target: box_middle(box),
-                   distance: 1.7 * radius / Math.sin(kHalfAngle) / Math.min(1, aspect) };
-    // Where the surface there looks away, or is seen from the edge, the eye goes round to its front.
-    if (length_of(normal) > 0 && dot(normal, camera.back) < 0.4) {
-      const back = unit(add(normal, scaled(camera.up, 0.4)));
-      goal.azimuth = Math.atan2(back[1], back[0]) * 180 / Math.PI;
-      goal.elevation = Math.asin(clamp(back[2], -1, 1)) * 180 / Math.PI;
+    if (!box) {
+      this.scene.fit();
+      return;
     }
-    camera.glide_to(goal);
+    const { camera, aspect } = this.scene;
+    const radius = Math.max(box_radius(box), 0.003 * camera.radius);
+    const target = box_middle(box);
+    const distance = 1.7 * radius / Math.sin(kHalfAngle) / Math.min(1, aspect);
+    // The eye stays on its side where it sees the front of the surface there and nothing is between;
+    // else it goes round.
+    const tilted = (by) => unit(add(normal, by));
+    const sides = [scaled(camera.up, 0.4), scaled(camera.right, 0.7), scaled(camera.right, -0.7),
+                   scaled(camera.up, 1), scaled(camera.up, -1)];
+    const ways = [camera.back, ...sides.map(tilted), normal];
+    const sees = (back) => dot(normal, back) >= 0.4 &&
+                           this.surface.nearest(add(target, scaled(back, distance)), scaled(back, -1))
+                             .distance > distance - 1.2 * radius;
+    const back = (length_of(normal) > 0 && ways.find(sees)) || camera.back;
+    camera.glide_to({ target, distance, azimuth: Math.atan2(back[1], back[0]) * 180 / Math.PI,
+                      elevation: Math.asin(clamp(back[2], -1, 1)) * 180 / Math.PI });
     this.scene.invalidate();
   }
 
   make_vertices() {
     const layer = new DotLayer({ visible: false });
     const { points } = this.trace;
-    for (let n = 0; n < points.length / 3; ++n) layer.add(point_at(points, n), 0x39424f, 4);
+    for (let n = 0; n < points.length / 3; ++n) layer.add(point_at(points, n), 0x7a8aa3, 4);
     return layer;
   }
 
@@ -227,15 +150,14 @@ class TraceView {
 
   build_panel(panel) {
     this.numbers = new RunningNumbers(this.trace);
+    this.clip = new ClipPlane(this.scene, this.box);
     this.legend = element('ul', { class: 'legend' });
-    const colors = [['side', 'side of the surface'], ['routine', 'routine that made it'],
-                    ['reason', 'criterion that made it'], ['age', 'age'], ['component', 'component']];
     const seen = (layer) => (on) => {
       layer.visible = on;
       this.scene.invalidate();
     };
     const toggles = [
-      toggle('Surface', true, seen(this.surface)),
+      toggle('Surface', true, seen(this.surface.layer)),
       ...Object.entries(kMarks).filter(([key]) => this.has_marks(key)).map(([key, { label, color }]) =>
         toggle(label, true, (on) => {
           this.marks.switch_on(key, on);
@@ -253,7 +175,7 @@ class TraceView {
       this.both = on;
       this.show(this.event);
     });
-    if (this.tetrahedra.layer.count > 0) toggles.push(both);
+    if (this.tetrahedra.there) toggles.push(both);
     this.after_toggle = toggle('Show the surface after the step', true, (on) => {
       this.after = on;
       this.show(this.event);
@@ -272,14 +194,15 @@ class TraceView {
                       this.after_toggle, this.follow_toggle)),
       section('Running numbers', true, this.numbers.element),
       section('Look', true,
-              choice('Color by', colors, this.color_by, (value) => {
-                this.color_by = value;
-                this.repaint();
+              choice('Color by', kColorsOfSurface, 'side', (value) => {
+                this.surface.set_color_by(value);
+                this.show_legend();
+                this.show(this.event);
               }), this.legend,
               choice('Surface', [['auto', 'automatic'], ['solid', 'solid'], ['glass', 'glass'],
                                  ['wires', 'edges only']], 'auto',
                      (value) => this.set_surface_style(value))),
-      section('Show', true, ...toggles));
+      section('Show', true, ...toggles), this.clip.element);
     if (this.samples.there) {
       this.slice = new SlicePanel(this.samples, this.trace.header.iso, this.slice_lines,
                                   () => this.scene.invalidate());
@@ -300,14 +223,17 @@ class TraceView {
   // In the certified Stage 1 the regions on T are what is worked on; K's facets, which cut through T,
   // are then their edges.
   arrange_surface() {
-    const { surface, regions, trace } = this;
+    const { regions, trace } = this;
+    const surface = this.surface.layer;
     const style = this.surface_style;
     const before = trace.switch_at < 0 || this.event < trace.switch_at;
     if (regions) regions.layer.visible = this.regions_on && before;
+    // Colors under the zone are to be told from each other.
+    this.marks.fills.zone.opacity = regions?.layer.visible ? 0.1 : 0.22;
     surface.wires = style === 'wires' || (style === 'auto' && Boolean(regions?.layer.visible));
     surface.opacity = style === 'glass' ? 0.35 : 1;
     surface.ghost = surface.wires ? 0.3 : 0;
-    surface.edge_width = surface.wires ? 1.8 : 0.8;
+    surface.edge_width = surface.wires ? 1.8 : kEdgeWidth;
   }
 
   set_surface_style(value) {
@@ -318,17 +244,9 @@ class TraceView {
 
   // A click tells of a facet of the surface: what made it, and when.
   pick({ origin, direction }, twice) {
-    const { live, history, trace } = this;
-    let nearest = Infinity, found = -1;
-    for (let slot = 0; slot < live.count; ++slot) {
-      const id = live.ids[slot];
-      const [a, b, c] = [0, 1, 2].map((i) => point_at(trace.points, history.corners[3 * id + i]));
-      const t = ray_meets_triangle(origin, direction, a, b, c);
-      if (t < nearest) {
-        nearest = t;
-        found = id;
-      }
-    }
+    const { trace } = this;
+    const { history } = this.surface;
+    const { id: found, distance: nearest } = this.surface.nearest(origin, direction);
     const readout = document.getElementById('readout');
     if (found < 0) {
       readout.textContent = '';
@@ -351,7 +269,7 @@ class TraceView {
              PageUp: () => timeline.step(-100), Home: () => timeline.show(0),
              End: () => timeline.show(this.trace.count - 1), n: () => timeline.next_of_kind(1),
              p: () => timeline.next_of_kind(-1), z: () => this.zoom_to_step(), f: () => scene.fit(),
-             b: () => this.after_toggle.input.click(), l: () => this.follow_toggle.input.click() };
+             s: () => this.slice?.turn_open(), b: () => this.after_toggle.input.click(), l: () => this.follow_toggle.input.click() };
   }
 
   theme_changed() {
@@ -364,7 +282,8 @@ class TraceView {
     return ['Timeline', [['Space', 'play, stop'], ['Left Right', 'one step'],
                          ['PageUp PageDown', 'a hundred steps'], ['Home End', 'first, last'],
                          ['N P', 'next, previous of the kind'], ['Z', 'go to what this step changes'],
-                         ['L', 'follow: go to every step'], ['B', 'the surface before, after the step']]];
+                         ['L', 'follow: go to every step'], ['B', 'the surface before, after the step'],
+                         ['S', 'a slice of the volume and the kd-tree']]];
   }
 }
 
