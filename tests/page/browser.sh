@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Pages in a browser: they begin, say nothing of faults, and draw something. Needs Chromium or Chrome,
+# which draws by the processor here. Usage: browser.sh DELISO
+set -eu
+deliso=$1
+browser=
+for name in chromium chromium-browser google-chrome google-chrome-stable; do
+  if command -v "$name" >/dev/null; then
+    browser=$name
+    break
+  fi
+done
+[ -n "$browser" ] || exit 77
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$deliso" builtin:torus:20 -q -o "$work/torus.ply"
+"$deliso" builtin:fuel:20 --method marching-cubes -q -o "$work/fuel <b>.ply"
+printf 'OFF\n0 0 0\n' >"$work/empty.off"
+"$deliso" view "$work/torus.ply" "$work/fuel <b>.ply" --volume builtin:fuel:20 -q \
+  -o "$work/two.html"
+"$deliso" view "$work/empty.off" -q -o "$work/empty.html"
+"$deliso" trace builtin:torus:20 -q -o "$work/certified.html"
+"$deliso" trace builtin:fuel:20 --paper -q -o "$work/paper.html"
+# Cut off in the middle of its data.
+head -c $(($(wc -c <"$work/paper.html") * 9 / 10)) "$work/paper.html" >"$work/cut.html"
+
+# A page is fine when it has begun and hides its message.
+faults=0
+for page in two empty certified paper cut; do
+  if ! timeout 60 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \
+    --enable-unsafe-swiftshader --user-data-dir="$work/profile" --virtual-time-budget=4000 \
+    --dump-dom "file://$work/$page.html" >"$work/$page.dom" 2>"$work/$page.log"; then
+    # A browser that cannot run here (a container without what it needs) tests nothing.
+    if [ ! -s "$work/$page.dom" ]; then
+      echo "$browser does not run here"
+      exit 77
+    fi
+  fi
+  if grep -q 'id="message"[^>]*hidden=""' "$work/$page.dom"; then
+    echo "$page: fine"
+  else
+    echo "$page: $(sed -n 's/.*id="message"[^>]*>\([^<]*\)<.*/\1/p' "$work/$page.dom")"
+    faults=$((faults + 1))
+  fi
+done
+exit "$((faults > 0))"
