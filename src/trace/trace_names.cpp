@@ -51,16 +51,23 @@ ReasonName name_of(Reason reason) {
       {"region",
        "C1: the site's region on T is no disk; value: distance of the vertex inserted "
        "from its site"},
-      {"interface", "C2: two regions do not meet in one arc; value: the same distance"},
-      {"triple", "C3: three regions meet more than once; value: the same distance"},
-      {"boundary", "C4: the region does not end on the box in one arc; value: the same distance"},
+      {"interface",
+       "C2: two regions do not meet in one arc; value: distance of the vertex inserted from its "
+       "site"},
+      {"triple",
+       "C3: three regions meet more than once; value: distance of the vertex inserted from its "
+       "site"},
+      {"boundary",
+       "C4: the region does not end on the box in one arc; value: distance of the vertex inserted "
+       "from its site"},
       {"coincident", "vertices of T at one place: one is moved a hair; value: 0"},
       {"finger", "distance of a vertex of T from the facets at its site; value: times the limit"},
       {"unready",
        "the dual line of a facet misses the surface; value: distance of the vertex "
        "inserted from its site"},
-      {"crossing", "facets of K cross; value: the same distance"},
-      {"inside out", "a component bounds what is outside; value: the same distance"},
+      {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
+      {"inside out",
+       "a component bounds what is outside; value: distance of the vertex inserted from its site"},
       {"not Delaunay", "a vertex is in the facet's surface ball; value: radius of the ball"},
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
       {"off its curve", "a boundary edge leaves its curve; value: its length"},
