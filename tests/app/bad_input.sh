@@ -184,6 +184,15 @@ refuses 'no room for 3 panels' render one.off one.off one.off -o $p --size 6x6
 refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9
 refuses 'one for each mesh' render one.off one.off -o $p --clip off/off/off
 refuses 'no/such/p.png' render one.off -o no/such/p.png
+refuses 'no mesh' view -o out/page.html --volume builtin:fuel
+refuses 'no page' view one.off
+refuses 'out/page.png' view one.off -o out/page.png
+refuses 'missing.off' view missing.off -o out/page.html
+refuses 'one mesh, or two' view one.off one.off one.off -o out/page.html
+refuses 'without --volume' view one.off -o out/page.html --iso 1
+refuses '--volume needs --iso K' view one.off -o out/page.html --volume short.nhdr
+refuses 'short' view one.off -o out/page.html --volume short.nhdr --iso 1
+refuses 'cannot both' view - -o out/page.html --volume - --iso 1
 
 # What cannot be taken on: the message names the limit.
 refuses 'at least 0.001' builtin:sphere --rmin 1e-12 -o $o

@@ -232,6 +232,17 @@ holds "colors change a picture" differ red.png ply.png
 "$deliso" render drawn.ply -q -o angle.png --size 200x150 --color-by angle --labels auto
 holds "and so do labels and a color bar" differ angle.png red.png
 
+# Pages: of one mesh or two, in a file and on standard output, the same bytes every time.
+"$deliso" view drawn.ply -q -o page.html >stdout 2>stderr
+holds "-q is quiet with pages" empty stdout stderr
+holds "a page" opens page.html '<!DOCTYPE html>'
+holds "its title is the mesh's name" grep -q '^<title>drawn.ply</title>$' page.html
+"$deliso" view - -q -o - <drawn.ply | sed 's/standard input/drawn.ply/g' >piped.html
+holds "standard output gets the bytes of the page" cmp -s page.html piped.html
+"$deliso" view drawn.ply drawn.off --volume builtin:sphere -o pair.html >stdout
+holds "two meshes, one page" grep -q '^[0-9,]* triangles | [0-9,]* triangles in pair.html$' stdout
+holds "with distances from the volume's surface" grep -q '"h1":{"type":"f32"' pair.html
+
 # Numbers too small for exact predicates are 0 for a check: a fault, and the end of it.
 printf 'OFF\n4 4 0\n0 0 1e-320\n1e-50 0 0\n0 9 -4e-200\n3 1 9\n' >tiny.off
 printf '3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >>tiny.off

@@ -459,6 +459,33 @@ TEST_CASE("colors, their volume and their isovalue") {
   CHECK(refusal({"render", "--volume", "v", "-o", "m.png"}).starts_with("no mesh given"));
 }
 
+TEST_CASE("view takes one mesh or two, and a volume with its isovalue") {
+  const CommandLine line = parse({"view", "a.ply", "b.off", "-o", "p.html", "--volume", "v.raw",
+                                  "--dims", "2x3x4", "--type", "uint8", "--iso", "7"});
+  CHECK(line.command == Command::view);
+  CHECK(line.meshes == std::vector<std::string>{"a.ply", "b.off"});
+  CHECK(line.output == "p.html");
+  CHECK(line.input == "v.raw");
+  CHECK(line.read.raw->dims == Index3{2, 3, 4});
+  CHECK(line.isovalue == 7);
+  CHECK(parse({"view", "-", "-o", "-"}).input.empty());
+  CHECK(parse({"view", "m", "-o", "-", "--volume", "builtin:fuel"}).isovalue.has_value());
+
+  CHECK(refusal({"view", "-o", "p.html"}).starts_with("no input given"));
+  CHECK(refusal({"view", "a", "b", "c", "-o", "p.html"}) ==
+        "a page shows one mesh, or two side by side");
+  CHECK(refusal({"view", "a"}) == "no page named: -o FILE.html, or -o -");
+  CHECK(refusal({"view", "a", "-o", "p.png"}) == "cannot write 'p.png': pages are .html");
+  CHECK(refusal({"view", "a", "-o", "-", "--volume", "v"}) == "--volume needs --iso K");
+  CHECK(refusal({"view", "a", "-o", "-", "--iso", "1"}).find("without --volume") !=
+        std::string::npos);
+  CHECK(refusal({"view", "-", "-", "-o", "p.html"}).starts_with("only one mesh"));
+  CHECK(refusal({"view", "-", "-o", "-", "--volume", "-", "--iso", "1"})
+            .starts_with("mesh and volume cannot both"));
+  CHECK(refusal({"view", "a", "-o", "-", "--color-by", "angle"}).find("deliso view") !=
+        std::string::npos);
+}
+
 TEST_CASE("the larger the picture, the less it can be zoomed into") {
   CHECK(parse({"render", "m", "-o", "-", "--size", "9933x14043", "--zoom", "40"}).render.size ==
         PictureSize{9933, 14043});
