@@ -75,8 +75,11 @@ class EventMarks {
       extend_box(this.box, ...place);
     }
     this.show_zone(trace.items('zone', e));
-    this.show_facets('star', trace.items('star', e), point, 0);
-    for (const [a, b] of rim_of(trace.items('star', e))) {
+    const star = trace.items('star', e);
+    this.show_facets('star', star, point, 0);
+    // In Stage 2 the disk E of a point that came is what went.
+    const went = trace.stage(e) === 2 && this.is_small(e) ? trace.items('removed', e) : [];
+    for (const [a, b] of rim_of(star.length > 0 ? star : went)) {
       this.lines.star.add(point(a), point(b), kMarks.star.color, 3);
     }
     this.show_facets('cone', trace.items('cone', e), point, 1.5);

@@ -92,6 +92,9 @@ class Texels {
   }
 
   make(gl) {
+    if (this.changed.length > gl.getParameter(gl.MAX_TEXTURE_SIZE)) {
+      throw new Error('this is more than the graphics card can take');
+    }
     if (this.texture && this.made_in === gl.generation) gl.deleteTexture(this.texture);
     this.texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.texture);

@@ -72,7 +72,8 @@ class TraceView {
     this.telling.setAttribute('aria-live', this.timeline?.playing ? 'off' : 'polite');
     this.tell(e);
     this.numbers.show(e);
-    if (this.follow) this.zoom_to_step();
+    // Of quick play, the eye could not follow.
+    if (this.follow && !(this.timeline?.playing && this.timeline.speed > 15)) this.zoom_to_step();
     this.scene.invalidate();
   }
 
@@ -207,6 +208,9 @@ class TraceView {
       this.slice = new SlicePanel(this.samples, this.trace.header.iso, this.slice_lines,
                                   () => this.scene.invalidate());
       panel.append(this.slice.element);
+    } else {
+      panel.append(section('Slice and kd-tree (Figure 13)', false, element('p', { class: 'hint' },
+        'The page is without the volume, which has too many samples: deliso trace --roi takes a part.')));
     }
   }
 
@@ -214,6 +218,7 @@ class TraceView {
   has_marks(key) {
     const { trace } = this;
     const list = { zone: 'zone', star: 'star', cone: 'cone', came: 'added', went: 'removed' }[key];
+    if (key === 'star' && trace.switch_at >= 0) return true;
     if (list) return trace.begin(list, trace.count) > 0;
     if (key === 'edge') return trace.arrays.event_edge?.some(Number.isFinite) ?? false;
     if (key === 'ball') return trace.arrays.event_ball?.some(Number.isFinite) ?? false;
