@@ -5,23 +5,10 @@
 
 #include "base/append_format.h"
 #include "files/atomic_file.h"
+#include "support/line_chart.h"
 
 namespace deliso::guide {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 void append_path(std::string& out, std::span<const Vec2> points) {
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -108,7 +95,7 @@ void Drawing::text(const Vec2& at, std::string_view words, Anchor anchor, double
                 "paint-order=\"stroke\">",
                 at.x, at.y, size, names[static_cast<int>(anchor)], color,
                 bold ? " font-weight=\"bold\"" : "");
-  body_ += escaped(words) + "</text>\n";
+  body_ += svg_escaped(words) + "</text>\n";
 }
 
 void Drawing::clip_to(const Panel& panel) {
@@ -124,6 +111,12 @@ void Drawing::clip_to(const Panel& panel) {
 void Drawing::clip_nowhere() {
   if (clipped_) body_ += "</g>\n";
   clipped_ = false;
+}
+
+void Drawing::frame(const Panel& panel, std::string_view title) {
+  clip_nowhere();
+  rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
+  text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
 }
 
 void Drawing::write(const std::string& folder, const std::string& name) const {

@@ -70,6 +70,8 @@ class Drawing {
   // Until the next call nothing is drawn outside of the window; none: everywhere.
   void clip_to(const Panel& panel);
   void clip_nowhere();
+  // The window's outline, and its title above; ends clip_to().
+  void frame(const Panel& panel, std::string_view title);
 
   // The whole picture, to FOLDER/NAME.svg.
   void write(const std::string& folder, const std::string& name) const;

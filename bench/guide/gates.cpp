@@ -216,9 +216,7 @@ void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
     out.line(panel.at(p[0]), panel.at(p[1]), {.stroke = ink::kRed, .width = 2.5});
   }
   out.dot(panel.at({0, 0}), ink::kRed, 5);
-  out.clip_nowhere();
-  out.rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
-  out.text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
+  out.frame(panel, title);
 }
 
 }  // namespace

@@ -48,12 +48,6 @@ void draw_points(Drawing& out, const Panel& panel, const Plane& t, double radius
   }
 }
 
-void draw_frame(Drawing& out, const Panel& panel, const char* title) {
-  out.clip_nowhere();
-  out.rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
-  out.text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
-}
-
 // Calls edge(f, i, from, to) once for each Voronoi edge, dual to the edge of f opposite corner i.
 template <class Edge>
 void for_each_voronoi_edge(const Plane& t, Edge&& edge) {
@@ -97,7 +91,7 @@ void draw_restricted(Drawing& out, const Panel& panel, const Slice& slice, const
   });
   for (const Vec2& p : marked) out.dot(panel.at(p), ink::kRed, 5);
   draw_points(out, panel, sites, 4);
-  draw_frame(out, panel, title);
+  out.frame(panel, title);
 }
 
 }  // namespace
@@ -134,7 +128,7 @@ void draw_delaunay(const std::string& folder) {
   }
   draw_points(out, first, t);
   out.dot(first.at(p), ink::kRed, 5);
-  draw_frame(out, first, "circles that hold p");
+  out.frame(first, "circles that hold p");
 
   const VertexId v = t.insert(p);
   out.clip_to(second);
@@ -145,7 +139,7 @@ void draw_delaunay(const std::string& folder) {
   draw_edges(out, second, t, {.stroke = ink::kBlue, .width = 1});
   draw_points(out, second, t);
   out.dot(second.at(p), ink::kRed, 5);
-  draw_frame(out, second, "the star of p");
+  out.frame(second, "the star of p");
 
   // The dual: of one edge at p, its line, and its ends at two circumcenters.
   out.clip_to(third);
@@ -176,7 +170,7 @@ void draw_delaunay(const std::string& folder) {
     return false;
   });
   draw_points(out, third, t);
-  draw_frame(out, third, "the dual of an edge");
+  out.frame(third, "the dual of an edge");
   out.write(folder, "delaunay");
 }
 

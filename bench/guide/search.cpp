@@ -38,12 +38,6 @@ void draw_background(Drawing& out, const Panel& panel, const Slice& slice) {
   out.region(on_paper(panel, slice), {.fill = ink::kAbove});
 }
 
-void draw_frame(Drawing& out, const Panel& panel, const std::string& title) {
-  out.clip_nowhere();
-  out.rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
-  out.text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
-}
-
 // The tree's nodes along a line, as VoxelTree has them (K1 of kdtree/voxel_tree.h).
 struct Descent {
   const Slice& slice;
@@ -136,7 +130,7 @@ void draw_kdtree(const std::string& folder) {
     draw_voxel(out, left, walk.voxel().i, walk.voxel().j, {.fill = "#c766b8"});
   }
   draw_ray(out, left, slice, a, b);
-  draw_frame(out, left, counted("by the ray alone: ", on_ray, " voxels"));
+  out.frame(left, counted("by the ray alone: ", on_ray, " voxels"));
 
   draw_background(out, right, slice);
   Descent descent{slice, line, {}, {}};
@@ -166,9 +160,8 @@ void draw_kdtree(const std::string& folder) {
   for (const VoxelSpan& span : active) {
     out.dot(right.at({span.voxel.i + 0.5, span.voxel.j + 0.5}), ink::kGreen, 4);
   }
-  draw_frame(out, right,
-             counted("with min and max: ", tested, " looked at, ") +
-                 counted("", active.size(), " solved"));
+  out.frame(right, counted("with min and max: ", tested, " looked at, ") +
+                       counted("", active.size(), " solved"));
   out.write(folder, "kdtree");
 }
 
@@ -238,7 +231,7 @@ void draw_oracle(const std::string& folder) {
     out.dot(panel.at({hit->point.x, hit->point.y}), ink::kRed, 5);
     out.text(panel.at({hit->point.x, hit->point.y}) + Vec2{9, -7}, "x", Anchor::start, 13,
              ink::kRed);
-    draw_frame(out, panel, "outwards from c, both ways, in this order");
+    out.frame(panel, "outwards from c, both ways, in this order");
   }
   {
     // A shell thinner than a facet's sag.
@@ -291,7 +284,7 @@ void draw_oracle(const std::string& folder) {
     out.text(panel.at(c) + Vec2{-10, -6}, "c", Anchor::end);
     out.dot(panel.at(a), ink::kSigma, 4);
     out.dot(panel.at(b), ink::kSigma, 4);
-    draw_frame(out, panel, "a wall thinner than the facet's sag");
+    out.frame(panel, "a wall thinner than the facet's sag");
   }
   out.write(folder, "oracle");
 }

@@ -55,12 +55,6 @@ void draw_facets(Drawing& out, const Plan& plan, const SurfaceMesh& s,
   }
 }
 
-void draw_frame(Drawing& out, const Panel& panel, const std::string& title) {
-  out.clip_nowhere();
-  out.rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
-  out.text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
-}
-
 }  // namespace
 
 void draw_insert(const std::string& folder) {
@@ -97,7 +91,7 @@ void draw_insert(const std::string& folder) {
   out.circle(plan.at(p), plan.panel.scale * std::sqrt(ball.radius2),
              {.stroke = ink::kOrange, .width = 1.3, .dashed = true});
   out.dot(plan.at(p), ink::kRed, 5);
-  draw_frame(out, plan.panel, "a facet, its ball, p");
+  out.frame(plan.panel, "a facet, its ball, p");
 
   plan.panel = panel(265);
   out.clip_to(plan.panel);
@@ -107,7 +101,7 @@ void draw_insert(const std::string& folder) {
                {.stroke = ink::kOrange, .width = 1, .dashed = true, .opacity = 0.8});
   }
   out.dot(plan.at(p), ink::kRed, 5);
-  draw_frame(out, plan.panel, "E: whose balls hold p");
+  out.frame(plan.panel, "E: whose balls hold p");
 
   DiskReplacer replacer(s, h.surface, h.parameters, h.report);
   Inserter inserter(s, replacer, h.recovered.curves, h.parameters, h.report);
@@ -116,7 +110,7 @@ void draw_insert(const std::string& folder) {
   out.clip_to(plan.panel);
   draw_facets(out, plan, s, {inserter.created().begin(), inserter.created().end()}, ink::kAbove);
   out.dot(plan.at(p), ink::kRed, 5);
-  draw_frame(out, plan.panel, "D: the cone over E's rim");
+  out.frame(plan.panel, "D: the cone over E's rim");
   out.write(folder, "insert");
 }
 
@@ -223,15 +217,15 @@ void draw_boundary(const std::string& folder) {
     }
     draw_chain(coarse, sites.chain, points, true);
   }
-  draw_frame(out, coarse, "coarse, each with its ball");
+  out.frame(coarse, "coarse, each with its ball");
   background(handed);
   draw_chain(handed, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, true);
-  draw_frame(out, handed, "handed over by Stage 1");
+  out.frame(handed, "handed over by Stage 1");
   background(refined);
   refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.witnesses, h.parameters,
          h.report);
   draw_chain(refined, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, false);
-  draw_frame(out, refined, "at the end");
+  out.frame(refined, "at the end");
   out.write(folder, "boundary");
 }
 
@@ -294,7 +288,7 @@ void draw_checking(const std::string& folder) {
     }
   }
   for (const Vec2& p : mesh) out.dot(left.at(p), ink::kSigma, 3.5);
-  draw_frame(out, left, title("mesh to surface:", worst));
+  out.frame(left, title("mesh to surface:", worst));
   begin(right);
   worst = 0;
   for (std::size_t n = 0; n < outline.size(); n += 42) {
@@ -304,7 +298,7 @@ void draw_checking(const std::string& folder) {
     worst = std::max(worst, std::sqrt(distance2(p, q)));
   }
   for (const Vec2& p : mesh) out.dot(right.at(p), ink::kSigma, 3.5);
-  draw_frame(out, right, title("surface to mesh:", worst));
+  out.frame(right, title("surface to mesh:", worst));
   out.write(folder, "checking");
 }
 

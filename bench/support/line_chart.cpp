@@ -20,20 +20,6 @@ constexpr double kLeft = 78, kRight = 178, kTop = 46, kBottom = 56;  // margins;
 constexpr std::array<const char*, LineChart::kMostSeries> kColors{
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c00"};
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 // Where a value lies on the paper.
 class Scale {
  public:
@@ -104,6 +90,20 @@ std::vector<std::pair<double, std::string>> ticks_of(const Axis& axis, const Ext
 
 }  // namespace
 
+std::string svg_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
 std::vector<double> axis_ticks(double lo, double hi, bool logarithmic) {
   std::vector<double> ticks;
   if (logarithmic) {
@@ -139,26 +139,26 @@ std::string LineChart::svg() const {
       kWidth, kHeight, kWidth, kHeight);
   append_format(out, "<rect width=\"%g\" height=\"%g\" fill=\"#ffffff\"/>\n", kWidth, kHeight);
   append_format(out, "<text x=\"%g\" y=\"26\" font-size=\"15\" font-weight=\"bold\">%s</text>\n",
-                kLeft, escaped(title).c_str());
+                kLeft, svg_escaped(title).c_str());
   for (const auto& [value, label] : ticks_of(x, ex)) {
     const double at = to_x(value);
     append_format(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#dddddd\"/>\n", at, bottom, kTop);
     append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", at,
-                  bottom + 19, escaped(label).c_str());
+                  bottom + 19, svg_escaped(label).c_str());
   }
   for (const auto& [value, label] : ticks_of(y, ey)) {
     const double at = to_y(value);
     append_format(out, "<path d=\"M%.2f %.2fH%.2f\" stroke=\"#dddddd\"/>\n", kLeft, at, right);
     append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"end\">%s</text>\n", kLeft - 8,
-                  at + 4.5, escaped(label).c_str());
+                  at + 4.5, svg_escaped(label).c_str());
   }
   append_format(out, "<path d=\"M%.2f %.2fV%.2fH%.2f\" fill=\"none\" stroke=\"#333333\"/>\n", kLeft,
                 kTop, bottom, right);
   append_format(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n",
-                0.5 * (kLeft + right), kHeight - 14, escaped(x.label).c_str());
+                0.5 * (kLeft + right), kHeight - 14, svg_escaped(x.label).c_str());
   append_format(
       out, "<text transform=\"translate(20 %.2f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
-      0.5 * (kTop + bottom), escaped(y.label).c_str());
+      0.5 * (kTop + bottom), svg_escaped(y.label).c_str());
 
   for (std::size_t n = 0; n < series.size(); ++n) {
     std::string line, dots;
@@ -179,7 +179,7 @@ std::string LineChart::svg() const {
     append_format(out, "<path d=\"M%.2f %.2fh22\" stroke=\"%s\" stroke-width=\"3\"/>\n", right + 14,
                   at, kColors[n]);
     append_format(out, "<text x=\"%.2f\" y=\"%.2f\">%s</text>\n", right + 42, at + 4.5,
-                  escaped(series[n].name).c_str());
+                  svg_escaped(series[n].name).c_str());
   }
   return out + "</svg>\n";
 }

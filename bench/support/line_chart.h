@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct LineChart {
 
   std::string svg() const;
 };
+
+// Text as it stands in SVG.
+std::string svg_escaped(std::string_view text);
 
 // The ticks of an axis that shows lo to hi: round numbers, in ascending order, within it.
 std::vector<double> axis_ticks(double lo, double hi, bool logarithmic);

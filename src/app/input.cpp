@@ -46,6 +46,11 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
 }
 
+std::string no_surface_text(double isovalue, const ValueRange& range) {
+  return "no surface at isovalue " + number_text(isovalue) + ": the samples are " +
+         number_text(range.min) + " to " + number_text(range.max);
+}
+
 std::string input_text(const Input& input) {
   const Volume& volume = input.volume;
   const Index3 dims = volume.dims();

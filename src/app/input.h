@@ -25,6 +25,9 @@ struct Input {
 // volume, and `others`.
 Input read_input(const CommandLine& line, std::vector<std::string> others = {});
 
+// Why there is no surface there: what the samples are.
+std::string no_surface_text(double isovalue, const ValueRange& range);
+
 // Aligned lines for people, and an object "volume".
 std::string input_text(const Input& input);
 void add_input(JsonWriter& json, const Input& input);

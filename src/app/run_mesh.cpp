@@ -44,8 +44,7 @@ std::uint64_t peak_memory_bytes() {
 // Throws InputError where no sample can be on one of the two sides.
 void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   if (range.min < isovalue && isovalue <= range.max) return;
-  throw InputError("no surface at isovalue " + number_text(isovalue) + ": the samples are " +
-                   number_text(range.min) + " to " + number_text(range.max) + ", everything is " +
+  throw InputError(no_surface_text(isovalue, range) + ", everything is " +
                    (isovalue <= range.min ? "inside" : "outside") +
                    " (--allow-empty accepts that)");
 }

@@ -2,7 +2,6 @@
 // The render command: meshes from files in, a picture out.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <span>
 #include <string>
@@ -50,9 +49,7 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
 
 std::string caption_of(const std::string& label, const std::string& file, const std::string& size) {
   if (label != "auto") return label;
-  std::string caption =
-      (file == "-" ? "standard input" : std::filesystem::path(file).filename().string()) + ": " +
-      size;
+  std::string caption = short_name(file) + ": " + size;
   std::replace_if(
       caption.begin(), caption.end(),
       [](char c) {

@@ -36,9 +36,7 @@ int run_trace(const CommandLine& line) {
   Report report;
   const TriMesh mesh = mesh_isosurface(input.volume, *line.isovalue, options, report);
   if (mesh.faces.empty()) {
-    throw InputError("no surface at isovalue " + number_text(*line.isovalue) +
-                     ": the samples are " + number_text(input.range.min) + " to " +
-                     number_text(input.range.max));
+    throw InputError(no_surface_text(*line.isovalue, input.range));
   }
 
   progress.show("writing", 0);

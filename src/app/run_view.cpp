@@ -3,7 +3,6 @@
 // there, so they are given from the middle of all meshes: a scanner's origin may be far away.
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,21 +24,12 @@
 namespace deliso {
 namespace {
 
-std::string short_name(const std::string& file) {
-  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
-}
-
 // Of all vertices; the origin alone where there are none.
 Vec3 middle_of(const std::vector<TriMesh>& meshes) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   for (const TriMesh& mesh : meshes) {
-    for (const Vec3& p : mesh.points) {
-      for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::min(box.lo[axis], p[axis]);
-        box.hi[axis] = std::max(box.hi[axis], p[axis]);
-      }
-    }
+    for (const Vec3& p : mesh.points) box = united(box, {p, p});
   }
   return box.lo.x <= box.hi.x ? 0.5 * (box.lo + box.hi) : Vec3{0, 0, 0};
 }

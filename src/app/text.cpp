@@ -2,6 +2,7 @@
 #include "app/text.h"
 
 #include <charconv>
+#include <filesystem>
 
 namespace deliso {
 
@@ -22,6 +23,10 @@ std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
   return digits;
+}
+
+std::string short_name(const std::string& file) {
+  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as the program prints them.
+// Numbers and names of files as the program prints them.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@ namespace deliso {
 std::string number_text(double value);  // the shortest digits that read back as the same number
 std::string rounded(double value, int digits = 4);  // to so many significant digits
 std::string grouped(std::uint64_t n);               // 1234567 -> "1,234,567"
+std::string short_name(const std::string& file);    // of the file alone; "standard input" for -
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many);  // "1 vertex"
 
 }  // namespace deliso
