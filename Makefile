@@ -1,12 +1,14 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX; for `make fuzz`:
 # FUZZ_SECONDS (of each target), FUZZ (the targets, e.g. "nrrd ply"), FUZZ_CLANG;
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
-# `make tables` and `make figures`: DATA (folder of volumes).
+# `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
+# AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
+SEEDS ?= 5
 DATA  ?= $(or $(DELISO_DATA),datasets)
 
 MAKEFLAGS += --no-print-directory
@@ -18,7 +20,7 @@ FUZZ_BUILD = $(BUILD)-fuzz
 FUZZ_CLANG ?= clang++
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src tests bench examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures bench datasets tables sanitize fuzz tidy format format-check install
+.PHONY: all demo test figures bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: doctest clean
 
 all:
@@ -64,6 +66,14 @@ tables:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS)
 	@sh bench/write_results.sh $(BUILD) docs '$(DATA)'
+
+# What the meshes of the volumes in DATA and of built-in fields are worth, beside AGAINST: medians and
+# ranges over SEEDS. All runs go to BUILD/quality.tsv, which a later AGAINST may name when copied.
+quality:
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
+	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
+	  --data '$(DATA)' --seeds $(SEEDS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
 
 # The whole suite under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on.
 sanitize: doctest

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What meshes of built-in fields are worth at least: a change that halves their quality fails here.
+// Bounds lie well beyond the spread of the seeds; what pays within them, `make quality` says.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "deliso/deliso.h"
+#include "support/quality.h"
+#include "support/statistics.h"
+#include "volume/builtin_fields.h"
+
+using namespace deliso;
+
+namespace {
+
+struct Bounds {
+  const char* field;
+  // At most, of the median of three seeds. Lengths in voxels.
+  double vertices, needles, facets_over, points_far;
+  double mesh_999, mesh_max, surface_999, surface_max;
+  double restricted;  // at least, in percent
+};
+
+// Some 1.1 times the vertices and 1.5 to 2 times the other medians of eight seeds. noise:20 and
+// marschner_lobb:41 have features below a voxel, and points that no facet reaches.
+constexpr std::array kBounds{
+    Bounds{"orbital:48", 2000, 2, 2, 3, 0.2, 0.3, 0.2, 0.3, 99.9},
+    Bounds{"fuel:32", 1550, 2, 2, 3, 0.25, 0.4, 0.25, 0.35, 99.8},
+    Bounds{"machine:40", 3350, 3, 3, 10, 0.25, 0.45, 0.25, 0.4, 99.8},
+    Bounds{"gyroid:48", 6300, 3, 4, 3, 0.25, 0.4, 0.2, 0.35, 99.9},
+    Bounds{"noise:20", 7700, 9, 14, 60, 0.4, 0.7, 0.75, 1.3, 99.5},
+    Bounds{"marschner_lobb:41", 13000, 140, 160, 1600, 0.45, 1, 1.7, 2.3, 97.5},
+};
+constexpr std::uint64_t kSeeds = 3;
+
+}  // namespace
+
+TEST_CASE("meshes of built-in fields keep their quality") {
+  for (const Bounds& bounds : kBounds) {
+    CAPTURE(bounds.field);
+    const std::string input = std::string("builtin:") + bounds.field;
+    const double isovalue = find_builtin_field(input)->isovalue;
+    const Volume volume = make_builtin_volume(input);
+    std::vector<Measured> runs;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      Options options;
+      options.seed = seed;
+      Report report;
+      const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+      runs.push_back(measure(mesh, volume, isovalue, options, options.threads));
+      CAPTURE(seed);
+      CHECK(runs.back()[Metric::exact] == 1);
+      CHECK(runs.back()[Metric::crossings] == 0);
+      CHECK(runs.back()[Metric::other_faults] == 0);
+    }
+    const auto median = [&](Metric metric) {
+      std::vector<double> values;
+      for (const Measured& run : runs) values.push_back(run[metric]);
+      return statistic(values).median;
+    };
+    CHECK(median(Metric::vertices) <= bounds.vertices);
+    CHECK(median(Metric::needles) <= bounds.needles);
+    CHECK(median(Metric::facets_over) <= bounds.facets_over);
+    CHECK(median(Metric::points_far) <= bounds.points_far);
+    CHECK(median(Metric::mesh_999) <= bounds.mesh_999);
+    CHECK(median(Metric::mesh_max) <= bounds.mesh_max);
+    CHECK(median(Metric::surface_999) <= bounds.surface_999);
+    CHECK(median(Metric::surface_max) <= bounds.surface_max);
+    CHECK(median(Metric::restricted) >= bounds.restricted);
+  }
+}
