@@ -156,22 +156,27 @@ Subject builtin_subject(const std::string& field) {
 // The paper's volumes that are at hand and the built-in fields, or those that are asked for.
 std::vector<Subject> find_subjects(const Arguments& arguments) {
   std::vector<Subject> all;
-  std::string missing;
+  std::vector<std::string> missing;
   for (const Dataset& dataset : read_datasets(DELISO_DATASETS)) {
     const std::string path = arguments.data + "/" + dataset.file;
     if (arguments.data.empty() || !std::filesystem::exists(path)) {
-      missing += " " + dataset.name;
+      missing.push_back(dataset.name);
     } else {
       all.push_back({dataset.name, path, dataset.isovalue});
     }
   }
   for (const char* field : kFields) all.push_back(builtin_subject(field));
   if (arguments.only.empty()) {
-    if (!missing.empty()) std::fprintf(stderr, "not at hand:%s\n", missing.c_str());
+    for (const std::string& name : missing) {
+      std::fprintf(stderr, "%s is not at hand\n", name.c_str());
+    }
     return all;
   }
   std::vector<Subject> chosen;
   for (const std::string& name : arguments.only) {
+    if (std::find(missing.begin(), missing.end(), name) != missing.end()) {
+      throw InputError("--only " + name + ": is not in the folder of --data");
+    }
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Subject& s) { return s.name == name; });
     chosen.push_back(found != all.end() ? *found : builtin_subject(name));

@@ -140,7 +140,9 @@ Table make_summary(const std::vector<std::string>& builds, const std::vector<Sub
                fixed_cell(ratios > 0 ? std::exp(logarithms / ratios) : NAN, 3)});
   }
   table.remark(
-      "Better, worse: volumes on which the ranges over the seeds do not overlap; + and ! above.");
+      "Better, worse: volumes on which the ranges over the seeds do not overlap; + and ! above. "
+      "With "
+      "one seed that is any difference.");
   return table;
 }
 
