@@ -19,7 +19,7 @@
 #include "contour/contour.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
-#include "recover/recover_certified.h"
+#include "recover/recover.h"
 #include "refine/flip.h"
 #include "refine/insert.h"
 #include "volume/builtin_fields.h"

@@ -8,7 +8,7 @@
 #include "contour/contour.h"
 #include "deliso/options.h"
 #include "kdtree/voxel_tree.h"
-#include "recover/recover_certified.h"
+#include "recover/recover.h"
 #include "volume/builtin_fields.h"
 
 namespace deliso::guide {

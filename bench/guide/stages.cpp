@@ -15,10 +15,10 @@
 #include "guide/figures.h"
 #include "guide/handed.h"
 #include "guide/slice.h"
-#include "recover/sample.h"
 #include "refine/insert.h"
 #include "refine/refine.h"
 #include "refine/replace_disk.h"
+#include "stage1/first_sample.h"
 #include "volume/builtin_fields.h"
 
 namespace deliso::guide {
@@ -210,7 +210,8 @@ void draw_boundary(const std::string& folder) {
   background(coarse);
   {
     const BoundaryCurves curves = boundary_curves(h.surface, h.contour, h.parameters);
-    const InitialSites sites = init_sites(h.contour, curves, h.volume, h.parameters, h.report);
+    const FirstSample sites =
+        init_triangulation(h.contour, curves, h.volume, h.parameters, h.report);
     std::vector<Vec3> points;
     for (VertexId v = 0; v < sites.triangulation.vertex_capacity(); ++v) {
       points.push_back(v == Triangulation::kInfinite ? Vec3{} : sites.triangulation.point(v));

@@ -8,7 +8,7 @@
 
 #include "app/json.h"
 #include "base/text.h"
-#include "surface/trace_codes.h"
+#include "trace/trace.h"
 #include "trace/trace_names.h"
 
 namespace deliso {

@@ -18,12 +18,13 @@ std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& label
   for (FaceId f = 0; f < k.triangles.size(); ++f) {
     if (!is_flat(k.triangles[f])) grid.add(f, grid.box_of(k.points, k.triangles[f]));
   }
-  // Each pair is told by its later facet.
+  // Each pair is told by its new facet, by the later one of two.
   const auto add_crossings_of = [&](FaceId f, std::vector<VertexId>& found) {
     const Triangle& t = k.triangles[f];
-    if (is_flat(t)) return;
+    if (!k.is_new[f] || is_flat(t)) return;
     grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
-      if (g >= f || !triangles_intersect(k.points, t, k.triangles[g])) return false;
+      if (g == f || (g > f && k.is_new[g])) return false;
+      if (!triangles_intersect(k.points, t, k.triangles[g])) return false;
       VertexId worst = kNoId;
       for (const VertexId v : k.witnesses[f]) worst = labels.further(worst, v);
       for (const VertexId v : k.witnesses[g]) worst = labels.further(worst, v);

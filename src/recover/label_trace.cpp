@@ -29,7 +29,7 @@ Reason reason_of(Violation violation) {
     case Violation::none:
       break;
   }
-  return Reason::finger;
+  return Reason::protrusion;
 }
 
 }  // namespace
@@ -77,11 +77,9 @@ void LabelTrace::verdict_asks(const Verdict& verdict, VertexId site,
                               std::span<const DualFacet> facets, double fingers) {
   if (cells_.trace().is_full()) return;
   if (verdict.violation != Violation::none) {
-    const bool coincides = verdict.insert == kNoId;
-    return asks(Routine::certify, coincides ? Reason::coincident : reason_of(verdict.violation),
-                site, verdict.insert);
+    return asks(Routine::certify, reason_of(verdict.violation), site, verdict.insert);
   }
-  asks(Routine::find_fingers, Reason::finger, site, verdict.insert);
+  asks(Routine::find_protrusions, Reason::protrusion, site, verdict.insert);
   const Triangulation& t = triangulation_;
   const Vec3& p = contour_.points[verdict.insert];
   double nearest2 = labels_.distance2_to_site(verdict.insert);

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "recover/cell_trace.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
+#include "stage1/cell_trace.h"
 
 namespace deliso {
 

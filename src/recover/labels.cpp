@@ -2,11 +2,10 @@
 #include "recover/labels.h"
 
 #include <algorithm>
-#include <limits>
-#include <tuple>
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -18,56 +17,20 @@ constexpr double kTwice2 = 4 * (1 + 1e-12);
 // So many vertices of T make a task for a thread.
 constexpr std::size_t kRun = 4096;
 
-// Delaunay neighbours of every finite vertex, the nearest first, in one array.
-struct SiteGraph {
-  struct Neighbor {
-    double distance2;
-    VertexId vertex;
-
-    bool operator<(const Neighbor& other) const {
-      return std::tie(distance2, vertex) < std::tie(other.distance2, other.vertex);
-    }
-  };
-  std::vector<std::uint32_t> first;
-  std::vector<Neighbor> neighbors;
-
-  explicit SiteGraph(const Triangulation& t) : first(t.vertex_capacity() + 1, 0) {
-    // Every cell at a vertex, then the vertices of these cells, each once.
-    std::vector<std::uint32_t> cell_end(t.vertex_capacity() + 1, 0);
-    for_each_corner(t, [&](VertexId v, CellId) { ++cell_end[v + 1]; });
-    for (std::size_t v = 1; v < cell_end.size(); ++v) cell_end[v] += cell_end[v - 1];
-    std::vector<CellId> cells(cell_end.back());
-    std::vector<std::uint32_t> at(cell_end.begin(), cell_end.end() - 1);
-    for_each_corner(t, [&](VertexId v, CellId c) { cells[at[v]++] = c; });
-    // n cells at a vertex have n / 2 + 2 others.
-    neighbors.reserve(cells.size() / 2 + 2 * first.size());
-    std::vector<VertexId> seen(t.vertex_capacity(), Triangulation::kInfinite);
-    for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
-      seen[v] = v;
-      for (std::uint32_t k = cell_end[v]; k < cell_end[v + 1]; ++k) {
-        for (const VertexId n : t.vertices(cells[k])) {
-          if (n == Triangulation::kInfinite || seen[n] == v) continue;
-          seen[n] = v;
-          neighbors.push_back({distance2(t.point(v), t.point(n)), n});
-        }
-      }
-      first[v + 1] = static_cast<std::uint32_t>(neighbors.size());
-      std::sort(neighbors.begin() + first[v], neighbors.end());
-    }
-  }
-
- private:
-  // Calls visit(v, c) for every finite vertex v of every cell c.
-  template <class Visit>
-  static void for_each_corner(const Triangulation& t, Visit&& visit) {
-    for (CellId c = 0; c < t.cell_capacity(); ++c) {
-      if (!t.is_live(c)) continue;
-      for (const VertexId v : t.vertices(c)) {
-        if (v != Triangulation::kInfinite) visit(v, c);
+// Delaunay neighbours of every finite vertex.
+std::vector<std::vector<VertexId>> neighbors_of_all(const Triangulation& t) {
+  std::vector<std::vector<VertexId>> all(t.vertex_capacity());
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    if (!t.is_live(c)) continue;
+    for (const VertexId v : t.vertices(c)) {
+      for (const VertexId n : t.vertices(c)) {
+        if (n != v && n != Triangulation::kInfinite) all[v].push_back(n);
       }
     }
   }
-};
+  for (std::vector<VertexId>& neighbors : all) sort_out(neighbors);
+  return all;
+}
 
 }  // namespace
 
@@ -124,25 +87,20 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
       reach2_(t.vertex_capacity(), 0) {
-  const SiteGraph sites(t);
+  const std::vector<std::vector<VertexId>> neighbors = neighbors_of_all(t);
   for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
     VertexId site = 1;
     for (std::size_t v = begin; v < end; ++v) {
       if (!kept[contour.component[v]]) continue;
       const Vec3& p = contour.points[v];
       double best2 = distance2(p, t.point(site));
-      for (bool moved = true; moved;) {
-        moved = false;
-        const VertexId from = site;
-        const double from2 = best2;
-        for (std::uint32_t k = sites.first[from]; k < sites.first[from + 1]; ++k) {
-          const SiteGraph::Neighbor& n = sites.neighbors[k];
-          if (n.distance2 > kTwice2 * from2) break;  // and so are the rest: none is nearer
-          const double d2 = distance2(p, t.point(n.vertex));
+      for (VertexId from = kNoId; from != site;) {
+        from = site;
+        for (const VertexId n : neighbors[from]) {
+          const double d2 = distance2(p, t.point(n));
           if (d2 >= best2) continue;
           best2 = d2;
-          site = n.vertex;
-          moved = true;
+          site = n;
         }
       }
       label_[v] = site;

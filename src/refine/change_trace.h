@@ -8,7 +8,7 @@
 
 #include "refine/change.h"
 #include "surface/criteria.h"
-#include "surface/trace_codes.h"
+#include "trace/trace.h"
 
 namespace deliso {
 

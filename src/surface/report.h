@@ -19,7 +19,6 @@ namespace deliso {
 
 enum class Counter : std::uint8_t {
   // Stage 1
-  seeds_skipped,            // seeds closer than r_min to another point
   components_skipped,       // by --min-component
   boundary_splits_recover,  // boundary edges split because a point encroached upon them
   cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
@@ -28,8 +27,6 @@ enum class Counter : std::uint8_t {
   refused_splits,           // boundary edges encroached upon that are too short to be split
   unresolved_facets,        // facets that still meet Sigma more than once
   unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
-  facets_closed,            // facets put back where a thin wedge meets the box
-  components_put_back,      // components the tests lost, taken from the exact contour
   voxels_cut,               // voxels in which the exact contour was made of cells
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
@@ -47,12 +44,16 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "seeds_skipped",       "components_skipped", "boundary_splits_recover", "cancelled_pairs",
-    "bogus_hits",          "capped_insertions",  "refused_splits",          "unresolved_facets",
-    "unresolved_vertices", "facets_closed",      "components_put_back",     "voxels_cut",
-    "uncertified_sites",   "unready_facets",     "crossings_handed_over",   "unrefined_facets",
-    "points_far",          "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
-    "cap_edges_split",     "cap_refused"};
+    "components_skipped", "boundary_splits_recover",
+    "cancelled_pairs",    "bogus_hits",
+    "capped_insertions",  "refused_splits",
+    "unresolved_facets",  "unresolved_vertices",
+    "voxels_cut",         "uncertified_sites",
+    "unready_facets",     "crossings_handed_over",
+    "unrefined_facets",   "points_far",
+    "cap_edges_lifted",   "cap_lifts_off_surface",
+    "cap_not_lifted",     "cap_edges_split",
+    "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
 // What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/replace_disk.h).

@@ -28,6 +28,7 @@
 #include "base/segment.h"
 #include "base/vec3.h"
 #include "mesh/tri_mesh.h"
+#include "surface/observer.h"
 
 namespace deliso {
 
@@ -38,37 +39,12 @@ enum class Routine : std::uint8_t {
   multi_intersect,
   extract_manifold,
   approximate_geom,
-  certify,  // this and the next four: the certified way
-  find_fingers,
-  make_ready,
+  certify,  // this and the next three: the certified way
+  find_protrusions,
   part_crossings,
   turn_out,
   build_tri_mesh,  // the switch
   count_           // then the rungs of Stage 2
-};
-
-enum class Reason : std::uint8_t {
-  beginning,     // of a stage
-  several_hits,  // Stage 1, the paper's way
-  star_empty,
-  star_half_disk,
-  star_singular,
-  star_off_chain,
-  encroached,
-  region,  // Stage 1, certified
-  interface,
-  triple,
-  boundary,
-  coincident,
-  finger,
-  unready,
-  crossing,
-  turned_in,
-  not_delaunay,  // Stage 2
-  no_surface_point,
-  off_curve,
-  far_point,
-  count_  // then the criteria
 };
 
 // Of an attempt.
@@ -80,7 +56,7 @@ enum class TraceOutcome : std::uint8_t {
   count_  // then the refusals of Stage 2
 };
 
-// Their numbers in events; surface/trace_codes.h has those of what the stages name.
+// Their numbers in events: rungs follow the routines, criteria the reasons, refusals the outcomes.
 constexpr std::uint8_t trace_code(Routine routine) {
   return static_cast<std::uint8_t>(routine);
 }
@@ -89,6 +65,16 @@ constexpr std::uint8_t trace_code(Reason reason) {
 }
 constexpr std::uint8_t trace_code(TraceOutcome outcome) {
   return static_cast<std::uint8_t>(outcome);
+}
+constexpr std::uint8_t trace_code(Rung rung) {
+  return static_cast<std::uint8_t>(trace_code(Routine::count_) + static_cast<unsigned>(rung));
+}
+constexpr std::uint8_t trace_code(Criterion criterion) {
+  return trace_code(reason_of(criterion));
+}
+constexpr std::uint8_t trace_code(Refusal refusal) {
+  return static_cast<std::uint8_t>(trace_code(TraceOutcome::count_) +
+                                   static_cast<unsigned>(refusal));
 }
 
 struct TraceEvent {

@@ -22,12 +22,9 @@ RoutineName name_of(Routine routine) {
       {"certify", "", 1,
        "a site whose region on the exact contour T breaks one of the closed-ball conditions has "
        "the vertex of T inserted that is furthest from it there"},
-      {"find_fingers", "", 1,
+      {"find_protrusions", "", 1,
        "a vertex of T that is too far from the facets at its site is inserted: a thin branch "
        "within one region is a disk too"},
-      {"make_ready", "", 1,
-       "a facet of K whose dual line misses the surface has a vertex of T inserted: Stage 2 could "
-       "not begin with it"},
       {"part_crossings", "", 1, "where two facets of K cross, a vertex of T between is inserted"},
       {"turn_out", "", 1, "a component of K that is inside out gets one vertex of T more"},
       {"build_tri_mesh", "4", 2,
@@ -60,10 +57,8 @@ ReasonName name_of(Reason reason) {
       {"boundary",
        "C4: the region does not end on the box in one arc; value: distance of the vertex inserted "
        "from its site"},
-      {"coincident", "vertices of T at one place: one is moved a hair; value: 0"},
-      {"finger", "distance of a vertex of T from the facets at its site; value: times the limit"},
-      {"unready",
-       "the dual line of a facet misses the surface; value: distance of the vertex "
+      {"protrusion",
+       "a vertex of T is too far from the facets at its site; value: distance of the vertex "
        "inserted from its site"},
       {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
       {"inside out",

@@ -5,6 +5,9 @@
 set -eu
 src=$1
 
+surface="base mesh embedding volume isosurface surface"
+stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine trace cap baseline"
+
 allowed() {
   case $1 in
     base) echo base ;;
@@ -14,21 +17,20 @@ allowed() {
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
     page) echo "base files page" ;;
-    kdtree | contour) echo "base volume $1" ;;
+    kdtree) echo "base volume kdtree" ;;
     embedding) echo "base delaunay mesh embedding" ;;
+    contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
-    trace) echo "base mesh trace" ;;
-    surface) echo "base mesh embedding volume isosurface trace surface" ;;
-    recover) echo "base delaunay mesh embedding volume contour isosurface trace surface recover" ;;
-    refine) echo "base delaunay/predicates.h mesh embedding volume isosurface trace surface refine" ;;
-    cap) echo "base delaunay planar mesh embedding volume isosurface surface refine/replace_disk.h cap" ;;
+    surface) echo "base mesh embedding volume isosurface surface" ;;
+    stage1 | paper | recover) echo "$surface delaunay contour trace/trace.h stage1 $1" ;;
+    trace) echo "$surface delaunay contour stage1 paper recover trace" ;;
+    refine) echo "$surface delaunay/predicates.h trace/trace.h refine" ;;
+    cap) echo "$surface delaunay planar refine/replace_disk.h cap" ;;
     baseline) echo "base mesh volume contour baseline" ;;
-    deliso) echo "base roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
-      "recover refine cap baseline deliso" ;;
+    deliso) echo "$stages deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;
-    app) echo "base files roots delaunay planar mesh embedding volume kdtree contour isosurface trace surface" \
-      "recover refine cap baseline deliso check render page blocks app" ;;
+    app) echo "$stages files deliso check render page blocks app" ;;
     *) return 1 ;;
   esac
 }

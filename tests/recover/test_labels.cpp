@@ -8,7 +8,7 @@
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
-#include "recover/sample.h"
+#include "stage1/first_sample.h"
 
 using namespace deliso;
 
@@ -57,8 +57,8 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     Report report;
     Options options;
     options.seed = seed;
-    InitialSites sites =
-        init_sites(scene.contour, curves, scene.volume, resolve(options, scene.volume), report);
+    FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
+                                           resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
     const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);
     Labels labels(scene.contour, t, kept, 1);

@@ -8,8 +8,8 @@
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "recover/labels.h"
-#include "recover/recover_certified.h"
-#include "recover/sample.h"
+#include "recover/recover.h"
+#include "stage1/first_sample.h"
 
 using namespace deliso;
 
@@ -79,8 +79,8 @@ TEST_CASE("labels and rings are the same with any number of threads, and rings g
   const BoundaryCurves curves =
       boundary_curves(scene.surface, contour, resolve(Options{}, scene.volume));
   Report report;
-  const InitialSites sites =
-      init_sites(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);
+  const FirstSample sites =
+      init_triangulation(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);
   const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
   const Labels one(contour, sites.triangulation, kept, 1);
   const ContourGraph graph(contour, 1);

@@ -16,7 +16,7 @@
 #include "deliso/options.h"
 #include "embedding/triangle_pair.h"
 #include "mesh/check_mesh.h"
-#include "recover/recover_certified.h"
+#include "recover/recover.h"
 #include "refine/judge.h"
 #include "refine/refine.h"
 #include "refine/replace_disk.h"

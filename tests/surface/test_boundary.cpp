@@ -5,7 +5,7 @@
 
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "recover/sample.h"
+#include "stage1/first_sample.h"
 
 using namespace deliso;
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "recover/cell_trace.h"
-#include "recover/restricted.h"
+#include "paper/restricted.h"
+#include "stage1/cell_trace.h"
 #include "surface/criteria.h"
 
 namespace deliso {

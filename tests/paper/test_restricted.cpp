@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The kept hits against a search of every facet from scratch.
-#include "recover/restricted.h"
+#include "paper/restricted.h"
 
 #include <doctest/doctest.h>
 
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "recover/poles.h"
-#include "recover/sample.h"
+#include "stage1/first_sample.h"
+#include "stage1/poles.h"
 #include "surface/boundary.h"
 
 using namespace deliso;
@@ -63,8 +63,8 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
     Options options;
     options.seed = seed;
     options.r_min = {0.05};
-    InitialSample sample = init_triangulation(scene.surface, scene.contour, curves,
-                                              resolve(options, scene.volume), report);
+    FirstSample sample = init_triangulation(scene.contour, curves, scene.volume,
+                                            resolve(options, scene.volume), report);
     RestrictedDelaunay restricted(scene.surface, std::move(sample.triangulation), 0, report);
     CHECK(check_against_search(restricted) > 50);
     Random random(seed);
@@ -89,8 +89,8 @@ TEST_CASE("pole heights are those of a brute-force search over Voronoi vertices"
   Report report;
   Options options;
   options.r_min = {0.05};
-  const InitialSample sample = init_triangulation(scene.surface, scene.contour, curves,
-                                                  resolve(options, scene.volume), report);
+  const FirstSample sample = init_triangulation(scene.contour, curves, scene.volume,
+                                                resolve(options, scene.volume), report);
   const Triangulation& t = sample.triangulation;
   const std::vector<double> poles = compute_poles(t, scene.surface, report);
   for (VertexId q = 1; q < t.vertex_capacity(); ++q) {

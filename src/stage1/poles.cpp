@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/poles.h"
+#include "stage1/poles.h"
 
 #include <algorithm>
 #include <array>

@@ -9,13 +9,11 @@
 #pragma once
 
 #include "contour/contour.h"
-#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
 // Takes the plain contour, build_contour(volume, kappa), and gives it back where it will do.
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report,
-                         int threads = 1);
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, int threads = 1);
 
 }  // namespace deliso

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // T as Stage 1 wants it, on random volumes: whatever the samples, no two of its triangles cross, by
 // all pairs of each voxel and of all voxels, and it is the plain contour's in kind.
-#include "recover/fine_contour.h"
+#include "contour/fine_contour.h"
 
 #include <doctest/doctest.h>
 
@@ -58,13 +58,11 @@ TEST_CASE("no two triangles of T cross, and T is what the plain contour is") {
     crossed += before > 0;
     const ContourSummary summary = plain.summary;
     const std::vector<Vec3> points = plain.points;
-    Report report;
-    const ContourMesh fine = fine_contour(std::move(plain), noise.volume, noise.kappa, report);
+    const ContourMesh fine = fine_contour(std::move(plain), noise.volume, noise.kappa);
     CHECK(crossings(fine) == 0);
     CHECK(fine.summary.components == summary.components);
     CHECK(check_contour(fine, noise.volume, noise.kappa) == "");
-    CHECK(report[Counter::voxels_cut] == fine.split_voxels);
-    cut += report[Counter::voxels_cut];
+    cut += fine.split_voxels;
     if (fine.split_voxels > 0) continue;
     ++unchanged;
     CHECK(fine.points == points);  // it is given back as it was

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/fine_contour.h"
+#include "contour/fine_contour.h"
 
 #include <algorithm>
 #include <array>
@@ -67,8 +67,7 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour) {
 
 }  // namespace
 
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, Report& report,
-                         int threads) {
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, int threads) {
   const Vec3 spacing = volume.spacing();
   const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
@@ -88,7 +87,6 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
         cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split, threads);
   }
-  report[Counter::voxels_cut] += contour.split_voxels;
   return contour;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/recover_paper.h"
+#include "paper/recover.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,9 @@
 
 #include "base/check.h"
 #include "base/sorted_list.h"
-#include "recover/build_tri_mesh.h"
-#include "recover/lost_components.h"
-#include "recover/poles.h"
-#include "recover/restricted_trace.h"
+#include "paper/build_tri_mesh.h"
+#include "paper/restricted_trace.h"
+#include "stage1/poles.h"
 #include "surface/criteria.h"
 
 namespace deliso {
@@ -373,13 +372,13 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   std::optional<StepTimer> timer(report.seconds_init);
   begin_stage(parameters.progress, "initial");
-  InitialSample initial = init_triangulation(surface, contour, curves, parameters, report);
+  FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);
   timer.emplace(report.seconds_recover);
   std::optional<RestrictedTrace> trace;
   if (parameters.trace) trace.emplace(*parameters.trace, surface.volume().box(), report);
-  RestrictedDelaunay restricted(surface, std::move(initial.triangulation), parameters.r_min, report,
+  RestrictedDelaunay restricted(surface, std::move(first.triangulation), parameters.r_min, report,
                                 parameters.profile, trace ? &*trace : nullptr);
-  Recovery recovery(restricted, curves, initial.chain, parameters);
+  Recovery recovery(restricted, curves, first.chain, parameters);
   recovery.recover();
   const Triangulation& t = restricted.triangulation();
   report.points_recovered = t.vertex_capacity() - 1 - kAuxiliaryVertices;
@@ -401,11 +400,8 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
   }
   if (trace) trace->end();
   recovery.count_unresolved();
-  std::vector<VertexId> source;
-  SurfaceMesh mesh = build_tri_mesh(std::move(restricted), initial.chain, poles, source);
-  put_back_lost_components(mesh, source, contour, initial.contour_component,
-                           kept_components(contour, parameters), surface, report);
-  return {std::move(mesh), std::move(curves), std::move(contour.points)};
+  return {build_tri_mesh(std::move(restricted), first.chain, poles), std::move(curves),
+          std::move(contour.points)};
 }
 
 }  // namespace deliso

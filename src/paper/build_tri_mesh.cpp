@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/build_tri_mesh.h"
+#include "paper/build_tri_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -82,71 +82,15 @@ void orient(const std::vector<Vec3>& points, const std::vector<Dual>& duals,
   }
 }
 
-using Edge = std::pair<VertexId, VertexId>;  // smaller vertex first
-
-Edge edge_of(VertexId a, VertexId b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-// Where the surface is cut sharply by the box, a wedge can be too thin for a Voronoi edge to tell
-// its two sides apart, and the mesh stops one facet short of the chain: either a vertex of the
-// chain has no facet and its neighbours are joined past it, or an edge of the chain is missing and
-// its ends have open edges to one vertex. That facet is put back.
-void close_at_chain(const Triangulation& t, const BoundaryChain& chain,
-                    std::vector<VertexId>& new_id, std::vector<Triangle>& triangles, Report& report,
-                    SurfaceMesh& out, std::vector<VertexId>& source) {
-  const auto neighbors = undirected_neighbors(triangles);
-  std::vector<Edge> open;  // edges of one facet
-  for (FaceId f = 0; f < triangles.size(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (neighbors[f][i] != kNoId) continue;
-      open.push_back(edge_of(triangles[f][(i + 1) % 3], triangles[f][(i + 2) % 3]));
-    }
-  }
-  std::sort(open.begin(), open.end());
-  const auto is_open = [&](VertexId a, VertexId b) {
-    return std::binary_search(open.begin(), open.end(), edge_of(a, b));
-  };
-  const auto put_back = [&](VertexId a, VertexId b, VertexId c, const Vec3& x) {
-    const std::vector<Vec3>& points = out.mesh.points;
-    triangles.push_back({a, b, c});
-    out.duals.push_back(dual_at(points[a], points[b], points[c], x));
-    ++report[Counter::facets_closed];
-  };
-  for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
-    if (!chain.is_boundary(v)) continue;
-    const VertexId a = new_id[chain.previous(v)], b = new_id[chain.next(v)];
-    if (new_id[v] == kNoId) {
-      if (a == kNoId || b == kNoId || !is_open(a, b)) continue;
-      new_id[v] = static_cast<VertexId>(out.mesh.points.size());
-      out.mesh.points.push_back(t.point(v));
-      if (!out.pole_heights.empty()) {
-        out.pole_heights.push_back(0.5 * (out.pole_heights[a] + out.pole_heights[b]));
-      }
-      source.push_back(v);
-      put_back(a, new_id[v], b, t.point(v));
-    } else if (b != kNoId && !is_open(new_id[v], b)) {
-      for (const auto& [low, high] : open) {
-        if (low != b && high != b) continue;
-        const VertexId middle = low == b ? high : low;
-        if (middle == new_id[v] || !is_open(middle, new_id[v])) continue;
-        put_back(new_id[v], b, middle, t.point(v));
-        break;
-      }
-    }
-  }
-}
-
 }  // namespace
 
 SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
-                           const std::vector<double>& poles, std::vector<VertexId>& source) {
+                           const std::vector<double>& poles) {
   const RestrictedDelaunay restricted = std::move(handed_over);
   const Triangulation& t = restricted.triangulation();
   std::vector<VertexId> new_id(t.vertex_capacity(), kNoId);
   SurfaceMesh out;
   std::vector<Triangle> triangles;
-  source.clear();
   for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
     if (!restricted.is_live(r) || !restricted.is_restricted(r)) continue;
     Triangle v = restricted.triangle(r);
@@ -157,13 +101,11 @@ SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain
         new_id[q] = static_cast<VertexId>(out.mesh.points.size());
         out.mesh.points.push_back(t.point(q));
         if (!poles.empty()) out.pole_heights.push_back(poles[q]);
-        source.push_back(q);
       }
       q = new_id[q];
     }
     triangles.push_back(v);
   }
-  close_at_chain(t, chain, new_id, triangles, restricted.report(), out, source);
   orient(out.mesh.points, out.duals, restricted.surface(), triangles);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
   out.chain = chain.renumbered(new_id);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "recover/restricted.h"
+#include "paper/restricted.h"
 
 #include <algorithm>
 
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "delaunay/tet_tables.h"
-#include "recover/restricted_trace.h"
+#include "paper/restricted_trace.h"
 
 namespace deliso {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "recover/cell_trace.h"
+#include "stage1/cell_trace.h"
 
 #include <algorithm>
 
-#include "recover/sample.h"
+#include "stage1/first_sample.h"
 
 namespace deliso {
 

@@ -4,15 +4,16 @@
 //
 // Differs from the paper in: worklists instead of sweeps; an insertion that encroaches upon an edge
 // of the boundary chain splits that edge instead; what cannot be resolved is counted, not looped
-// on; components that the tests lose are put back (recover/lost_components.h).
+// on. What its tests cannot see, it loses: a component within its own Voronoi cells, one smaller
+// than r_min, a wedge at the box too thin for a Voronoi edge. The report shows it, none is mended.
 #pragma once
 
 #include <deque>
 #include <optional>
 #include <vector>
 
-#include "recover/recovered.h"
-#include "recover/restricted.h"
+#include "paper/restricted.h"
+#include "surface/recovered.h"
 #include "surface/stage_progress.h"
 
 namespace deliso {

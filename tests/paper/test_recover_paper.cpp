@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What each step of Figure 5 leaves, and what no step of it can see.
-#include "recover/recover_paper.h"
+#include "paper/recover.h"
 
 #include <doctest/doctest.h>
 
@@ -18,7 +18,7 @@ struct Begun {
   Begun(const Scene& scene, const Options& options)
       : parameters(resolve(options, scene.volume)),
         curves(boundary_curves(scene.surface, scene.contour, parameters)),
-        initial(init_triangulation(scene.surface, scene.contour, curves, parameters, report)),
+        initial(init_triangulation(scene.contour, curves, scene.volume, parameters, report)),
         restricted(scene.surface, std::move(initial.triangulation), parameters.r_min, report),
         recovery(restricted, curves, initial.chain, parameters) {}
   Begun(const Begun&) = delete;
@@ -26,7 +26,7 @@ struct Begun {
   Report report;
   Parameters parameters;
   BoundaryCurves curves;
-  InitialSample initial;
+  FirstSample initial;
   RestrictedDelaunay restricted;
   Recovery recovery;
 };
@@ -118,7 +118,7 @@ TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are sp
   CHECK(splits > 300);
 }
 
-TEST_CASE("a speck smaller than r_min has a site and no facet: it is lost, and put back") {
+TEST_CASE("a speck smaller than r_min has sites and no facet: it is lost, and that is counted") {
   constexpr int kSize = 24;
   std::vector<float> samples;
   for (int k = 0; k < kSize; ++k) {
@@ -140,7 +140,6 @@ TEST_CASE("a speck smaller than r_min has a site and no facet: it is lost, and p
   const Recovered recovered = recover_paper(scene.surface, ContourMesh(scene.contour),
                                             resolve(options, scene.volume), false, report);
   CHECK(report[Counter::unresolved_facets] == 0);
-  CHECK(report[Counter::unresolved_vertices] == 1);
-  CHECK(report[Counter::components_put_back] == 1);
-  CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 2);
+  CHECK(report[Counter::unresolved_vertices] > 0);
+  CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 1);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "recover/restricted_trace.h"
+#include "paper/restricted_trace.h"
 
 #include <utility>
 
 #include "base/triangle.h"
-#include "surface/trace_codes.h"
+#include "trace/trace.h"
 
 namespace deliso {
 namespace {

@@ -13,7 +13,7 @@
 namespace deliso {
 
 // One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
-// their own; the auxiliary vertices (recover/sample.h) keep those of the surface off it.
+// their own; the auxiliary vertices (stage1/first_sample.h) keep those of the surface off it.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
                                   Report& report, PoleSide side = PoleSide::nearer);
 

@@ -22,7 +22,7 @@
 #include "delaunay/voronoi.h"
 #include "isosurface/isosurface.h"
 #include "mesh/star.h"
-#include "recover/sample.h"
+#include "stage1/first_sample.h"
 #include "surface/profile.h"
 #include "surface/report.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recover/recover_certified.h"
+#include "recover/recover.h"
 
 #include <algorithm>
 #include <optional>
@@ -10,13 +10,13 @@
 #include "base/sorted_list.h"
 #include "contour/block_order.h"
 #include "contour/bounded_volume.h"
+#include "contour/fine_contour.h"
 #include "recover/certificate.h"
 #include "recover/dual_crossings.h"
-#include "recover/fine_contour.h"
-#include "recover/fingers.h"
 #include "recover/label_trace.h"
-#include "recover/poles.h"
-#include "recover/sample.h"
+#include "recover/protrusions.h"
+#include "stage1/first_sample.h"
+#include "stage1/poles.h"
 #include "surface/stage_progress.h"
 #include "surface/surface_point.h"
 
@@ -27,24 +27,25 @@ namespace {
 // typical of the paper's volumes.
 constexpr double kSettling = 0.85, kTests = 0.5;
 
-// So many sites or facets make a task for a thread.
-constexpr std::size_t kRun = 64;
+// So many facets, or sites of a round, make a task for a thread.
+constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
 
-// Of many queued sites every so manieth is looked at together.
-constexpr std::size_t kApart = 8;
+// So many sites are looked at together, those queued last: they lie near each other, and what they
+// look at is still in the cache. In any other order a large volume takes up to three times as long.
+constexpr std::size_t kSitesPerRound = 256;
 
 class CertifiedRecovery {
  public:
-  CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, InitialSites initial,
+  CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, FirstSample first,
                     const Parameters& parameters, Report& report)
       : surface_(surface),
         contour_(contour),
         parameters_(parameters),
         progress_(parameters.progress, "recover"),
         report_(report),
-        triangulation_(std::move(initial.triangulation)),
-        chain_(std::move(initial.chain)),
-        contour_vertex_(std::move(initial.contour_vertex)),
+        triangulation_(std::move(first.triangulation)),
+        chain_(std::move(first.chain)),
+        contour_vertex_(std::move(first.contour_vertex)),
         site_(contour.points.size(), kNoId),
         graph_(contour, parameters.threads),
         labels_(contour, triangulation_, kept_components(contour, parameters), parameters.threads),
@@ -53,9 +54,11 @@ class CertifiedRecovery {
         bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_,
                                  parameters.threads)) {
     for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
-      if (contour_vertex_[s] == kNoId) continue;
-      site_[contour_vertex_[s]] = s;
-      queue_site(s);
+      if (contour_vertex_[s] != kNoId) site_[contour_vertex_[s]] = s;
+    }
+    // The last one queued is looked at first, and T is ordered block by block.
+    for (auto v = static_cast<VertexId>(site_.size()); v-- > 0;) {
+      if (site_[v] != kNoId) queue_site(site_[v]);
     }
     if (parameters.trace) {
       trace_.emplace(*parameters.trace, contour, graph_, labels_, triangulation_,
@@ -72,15 +75,10 @@ class CertifiedRecovery {
   // Where samples are such that vertices of T coincide, several have one site at distance 0, and
   // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
   bool part_coincident(VertexId s);
-  // Takes the round from the queue: of many every so manieth, since sites next to each other often
-  // follow each other there, and what one adds makes the other's answer old.
+  // Takes the round from the queue.
   void begin_round();
-  // Adds sites until every one holds the certificate and has no finger.
+  // Adds sites until every one holds the certificate and misses no protrusion.
   void settle();
-  // Every facet is to find its surface point, or to be too small for Stage 2 to look at.
-  std::size_t make_ready();
-  // The vertex of T that helps where one of the facets told by site s is not; kNoId: all are.
-  VertexId unready(VertexId s, SurfacePointFinder& finder, SearchCounters& searches) const;
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
   std::size_t part_crossings();
   // And to components that are inside out: four sites on a rod may be either way round.
@@ -88,7 +86,6 @@ class CertifiedRecovery {
   // kNoId: none.
   std::size_t add_sites(std::span<const VertexId> vertices, Routine routine, Reason reason);
   DualFacets all_facets() const;
-  Dual dual_of(const Triangle& sites, SurfacePointFinder& finder, SearchCounters& searches) const;
   SurfaceMesh dual();
 
   const Isosurface& surface_;
@@ -111,10 +108,9 @@ class CertifiedRecovery {
   std::vector<VertexId> queue_, round_;
   std::vector<Verdict> verdicts_;  // one per site of the round
   std::vector<std::uint8_t> queued_;
-  // Per site, which of the two practical tests its facets have not passed since they changed, and
-  // whether it broke the certificate with nothing left to insert when it was last looked at.
-  static constexpr std::uint8_t kReadiness = 1, kUncertified = 2;
-  std::vector<std::uint8_t> unready_;
+  // Per site, whether its facets have not been tested for crossings since they changed, and whether
+  // it broke the certificate with nothing left to insert when it was last looked at.
+  std::vector<std::uint8_t> is_new_, is_uncertified_;
   // K's facets at every site, begun there.
   std::vector<std::vector<DualFacet>> facets_;
 
@@ -130,10 +126,9 @@ SurfaceMesh CertifiedRecovery::run() {
     progress_.begin_part_of_rest(kSettling);
     settle();
     progress_.begin_part_of_rest(kTests);
-  } while (make_ready() > 0 || part_crossings() > 0 || turn_out() > 0);
-  for (const std::uint8_t state : unready_) {
-    report_[Counter::uncertified_sites] += (state & kUncertified) != 0;
-  }
+  } while (part_crossings() > 0 || turn_out() > 0);
+  report_[Counter::uncertified_sites] +=
+      static_cast<std::uint64_t>(std::count(is_uncertified_.begin(), is_uncertified_.end(), 1));
   if (trace_) trace_->end();
   return dual();
 }
@@ -146,11 +141,15 @@ SurfaceMesh CertifiedRecovery::dual() {
   std::vector<Triangle> triangles;
   const DualFacets k = all_facets();
   out.duals.resize(k.triangles.size());
-  std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kRun));
-  for_each_run(parameters_.threads, k.triangles.size(), kRun,
+  std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kFacetsPerTask));
+  for_each_run(parameters_.threads, k.triangles.size(), kFacetsPerTask,
                [&](std::size_t run, std::size_t f, std::size_t end) {
                  SurfacePointFinder finder(surface_);
-                 for (; f < end; ++f) out.duals[f] = dual_of(k.triangles[f], finder, searches[run]);
+                 for (; f < end; ++f) {
+                   const Triangle& v = k.triangles[f];
+                   out.duals[f] =
+                       finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], searches[run]);
+                 }
                });
   for (const SearchCounters& n : searches) report_.searches_recover += n;
   for (const Dual& d : out.duals) report_[Counter::unready_facets] += !d.on_surface;
@@ -173,7 +172,8 @@ SurfaceMesh CertifiedRecovery::dual() {
 void CertifiedRecovery::queue_site(VertexId s) {
   if (s >= queued_.size()) {
     queued_.resize(s + 1, 0);
-    unready_.resize(s + 1, 0);
+    is_new_.resize(s + 1, 0);
+    is_uncertified_.resize(s + 1, 0);
     facets_.resize(s + 1);
   }
   if (queued_[s] || contour_vertex_[s] == kNoId) return;
@@ -246,18 +246,10 @@ bool CertifiedRecovery::part_coincident(VertexId s) {
 }
 
 void CertifiedRecovery::begin_round() {
-  const std::size_t apart = queue_.size() < kApart * kRun ? 1 : kApart;
-  round_.clear();
-  std::size_t kept = 0;
-  for (std::size_t n = 0; n < queue_.size(); ++n) {
-    if (n % apart != 0) {
-      queue_[kept++] = queue_[n];
-    } else {
-      round_.push_back(queue_[n]);
-      queued_[queue_[n]] = 0;
-    }
-  }
-  queue_.resize(kept);
+  const std::size_t size = std::min(queue_.size(), kSitesPerRound);
+  round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
+  queue_.resize(queue_.size() - size);
+  for (const VertexId s : round_) queued_[s] = 0;
 }
 
 // Round by round: what all sites of one say is found out first, in threads, since nothing changes
@@ -268,17 +260,21 @@ void CertifiedRecovery::settle() {
     begin_round();
     verdicts_.resize(round_.size());
     certificate_.begin_round();
-    for_each_run(parameters_.threads, round_.size(), kRun, [&](std::size_t n, std::size_t end) {
-      Certificate::Scratch scratch;
-      FingerSearch fingers(contour_, labels_, triangulation_, parameters_.fingers);
-      for (; n < end; ++n) {
-        const VertexId s = round_[n];
-        verdicts_[n] = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
-        if (verdicts_[n].violation == Violation::none)
-          verdicts_[n].insert = fingers.find(s, facets_[s]);
-        unready_[s] = kReadiness;
-      }
-    });
+    for_each_run(
+        parameters_.threads, round_.size(), kSitesPerTask, [&](std::size_t n, std::size_t end) {
+          Certificate::Scratch scratch;
+          ProtrusionSearch protrusions(contour_, labels_, triangulation_, surface_, parameters_);
+          for (; n < end; ++n) {
+            const VertexId s = round_[n];
+            Verdict& verdict = verdicts_[n];
+            verdict = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
+            if (verdict.violation == Violation::none) {
+              verdict.insert = protrusions.find(s, facets_[s]);
+            }
+            is_new_[s] = 1;
+            is_uncertified_[s] = 0;
+          }
+        });
     for (std::size_t n = 0; n < round_.size(); ++n) {
       progress_.step(round_.size() - n + queue_.size());
       const VertexId s = round_[n];
@@ -289,46 +285,10 @@ void CertifiedRecovery::settle() {
       if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
         queue_site(s);
       } else if (verdict.violation != Violation::none) {
-        unready_[s] |= kUncertified;
+        is_uncertified_[s] = 1;
       }
     }
   }
-}
-
-std::size_t CertifiedRecovery::make_ready() {
-  round_.clear();
-  for (VertexId s = 1; s < unready_.size(); ++s) {
-    if (!(unready_[s] & kReadiness)) continue;
-    unready_[s] &= static_cast<std::uint8_t>(~kReadiness);
-    round_.push_back(s);
-  }
-  std::vector<VertexId> worst(round_.size(), kNoId);
-  std::vector<SearchCounters> searches(runs_of(round_.size(), kRun));
-  for_each_run(parameters_.threads, round_.size(), kRun,
-               [&](std::size_t run, std::size_t n, std::size_t end) {
-                 SurfacePointFinder finder(surface_);
-                 for (; n < end; ++n) worst[n] = unready(round_[n], finder, searches[run]);
-               });
-  for (const SearchCounters& n : searches) report_.searches_recover += n;
-  std::size_t added = 0;
-  for (std::size_t n = 0; n < round_.size(); ++n) {
-    if (worst[n] == kNoId || queued_[round_[n]]) continue;
-    if (trace_) trace_->asks(Routine::make_ready, Reason::unready, round_[n], worst[n]);
-    added += add_site(worst[n]);
-  }
-  return added;
-}
-
-VertexId CertifiedRecovery::unready(VertexId s, SurfacePointFinder& finder,
-                                    SearchCounters& searches) const {
-  VertexId worst = kNoId;
-  for (const DualFacet& facet : facets_[s]) {
-    if (facet.sites[1] < s || facet.sites[2] < s) continue;
-    const Dual dual = dual_of(facet.sites, finder, searches);
-    if (dual.on_surface || dual.radius2 <= parameters_.r_min * parameters_.r_min) continue;
-    for (const VertexId v : facet.witness) worst = labels_.further(worst, v);
-  }
-  return worst;
 }
 
 DualFacets CertifiedRecovery::all_facets() const {
@@ -340,6 +300,7 @@ DualFacets CertifiedRecovery::all_facets() const {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
       k.triangles.push_back(facet.sites);
       k.witnesses.push_back(facet.witness);
+      k.is_new.push_back(is_new_[s]);
     }
   }
   return k;
@@ -362,7 +323,7 @@ std::size_t CertifiedRecovery::turn_out() {
     const std::uint32_t c = contour_.component[v];
     if (is_turned[c]) furthest[c] = labels_.further(furthest[c], v);
   }
-  return add_sites(furthest, Routine::turn_out, Reason::turned_in);
+  return add_sites(furthest, Routine::turn_out, Reason::reversed);
 }
 
 std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Routine routine,
@@ -381,13 +342,10 @@ std::size_t CertifiedRecovery::part_crossings() {
       between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
   report_[Counter::crossings_handed_over] = between.size();
   sort_out(between);
-  return add_sites(between, Routine::part_crossings, Reason::crossing);
-}
-
-Dual CertifiedRecovery::dual_of(const Triangle& sites, SurfacePointFinder& finder,
-                                SearchCounters& searches) const {
-  return finder.dual(triangulation_.point(sites[0]), triangulation_.point(sites[1]),
-                     triangulation_.point(sites[2]), searches);
+  const std::size_t added = add_sites(between, Routine::part_crossings, Reason::crossing);
+  // Pairs that could not be parted are counted again the next time.
+  if (added == between.size()) std::fill(is_new_.begin(), is_new_.end(), 0);
+  return added;
 }
 
 }  // namespace
@@ -397,14 +355,15 @@ Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
   std::optional<StepTimer> timer(report.seconds_contour);
   begin_stage(parameters.progress, "cutting");
   ContourMesh contour =
-      fine_contour(std::move(plain), surface.volume(), surface.kappa(), report, parameters.threads);
+      fine_contour(std::move(plain), surface.volume(), surface.kappa(), parameters.threads);
+  report[Counter::voxels_cut] = contour.split_voxels;
   order_by_blocks(contour, surface.volume(), parameters.threads);
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   timer.emplace(report.seconds_labels);
   begin_stage(parameters.progress, "labels");
-  CertifiedRecovery recovery(surface, contour,
-                             init_sites(contour, curves, surface.volume(), parameters, report),
-                             parameters, report);
+  CertifiedRecovery recovery(
+      surface, contour, init_triangulation(contour, curves, surface.volume(), parameters, report),
+      parameters, report);
   timer.reset();
   SurfaceMesh mesh = recovery.run();
   report.points_recovered = mesh.mesh.points.size();

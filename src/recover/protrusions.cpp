@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "recover/protrusions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/triangle.h"
+
+namespace deliso {
+namespace {
+
+// In voxels: as near to the mesh a vertex of T may be that no facet faces. Points that the final
+// mesh misses fall to a third or a tenth with it, and so does the furthest.
+constexpr double kNear = 0.25;
+
+// Cosine of the angle between normals up to which a facet faces a vertex: 60 degrees.
+constexpr double kFacing = 0.5;
+
+}  // namespace
+
+ProtrusionSearch::ProtrusionSearch(const ContourMesh& contour, const Labels& labels,
+                                   const Triangulation& triangulation, const Isosurface& surface,
+                                   const Parameters& parameters)
+    : contour_(contour),
+      labels_(labels),
+      triangulation_(triangulation),
+      surface_(surface),
+      limit2_(parameters.fingers * parameters.fingers),
+      near2_(std::isfinite(limit2_)
+                 ? std::min(limit2_, kNear * kNear * parameters.voxel * parameters.voxel)
+                 : limit2_) {}
+
+VertexId ProtrusionSearch::find(VertexId s, std::span<const DualFacet> facets) {
+  const Vec3 site = triangulation_.point(s);
+  frames_.clear();
+  for (const DualFacet& facet : facets) {
+    const Vec3 b = triangulation_.point(facet.sites[1]) - site;
+    const Vec3 c = triangulation_.point(facet.sites[2]) - site;
+    const Vec3 normal = cross(b, c);
+    const double scale = 1 / length2(normal);
+    frames_.push_back(
+        {b, c, scale * cross(c, normal), scale * cross(normal, b), std::sqrt(scale) * normal});
+  }
+  VertexId worst = kNoId;
+  double worst2 = near2_;
+  std::size_t last = 0;  // what one vertex lies over the next often does as well
+  for (const VertexId v : labels_.region(s)) {
+    if (labels_.distance2_to_site(v) <= worst2) continue;
+    const Vec3 d = contour_.points[v] - site;
+    if (last < frames_.size() && frames_[last].is_within(d, worst2)) continue;
+    const auto over = std::find_if(frames_.begin(), frames_.end(),
+                                   [&](const Frame& f) { return f.is_within(d, worst2); });
+    last = static_cast<std::size_t>(over - frames_.begin());
+    if (over != frames_.end()) continue;
+    double nearest2 = labels_.distance2_to_site(v);
+    for (std::size_t n = 0; n < frames_.size() && nearest2 > worst2; ++n) {
+      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, frames_[n].b, frames_[n].c));
+    }
+    if (nearest2 <= worst2 || (nearest2 <= limit2_ && is_faced(v, d, nearest2))) continue;
+    worst = v;
+    worst2 = nearest2;
+  }
+  return worst;
+}
+
+bool ProtrusionSearch::is_faced(VertexId v, const Vec3& d, double nearest2) const {
+  const Vec3 gradient = surface_.gradient(contour_.points[v]);
+  const double least = kFacing * length(gradient);
+  return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& f) {
+    return -dot(gradient, f.normal) >= least &&
+           (f.is_within(d, limit2_) || distance2_to_triangle(d, Vec3{}, f.b, f.c) <= nearest2);
+  });
+}
+
+}  // namespace deliso
