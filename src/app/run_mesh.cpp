@@ -27,7 +27,7 @@
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 #include "mesh/write_mesh.h"
-#include "surface/seam.h"
+#include "blocks/seam.h"
 
 namespace deliso {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The meshes of a volume's blocks joined into one. A part's vertices on its seams are known by the
-// grid edges they lie on (surface/seam.h), so two parts have them in common; nothing is searched
+// grid edges they lie on (blocks/seam.h), so two parts have them in common; nothing is searched
 // for, and no point is moved.
 //
 // Why the whole is right when the parts are: a part lies in its block, blocks meet in their faces

@@ -116,7 +116,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   open();
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
-  report[Counter::cap_not_lifted] += leave_box(s, surface, kAllFaces, parameters, report);
+  report[Counter::cap_not_lifted] += leave_box(s, surface, curves, kAllFaces, parameters, report);
   CrossingParter parter(s, curves, volume.box(), kHair * parameters.voxel, report);
   std::optional<BoxCaps> caps;
   for (int round = 0; round < kRounds; ++round) {

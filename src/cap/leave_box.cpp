@@ -9,7 +9,7 @@
 
 #include "base/triangle.h"
 #include "mesh/flip.h"
-#include "refine/replace_disk.h"
+#include "refine/refinement.h"
 
 namespace deliso {
 namespace {
@@ -60,14 +60,15 @@ Vec3 inwards(unsigned faces) {
 
 class BoxLeaver {
  public:
-  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, unsigned faces, const Parameters& parameters,
-            Report& report)
+  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
+            const Parameters& parameters, Report& report)
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
         faces_(faces),
         off_(distances_off(surface.volume(), parameters.voxel)),
         surface_(surface),
+        curves_(curves),
         parameters_(parameters),
         report_(report),
         finder_(surface) {}
@@ -106,14 +107,14 @@ class BoxLeaver {
     const Triangle& v = mesh_.faces[f].v;
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
   }
-  // The cone from p over the rim of change_.out.
+  // The cone from p over the rim of change_.cavity.
   bool put_cone(const Vec3& p, bool near_surface);
   bool flip(FaceId f, int i, bool near_surface);
   bool replace(bool near_surface);
 
   // Made when it is needed first: most meshes have nothing to mend.
-  DiskReplacer& replacer() {
-    if (!replacer_) replacer_.emplace(s_, surface_, parameters_, report_);
+  Refinement& replacer() {
+    if (!replacer_) replacer_.emplace(s_, surface_, curves_, parameters_, report_);
     return *replacer_;
   }
 
@@ -123,10 +124,11 @@ class BoxLeaver {
   const unsigned faces_;
   const std::vector<double> off_;  // descending
   const Isosurface& surface_;
+  const BoundaryCurves& curves_;
   Parameters parameters_;
   Report& report_;
   SurfacePointFinder finder_;
-  std::optional<DiskReplacer> replacer_;
+  std::optional<Refinement> replacer_;
   Change change_;
 };
 
@@ -180,14 +182,14 @@ std::size_t BoxLeaver::lift_all(Effort effort) {
 }
 
 bool BoxLeaver::replace(bool near_surface) {
-  change_.least_cosine = near_surface ? kSharpest : -1;
-  change_.leaves_box = !near_surface;
+  change_.least_cosine = near_surface ? kSharpestFold : -1;
+  change_.topology_only = !near_surface;
   return !replacer().replace(change_, [] { return true; });
 }
 
 bool BoxLeaver::move_off(FaceId f, VertexId v) {
-  facets_around(mesh_, f, v, change_.out);
-  if (!replacer().mark_old(change_)) return false;
+  facets_around(mesh_, f, v, change_.cavity);
+  if (replacer().open_cavity(change_)) return false;
   change_.in.facets = change_.was.facets;
   change_.what = Change::Vertex::moves;
   change_.vertex = v;
@@ -214,13 +216,7 @@ std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec
 }
 
 bool BoxLeaver::put_cone(const Vec3& p, bool near_surface) {
-  change_.what = Change::Vertex::comes;
-  change_.vertex = static_cast<VertexId>(mesh_.points.size());
-  change_.place = p;
-  change_.in.facets.clear();
-  for (const Patch::RimEdge& edge : change_.was.rim) {
-    change_.in.facets.push_back({edge.from, edge.to, change_.vertex});
-  }
+  replacer().set_cone(change_, p);
   return replace(near_surface);
 }
 
@@ -250,9 +246,9 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   }
   const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
 
-  change_.out.assign(1, f);
-  if (is_edge) change_.out.push_back(g);
-  if (!replacer().mark_old(change_)) return false;
+  change_.cavity.assign(1, f);
+  if (is_edge) change_.cavity.push_back(g);
+  if (replacer().open_cavity(change_)) return false;
   if (effort == Effort::next_to_it) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {
@@ -280,9 +276,9 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
 
 }  // namespace
 
-std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, unsigned faces,
-                      const Parameters& parameters, Report& report) {
-  return BoxLeaver(s, surface, faces, parameters, report).run();
+std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+                      unsigned faces, const Parameters& parameters, Report& report) {
+  return BoxLeaver(s, surface, curves, faces, parameters, report).run();
 }
 
 }  // namespace deliso

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/deliso.h"
 
+#include <optional>
+
 #include "base/text.h"
 #include "baseline/marching_cubes.h"
 #include "cap/close_on_box.h"
@@ -8,13 +10,13 @@
 #include "contour/contour.h"
 #include "contour/dissolve.h"
 #include "kdtree/voxel_tree.h"
-#include "recover/recover.h"
+#include "blocks/clear_seam.h"
+#include "blocks/seam.h"
 #include "paper/recover.h"
-#include "refine/clear_seam.h"
+#include "recover/recover.h"
 #include "refine/refine.h"
-#include "surface/seam.h"
 #include "surface/stage_progress.h"
-#include "trace/trace.h"
+#include "trace/mesh_recorder.h"
 
 namespace deliso {
 namespace {
@@ -23,13 +25,13 @@ namespace {
 // which leaves in the same round.
 constexpr int kRounds = 3;
 
-// Leaves nothing on the inner faces but the seam (surface/seam.h).
+// Leaves nothing on the inner faces but the seam (blocks/seam.h).
 void make_seam(Recovered& s, const Isosurface& surface, const Parameters& parameters,
                Report& report) {
   std::size_t unknown = 1, flat = 0;
   for (int round = 0; round < kRounds && unknown > 0; ++round) {
     unknown = clear_seam(s.mesh, surface, s.curves, parameters, report);
-    flat = leave_box(s.mesh, surface, surface.volume().inner_faces(), parameters, report);
+    flat = leave_box(s.mesh, surface, s.curves, surface.volume().inner_faces(), parameters, report);
   }
   report[Counter::cap_not_lifted] += flat;
   if (unknown > 0) refuse_seam(text("a vertex, one of ", unknown));
@@ -86,6 +88,8 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     inside = dissolved.corner_inside;
   }
 
+  std::optional<MeshRecorder> recorder;
+  if (options.trace) parameters.observer = &recorder.emplace(*options.trace, report);
   Recovered s =
       options.recover == RecoverWay::certified
           ? recover_certified(surface, std::move(contour), parameters, report)
@@ -93,11 +97,11 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const unsigned inner_faces = volume.inner_faces();
   // Before Stage 2 too, which then has less to keep out of; what is left now, make_seam() clears.
   if (inner_faces != 0) clear_seam(s.mesh, surface, s.curves, parameters, report);
-  if (options.trace) options.trace->switch_to(s.mesh.mesh);
+  if (recorder) recorder->mesh_handed_over(s.mesh);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
-  if (options.trace) options.trace->end_mesh();
+  if (recorder) recorder->mesh_finished();
   if (inner_faces != 0) make_seam(s, surface, parameters, report);
   if (options.cap) {
     begin_stage(parameters.progress, "cap");

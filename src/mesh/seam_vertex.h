@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A vertex that two or more parts of a mesh have in common, when a volume is meshed block by block
-// (surface/seam.h), and how it is known in all of them: by the edge of the volume's grid on which
+// (blocks/seam.h), and how it is known in all of them: by the edge of the volume's grid on which
 // it lies.
 #pragma once
 

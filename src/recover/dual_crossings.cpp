@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
-#include "surface/box_grid.h"
+#include "embedding/box_grid.h"
 
 namespace deliso {
 

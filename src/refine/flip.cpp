@@ -1,37 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "refine/flip.h"
-
 #include <cmath>
 
 #include "mesh/flip.h"
+#include "refine/operations.h"
 
 namespace deliso {
 namespace {
 
-// By so much of it must a flip lower the sum of radii: more than rounding.
-constexpr double kLower = 1e-9;
+// As a share of itself: what a flip must lower the sum of radii by, more than rounding.
+constexpr double kMinFall = 1e-9;
 
 }  // namespace
 
-bool Flipper::flip_if_not_delaunay(FaceId f, int i) {
-  const TriMesh& mesh = s_.mesh;
-  if (mesh.faces[f].n[i] == kNoId) return false;
-  const Quad q = quad_at(mesh, f, i);
-  const Dual &at_f = s_.duals[q.f], &at_g = s_.duals[q.g];
-  if (!at_f.holds(mesh.points[q.d]) && !at_g.holds(mesh.points[q.a])) return false;
+std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
+  if (r.mesh.faces[f].n[i] == kNoId) return Refusal::boundary;
+  const Quad q = quad_at(r.mesh, f, i);
+  const Dual &at_f = r.s.duals[q.f], &at_g = r.s.duals[q.g];
+  if (!at_f.holds(r.point(q.d)) && !at_g.holds(r.point(q.a))) return Refusal::no_gain;
   const double radii = std::sqrt(at_f.radius2) + std::sqrt(at_g.radius2);
-  change_.out = {q.f, q.g};
-  change_.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
-  change_.least_cosine = kSharpest;
-  const auto accept = [&] {
-    const Dual &x = change_.duals[0], &y = change_.duals[1];
-    return x.on_surface && y.on_surface && !x.holds(mesh.points[q.c]) &&
-           !y.holds(mesh.points[q.b]) &&
-           std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kLower) * radii;
+  Change& c = r.begin_change(kSharpestFold);
+  c.cavity = {q.f, q.g};
+  c.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
+  const auto is_delaunay = [&] {
+    const Dual &x = c.duals[0], &y = c.duals[1];
+    return x.on_surface && y.on_surface && !x.holds(r.point(q.c)) && !y.holds(r.point(q.b)) &&
+           std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinFall) * radii;
   };
-  const auto refusal = replacer_.mark_old(change_) ? replacer_.replace(change_, accept)
-                                                   : std::optional(Refusal::not_a_disk);
-  return !replacer_.count(Rung::flip, change_, refusal);
+  auto refusal = r.open_cavity(c);
+  if (!refusal) refusal = r.replace(c, is_delaunay);
+  return r.done(Rung::flip, refusal);
 }
 
 }  // namespace deliso

@@ -1,114 +1,127 @@
 // SPDX-License-Identifier: MIT
-#include "refine/move.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "base/triangle.h"
+#include "refine/operations.h"
 
 namespace deliso {
 namespace {
 
-// How far a vertex is moved, as shares of r_min, and in how many directions.
+// How far a vertex is moved, in r_min, and in how many directions.
 constexpr std::array kSteps{0.5, 0.2, 0.08};
 constexpr int kDirections = 8;
 
-// By such a share of itself the cost around a vertex must fall: there is an end to it.
-constexpr double kFall = 0.05;
+// The share of itself by which the cost around a vertex must fall, so that moves end.
+constexpr double kMinFall = 0.05;
 
-}  // namespace
+// What a facet costs that is not Delaunay; one over a limit costs 1 and how much it is over.
+constexpr double kNotDelaunay = 0.3;
 
-// Of the star of the vertex at hand were it at p: the part of its cost that asks for no search, as
-// if every facet's surface point were its circumcenter.
-double Mover::cost_of_needles(const Vec3& p) const {
+double cost_of_shape(double violation) {
+  return violation > 1 ? violation : 0;
+}
+
+double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
+  const bool is_delaunay = dual.on_surface && !r.holds_vertex(v, dual);
+  return cost_of_shape(r.violation(v, dual)) + (is_delaunay ? 0 : kNotDelaunay);
+}
+
+// Of facets across the cavity's boundary: they stay, but a vertex may move into their balls.
+double cost_of_ball(const Refinement& r, FaceId f) {
+  return r.is_delaunay(f) ? 0 : kNotDelaunay;
+}
+
+// A lower bound on the cost of the star of the moving vertex were it at p, without a search: as if
+// every facet's surface point were its circumcenter.
+double least_cost(const Refinement& r, const Vec3& p) {
   double sum = 0;
-  for (const Triangle& t : change_.in.facets) {
+  for (const Triangle& t : r.change.in.facets) {
     const auto corner = [&](std::size_t i) -> const Vec3& {
-      return t[i] == change_.vertex ? p : mesh_.points[t[i]];
+      return t[i] == r.change.vertex ? p : r.point(t[i]);
     };
     const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
     const FacetShape shape = measure(a, b, c, circumcenter(a, b, c));
-    const double over = violation(shape, parameters_.refinement);
-    if (over > 1) sum += over;
+    sum += cost_of_shape(violation(shape, r.parameters.refinement));
   }
   return sum;
 }
 
-bool Mover::move(FaceId f, VertexId v) {
-  if (s_.chain.is_boundary(v)) return false;
-  facets_around(mesh_, f, v, change_.out);
-  if (!replacer_.mark_old(change_)) return false;
-  change_.in.facets = change_.was.facets;
-  change_.what = Change::Vertex::moves;
-  change_.vertex = v;
-  change_.least_cosine = kSharpest;
+std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
+  if (r.s.chain.is_boundary(v)) return Refusal::boundary;
+  Change& c = r.begin_change(kSharpestFold);
+  facets_around(r.mesh, f, v, c.cavity);
+  if (const auto refusal = r.open_cavity(c)) return refusal;
+  c.in.facets = c.was.facets;
+  c.what = Change::Vertex::moves;
+  c.vertex = v;
 
   Vec3 normal;
   double here = 0;
-  for (const FaceId g : change_.out) {
-    const Triangle& t = mesh_.faces[g].v;
-    normal = normal + area_normal(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
-    here += judge_.cost_of_shape(t, s_.duals[g]) + judge_.cost_of_ball(t, s_.duals[g]);
+  std::vector<FaceId> across;
+  for (const FaceId g : c.cavity) {
+    const Triangle& t = r.mesh.faces[g].v;
+    normal = normal + area_normal(r.point(t[0]), r.point(t[1]), r.point(t[2]));
+    here += cost(r, t, r.s.duals[g]);
   }
-  watched_.clear();
-  for (const Patch::RimEdge& e : change_.was.rim) {
-    const FaceId g = mesh_.faces[change_.out[e.facet]].n[e.side];
+  for (const Disk::BoundaryEdge& e : c.was.boundary) {
+    const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
     if (g == kNoId) continue;
-    watched_.push_back(g);
-    here += judge_.cost_of_ball(mesh_.faces[g].v, s_.duals[g]);
+    across.push_back(g);
+    here += cost_of_ball(r, g);
   }
   const double size = length(normal);
-  if (!(size > 0) || here == 0) return false;
+  if (!(size > 0) || here == 0) return Refusal::no_gain;
   normal = normal / size;
-  const Vec3 across = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
-  const Vec3 u = across / length(across), w = cross(normal, u);
+  const Vec3 sideways = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+  const Vec3 u = sideways / length(sideways), w = cross(normal, u);
 
-  const Vec3 from = mesh_.points[v];
-  double least = (1 - kFall) * here;
-  SurfacePointFinder& finder = replacer_.finder();
-  SearchCounters& searches = report_.searches_refine;
-  std::optional<Vec3> best;
-  // G4, while looking: remembers the least cost that passes G1 to G3, and does nothing.
-  const auto weigh = [&] {
+  const Vec3 from = r.point(v);
+  double least = (1 - kMinFall) * here;
+  SearchCounters& searches = r.report.searches_refine;
+  // Added up facet by facet, and given up as soon as it cannot be the least.
+  const auto cost_there = [&] {
     double sum = 0;
-    const std::vector<Triangle>& in = change_.in.facets;
-    for (std::size_t k = 0; k < in.size(); ++k)
-      sum += judge_.cost_of_shape(in[k], change_.duals[k]);
-    for (std::size_t k = 0; k < in.size() && sum < least; ++k) {
-      sum += judge_.cost_of_ball(in[k], change_.duals[k]);
+    for (std::size_t k = 0; k < across.size() && sum < least; ++k) sum += cost_of_ball(r, across[k]);
+    c.duals.clear();
+    std::ptrdiff_t allowed = r.facets_without_point(c);
+    for (std::size_t k = 0; k < c.in.facets.size() && sum < least; ++k) {
+      if (!r.find_dual(c, k, allowed)) return least;
+      sum += cost(r, c.in.facets[k], c.duals[k]);
     }
-    for (std::size_t k = 0; k < watched_.size() && sum < least; ++k) {
-      sum += judge_.cost_of_ball(mesh_.faces[watched_[k]].v, s_.duals[watched_[k]]);
-    }
-    if (sum < least && finder.on_one_sheet(from, change_.place, normal, searches)) {
-      least = sum;
-      best = change_.place;
-    }
-    return false;
+    return sum;
   };
+  std::optional<Vec3> best;
   for (const double step : kSteps) {
-    const double reach = step * parameters_.r_min;
+    const double reach = step * r.parameters.r_min;
     for (int d = 0; d < kDirections && least > 0; ++d) {
       const double angle = 2 * std::numbers::pi * d / kDirections;
       const Vec3 to = from + (reach * std::cos(angle)) * u + (reach * std::sin(angle)) * w;
-      const auto there = finder.foot(to, normal, reach, searches);
-      if (!there || cost_of_needles(*there) >= least) continue;
-      change_.place = *there;
-      replacer_.replace(change_, weigh);
+      const auto there = r.finder.foot(to, normal, reach, searches);
+      if (!there || least_cost(r, *there) >= least) continue;
+      c.place = *there;
+      const std::optional<double> sum = r.cost_of_move(c, cost_there);
+      if (!sum || *sum >= least || !r.finder.on_one_sheet(from, *there, normal, searches)) continue;
+      least = *sum;
+      best = there;
     }
   }
-  std::optional<Refusal> refusal = Refusal::no_gain;
-  if (best) {
-    change_.place = *best;
-    refusal = replacer_.replace(change_, [] { return true; });
-  }
-  return !replacer_.count(Rung::move, change_, refusal);
+  if (!best) return r.done(Rung::move, Refusal::no_gain);
+  c.place = *best;
+  return r.done(Rung::move, r.replace(c, [] { return true; }));
 }
 
-bool Mover::move_corner(FaceId f) {
-  const Triangle corners = mesh_.faces[f].v;
-  return std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return move(f, v); });
+}  // namespace
+
+std::optional<Refusal> move_corner(Refinement& r, FaceId f) {
+  std::optional<Refusal> refusal;
+  for (const VertexId v : Triangle(r.mesh.faces[f].v)) {
+    refusal = move_vertex(r, f, v);
+    if (!refusal) break;
+  }
+  return refusal;
 }
 
 }  // namespace deliso

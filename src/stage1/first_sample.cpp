@@ -11,7 +11,7 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "surface/choose_seam.h"
+#include "blocks/choose_seam.h"
 
 namespace deliso {
 namespace {

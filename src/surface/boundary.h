@@ -9,7 +9,7 @@
 //
 // Where the volume is a block of a larger one, the part of a curve in an inner face is a seam: the
 // block beyond has the same, so the mesh's vertices there are those that both choose from the
-// samples of the face alone (surface/seam.h). A seam's edges are never split, its vertices never
+// samples of the face alone (blocks/seam.h). A seam's edges are never split, its vertices never
 // moved or taken out.
 #pragma once
 

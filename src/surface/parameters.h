@@ -22,6 +22,7 @@ inline constexpr double kHair = 1e-7;
 enum class PoleSide : std::uint8_t { nearer, further };
 
 struct Profile;
+class Observer;
 class Trace;
 
 struct Parameters {
@@ -48,6 +49,7 @@ struct Parameters {
 
   // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
   std::function<void(const char* stage, double share)> progress;
+  Observer* observer = nullptr;  // surface/observer.h
   Profile* profile = nullptr;  // filled when given
   Trace* trace = nullptr;      // likewise; Stage 2 then refines in one part
 

@@ -62,7 +62,6 @@ enum class Rung : std::uint8_t {
   foot,
   boundary_split,
   flip,
-  patch,
   collapse,
   move,
   far_point,
@@ -70,13 +69,15 @@ enum class Rung : std::uint8_t {
 };
 enum class Refusal : std::uint8_t {
   not_a_disk,
+  swallows_vertex,
   no_surface_point,
   too_close,
   boundary,
   turned,
   no_gain,
+  uncovers,
   crossing,
-  beyond_part,
+  frozen,
   count_
 };
 inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
@@ -93,20 +94,21 @@ inline constexpr std::array<Words, kRungs> kRungTable{{
     {"foot", "another point of the surface near the facet is inserted"},
     {"boundary_split", "an edge on the box is split at the middle of its arc", "9"},
     {"flip", "an edge gives way to the other diagonal of its two facets"},
-    {"patch", "facets that are not Delaunay are triangulated anew"},
     {"collapse", "a short edge is collapsed, or a corner merged into a neighbour"},
     {"move", "a vertex moves along the surface"},
     {"far_point", "a point of the surface that is too far from the mesh is inserted"},
 }};
 inline constexpr std::array<Words, kRefusals> kRefusalTable{{
     {"not_a_disk", "E or what takes its place is no disk (G1)"},
+    {"swallows_vertex", "E has a vertex inside, which would go (G1)"},
     {"no_surface_point", "a new facet's dual line misses the surface (G3)"},
     {"too_close", "the point is too near to a vertex of the rim"},
     {"boundary", "a boundary edge encroached upon that cannot be split"},
     {"turned", "an edge would be too sharp, or a component inside out (G2)"},
     {"no_gain", "nothing would be better (G4)"},
+    {"uncovers", "a vertex would go that is too far from the new facets (G4)"},
     {"crossing", "a new facet would cross another (G5)"},
-    {"beyond_part", "it would change facets of another part, and is tried again later (G0)"},
+    {"frozen", "it would change facets of another region, and is tried again later (G0)"},
 }};
 static_assert(!kRungTable.back().name.empty() && !kRefusalTable.back().name.empty());
 

@@ -11,7 +11,7 @@
 #include "files/temporary_folder.h"
 #include "mesh/read_mesh.h"
 #include "mesh/write_mesh.h"
-#include "surface/seam.h"
+#include "blocks/seam.h"
 
 namespace deliso::test {
 

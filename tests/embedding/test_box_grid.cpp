@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The grid against a look at every facet, while facets of all sizes come and go.
-#include "surface/box_grid.h"
+#include "embedding/box_grid.h"
 
 #include <doctest/doctest.h>
 

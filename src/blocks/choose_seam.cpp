@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/choose_seam.h"
+#include "blocks/choose_seam.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/sorted_list.h"
-#include "surface/seam.h"
+#include "blocks/seam.h"
 
 namespace deliso {
 namespace {

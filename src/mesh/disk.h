@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Stage 2 replaces, and by what: a disk of facets.
+// A disk of facets: what Stage 2 replaces, and by what.
 #pragma once
 
 #include <array>
@@ -14,24 +14,24 @@ namespace deliso {
 
 // A disk of facets, each by its corners, and how they hang together. Linking them takes a step for
 // every two corners.
-struct Patch {
-  static constexpr std::uint32_t kRim = 0xffffffff;
-  struct RimEdge {
+struct Disk {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct BoundaryEdge {
     VertexId from, to;    // as the facet runs
-    std::uint32_t facet;  // its number in the patch
+    std::uint32_t facet;  // its number in the disk
     int side;             // of that facet
   };
   std::vector<Triangle> facets;
-  std::vector<std::array<std::uint32_t, 3>> beyond;  // facet across side i; kRim
-  std::vector<RimEdge> rim;
+  std::vector<std::array<std::uint32_t, 3>> across;  // facet across side i; kNone
+  std::vector<BoundaryEdge> boundary;
 
-  // Links `facets`; whether they are a disk: connected, with one simple rim and V - E + F = 1,
-  // which only a disk has.
+  // Links `facets`. True if they are a disk: connected, with one simple boundary and
+  // V - E + F = 1, which only a disk has.
   bool link();
   // Of the facets linked last.
   std::span<const VertexId> vertices() const { return corners_; }
-  // Vertices that are not on the rim. pre: a disk.
-  std::size_t inner_vertices() const { return corners_.size() - rim.size(); }
+  // Vertices that are not on the boundary. pre: a disk.
+  std::size_t inner_vertices() const { return corners_.size() - boundary.size(); }
 
  private:
   std::vector<VertexId> corners_;
@@ -41,7 +41,7 @@ struct Patch {
   };
   std::vector<Ends> ends_;             // per edge
   std::vector<std::uint32_t> edge_;    // per two corners: the edge that runs from one to the other
-  std::vector<std::uint32_t> leaves_;  // per corner: the rim edge that leaves it
+  std::vector<std::uint32_t> leaves_;  // per corner: the boundary edge that leaves it
   std::vector<std::uint32_t> reached_;
   std::vector<std::uint8_t> is_reached_;
 };

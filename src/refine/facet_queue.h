@@ -18,12 +18,13 @@
 
 namespace deliso {
 
-class WorstFirst {
+class FacetQueue {
  public:
-  // Blocks of about `side`; there are at most 2^18 of them. Bands are so many fourths of an octave
-  // wide, at most 8.
-  WorstFirst(const Box3& box, double side, unsigned fourths) : low_(box.lo), fourths_(fourths) {
+  // `is_strict`: what is worst anywhere comes first, for a refinement that may end early.
+  FacetQueue(const Box3& box, double voxel, bool is_strict)
+      : low_(box.lo), fourths_(is_strict ? 1 : kBandFourths) {
     const Vec3 size = box.size();
+    const double side = kBlockVoxels * voxel;
     for (int axis = 0; axis < 3; ++axis) {
       const double wanted = std::clamp(size[axis] / side, 1.0, 64.0);
       blocks_[axis] = static_cast<int>(wanted);
@@ -61,6 +62,10 @@ class WorstFirst {
   std::size_t size() const { return size_; }
 
  private:
+  // A facet of such a block and its surroundings in mesh and volume stay in the cache.
+  static constexpr double kBlockVoxels = 32;
+  // How wide bands are, in fourths of an octave.
+  static constexpr unsigned kBandFourths = 8;
   static constexpr std::uint64_t kNone = 0, kBlocks = std::uint64_t{1} << 20;
 
   std::uint64_t block_of(const Vec3& p) const {

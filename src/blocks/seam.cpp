@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/seam.h"
+#include "blocks/seam.h"
 
 #include <cmath>
 

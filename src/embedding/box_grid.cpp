@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "surface/box_grid.h"
+#include "embedding/box_grid.h"
 
 #include <algorithm>
 #include <bit>

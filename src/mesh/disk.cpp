@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "refine/patch.h"
+#include "mesh/disk.h"
 
 #include <algorithm>
 
 namespace deliso {
 
-bool Patch::link() {
+bool Disk::link() {
   const std::size_t n = facets.size();
-  beyond.assign(n, {kRim, kRim, kRim});
-  rim.clear();
+  across.assign(n, {kNone, kNone, kNone});
+  boundary.clear();
   corners_.clear();
   ends_.clear();
   for (const Triangle& t : facets) {
@@ -21,39 +21,39 @@ bool Patch::link() {
     for (std::size_t i = 0; i < 3; ++i) ends_.push_back({local[(i + 1) % 3], local[(i + 2) % 3]});
   }
   const std::size_t vertices = corners_.size();
-  edge_.assign(vertices * vertices, kRim);
+  edge_.assign(vertices * vertices, kNone);
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
     std::uint32_t& same = edge_[ends_[e].from * vertices + ends_[e].to];
-    if (same != kRim) return false;  // two facets run along it alike
+    if (same != kNone) return false;  // two facets run along it alike
     same = e;
   }
-  leaves_.assign(vertices, kRim);
+  leaves_.assign(vertices, kNone);
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
     const auto [from, to] = ends_[e];
     const std::uint32_t back = edge_[to * vertices + from];
-    if (back != kRim) {
-      beyond[e / 3][e % 3] = back / 3;
+    if (back != kNone) {
+      across[e / 3][e % 3] = back / 3;
       continue;
     }
-    if (leaves_[from] != kRim) return false;  // the rim meets itself
+    if (leaves_[from] != kNone) return false;  // the boundary meets itself
     leaves_[from] = e;
-    rim.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
+    boundary.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
   }
-  if (rim.size() < 3 || 2 * vertices != n + rim.size() + 2) return false;
+  if (boundary.size() < 3 || 2 * vertices != n + boundary.size() + 2) return false;
   // One cycle.
   std::size_t length = 0;
-  const std::uint32_t first = 3 * rim[0].facet + static_cast<std::uint32_t>(rim[0].side);
-  for (std::uint32_t e = first; e != kRim && (e != first || length == 0); ++length) {
+  const std::uint32_t first = 3 * boundary[0].facet + static_cast<std::uint32_t>(boundary[0].side);
+  for (std::uint32_t e = first; e != kNone && (e != first || length == 0); ++length) {
     e = leaves_[ends_[e].to];
   }
-  if (length != rim.size()) return false;
+  if (length != boundary.size()) return false;
   // One piece: a closed piece beside the disk could make up for a handle.
   reached_.assign(1, 0);
   is_reached_.assign(n, 0);
   is_reached_[0] = 1;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
-    for (const std::uint32_t g : beyond[reached_[k]]) {
-      if (g == kRim || is_reached_[g]) continue;
+    for (const std::uint32_t g : across[reached_[k]]) {
+      if (g == kNone || is_reached_[g]) continue;
       is_reached_[g] = 1;
       reached_.push_back(g);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/reach.h"
+#include "refine/coverage.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,9 @@ double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
 }
 
 // The nearest facet, looked for in balls that grow.
-FarPoint nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t witness, const Vec3& p,
+FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
                  double radius) {
-  FarPoint best{witness, kNoId, 0};
+  FarSample best{sample, kNoId, 0};
   for (int doublings = 0; best.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
     best.distance2 = radius * radius;
     grid.any(grid.box_around(p, radius), [&](FaceId f, const BoxGrid::Box&) {
@@ -35,13 +35,13 @@ FarPoint nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t witness
 
 }  // namespace
 
-void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> witnesses,
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
               double limit, std::vector<std::uint32_t>& numbers) {
   // The facets that were near to the last few, the last one first.
   std::array<FaceId, 4> recent;
   recent.fill(kNoId);
   std::erase_if(numbers, [&](std::uint32_t n) {
-    const Vec3& p = witnesses[n];
+    const Vec3& p = samples[n];
     const auto is_near = [&](FaceId f) {
       return f != kNoId && distance2_to_facet(mesh, f, p) <= limit * limit;
     };
@@ -59,23 +59,23 @@ void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> wi
   });
 }
 
-std::vector<FarPoint> furthest(const TriMesh& mesh, const BoxGrid& grid,
-                               std::span<const Vec3> witnesses, double limit,
+std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
+                               std::span<const Vec3> samples, double limit,
                                std::span<const std::uint32_t> numbers) {
-  std::vector<FarPoint> far;
+  std::vector<FarSample> far;
   for (const std::uint32_t n : numbers) {
-    const FarPoint at = nearest(mesh, grid, n, witnesses[n], 2 * limit);
+    const FarSample at = nearest(mesh, grid, n, samples[n], 2 * limit);
     if (at.facet != kNoId) far.push_back(at);
   }
-  const auto furthest_of_facet = [](const FarPoint& a, const FarPoint& b) {
-    return std::tie(a.facet, b.distance2, a.witness) < std::tie(b.facet, a.distance2, b.witness);
+  const auto furthest_of_facet = [](const FarSample& a, const FarSample& b) {
+    return std::tie(a.facet, b.distance2, a.sample) < std::tie(b.facet, a.distance2, b.sample);
   };
   std::sort(far.begin(), far.end(), furthest_of_facet);
   far.erase(std::unique(far.begin(), far.end(),
-                        [](const FarPoint& a, const FarPoint& b) { return a.facet == b.facet; }),
+                        [](const FarSample& a, const FarSample& b) { return a.facet == b.facet; }),
             far.end());
-  std::sort(far.begin(), far.end(), [](const FarPoint& a, const FarPoint& b) {
-    return std::tie(b.distance2, a.witness) < std::tie(a.distance2, b.witness);
+  std::sort(far.begin(), far.end(), [](const FarSample& a, const FarSample& b) {
+    return std::tie(b.distance2, a.sample) < std::tie(a.distance2, b.sample);
   });
   return far;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refine/parts.h"
+#include "refine/regions.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ Cut::Cut(const SurfaceMesh& whole, std::size_t most) {
     const Triangle& v = faces[f].v;
     const bool on_boundary =
         std::any_of(v.begin(), v.end(), [&](VertexId q) { return whole.chain.is_boundary(q); });
-    (on_boundary ? all.fixed : all.facets).push_back(f);
+    (on_boundary ? all.frozen : all.facets).push_back(f);
   }
   nodes_.emplace_back();
   divide(whole, 0, std::move(all), most);
@@ -40,7 +40,7 @@ Cut::Cut(const SurfaceMesh& whole, std::size_t most) {
 void Cut::divide(const SurfaceMesh& whole, std::size_t node, Leaf&& leaf, std::size_t most) {
   if (leaf.facets.size() <= most) {
     nodes_[node] = {-1, 0, leaves_.size()};
-    std::sort(leaf.fixed.begin(), leaf.fixed.end());
+    std::sort(leaf.frozen.begin(), leaf.frozen.end());
     leaves_.push_back(std::move(leaf));
     return;
   }
@@ -62,14 +62,14 @@ void Cut::divide(const SurfaceMesh& whole, std::size_t node, Leaf&& leaf, std::s
   Leaf below{leaf.box, {}, {}}, above = below;
   below.box.hi[axis] = plane;
   above.box.lo[axis] = plane;
-  const auto distribute = [&](FaceId f, bool is_fixed) {
+  const auto distribute = [&](FaceId f, bool is_frozen) {
     const Box3 reach = box_of_facet(whole.mesh, f);
     const bool is_below = reach.lo[axis] < plane, is_above = reach.hi[axis] >= plane;
-    is_fixed |= is_below && is_above;
-    if (is_below) (is_fixed ? below.fixed : below.facets).push_back(f);
-    if (is_above) (is_fixed ? above.fixed : above.facets).push_back(f);
+    is_frozen |= is_below && is_above;
+    if (is_below) (is_frozen ? below.frozen : below.facets).push_back(f);
+    if (is_above) (is_frozen ? above.frozen : above.facets).push_back(f);
   };
-  for (const FaceId f : leaf.fixed) distribute(f, true);
+  for (const FaceId f : leaf.frozen) distribute(f, true);
   for (const FaceId f : leaf.facets) distribute(f, false);
   leaf = {};
   const std::size_t children = nodes_.size();
@@ -87,49 +87,52 @@ std::size_t Cut::box_at(const Vec3& p) const {
   return nodes_[node].children;
 }
 
-MeshPart Cut::take(const SurfaceMesh& whole, std::size_t n) const {
+MeshRegion Cut::extract(const SurfaceMesh& whole, std::size_t n) const {
   const Leaf& leaf = leaves_[n];
-  MeshPart part;
-  part.part = leaf.box;
-  part.part.first = static_cast<FaceId>(leaf.fixed.size());
-  part.facets = leaf.fixed;
-  part.facets.insert(part.facets.end(), leaf.facets.begin(), leaf.facets.end());
-  for (const FaceId f : part.facets) {
+  MeshRegion region;
+  region.region = leaf.box;
+  region.region.first_free = static_cast<FaceId>(leaf.frozen.size());
+  region.facets = leaf.frozen;
+  region.facets.insert(region.facets.end(), leaf.facets.begin(), leaf.facets.end());
+  for (const FaceId f : region.facets) {
     const Triangle& v = whole.mesh.faces[f].v;
-    part.vertices.insert(part.vertices.end(), v.begin(), v.end());
+    region.vertices.insert(region.vertices.end(), v.begin(), v.end());
   }
-  sort_out(part.vertices);
+  sort_out(region.vertices);
   const auto facet_here = [&](FaceId f) {
-    if (const std::size_t at = place_in(leaf.fixed, f); at < leaf.fixed.size()) {
+    if (const std::size_t at = place_in(leaf.frozen, f); at < leaf.frozen.size()) {
       return static_cast<FaceId>(at);
     }
     const std::size_t at = place_in(leaf.facets, f);
-    return at < leaf.facets.size() ? static_cast<FaceId>(leaf.fixed.size() + at) : kNoId;
+    return at < leaf.facets.size() ? static_cast<FaceId>(leaf.frozen.size() + at) : kNoId;
   };
-  SurfaceMesh& s = part.surface;
-  for (const VertexId v : part.vertices) {
+  SurfaceMesh& s = region.surface;
+  for (const VertexId v : region.vertices) {
     s.mesh.points.push_back(whole.mesh.points[v]);
     if (!whole.pole_heights.empty()) s.pole_heights.push_back(whole.pole_heights[v]);
   }
-  for (const FaceId f : part.facets) {
+  for (const FaceId f : region.facets) {
     Face face = whole.mesh.faces[f];
-    for (VertexId& v : face.v) v = static_cast<VertexId>(place_in(part.vertices, v));
+    for (VertexId& v : face.v) v = static_cast<VertexId>(place_in(region.vertices, v));
     for (FaceId& g : face.n) g = g == kNoId ? kNoId : facet_here(g);
     s.mesh.faces.push_back(face);
     s.duals.push_back(whole.duals[f]);
   }
-  return part;
+  return region;
 }
 
-void put_back(SurfaceMesh& whole, const MeshPart& part) {
-  const SurfaceMesh& s = part.surface;
+std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region) {
+  const SurfaceMesh& s = region.surface;
   const std::size_t facets = whole.mesh.faces.size(), vertices = whole.mesh.points.size();
   const auto vertex = [&](VertexId v) {
-    return v < part.vertices.size() ? part.vertices[v]
-                                    : static_cast<VertexId>(vertices + v - part.vertices.size());
+    return v < region.vertices.size() ? region.vertices[v]
+                                    : static_cast<VertexId>(vertices + v - region.vertices.size());
   };
-  const auto facet = [&](FaceId f) { return in_whole(part, f, facets); };
-  whole.mesh.points.resize(vertices + s.mesh.points.size() - part.vertices.size());
+  std::vector<FaceId> facet = region.facets;
+  while (facet.size() < s.mesh.faces.size()) {
+    facet.push_back(static_cast<FaceId>(facets + facet.size() - region.facets.size()));
+  }
+  whole.mesh.points.resize(vertices + s.mesh.points.size() - region.vertices.size());
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
     whole.mesh.points[vertex(v)] = s.mesh.points[v];
   }
@@ -139,25 +142,26 @@ void put_back(SurfaceMesh& whole, const MeshPart& part) {
       whole.pole_heights[vertex(v)] = s.pole_heights[v];
     }
   }
-  whole.mesh.faces.resize(facets + s.mesh.faces.size() - part.facets.size());
+  whole.mesh.faces.resize(facets + s.mesh.faces.size() - region.facets.size());
   whole.duals.resize(whole.mesh.faces.size());
-  // Of what stays as it is only the neighbours in the part may be others now.
-  for (FaceId f = 0; f < part.part.first; ++f) {
-    Face& face = whole.mesh.faces[part.facets[f]];
+  // Of what stays as it is only the neighbors in the region may be others now.
+  for (FaceId f = 0; f < region.region.first_free; ++f) {
+    Face& face = whole.mesh.faces[region.facets[f]];
     for (std::size_t i = 0; i < 3; ++i) {
       const FaceId g = s.mesh.faces[f].n[i];
-      if (g != kNoId && g >= part.part.first) face.n[i] = facet(g);
+      if (g != kNoId && g >= region.region.first_free) face.n[i] = facet[g];
     }
   }
-  for (FaceId f = part.part.first; f < s.mesh.faces.size(); ++f) {
+  for (FaceId f = region.region.first_free; f < s.mesh.faces.size(); ++f) {
     Face face = s.mesh.faces[f];
     if (!is_dead(face)) {
       for (VertexId& v : face.v) v = vertex(v);
-      for (FaceId& g : face.n) g = g == kNoId ? kNoId : facet(g);
+      for (FaceId& g : face.n) g = g == kNoId ? kNoId : facet[g];
     }
-    whole.mesh.faces[facet(f)] = face;
-    whole.duals[facet(f)] = s.duals[f];
+    whole.mesh.faces[facet[f]] = face;
+    whole.duals[facet[f]] = s.duals[f];
   }
+  return facet;
 }
 
 }  // namespace deliso

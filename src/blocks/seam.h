@@ -3,7 +3,7 @@
 // face mesh what they hold by themselves, and their meshes fit together because
 //   J1  the vertices on an inner face are some of the crossings of the face's own grid edges, and
 //       the edges run from one to the next along the curve: which, that follows from the samples of
-//       the face and the criteria alone (surface/choose_seam.h), and coordinates are the same to
+//       the face and the criteria alone (blocks/choose_seam.h), and coordinates are the same to
 //       the last bit (volume/volume.h);
 //   J2  nothing else lies in the face, neither a vertex nor an edge nor a facet, so that in it the
 //       meshes have their seam in common and no more.

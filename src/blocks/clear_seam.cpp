@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/clear_seam.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "refine/operations.h"
+
+namespace deliso {
+namespace {
+
+// How far off the seam a vertex is moved that cannot be merged: from a hair on nearer by this
+// factor, so many times.
+constexpr double kNearer = 0x1p-4;
+constexpr int kSteps = 5;
+
+// What is tried, the next only where the one before has left some.
+enum class Effort : std::uint8_t { merge, merge_at_any_cost, lift };
+
+// Where f is all there is at v, the edge between v's neighbors becomes the boundary.
+bool cut_ear(Refinement& r, FaceId f, VertexId v) {
+  const Face& ear = r.mesh.faces[f];
+  const int at_v = corner_index(ear, v);
+  const FaceId g = ear.n[at_v];
+  if (ear.n[(at_v + 1) % 3] != kNoId || ear.n[(at_v + 2) % 3] != kNoId || g == kNoId) return false;
+  Change change;
+  change.cavity = {f, g};
+  change.in.facets = {r.mesh.faces[g].v};
+  change.topology_only = true;
+  if (r.open_cavity(change) || r.replace(change, [] { return true; })) return false;
+  r.s.chain.remove(v);
+  return true;
+}
+
+// One triangle more, between v and its neighbors, and v a hair off the seam.
+bool lift(Refinement& r, FaceId f, VertexId v) {
+  Change change;
+  facets_around(r.mesh, f, v, change.cavity);
+  if (r.open_cavity(change)) return false;
+  change.in.facets = change.was.facets;
+  change.in.facets.push_back({r.s.chain.previous(v), r.s.chain.next(v), v});
+  change.what = Change::Vertex::moves;
+  change.vertex = v;
+  change.topology_only = true;
+  const Vec3 from = r.point(v);
+  Vec3 inwards;
+  const Box3 box = r.surface.volume().box();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (from[axis] == box.lo[axis]) inwards[axis] = 1;
+    if (from[axis] == box.hi[axis]) inwards[axis] = -1;
+  }
+  double off = kHair * r.parameters.voxel;
+  for (int step = 0; step < kSteps; ++step, off *= kNearer) {
+    change.place = from + off * inwards;
+    if (r.replace(change, [] { return true; })) continue;
+    r.s.chain.remove(v);
+    return true;
+  }
+  return false;
+}
+
+// Merges v into a neighbor on the boundary, whatever becomes of shapes.
+bool merge(Refinement& r, FaceId f, VertexId v, bool at_any_cost) {
+  for (const VertexId to : {r.s.chain.previous(v), r.s.chain.next(v)}) {
+    auto refusal = propose_merge(r, f, v, to, at_any_cost ? -1 : kSharpestFold);
+    r.change.topology_only = at_any_cost;
+    if (!refusal) refusal = merge_vertex(r, v, [] { return true; });
+    if (!r.done(Rung::collapse, refusal)) return true;
+  }
+  return false;
+}
+
+// Takes v out of the chain; true if it went.
+bool remove_boundary_vertex(Refinement& r, VertexId v, Effort effort) {
+  const auto at_v =
+      std::ranges::find_if(r.mesh.faces, [&](const Face& face) { return has_corner(face.v, v); });
+  if (at_v == r.mesh.faces.end()) return false;
+  const auto f = static_cast<FaceId>(at_v - r.mesh.faces.begin());
+  if (cut_ear(r, f, v)) return true;
+  return effort == Effort::lift ? lift(r, f, v)
+                                : merge(r, f, v, effort == Effort::merge_at_any_cost);
+}
+
+}  // namespace
+
+std::size_t clear_seam(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+                       const Parameters& parameters, Report& report) {
+  std::vector<VertexId> left;
+  for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
+    if (!s.chain.is_boundary(v)) continue;
+    const CurvePlace place = s.chain.place(v);
+    if (curves.is_on_seam(place) && !curves.is_kept(place)) left.push_back(v);
+  }
+  if (left.empty()) return 0;
+  Refinement r(s, surface, curves, parameters, report, s.mesh.points.size());
+  for (const Effort effort : {Effort::merge, Effort::merge_at_any_cost, Effort::lift}) {
+    // One that goes may make way for another.
+    for (std::size_t before = left.size() + 1; left.size() < before && !left.empty();) {
+      before = left.size();
+      std::erase_if(left, [&](VertexId v) { return remove_boundary_vertex(r, v, effort); });
+    }
+  }
+  remove_dead(s);
+  return left.size();
+}
+
+}  // namespace deliso

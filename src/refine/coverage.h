@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The other direction of the distance: no point of Sigma far from the mesh. Facets near Sigma say
+// nothing of a finger that no facet enters; points of Sigma that lie densely, the samples, do.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+#include "embedding/box_grid.h"
+
+namespace deliso {
+
+// A sample too far from the mesh, and the facet nearest to it.
+struct FarSample {
+  std::uint32_t sample;
+  FaceId facet;
+  double distance2;
+};
+
+// Leaves those samples in `numbers` that are further than `limit` from all facets. Quick where
+// one is near the sample before it.
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+              double limit, std::vector<std::uint32_t>& numbers);
+
+// Those, the furthest first; of several nearest to one facet only the furthest.
+std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
+                               std::span<const Vec3> samples, double limit,
+                               std::span<const std::uint32_t> numbers);
+
+}  // namespace deliso

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "refine/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+// Cells of the spatial hashes are near the size of most facets: a few times what the criteria ask
+// for once all is done, unless most are as small from the first. A bound on h asks for no r below
+// the root of it, in voxels, but at creases; a small r_min asks for nothing by itself.
+constexpr double kCellsPerFacet = 12;
+constexpr double kGridCellVoxels = 0.2;
+
+double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
+  std::vector<Triangle> facets;
+  facets.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    if (!is_dead(face)) facets.push_back(face.v);
+  }
+  const Criteria& criteria = parameters.refinement;
+  const double asked =
+      std::min({std::sqrt(criteria[Criterion::distance] * parameters.voxel),
+                criteria[Criterion::radius], kGridCellVoxels * parameters.voxel});
+  return std::min(kCellsPerFacet * std::max(parameters.r_min, asked),
+                  fitting_cell(mesh.points, facets));
+}
+
+bool has(std::span<const VertexId> list, VertexId v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
+
+}  // namespace
+
+Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
+                       const BoundaryCurves& boundary_curves, const Parameters& given,
+                       Report& counts, std::size_t removable_vertices, const Region& where)
+    : s(surface_mesh),
+      mesh(surface_mesh.mesh),
+      surface(isosurface),
+      curves(boundary_curves),
+      parameters(given),
+      report(counts),
+      observer(given.observer && given.observer->follows_insertions() ? given.observer : nullptr),
+      region(where),
+      removable(removable_vertices),
+      finder(isosurface),
+      facets_(isosurface.volume().box(), grid_cell(mesh, given)),
+      vertices_(isosurface.volume().box(), grid_cell(mesh, given)),
+      marks_(mesh.faces.size(), 0) {
+  if (parameters.as_published) return;
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Triangle& v = mesh.faces[f].v;
+    if (is_dead(mesh.faces[f])) {
+      free_.push_back(f);
+      continue;
+    }
+    facets_.add(f, facets_.box_of(mesh.points, v));
+    for (const VertexId q : v) is_used[q] = 1;
+  }
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));
+  }
+}
+
+Change& Refinement::begin_change(double least_cosine) {
+  change.cavity.clear();
+  change.was.facets.clear();
+  change.in.facets.clear();
+  change.what = Change::Vertex::none;
+  change.least_cosine = least_cosine;
+  change.topology_only = false;
+  return change;
+}
+
+std::optional<Refusal> Refinement::open_cavity(Change& c) {
+  ++stamp_;
+  c.was.facets.clear();
+  for (const FaceId f : c.cavity) {
+    marks_[f] = stamp_;
+    c.was.facets.push_back(mesh.faces[f].v);
+  }
+  if (!c.was.link()) return Refusal::not_a_disk;
+  return std::nullopt;
+}
+
+void Refinement::set_cone(Change& c, const Vec3& place, EdgeRef split) const {
+  c.what = Change::Vertex::comes;
+  c.vertex = static_cast<VertexId>(mesh.points.size());
+  c.place = place;
+  c.in.facets.clear();
+  for (const Disk::BoundaryEdge& edge : c.was.boundary) {
+    if (c.cavity[edge.facet] == split.face && edge.side == split.index) continue;
+    c.in.facets.push_back({edge.from, edge.to, c.vertex});
+  }
+}
+
+std::optional<Refusal> Refinement::leaves_region(const Change& c) const {
+  const bool leaves =
+      std::any_of(c.cavity.begin(), c.cavity.end(), [&](FaceId f) { return is_frozen(f); }) ||
+      (c.what != Change::Vertex::none && !region.holds(c.place));
+  return leaves ? std::optional(Refusal::frozen) : std::nullopt;
+}
+
+void Refinement::put_in_place(const Change& c) {
+  if (c.what == Change::Vertex::comes) {
+    DELISO_ASSERT(c.vertex == mesh.points.size());
+    mesh.points.push_back(c.place);
+  } else if (c.what == Change::Vertex::moves) {
+    moved_from_ = std::exchange(mesh.points[c.vertex], c.place);
+    relist(c.vertex);
+  }
+}
+
+void Refinement::take_back(const Change& c) {
+  if (c.what == Change::Vertex::comes) mesh.points.pop_back();
+  if (c.what == Change::Vertex::moves) {
+    mesh.points[c.vertex] = moved_from_;
+    relist(c.vertex);
+  }
+}
+
+void Refinement::relist(VertexId v) {
+  vertices_.remove(v);
+  vertices_.add(v, vertices_.box_of(point(v)));
+}
+
+FaceId Refinement::new_facet() {
+  if (!free_.empty()) {
+    const FaceId f = free_.back();
+    free_.pop_back();
+    return f;
+  }
+  mesh.faces.emplace_back();
+  s.duals.emplace_back();
+  marks_.push_back(0);
+  return static_cast<FaceId>(mesh.faces.size() - 1);
+}
+
+void Refinement::commit(Change& c) {
+  const Disk& in = c.in;
+  const bool has_hashes = !parameters.as_published;
+  if (has_hashes) {
+    for (const FaceId f : c.cavity) facets_.remove(f);
+    if (c.what == Change::Vertex::comes) {
+      vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
+    }
+    for (const VertexId v : c.was.vertices()) {
+      if (!has(in.vertices(), v)) vertices_.remove(v);
+    }
+  }
+  c.created.clear();
+  for (std::size_t k = 0; k < in.facets.size(); ++k) {
+    c.created.push_back(k < c.cavity.size() ? c.cavity[k] : new_facet());
+  }
+  for (std::size_t k = in.facets.size(); k < c.cavity.size(); ++k) {
+    mesh.faces[c.cavity[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
+    free_.push_back(c.cavity[k]);
+  }
+  for (std::size_t k = 0; k < in.facets.size(); ++k) {
+    Face& face = mesh.faces[c.created[k]];
+    face.v = in.facets[k];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t g = in.across[k][i];
+      face.n[i] = g == Disk::kNone ? kNoId : c.created[g];
+    }
+    s.duals[c.created[k]] = c.duals[k];
+    if (has_hashes) facets_.add(c.created[k], crossing_.boxes()[k]);
+  }
+  for (std::size_t k = 0; k < in.boundary.size(); ++k) {
+    if (across_[k] == kNoId) continue;
+    const Disk::BoundaryEdge& edge = in.boundary[k];
+    mesh.faces[c.created[edge.facet]].n[edge.side] = across_[k];
+    Face& outside = mesh.faces[across_[k]];
+    for (int i = 0; i < 3; ++i) {
+      if (outside.v[(i + 1) % 3] == edge.to && outside.v[(i + 2) % 3] == edge.from) {
+        outside.n[i] = c.created[edge.facet];
+      }
+    }
+  }
+  if (!s.pole_heights.empty() && c.what == Change::Vertex::comes) {
+    double sum = 0;
+    for (const Disk::BoundaryEdge& edge : c.was.boundary) sum += s.pole_heights[edge.from];
+    s.pole_heights.push_back(sum / static_cast<double>(c.was.boundary.size()));
+  }
+}
+
+std::optional<Refusal> Refinement::done(Rung rung, std::optional<Refusal> refusal) {
+  if (observer) observer->operation_tried(rung, change, refusal);
+  return report[rung].count(refusal);
+}
+
+FacetShape Refinement::shape(const Triangle& v, const Dual& dual) const {
+  FacetShape shape = measure(point(v[0]), point(v[1]), point(v[2]), dual.center);
+  if (!dual.on_surface) shape.h = shape.r;
+  shape.pole = s.pole(v);
+  return shape;
+}
+
+bool Refinement::holds_vertex(const Triangle& v, const Dual& ball) const {
+  const BoxGrid::Box box = vertices_.box_around(ball.center, std::sqrt(ball.radius2));
+  return vertices_.any(box, [&](VertexId q, const BoxGrid::Box&) {
+    return ball.holds(point(q)) && !has_corner(v, q);
+  });
+}
+
+}  // namespace deliso

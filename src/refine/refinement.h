@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The state of Stage 2 and its one operation: a disk of facets, the cavity, is replaced by another
+// disk over the same boundary. Insertion, flip, collapse and move (refine/operations.h) are ways to
+// propose one. At the mesh's boundary the cavity's boundary may change too, from one boundary
+// vertex to another.
+//
+// Stage 1 hands over a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma. No
+// replacement takes that away, because each passes these tests, from cheap to expensive:
+//   G0  no frozen facet goes, and what comes stays in the region (refine/regions.h);
+//   G1  both are disks, and no new facet or edge is in the mesh already (the link condition): the
+//       mesh stays a manifold, homeomorphic to what it was;
+//   G2  no edge is folded more sharply than asked for, or than one was before, and no small
+//       component is reversed;
+//   G3  every new facet above r_min finds its surface point; smaller ones may do without where they
+//       face Sigma's outside; no more facets fail this than did before;
+//   G4  a vertex that goes stays near: within twice the bound on the distance; and what the
+//       operation wants to fall, falls, so it ends;
+//   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
+// With Parameters::as_published neither G5 nor the last part of G2 is asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "embedding/box_grid.h"
+#include "embedding/disk_crossing.h"
+#include "mesh/disk.h"
+#include "refine/region.h"
+#include "surface/observer.h"
+#include "surface/parameters.h"
+#include "surface/report.h"
+#include "surface/surface_mesh.h"
+#include "surface/surface_point.h"
+
+namespace deliso {
+
+// The edge of facet `face` opposite its corner `index`.
+struct EdgeRef {
+  FaceId face = kNoId;
+  int index = 0;
+};
+
+// The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
+// was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
+inline constexpr double kSharpestFold = -0.97;
+
+// What an operation proposes.
+struct Change {
+  std::vector<FaceId> cavity;  // the facets that go
+  Disk was;                    // the same by their corners, linked by open_cavity()
+  Disk in;                     // what takes their place; for a vertex that comes, set_cone()
+  enum class Vertex : std::uint8_t { none, comes, moves } what = Vertex::none;
+  VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
+  Vec3 place;               // where it comes or moves to
+  double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
+  // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 and G4 are not
+  // asked, and a component flat in that face, which bounds nothing yet, may be turned either way.
+  bool topology_only = false;
+  std::vector<Dual> duals;      // of `in`, by G3
+  std::vector<FaceId> created;  // of `in`, once it is done
+};
+
+class Refinement {
+ public:
+  // Keeps references, but for `region`. Only the first `removable` vertices, Stage 1's, may go.
+  Refinement(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
+             const Parameters& parameters, Report& report, std::size_t removable = 0,
+             const Region& region = {});
+
+  SurfaceMesh& s;
+  TriMesh& mesh;
+  const Isosurface& surface;
+  const BoundaryCurves& curves;
+  Parameters parameters;  // the bound on the distance gives way to target_vertices
+  Report& report;
+  Observer* const observer;  // null unless it follows insertions
+  const Region region;
+  const std::size_t removable;
+  SurfacePointFinder finder;
+  Change change;  // the last one proposed
+
+  // `change`, as an operation finds it: nothing is proposed.
+  Change& begin_change(double least_cosine = -1);
+  // Marks change.cavity and links change.was; refused if that is no disk.
+  std::optional<Refusal> open_cavity(Change& change);
+  // Lets `in` be the cone from the vertex that comes, at `place`, over the cavity's boundary but
+  // for the boundary edge that it splits. pre: open_cavity().
+  void set_cone(Change& change, const Vec3& place, EdgeRef split = {}) const;
+  // Does the change, or returns the test that it does not pass and leaves everything as it was.
+  // accept(): what the operation wants to fall falls; asked when the duals are known and the vertex
+  // is in its place. The boundary chain is the caller's. pre: open_cavity().
+  template <class Accept>
+  std::optional<Refusal> replace(Change& c, Accept&& accept) {
+    std::optional<Refusal> refusal = leaves_region(c);
+    if (refusal) return refusal;
+    put_in_place(c);
+    refusal = test_shape(c);
+    if (!refusal) refusal = find_duals(c);
+    if (!refusal && !accept()) refusal = Refusal::no_gain;
+    if (!refusal && crosses(c)) refusal = Refusal::crossing;
+    refusal ? take_back(c) : commit(c);
+    return refusal;
+  }
+  // Its cost at change.place, for a vertex that moves; nothing is done. Nothing when G0 to G2 refuse
+  // it. pre: open_cavity().
+  template <class Cost>
+  std::optional<double> cost_of_move(Change& c, Cost&& cost) {
+    if (leaves_region(c)) return std::nullopt;
+    put_in_place(c);
+    std::optional<double> sum;
+    if (!test_shape(c)) sum = cost();
+    take_back(c);
+    return sum;
+  }
+  // G3 for one facet of `in` after the other. False if one more lacks its surface point than may.
+  bool find_dual(Change& change, std::size_t f, std::ptrdiff_t& allowed);
+  // How many facets of `in` above r_min may lack one.
+  std::ptrdiff_t facets_without_point(const Change& change) const;
+
+  // Counts what came of an operation, tells the observer, and gives it back.
+  std::optional<Refusal> done(Rung rung, std::optional<Refusal> refusal);
+  std::span<const FaceId> created() const { return change.created; }
+
+  // Of a facet with these corners; without a surface point h is as large as it can be.
+  FacetShape shape(const Triangle& v, const Dual& dual) const;
+  FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
+  // Over 1: a criterion is not met.
+  double violation(const Triangle& v, const Dual& dual) const {
+    return deliso::violation(shape(v, dual), parameters.refinement);
+  }
+  // True if a vertex of the mesh but the corners of v lies in the ball.
+  bool holds_vertex(const Triangle& v, const Dual& ball) const;
+  // True if f has a surface ball, without vertices of the mesh.
+  bool is_delaunay(FaceId f) const {
+    return s.duals[f].on_surface && !holds_vertex(mesh.faces[f].v, s.duals[f]);
+  }
+  bool is_frozen(FaceId f) const { return f < region.first_free; }
+  const BoxGrid& facets() const { return facets_; }
+  const Vec3& point(VertexId v) const { return mesh.points[v]; }
+
+ private:
+  std::optional<Refusal> leaves_region(const Change& change) const;
+  void put_in_place(const Change& change);
+  void take_back(const Change& change);
+  void commit(Change& change);
+  void relist(VertexId v);  // in vertices_, where it is now
+  FaceId new_facet();
+
+  // refine/gates.cpp
+  std::optional<Refusal> test_shape(Change& change);  // G1 and G2
+  std::optional<Refusal> find_duals(Change& change);  // G3, and G4 for vertices that go
+  bool keeps_manifold(Change& change);
+  bool is_joined_outside(VertexId a, VertexId b, const Change& change);
+  bool folds(const Change& change);
+  bool reverses(const Change& change);
+  bool uncovers(const Change& change) const;
+  bool faces_out(const Triangle& v, const Vec3& normal) const;
+  bool crosses(const Change& change);
+  bool is_out(FaceId f) const { return marks_[f] == stamp_; }
+
+  BoxGrid facets_, vertices_;
+  std::vector<FaceId> free_;  // dead facets
+
+  // Of the change at hand.
+  std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is in the cavity
+  std::uint32_t stamp_ = 0;
+  Vec3 moved_from_;
+  std::vector<FaceId> across_;      // per boundary edge of the new disk; kNoId on the mesh's
+  std::vector<std::uint8_t> kept_;  // and whether it was the cavity's too
+  std::vector<std::uint32_t> seen_;  // per facet, seen_stamp_ when it is in rest_
+  std::uint32_t seen_stamp_ = 0;
+  std::vector<FaceId> rest_;  // of a small component, but for the cavity
+  std::vector<Vec3> normals_;
+  DiskCrossing crossing_;
+  std::vector<FaceId> star_;
+};
+
+}  // namespace deliso
