@@ -17,9 +17,8 @@
 #include "embedding/triangle_pair.h"
 #include "mesh/check_mesh.h"
 #include "recover/recover.h"
-#include "refine/judge.h"
 #include "refine/refine.h"
-#include "refine/replace_disk.h"
+#include "refine/refinement.h"
 
 namespace deliso::test {
 
@@ -127,8 +126,7 @@ class Stage {
         recovered(recover_certified(of.surface, ContourMesh(of.contour), parameters, report)),
         surface_mesh(recovered.mesh),
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
-        replacer(recovered.mesh, of.surface, parameters, report),
-        judge(recovered.mesh, replacer, parameters),
+        r(recovered.mesh, of.surface, recovered.curves, parameters, report, mesh.points.size()),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
@@ -168,12 +166,12 @@ class Stage {
           finder.dual(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], counters);
       const Dual& said = surface_mesh.duals[f];
       if (dual.on_surface != said.on_surface || dual.center != said.center) return "a wrong dual";
-      const BoxGrid& grid = replacer.facets();
+      const BoxGrid& grid = r.facets();
       if (!grid.any(grid.box_of(mesh.points, v),
                     [&](FaceId g, const BoxGrid::Box&) { return g == f; })) {
         return "a facet that the grid does not have";
       }
-      if (said.on_surface && replacer.holds_vertex(v, said) == is_delaunay(f)) {
+      if (said.on_surface && r.holds_vertex(v, said) == is_delaunay(f)) {
         return "a vertex in a ball that the grid does not see, or sees where there is none";
       }
     }
@@ -231,7 +229,7 @@ class Stage {
     const double u = random.uniform(-0.2, 1.2), w = random.uniform(-0.2, 1.2);
     const Vec3 p =
         corner(f, 0) + u * (corner(f, 1) - corner(f, 0)) + w * (corner(f, 2) - corner(f, 0));
-    return replacer.finder().foot(p, normal(f), longest_edge(f), report.searches_refine);
+    return r.finder.foot(p, normal(f), longest_edge(f), report.searches_refine);
   }
 
   // Flips the edge of f opposite its corner i if every gate lets it pass, wanted or not.
@@ -242,10 +240,10 @@ class Stage {
     const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
     const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
     Change change;
-    change.out = {f, g};
+    change.cavity = {f, g};
     change.in.facets = {{a, b, d}, {d, c, a}};
-    change.least_cosine = kSharpest;
-    if (!replacer.mark_old(change) || replacer.replace(change, [] { return true; })) return false;
+    change.least_cosine = kSharpestFold;
+    if (r.open_cavity(change) || r.replace(change, [] { return true; })) return false;
     if (created) *created = change.created;
     return true;
   }
@@ -270,8 +268,7 @@ class Stage {
   Recovered recovered;
   SurfaceMesh& surface_mesh;
   const TriMesh& mesh;
-  DiskReplacer replacer;
-  Judge judge;
+  Refinement r;
 
  private:
   const TriMesh& refined_mesh() {

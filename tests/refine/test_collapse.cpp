@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Collapses on meshes of Stage 1, with criteria so strict that nearly every facet asks for one:
 // what is done takes one vertex out and keeps all else, along the box too.
-#include "refine/collapse.h"
+#include "refine/operations.h"
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "base/triangle.h"
-#include "refine/insert.h"
 #include "refine/stage.h"
 
 using namespace deliso;
@@ -41,7 +42,7 @@ std::size_t boundary_vertices(const Stage& stage) {
 }
 
 struct Tally {
-  int collapsed = 0, refused = 0, taken_out = 0, kept = 0, on_boundary = 0;
+  int collapsed = 0, refused = 0, on_boundary = 0;
 };
 
 // The vertex that is gone, and what must hold then.
@@ -54,6 +55,21 @@ void check_collapsed(Stage& stage, const Stage::Snapshot& before, std::size_t ve
   tally.on_boundary += boundary_vertices(stage) < on_boundary;
 }
 
+// The vertex that went lies near the facets that replaced it (G4).
+void check_covered(const Stage& stage, const Stage::Snapshot& before) {
+  const double limit = 2 * stage.parameters.refinement[Criterion::distance];
+  for (const Triangle& t : stage.r.change.was.facets) {
+    for (const VertexId v : t) {
+      double nearest2 = std::numeric_limits<double>::infinity();
+      for (const FaceId g : stage.r.created()) {
+        nearest2 = std::min(nearest2, distance2_to_triangle(before.points[v], stage.corner(g, 0),
+                                                            stage.corner(g, 1), stage.corner(g, 2)));
+      }
+      CHECK(nearest2 <= limit * limit);
+    }
+  }
+}
+
 void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
   CAPTURE(n);
   CAPTURE(lambda);
@@ -62,40 +78,33 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
   options.r_min = {r_min, Length::Unit::voxel};
   options.limits[Criterion::r_over_l].value = lambda;
   Stage stage(scene, options);
-  Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
-                      stage.recovered.curves, stage.parameters, stage.mesh.points.size());
   const std::size_t of_stage1 = stage.mesh.points.size();
-  Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
-                    stage.report);
   Random random(static_cast<std::uint64_t>(n) + 900);
   for (int k = 0; k < 60; ++k) {
     CAPTURE(k);
     const FaceId f = stage.random_facet(random);
     if (random.below(8) == 0) {  // vertices of Stage 2, which must stay
-      if (const auto p = stage.point_near(f, random)) inserter.insert(Rung::foot, f, *p);
+      if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
       continue;
     }
     const Stage::Snapshot before = stage.snapshot();
     const std::size_t vertices = used_vertices(stage.mesh), on_boundary = boundary_vertices(stage);
-    const bool take_out = random.below(2) == 0;
-    const bool asked =
-        take_out || (ratio(stage, f) > stage.parameters.refinement[Criterion::r_over_l] &&
-                     shortest_edge(stage, f) < stage.parameters.r_min);
+    const bool asked = ratio(stage, f) > stage.parameters.refinement[Criterion::r_over_l] &&
+                       shortest_edge(stage, f) < stage.parameters.r_min;
     double worst_before = 0;
     for (FaceId g = 0; g < stage.mesh.faces.size(); ++g) {
       if (!is_dead(stage.mesh.faces[g])) worst_before = std::max(worst_before, ratio(stage, g));
     }
-    if (!(take_out ? collapser.take_out_corner(f) : collapser.collapse(f))) {
+    if (collapse_short_edge(stage.r, f)) {
       REQUIRE(stage.snapshot() == before);
-      ++(take_out ? tally.kept : tally.refused);
+      ++tally.refused;
       continue;
     }
     REQUIRE(asked);
-    ++(take_out ? tally.taken_out : tally.collapsed);
-    check_collapsed(stage, before, vertices, on_boundary, collapser.created(), tally);
-    if (!take_out) {
-      for (const FaceId g : collapser.created()) CHECK(ratio(stage, g) <= 2.0001 * worst_before);
-    }
+    ++tally.collapsed;
+    check_collapsed(stage, before, vertices, on_boundary, stage.r.created(), tally);
+    for (const FaceId g : stage.r.created()) CHECK(ratio(stage, g) <= 2.0001 * worst_before);
+    check_covered(stage, before);
     // Vertices that insertion made are still there.
     std::vector<std::uint8_t> used(stage.mesh.points.size(), 0);
     for (const Face& face : stage.mesh.faces) {
@@ -115,13 +124,10 @@ TEST_CASE("every collapse takes one vertex of Stage 1 out and keeps the mesh wha
     collapse_at_random(n, 1.2, 1, tally);
     collapse_at_random(n, 0.8, 0.5, tally);
   }
-  MESSAGE(tally.collapsed << " collapsed, " << tally.refused << " refused; " << tally.taken_out
-                          << " taken out, " << tally.kept << " kept; " << tally.on_boundary
+  MESSAGE(tally.collapsed << " collapsed, " << tally.refused << " refused; " << tally.on_boundary
                           << " on the boundary");
   CHECK(tally.collapsed > 100);
   CHECK(tally.refused > 100);
-  CHECK(tally.taken_out > 100);
-  CHECK(tally.kept > 100);
   CHECK(tally.on_boundary > 10);
 }
 
@@ -134,12 +140,10 @@ TEST_CASE(
     const Scene scene = noise_scene(seed);
     Stage stage(scene);
     REQUIRE(stage.fault() == "");
-    Collapser collapser(stage.surface_mesh, stage.replacer, stage.judge, scene.surface,
-                        stage.recovered.curves, stage.parameters, stage.mesh.points.size());
     for (bool any = true; any;) {
       any = false;
       for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
-        if (is_dead(stage.mesh.faces[f]) || !collapser.collapse(f)) continue;
+        if (is_dead(stage.mesh.faces[f]) || collapse_short_edge(stage.r, f)) continue;
         any = true;
         ++collapsed;
         REQUIRE(stage.fault() == "");

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Flips by surface balls: of meshes of Stage 1, of meshes spoilt by other flips, of any edge. Those
 // that are done lower the radii and leave no corner in the other's ball; a spoilt edge comes back.
-#include "refine/flip.h"
+#include "refine/operations.h"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "refine/insert.h"
 #include "refine/stage.h"
 
 using namespace deliso;
@@ -32,17 +31,17 @@ struct Tally {
   int flipped = 0, refused = 0, delaunay = 0;
 };
 
-void flip_once(Stage& stage, Flipper& flipper, FaceId f, int i, Tally& tally) {
+void flip_once(Stage& stage, FaceId f, int i, Tally& tally) {
   const Stage::Snapshot before = stage.snapshot();
   if (stage.mesh.faces[f].n[i] == kNoId) {
-    CHECK_FALSE(flipper.flip_if_not_delaunay(f, i));
+    CHECK(flip_if_not_delaunay(stage.r, f, i));
     CHECK(stage.snapshot() == before);
     return;
   }
   const Corners4 q = corners_at(stage.mesh, f, i);
   const Dual at_f = stage.surface_mesh.duals[f], at_g = stage.surface_mesh.duals[q.g];
   const bool wanted = at_f.holds(stage.mesh.points[q.d]) || at_g.holds(stage.mesh.points[q.a]);
-  if (!flipper.flip_if_not_delaunay(f, i)) {
+  if (flip_if_not_delaunay(stage.r, f, i)) {
     REQUIRE(stage.snapshot() == before);
     ++(wanted ? tally.refused : tally.delaunay);
     return;
@@ -50,11 +49,11 @@ void flip_once(Stage& stage, Flipper& flipper, FaceId f, int i, Tally& tally) {
   ++tally.flipped;
   REQUIRE(wanted);
   REQUIRE(stage.fault() == "");
-  REQUIRE(stage.fault_of(flipper.created()) == "");
-  REQUIRE(flipper.created().size() == 2);
+  REQUIRE(stage.fault_of(stage.r.created()) == "");
+  REQUIRE(stage.r.created().size() == 2);
   REQUIRE(stage.mesh.points.size() == before.points.size());
   double radii = 0;
-  for (const FaceId g : flipper.created()) {
+  for (const FaceId g : stage.r.created()) {
     const Dual& dual = stage.surface_mesh.duals[g];
     const Triangle& v = stage.mesh.faces[g].v;
     CHECK(dual.on_surface);
@@ -82,13 +81,13 @@ std::set<Triangle> facets_of(const TriMesh& mesh) {
 }
 
 // Until no edge can be flipped; how many flips that took.
-int flip_all(Stage& stage, Flipper& flipper) {
+int flip_all(Stage& stage) {
   int flips = 0;
   for (bool any = true; any;) {
     any = false;
     for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
       for (int i = 0; i < 3; ++i) {
-        if (is_dead(stage.mesh.faces[f]) || !flipper.flip_if_not_delaunay(f, i)) continue;
+        if (is_dead(stage.mesh.faces[f]) || flip_if_not_delaunay(stage.r, f, i)) continue;
         any = true;
         REQUIRE(++flips < 100000);
       }
@@ -107,9 +106,6 @@ TEST_CASE("every flip is wanted, lowers the radii and keeps the mesh what it is"
     Options options;
     options.r_min = {0.1, Length::Unit::voxel};
     Stage stage(scene, options);
-    Flipper flipper(stage.surface_mesh, stage.replacer);
-    Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
-                      stage.report);
     Random random(static_cast<std::uint64_t>(n) + 500);
     for (int k = 0; k < 150; ++k) {
       CAPTURE(k);
@@ -118,16 +114,16 @@ TEST_CASE("every flip is wanted, lowers the radii and keeps the mesh what it is"
       const int i = static_cast<int>(random.below(3));
       std::vector<FaceId> made;
       if (random.below(3) == 0) {
-        if (const auto p = stage.point_near(f, random)) inserter.insert(Rung::foot, f, *p);
+        if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
       } else if (stage.flip_anyway(f, i, &made)) {
         REQUIRE(stage.fault() == "");
         for (const FaceId g : made) {
           for (int e = 0; e < 3; ++e) {
-            if (!is_dead(stage.mesh.faces[g])) flip_once(stage, flipper, g, e, tally);
+            if (!is_dead(stage.mesh.faces[g])) flip_once(stage, g, e, tally);
           }
         }
       }
-      flip_once(stage, flipper, stage.random_facet(random), i, tally);
+      flip_once(stage, stage.random_facet(random), i, tally);
     }
     CHECK(stage.fault() == "");
     const auto& counts = stage.report[Rung::flip];
@@ -147,8 +143,7 @@ TEST_CASE("flips come to an end, and an edge of a Delaunay mesh that was flipped
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 20);
     Stage stage(scene, {}, true);
-    Flipper flipper(stage.surface_mesh, stage.replacer);
-    flip_all(stage, flipper);
+    flip_all(stage);
     std::set<Triangle> before = facets_of(stage.mesh);
     Random random(7);
     // One flip here and there: far enough from each other that none sees another.
@@ -178,7 +173,7 @@ TEST_CASE("flips come to an end, and an edge of a Delaunay mesh that was flipped
     CHECK(spoilt > 20);
     const std::set<Triangle> between = facets_of(stage.mesh);
     CHECK(between != before);
-    const int flips = flip_all(stage, flipper);
+    const int flips = flip_all(stage);
     CHECK(flips >= static_cast<int>(spoilt));
     CHECK(facets_of(stage.mesh) == before);
     REQUIRE(stage.fault() == "");

@@ -2,7 +2,7 @@
 // Insertion on meshes of Stage 1, at points that refinement would choose and at any others: the
 // facets that go are those whose balls hold the point, and what must hold of a mesh holds after
 // every single one.
-#include "refine/insert.h"
+#include "refine/operations.h"
 
 #include <doctest/doctest.h>
 
@@ -64,8 +64,6 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
   const Scene scene = some_scene(n);
   Stage stage(scene, options);
   REQUIRE(stage.fault() == "");
-  Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
-                    stage.report);
   Random random(static_cast<std::uint64_t>(n) + 100);
   const std::vector<Vec3>& witnesses = stage.recovered.witnesses;
   for (int k = 0; k < tries; ++k) {
@@ -77,9 +75,9 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     if (kind == 0) {
       for (int i = 0; i < 3; ++i) {
         if (stage.mesh.faces[f].n[i] != kNoId) continue;
-        if (inserter.split_boundary({f, i})) {
+        if (!split_boundary_edge(stage.r, {f, i})) {
           ++tally.splits;
-          check_inserted(stage, before, inserter.created());
+          check_inserted(stage, before, stage.r.created());
           CHECK(done(stage.report, Rung::boundary_split) == splits_before + 1);
         } else {
           ++tally.splits_refused;
@@ -96,8 +94,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     if (!p) continue;
     const std::set<FaceId> disk = encroached(stage, f, *p);
     const std::size_t facets = stage.live_facets();
-    inserter.insert(Rung::foot, f, *p);
-    const auto refusal = inserter.refusal();
+    const auto refusal = insert_point(stage.r, Rung::foot, f, *p);
     if (refusal) {
       ++tally.refused;
       ++tally.refusals[static_cast<std::size_t>(*refusal)];
@@ -105,7 +102,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
       continue;
     }
     ++tally.inserted;
-    check_inserted(stage, before, inserter.created());
+    check_inserted(stage, before, stage.r.created());
     if (done(stage.report, Rung::boundary_split) > splits_before) continue;  // it split an edge
     REQUIRE(stage.mesh.points.back() == *p);
     REQUIRE(stage.live_facets() == facets + 2);
@@ -157,12 +154,9 @@ TEST_CASE(
   Options options;
   options.r_min = {1, Length::Unit::voxel};
   Stage stage(scene, options);
-  Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
-                    stage.report);
   const Vec3 at = stage.corner(0, 0);
   const Stage::Snapshot before = stage.snapshot();
-  CHECK_FALSE(inserter.insert(Rung::foot, 0, at));
-  CHECK(inserter.refusal() == Refusal::too_close);
+  CHECK(insert_point(stage.r, Rung::foot, 0, at) == Refusal::too_close);
   CHECK(stage.snapshot() == before);
   // Balls so large that p encroaches upon every facet around a vertex.
   std::vector<FaceId> star;
@@ -170,7 +164,6 @@ TEST_CASE(
   const Vec3 out = at + 5 * (at - Vec3{7.5, 7.5, 7.5});
   for (const FaceId f : star) stage.surface_mesh.duals[f] = {out, 1e6, true};
   const Vec3 p = stage.surface_mesh.duals[0].center;
-  CHECK_FALSE(inserter.insert(Rung::foot, 0, p));
-  CHECK(inserter.refusal() == Refusal::not_a_disk);
+  CHECK(insert_point(stage.r, Rung::foot, 0, p) == Refusal::swallows_vertex);
   CHECK(stage.mesh.points.size() == before.points.size());
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Vertices moved along Sigma: a mesh whose vertices were pushed about comes back within its limits,
 // counted by looking at every facet and every vertex, and each move keeps the mesh what it is.
-#include "refine/move.h"
+#include "refine/operations.h"
 
 #include <doctest/doctest.h>
 
-#include "refine/insert.h"
 #include "refine/stage.h"
 #include "surface/criteria.h"
 
@@ -23,7 +22,7 @@ Wanting count_wanting(const Stage& stage) {
   for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
     if (is_dead(stage.mesh.faces[f])) continue;
     const Dual& dual = stage.surface_mesh.duals[f];
-    wanting.over_limits += stage.judge.violation(stage.mesh.faces[f].v, dual) > 1;
+    wanting.over_limits += stage.r.violation(stage.mesh.faces[f].v, dual) > 1;
     wanting.not_delaunay += !stage.is_delaunay(f);
   }
   return wanting;
@@ -32,14 +31,14 @@ Wanting count_wanting(const Stage& stage) {
 // Moves v to p when every gate lets it pass, wanted or not.
 bool push(Stage& stage, FaceId f, VertexId v, const Vec3& p) {
   Change change;
-  facets_around(stage.mesh, f, v, change.out);
-  if (!stage.replacer.mark_old(change)) return false;
+  facets_around(stage.mesh, f, v, change.cavity);
+  if (stage.r.open_cavity(change)) return false;
   change.in.facets = change.was.facets;
   change.what = Change::Vertex::moves;
   change.vertex = v;
   change.place = p;
-  change.least_cosine = kSharpest;
-  return !stage.replacer.replace(change, [] { return true; });
+  change.least_cosine = kSharpestFold;
+  return !stage.r.replace(change, [] { return true; });
 }
 
 // Along Sigma, as far as `far`.
@@ -49,14 +48,14 @@ std::optional<Vec3> beside(Stage& stage, VertexId v, double far, Random& random)
   const Vec3 any{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
   const Vec3 along = cross(gradient, any);
   if (!(length(along) > 0)) return std::nullopt;
-  return stage.replacer.finder().foot(p + (far / length(along)) * along, -1 * gradient, far,
+  return stage.r.finder.foot(p + (far / length(along)) * along, -1 * gradient, far,
                                       stage.report.searches_refine);
 }
 
 // What a move may change: one vertex that is not on the boundary, and duals around it.
-void check_moved(Stage& stage, const Stage::Snapshot& before, const Mover& mover) {
+void check_moved(Stage& stage, const Stage::Snapshot& before) {
   REQUIRE(stage.fault() == "");
-  REQUIRE(stage.fault_of(mover.created()) == "");
+  REQUIRE(stage.fault_of(stage.r.created()) == "");
   REQUIRE(stage.mesh.points.size() == before.points.size());
   std::size_t moved = 0;
   VertexId v = kNoId;
@@ -81,13 +80,12 @@ TEST_CASE("vertices pushed along the surface are moved to where facets are good 
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 20);
     Stage stage(scene, {}, true);
-    Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
     const auto mend = [&] {
       int moves = 0;
       for (bool any = true; any;) {
         any = false;
         for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
-          if (is_dead(stage.mesh.faces[f]) || !mover.move_corner(f)) continue;
+          if (is_dead(stage.mesh.faces[f]) || move_corner(stage.r, f)) continue;
           any = true;
           REQUIRE(++moves < 10000);
         }
@@ -126,10 +124,9 @@ TEST_CASE("a mesh with nothing wanting stays as it is") {
   const Scene scene = builtin_scene("sphere", 16);
   Stage stage(scene, {}, true);
   REQUIRE(count_wanting(stage).over_limits + count_wanting(stage).not_delaunay == 0);
-  Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
   const Stage::Snapshot before = stage.snapshot();
   for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
-    if (!is_dead(stage.mesh.faces[f])) CHECK_FALSE(mover.move_corner(f));
+    if (!is_dead(stage.mesh.faces[f])) CHECK(move_corner(stage.r, f));
   }
   CHECK(stage.snapshot() == before);
 }
@@ -145,25 +142,22 @@ TEST_CASE(
     options.limits[Criterion::r_over_l].value = 1;
     options.limits[Criterion::distance] = {0.02, Length::Unit::voxel};
     Stage stage(scene, options);
-    Mover mover(stage.surface_mesh, stage.replacer, stage.judge, stage.parameters, stage.report);
-    Inserter inserter(stage.surface_mesh, stage.replacer, stage.recovered.curves, stage.parameters,
-                      stage.report);
     Random random(static_cast<std::uint64_t>(n) + 1100);
     for (int k = 0; k < 70; ++k) {
       CAPTURE(k);
       const FaceId f = stage.random_facet(random);
       if (random.below(4) == 0) {
-        if (const auto p = stage.point_near(f, random)) inserter.insert(Rung::foot, f, *p);
+        if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
         continue;
       }
       const Stage::Snapshot before = stage.snapshot();
-      if (!mover.move_corner(f)) {
+      if (move_corner(stage.r, f)) {
         REQUIRE(stage.snapshot() == before);
         ++kept;
         continue;
       }
       ++moved;
-      check_moved(stage, before, mover);
+      check_moved(stage, before);
     }
   }
   MESSAGE(moved << " moved, " << kept << " not");

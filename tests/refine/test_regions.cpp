@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mesh cut into parts, and refined in them: every part sees what it must, and the whole stays
 // what it was and comes out the same, whoever refines which part when.
-#include "refine/parts.h"
+#include "refine/regions.h"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,7 @@ using namespace deliso::test;
 
 namespace {
 
-bool reaches_into(const Part& box, const TriMesh& mesh, const Triangle& v) {
+bool reaches_into(const Region& box, const TriMesh& mesh, const Triangle& v) {
   for (int axis = 0; axis < 3; ++axis) {
     const double a = mesh.points[v[0]][axis], b = mesh.points[v[1]][axis],
                  c = mesh.points[v[2]][axis];
@@ -38,22 +38,22 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
     ++cut;
     std::vector<int> part_of(stage.mesh.faces.size(), -1);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const MeshPart part = parts.take(stage.surface_mesh, k);
-      CHECK(part.facets.size() - part.part.first <= most);
+      const MeshRegion part = parts.extract(stage.surface_mesh, k);
+      CHECK(part.facets.size() - part.region.first_free <= most);
       std::vector<FaceId> seen = part.facets;
       sort_out(seen);
       for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
         const bool is_seen = std::binary_search(seen.begin(), seen.end(), f);
-        CHECK(is_seen == reaches_into(part.part, stage.mesh, stage.mesh.faces[f].v));
+        CHECK(is_seen == reaches_into(part.region, stage.mesh, stage.mesh.faces[f].v));
       }
-      for (std::size_t f = part.part.first; f < part.facets.size(); ++f) {
+      for (std::size_t f = part.region.first_free; f < part.facets.size(); ++f) {
         CHECK(part_of[part.facets[f]] == -1);
         part_of[part.facets[f]] = static_cast<int>(k);
         const Face& whole = stage.mesh.faces[part.facets[f]];
         const Face& here = part.surface.mesh.faces[f];
         for (std::size_t i = 0; i < 3; ++i) {
           CHECK(part.vertices[here.v[i]] == whole.v[i]);
-          CHECK(part.part.holds(stage.mesh.points[whole.v[i]]));
+          CHECK(part.region.holds(stage.mesh.points[whole.v[i]]));
           CHECK(parts.box_at(stage.mesh.points[whole.v[i]]) == k);
           CHECK_FALSE(stage.surface_mesh.chain.is_boundary(whole.v[i]));
           REQUIRE(here.n[i] != kNoId);
@@ -63,7 +63,7 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
     }
     const Stage::Snapshot before = stage.snapshot();
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      put_back(stage.surface_mesh, parts.take(stage.surface_mesh, k));
+      put_back(stage.surface_mesh, parts.extract(stage.surface_mesh, k));
     }
     CHECK(before == stage.snapshot());
   }
@@ -95,7 +95,7 @@ TEST_CASE("a mesh refined in parts keeps what it is, and is the same with any nu
       left_in_parts += stage.report[Counter::unrefined_facets] + stage.report[Counter::points_far];
       in_parts += stage.mesh.points.size();
       for (const RungCounts& rung : stage.report.rungs) {
-        put_off += rung.refused[static_cast<std::size_t>(Refusal::beyond_part)];
+        put_off += rung.refused[static_cast<std::size_t>(Refusal::frozen)];
       }
     }
   }

@@ -3,7 +3,7 @@
 // gate by a change made to fail it, which must leave every byte as it was; the link condition
 // against a mesh made anew, for every collapse and flip of small meshes; random changes of any
 // kind.
-#include "refine/replace_disk.h"
+#include "refine/refinement.h"
 
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool links(const Triangles& facets) {
-  Patch patch;
+  Disk patch;
   patch.facets = facets;
   return patch.link();
 }
@@ -44,7 +44,7 @@ bool is_disk(const Triangles& facets) {
 
 // The linked patch says what it is made of.
 void check_links(const Triangles& facets) {
-  Patch patch;
+  Disk patch;
   patch.facets = facets;
   REQUIRE(patch.link());
   std::set<std::pair<VertexId, VertexId>> directed;
@@ -57,23 +57,23 @@ void check_links(const Triangles& facets) {
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     for (int i = 0; i < 3; ++i) {
       const VertexId a = facets[f][(i + 1) % 3], b = facets[f][(i + 2) % 3];
-      const std::uint32_t g = patch.beyond[f][i];
-      REQUIRE((g == Patch::kRim) == !directed.contains({b, a}));
-      if (g == Patch::kRim) {
+      const std::uint32_t g = patch.across[f][i];
+      REQUIRE((g == Disk::kNone) == !directed.contains({b, a}));
+      if (g == Disk::kNone) {
         ++rim;
         on_rim.insert(a);
         continue;
       }
       REQUIRE(has_corner(facets[g], a));
       REQUIRE(has_corner(facets[g], b));
-      REQUIRE(std::count(patch.beyond[g].begin(), patch.beyond[g].end(), f) >= 1);
+      REQUIRE(std::count(patch.across[g].begin(), patch.across[g].end(), f) >= 1);
     }
   }
-  CHECK(patch.rim.size() == rim);
-  for (const Patch::RimEdge& e : patch.rim) {
+  CHECK(patch.boundary.size() == rim);
+  for (const Disk::BoundaryEdge& e : patch.boundary) {
     CHECK(facets[e.facet][(e.side + 1) % 3] == e.from);
     CHECK(facets[e.facet][(e.side + 2) % 3] == e.to);
-    CHECK(patch.beyond[e.facet][e.side] == Patch::kRim);
+    CHECK(patch.across[e.facet][e.side] == Disk::kNone);
   }
   CHECK(patch.inner_vertices() == vertices.size() - on_rim.size());
 }
@@ -172,7 +172,8 @@ namespace {
 
 // A mesh of no surface: combinatorics alone. All facets are such as need no surface point.
 struct Bare {
-  Bare(const TriMesh& mesh, const Scene& scene, const Parameters& parameters) {
+  Bare(const TriMesh& mesh, const Scene& scene, const Parameters& parameters)
+      : curves(scene.surface, {}) {
     surface_mesh.mesh = mesh;
     surface_mesh.duals.assign(mesh.faces.size(), {{}, kInfinity, false});
     Random random(9);
@@ -180,12 +181,12 @@ struct Bare {
       const Vec3 side = scene.volume.box().size();
       p = {side.x * random.uniform(), side.y * random.uniform(), side.z * random.uniform()};
     }
-    replacer.emplace(surface_mesh, scene.surface, parameters, report);
+    r.emplace(surface_mesh, scene.surface, curves, parameters, report);
   }
   // Whether G1 lets the change pass. Nothing is done.
   bool keeps_manifold(Change& change) {
-    if (!replacer->mark_old(change)) return false;
-    const auto refusal = replacer->replace(change, [] { return false; });
+    if (r->open_cavity(change)) return false;
+    const auto refusal = r->replace(change, [] { return false; });
     REQUIRE(refusal);
     // Of points anywhere a change turns small components inside out.
     REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::turned ||
@@ -194,7 +195,8 @@ struct Bare {
   }
   SurfaceMesh surface_mesh;
   Report report;
-  std::optional<DiskReplacer> replacer;
+  BoundaryCurves curves;
+  std::optional<Refinement> r;
 };
 
 // The mesh after the change, made anew from its triangles, whether or not it is one.
@@ -202,7 +204,7 @@ TriMesh changed_mesh(const TriMesh& mesh, const Change& change) {
   Triangles triangles;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     if (is_dead(mesh.faces[f])) continue;
-    if (std::find(change.out.begin(), change.out.end(), f) != change.out.end()) continue;
+    if (std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end()) continue;
     triangles.push_back(mesh.faces[f].v);
   }
   triangles.insert(triangles.end(), change.in.facets.begin(), change.in.facets.end());
@@ -258,8 +260,8 @@ TEST_CASE("collapses pass the link condition exactly where they keep the mesh an
         const int i = side % 3;
         const VertexId from = v[(i + 1 + side / 3) % 3], to = v[(i + 2 - side / 3) % 3];
         Change change;
-        facets_around(mesh, f, from, change.out);
-        for (const FaceId g : change.out) {
+        facets_around(mesh, f, from, change.cavity);
+        for (const FaceId g : change.cavity) {
           Triangle t = mesh.faces[g].v;
           if (has_corner(t, to)) continue;
           std::replace(t.begin(), t.end(), from, to);
@@ -296,7 +298,7 @@ TEST_CASE("flips pass it exactly where the diagonal is not there yet") {
         const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
         const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
         Change change;
-        change.out = {f, g};
+        change.cavity = {f, g};
         change.in.facets = {{a, b, d}, {d, c, a}};
         const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
         CHECK(bare.keeps_manifold(change) == keeps);
@@ -311,19 +313,12 @@ TEST_CASE("flips pass it exactly where the diagonal is not there yet") {
 namespace {
 
 // A cone from p over the rim of f's neighbourhood: an insertion without its rules.
-Change cone(const Stage& stage, const std::vector<FaceId>& out, const Vec3& p) {
+Change cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
   Change change;
-  change.out = out;
-  change.what = Change::Vertex::comes;
-  change.vertex = static_cast<VertexId>(stage.mesh.points.size());
-  change.place = p;
+  change.cavity = cavity;
+  REQUIRE_FALSE(stage.r.open_cavity(change));
+  stage.r.set_cone(change, p);
   return change;
-}
-
-void fill_cone(Change& change) {
-  for (const Patch::RimEdge& e : change.was.rim) {
-    change.in.facets.push_back({e.from, e.to, change.vertex});
-  }
 }
 
 }  // namespace
@@ -341,41 +336,39 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
   FaceId f = 0;
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
   const auto good = [&] {
-    Change change = cone(stage, {f}, stage.surface_mesh.duals[f].center);
-    REQUIRE(stage.replacer.mark_old(change));
-    fill_cone(change);
-    return change;
+    return cone(stage, {f}, stage.surface_mesh.duals[f].center);
   };
 
   SUBCASE("what is to go is no disk") {
-    Change change = cone(stage, {f, f}, {});
-    CHECK_FALSE(stage.replacer.mark_old(change));
+    Change change;
+    change.cavity = {f, f};
+    CHECK(stage.r.open_cavity(change));
     FaceId far = 0;
     while (far == f || has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[0]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[1]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[2])) {
       ++far;
     }
-    change.out = {f, far};
-    CHECK_FALSE(stage.replacer.mark_old(change));
+    change.cavity = {f, far};
+    CHECK(stage.r.open_cavity(change));
   }
   SUBCASE("what comes is no disk over that rim") {
     Change change = good();
     change.in.facets.pop_back();
-    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
     change = good();
     std::swap(change.in.facets[0][0], change.in.facets[0][1]);
-    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
     change = good();
     change.in.facets.push_back(change.in.facets[0]);
-    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
     change.in.facets.clear();
-    CHECK(stage.replacer.replace(change, yes) == Refusal::not_a_disk);
+    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
   }
   SUBCASE("an edge that is there, and a facet that is there, from behind") {
     // Two facets at a vertex of three others: the flip's diagonal is the third edge.
     Change first = good();
-    REQUIRE_FALSE(stage.replacer.replace(first, yes));
+    REQUIRE_FALSE(stage.r.replace(first, yes));
     const Stage::Snapshot with = stage.snapshot();
     const FaceId g = first.created[0], h = first.created[1];
     const Triangle t = stage.mesh.faces[g].v, s = stage.mesh.faces[h].v;
@@ -384,17 +377,17 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
     for (const VertexId v : s) d = has_corner(t, v) ? d : v;
     const int i = corner_index(stage.mesh.faces[g], a);
     Change flip;
-    flip.out = {g, h};
+    flip.cavity = {g, h};
     flip.in.facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}};
-    REQUIRE(stage.replacer.mark_old(flip));
-    CHECK(stage.replacer.replace(flip, yes) == Refusal::not_a_disk);
+    REQUIRE_FALSE(stage.r.open_cavity(flip));
+    CHECK(stage.r.replace(flip, yes) == Refusal::not_a_disk);
     CHECK(stage.snapshot() == with);
     // And back to the one facet that was there: a change of three for one.
     Change back;
-    back.out = first.created;
-    REQUIRE(stage.replacer.mark_old(back));
+    back.cavity = first.created;
+    REQUIRE_FALSE(stage.r.open_cavity(back));
     back.in.facets = {before.faces[f].v};
-    CHECK_FALSE(stage.replacer.replace(back, yes));
+    CHECK_FALSE(stage.r.replace(back, yes));
     CHECK(stage.fault() == "");
     return;
   }
@@ -402,7 +395,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
     // Towards the middle of the hole in the torus no dual line meets the surface right.
     Change change = good();
     change.place = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
-    CHECK(stage.replacer.replace(change, yes) == Refusal::no_surface_point);
+    CHECK(stage.r.replace(change, yes) == Refusal::no_surface_point);
   }
   SUBCASE("an edge too sharp") {
     // The same points pass where no angle is asked for.
@@ -415,9 +408,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
               stage, {g}, (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0);
           change.place = change.place + height * stage.longest_edge(g) * up;
           change.least_cosine = least_cosine;
-          REQUIRE(stage.replacer.mark_old(change));
-          fill_cone(change);
-          return stage.replacer.replace(change, [] { return false; });
+          return stage.r.replace(change, [] { return false; });
         };
         if (raised(0.9999) != Refusal::turned) continue;
         ++turned;
@@ -429,7 +420,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
   SUBCASE("the proposer does not want it") {
     Change change = good();
     int asked = 0;
-    CHECK(stage.replacer.replace(change, [&] {
+    CHECK(stage.r.replace(change, [&] {
       ++asked;
       CHECK(change.duals.size() == change.in.facets.size());
       CHECK(stage.mesh.points.size() == before.points.size() + 1);  // in its place
@@ -441,7 +432,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
   CHECK(stage.snapshot() == before);
 
   Change change = good();
-  CHECK_FALSE(stage.replacer.replace(change, yes));
+  CHECK_FALSE(stage.r.replace(change, yes));
   CHECK(change.created.size() == 3);
   CHECK(stage.fault() == "");
   CHECK(stage.fault_of(change.created) == "");
@@ -473,9 +464,9 @@ TEST_CASE("no facet crosses another, exactly: what is refused would cross, what 
     const VertexId v = stage.mesh.faces[f].v[random.below(3)];
     if (stage.surface_mesh.chain.is_boundary(v)) continue;
     Change change;
-    facets_around(stage.mesh, f, v, change.out);
-    for (const FaceId g : change.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE(stage.replacer.mark_old(change));
+    facets_around(stage.mesh, f, v, change.cavity);
+    for (const FaceId g : change.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    REQUIRE_FALSE(stage.r.open_cavity(change));
     change.in.facets = change.was.facets;
     change.what = Change::Vertex::moves;
     change.vertex = v;
@@ -487,7 +478,7 @@ TEST_CASE("no facet crosses another, exactly: what is refused would cross, what 
     if (!scene.volume.box().contains(change.place)) continue;
     const bool crosses = !crossing_in(moved).empty();
     const Stage::Snapshot before = stage.snapshot();
-    const auto refusal = stage.replacer.replace(change, [] { return true; });
+    const auto refusal = stage.r.replace(change, [] { return true; });
     REQUIRE((refusal == Refusal::crossing) == crosses);
     ++(crosses ? crossing : done);
     if (refusal) {
@@ -497,14 +488,14 @@ TEST_CASE("no facet crosses another, exactly: what is refused would cross, what 
     }
     REQUIRE(crossing_in(moved).empty());
     Change back;
-    back.out = change.created;
-    for (const FaceId g : back.out) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE(stage.replacer.mark_old(back));
+    back.cavity = change.created;
+    for (const FaceId g : back.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    REQUIRE_FALSE(stage.r.open_cavity(back));
     back.in.facets = back.was.facets;
     back.what = Change::Vertex::moves;
     back.vertex = v;
     back.place = from;
-    REQUIRE_FALSE(stage.replacer.replace(back, [] { return true; }));
+    REQUIRE_FALSE(stage.r.replace(back, [] { return true; }));
   }
   MESSAGE(crossing << " would have crossed, " << done << " did not");
   CHECK(crossing > 300);
@@ -521,22 +512,22 @@ Change random_change(Stage& stage, Random& random) {
   Change change;
   const std::uint32_t kind = random.below(5);
   if (kind == 0) {  // a cone over a patch grown at random
-    change.out.assign(1, f);
+    change.cavity.assign(1, f);
     const std::uint32_t steps = random.below(5);
     for (std::uint32_t n = 0; n < steps; ++n) {
-      const FaceId at = change.out[random.below(static_cast<std::uint32_t>(change.out.size()))];
+      const FaceId at = change.cavity[random.below(static_cast<std::uint32_t>(change.cavity.size()))];
       const FaceId g = mesh.faces[at].n[random.below(3)];
-      if (g == kNoId || std::count(change.out.begin(), change.out.end(), g) > 0) continue;
-      change.out.push_back(g);
+      if (g == kNoId || std::count(change.cavity.begin(), change.cavity.end(), g) > 0) continue;
+      change.cavity.push_back(g);
     }
     change.what = Change::Vertex::comes;
     change.vertex = static_cast<VertexId>(mesh.points.size());
     const auto p = stage.point_near(f, random);
     change.place = p ? *p : stage.recovered.witnesses[0];
-    Patch patch;
-    for (const FaceId g : change.out) patch.facets.push_back(mesh.faces[g].v);
+    Disk patch;
+    for (const FaceId g : change.cavity) patch.facets.push_back(mesh.faces[g].v);
     if (patch.link()) {
-      for (const Patch::RimEdge& e : patch.rim) {
+      for (const Disk::BoundaryEdge& e : patch.boundary) {
         change.in.facets.push_back({e.from, e.to, change.vertex});
       }
     }
@@ -544,9 +535,9 @@ Change random_change(Stage& stage, Random& random) {
   }
   const int i = static_cast<int>(random.below(3));
   const VertexId v = mesh.faces[f].v[i], w = mesh.faces[f].v[(i + 1) % 3];
-  facets_around(mesh, f, v, change.out);
+  facets_around(mesh, f, v, change.cavity);
   if (kind == 1 && !stage.surface_mesh.chain.is_boundary(v)) {  // a collapse of v into w
-    for (const FaceId g : change.out) {
+    for (const FaceId g : change.cavity) {
       Triangle t = mesh.faces[g].v;
       if (has_corner(t, w)) continue;
       std::replace(t.begin(), t.end(), v, w);
@@ -555,7 +546,7 @@ Change random_change(Stage& stage, Random& random) {
     return change;
   }
   if (kind == 2 && !stage.surface_mesh.chain.is_boundary(v)) {  // a move of v
-    for (const FaceId g : change.out) change.in.facets.push_back(mesh.faces[g].v);
+    for (const FaceId g : change.cavity) change.in.facets.push_back(mesh.faces[g].v);
     change.what = Change::Vertex::moves;
     change.vertex = v;
     const auto p = stage.point_near(f, random);
@@ -563,18 +554,18 @@ Change random_change(Stage& stage, Random& random) {
     return change;
   }
   if (kind == 3) {  // a strip of facets triangulated from one vertex of its rim
-    Patch patch;
-    for (const FaceId g : change.out) patch.facets.push_back(mesh.faces[g].v);
+    Disk patch;
+    for (const FaceId g : change.cavity) patch.facets.push_back(mesh.faces[g].v);
     if (!patch.link()) return change;
-    for (const Patch::RimEdge& e : patch.rim) {
+    for (const Disk::BoundaryEdge& e : patch.boundary) {
       if (e.from != w && e.to != w) change.in.facets.push_back({e.from, e.to, w});
     }
     return change;
   }
   const FaceId g = mesh.faces[f].n[i];
-  change.out.assign(1, f);
+  change.cavity.assign(1, f);
   if (g == kNoId) return change;
-  change.out.push_back(g);
+  change.cavity.push_back(g);
   const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
   change.in.facets = {{v, w, d}, {d, mesh.faces[f].v[(i + 2) % 3], v}};
   return change;
@@ -595,16 +586,16 @@ TEST_CASE("thousands of changes of any kind: what is done is sound, what is not 
     for (int k = 0; k < 350; ++k) {
       CAPTURE(k);
       Change change = random_change(stage, random);
-      if (random.below(2) == 0) change.least_cosine = kSharpest;
+      if (random.below(2) == 0) change.least_cosine = kSharpestFold;
       const Stage::Snapshot before = stage.snapshot();
       // Boundary changes are the proposers', with the chain.
-      const bool at_rim = std::any_of(change.out.begin(), change.out.end(), [&](FaceId f) {
+      const bool at_rim = std::any_of(change.cavity.begin(), change.cavity.end(), [&](FaceId f) {
         const Face& face = stage.mesh.faces[f];
         return std::count(face.n.begin(), face.n.end(), kNoId) > 0;
       });
       std::optional<Refusal> refusal = Refusal::not_a_disk;
-      if (stage.replacer.mark_old(change)) {
-        refusal = stage.replacer.replace(change, [&] { return !at_rim; });
+      if (!stage.r.open_cavity(change)) {
+        refusal = stage.r.replace(change, [&] { return !at_rim; });
       }
       if (refusal) {
         ++refused;
