@@ -17,7 +17,7 @@ double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
 
 // The nearest facet, looked for in balls that grow.
 FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
-                 double radius) {
+                  double radius) {
   FarSample best{sample, kNoId, 0};
   for (int doublings = 0; best.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
     best.distance2 = radius * radius;
@@ -35,8 +35,8 @@ FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample
 
 }  // namespace
 
-void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
-              double limit, std::vector<std::uint32_t>& numbers) {
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples, double limit,
+              std::vector<std::uint32_t>& numbers) {
   // The facets that were near to the last few, the last one first.
   std::array<FaceId, 4> recent;
   recent.fill(kNoId);
@@ -60,8 +60,8 @@ void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> sa
 }
 
 std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
-                               std::span<const Vec3> samples, double limit,
-                               std::span<const std::uint32_t> numbers) {
+                                std::span<const Vec3> samples, double limit,
+                                std::span<const std::uint32_t> numbers) {
   std::vector<FarSample> far;
   for (const std::uint32_t n : numbers) {
     const FarSample at = nearest(mesh, grid, n, samples[n], 2 * limit);

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/tri_mesh.h"
 #include "embedding/box_grid.h"
+#include "mesh/tri_mesh.h"
 
 namespace deliso {
 
@@ -21,12 +21,12 @@ struct FarSample {
 
 // Leaves those samples in `numbers` that are further than `limit` from all facets. Quick where
 // one is near the sample before it.
-void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
-              double limit, std::vector<std::uint32_t>& numbers);
+void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples, double limit,
+              std::vector<std::uint32_t>& numbers);
 
 // Those, the furthest first; of several nearest to one facet only the furthest.
 std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
-                               std::span<const Vec3> samples, double limit,
-                               std::span<const std::uint32_t> numbers);
+                                std::span<const Vec3> samples, double limit,
+                                std::span<const std::uint32_t> numbers);
 
 }  // namespace deliso

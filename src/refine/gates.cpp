@@ -78,8 +78,8 @@ bool Refinement::keeps_manifold(Change& c) {
 }
 
 bool Refinement::is_joined_outside(VertexId a, VertexId b, const Change& c) {
-  const auto start = std::ranges::find_if(
-      c.cavity, [&](FaceId f) { return has_corner(mesh.faces[f].v, a); });
+  const auto start =
+      std::ranges::find_if(c.cavity, [&](FaceId f) { return has_corner(mesh.faces[f].v, a); });
   DELISO_ASSERT(start != c.cavity.end());
   facets_around(mesh, *start, a, star_);
   return std::ranges::any_of(

@@ -84,7 +84,8 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   // Added up facet by facet, and given up as soon as it cannot be the least.
   const auto cost_there = [&] {
     double sum = 0;
-    for (std::size_t k = 0; k < across.size() && sum < least; ++k) sum += cost_of_ball(r, across[k]);
+    for (std::size_t k = 0; k < across.size() && sum < least; ++k)
+      sum += cost_of_ball(r, across[k]);
     c.duals.clear();
     std::ptrdiff_t allowed = r.facets_without_point(c);
     for (std::size_t k = 0; k < c.in.facets.size() && sum < least; ++k) {

@@ -10,10 +10,10 @@
 
 namespace deliso {
 
-// Insertion (paper §2.2.2, Figure 3). The facets whose surface balls hold p, a point of Sigma, found
-// by walking from `start`, are the disk E; the cone D from p over E's boundary takes its place. A
-// p that comes near a boundary edge splits that edge instead (paper §5). Counts under `rung`.
-// Differs from the paper in that E must be a disk with all its vertices on its boundary.
+// Insertion (paper §2.2.2, Figure 3). The facets whose surface balls hold p, a point of Sigma,
+// found by walking from `start`, are the disk E; the cone D from p over E's boundary takes its
+// place. A p that comes near a boundary edge splits that edge instead (paper §5). Counts under
+// `rung`. Differs from the paper in that E must be a disk with all its vertices on its boundary.
 std::optional<Refusal> insert_point(Refinement& r, Rung rung, FaceId start, const Vec3& p);
 
 // Inserts the middle of the arc that a boundary edge stands for. pre: no facet across it.
@@ -48,8 +48,8 @@ std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accep
 }
 
 // Moves a corner of f along Sigma to where the facets around it, and those across them, cost least.
-// Where every insertion is refused and no flip helps, it is the vertices that stand badly (Tournois,
-// Wormser, Alliez and Desbrun 2009). Vertices on the boundary stay.
+// Where every insertion is refused and no flip helps, it is the vertices that stand badly
+// (Tournois, Wormser, Alliez and Desbrun 2009). Vertices on the boundary stay.
 std::optional<Refusal> move_corner(Refinement& r, FaceId f);
 
 }  // namespace deliso

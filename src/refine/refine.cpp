@@ -22,8 +22,7 @@ constexpr double kNearCut = 1;
 // Whether the mesh may be cut: where the refinement may end before all is done, where it is the
 // paper's, and where it is watched, the worst facet anywhere comes first.
 bool may_be_cut(const Parameters& p) {
-  return !p.as_published && !p.keep_partial &&
-         !(p.observer && p.observer->follows_insertions()) &&
+  return !p.as_published && !p.keep_partial && !(p.observer && p.observer->follows_insertions()) &&
          p.target_vertices == std::numeric_limits<std::size_t>::max();
 }
 

@@ -202,7 +202,8 @@ void RefineGeom::enqueue_if_bad(FaceId f) {
 }
 
 // Flips edges of what changed, and then around that, until all are Delaunay or cannot be. LEG has
-// needles without the flips before the queue, and all volumes 5 % more vertices without those after.
+// needles without the flips before the queue, and all volumes 5 % more vertices without those
+// after.
 void RefineGeom::flip_changed() {
   while (!changed_.empty()) {
     const FaceId f = changed_.back();

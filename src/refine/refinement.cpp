@@ -23,9 +23,8 @@ double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
     if (!is_dead(face)) facets.push_back(face.v);
   }
   const Criteria& criteria = parameters.refinement;
-  const double asked =
-      std::min({std::sqrt(criteria[Criterion::distance] * parameters.voxel),
-                criteria[Criterion::radius], kGridCellVoxels * parameters.voxel});
+  const double asked = std::min({std::sqrt(criteria[Criterion::distance] * parameters.voxel),
+                                 criteria[Criterion::radius], kGridCellVoxels * parameters.voxel});
   return std::min(kCellsPerFacet * std::max(parameters.r_min, asked),
                   fitting_cell(mesh.points, facets));
 }

@@ -52,8 +52,8 @@ struct Change {
   Disk was;                    // the same by their corners, linked by open_cavity()
   Disk in;                     // what takes their place; for a vertex that comes, set_cone()
   enum class Vertex : std::uint8_t { none, comes, moves } what = Vertex::none;
-  VertexId vertex = kNoId;  // when it comes, the mesh's vertex count
-  Vec3 place;               // where it comes or moves to
+  VertexId vertex = kNoId;   // when it comes, the mesh's vertex count
+  Vec3 place;                // where it comes or moves to
   double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
   // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 and G4 are not
   // asked, and a component flat in that face, which bounds nothing yet, may be turned either way.
@@ -103,8 +103,8 @@ class Refinement {
     refusal ? take_back(c) : commit(c);
     return refusal;
   }
-  // Its cost at change.place, for a vertex that moves; nothing is done. Nothing when G0 to G2 refuse
-  // it. pre: open_cavity().
+  // Its cost at change.place, for a vertex that moves; nothing is done. Nothing when G0 to G2
+  // refuse it. pre: open_cavity().
   template <class Cost>
   std::optional<double> cost_of_move(Change& c, Cost&& cost) {
     if (leaves_region(c)) return std::nullopt;
@@ -167,8 +167,8 @@ class Refinement {
   std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is in the cavity
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
-  std::vector<FaceId> across_;      // per boundary edge of the new disk; kNoId on the mesh's
-  std::vector<std::uint8_t> kept_;  // and whether it was the cavity's too
+  std::vector<FaceId> across_;       // per boundary edge of the new disk; kNoId on the mesh's
+  std::vector<std::uint8_t> kept_;   // and whether it was the cavity's too
   std::vector<std::uint32_t> seen_;  // per facet, seen_stamp_ when it is in rest_
   std::uint32_t seen_stamp_ = 0;
   std::vector<FaceId> rest_;  // of a small component, but for the cavity

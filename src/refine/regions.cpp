@@ -125,8 +125,9 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region) {
   const SurfaceMesh& s = region.surface;
   const std::size_t facets = whole.mesh.faces.size(), vertices = whole.mesh.points.size();
   const auto vertex = [&](VertexId v) {
-    return v < region.vertices.size() ? region.vertices[v]
-                                    : static_cast<VertexId>(vertices + v - region.vertices.size());
+    return v < region.vertices.size()
+               ? region.vertices[v]
+               : static_cast<VertexId>(vertices + v - region.vertices.size());
   };
   std::vector<FaceId> facet = region.facets;
   while (facet.size() < s.mesh.faces.size()) {

@@ -62,8 +62,9 @@ void check_covered(const Stage& stage, const Stage::Snapshot& before) {
     for (const VertexId v : t) {
       double nearest2 = std::numeric_limits<double>::infinity();
       for (const FaceId g : stage.r.created()) {
-        nearest2 = std::min(nearest2, distance2_to_triangle(before.points[v], stage.corner(g, 0),
-                                                            stage.corner(g, 1), stage.corner(g, 2)));
+        nearest2 =
+            std::min(nearest2, distance2_to_triangle(before.points[v], stage.corner(g, 0),
+                                                     stage.corner(g, 1), stage.corner(g, 2)));
       }
       CHECK(nearest2 <= limit * limit);
     }

@@ -49,7 +49,7 @@ std::optional<Vec3> beside(Stage& stage, VertexId v, double far, Random& random)
   const Vec3 along = cross(gradient, any);
   if (!(length(along) > 0)) return std::nullopt;
   return stage.r.finder.foot(p + (far / length(along)) * along, -1 * gradient, far,
-                                      stage.report.searches_refine);
+                             stage.report.searches_refine);
 }
 
 // What a move may change: one vertex that is not on the boundary, and duals around it.

@@ -190,7 +190,7 @@ struct Bare {
     REQUIRE(refusal);
     // Of points anywhere a change turns small components inside out.
     REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::turned ||
-             refusal == Refusal::no_gain));
+             refusal == Refusal::uncovers || refusal == Refusal::no_gain));
     return refusal != Refusal::not_a_disk;
   }
   SurfaceMesh surface_mesh;
@@ -335,9 +335,7 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
   // An insertion that would be done. It is at the end, too, when all else was refused.
   FaceId f = 0;
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
-  const auto good = [&] {
-    return cone(stage, {f}, stage.surface_mesh.duals[f].center);
-  };
+  const auto good = [&] { return cone(stage, {f}, stage.surface_mesh.duals[f].center); };
 
   SUBCASE("what is to go is no disk") {
     Change change;
@@ -515,7 +513,8 @@ Change random_change(Stage& stage, Random& random) {
     change.cavity.assign(1, f);
     const std::uint32_t steps = random.below(5);
     for (std::uint32_t n = 0; n < steps; ++n) {
-      const FaceId at = change.cavity[random.below(static_cast<std::uint32_t>(change.cavity.size()))];
+      const FaceId at =
+          change.cavity[random.below(static_cast<std::uint32_t>(change.cavity.size()))];
       const FaceId g = mesh.faces[at].n[random.below(3)];
       if (g == kNoId || std::count(change.cavity.begin(), change.cavity.end(), g) > 0) continue;
       change.cavity.push_back(g);

@@ -32,7 +32,7 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
     CAPTURE(n);
     const Scene scene = some_scene(n);
     Stage stage(scene);
-    const std::size_t most = 8 + 13 * static_cast<std::size_t>(n % 4);
+    const std::size_t most = 6 + 10 * static_cast<std::size_t>(n % 4);
     const Cut parts(stage.surface_mesh, most);
     if (parts.size() < 2) continue;
     ++cut;
