@@ -327,18 +327,19 @@ class ContourStream {
 
   void walk_voxel(Index3 voxel, int mask) {
     const T* s = samples_ + layer_size_ * size_t(voxel.k) + in_layer(voxel.i, voxel.j);
-    Corners c;
+    Corners corners;
     for (int m = 0; m < 8; ++m) {
       const std::size_t at =
           size_t(m & 1) + row_stride_ * size_t(m >> 1 & 1) + layer_size_ * size_t(m >> 2);
-      c[m] = static_cast<double>(s[at]) - kappa_;
+      corners[m] = static_cast<double>(s[at]);
     }
+    const VoxelValues values(corners, kappa_);
     ++found_.active_voxels;
     VoxelLoops scratch;
-    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
-    if (&loops == &scratch) found_.tied_saddles += has_tied_saddle(mask, c);
-    const Tube tube = loops.count > 1 ? find_tube(mask, c, loops) : Tube{};
-    VoxelPieces pieces(voxel, c, loops, tube);
+    const VoxelLoops& loops = voxel_loops(mask, values, scratch);
+    if (&loops == &scratch) found_.tied_saddles += has_tied_saddle(mask, values.above);
+    const Tube tube = loops.count > 1 ? find_tube(mask, values, loops) : Tube{};
+    VoxelPieces pieces(voxel, values.above, loops, tube);
     auto& vertex = pieces.vertex;
     for (int l = 0; l < loops.count; ++l) {
       if (tube && l == tube.b) continue;

@@ -166,7 +166,8 @@ void FineVoxel::trace_face(int f) {
       const int mask = mask_of_cell(point(cell));
       if (mask == 0 || mask == 255) continue;
       VoxelLoops scratch;
-      link_segments(voxel_loops(mask, corners_of_cell(point(cell)), scratch), point(cell), 1 << f);
+      const VoxelValues values(corners_of_cell(point(cell)), 0);
+      link_segments(voxel_loops(mask, values, scratch), point(cell), 1 << f);
     }
   }
 }
@@ -182,8 +183,9 @@ void FineVoxel::trace() {
         if (mask == 0 || mask == 255) continue;
         cell.corners = corners_of_cell(point(cell.at));
         VoxelLoops scratch;
-        cell.loops = voxel_loops(mask, cell.corners, scratch);
-        cell.tube = find_tube(mask, cell.corners, cell.loops);
+        const VoxelValues values(cell.corners, 0);
+        cell.loops = voxel_loops(mask, values, scratch);
+        cell.tube = find_tube(mask, values, cell.loops);
         cells_.push_back(cell);
         link_segments(cell.loops, point(cell.at), outer_faces(cell.at));
         const auto unite = [&](int e, int f) {

@@ -49,13 +49,12 @@ SplitVoxels choose_listed(const Volume& volume, double kappa, const ContourSplit
     if (number == previous) continue;
     previous = number;
     const Index3 voxel = numbered_voxel(dims, number);
-    Corners c = volume.corners(voxel);
-    for (double& value : c) value -= kappa;
-    const int mask = mask_of(c);
+    const VoxelValues values(volume.corners(voxel), kappa);
+    const int mask = mask_of(values.above);
     if (mask == 0 || mask == 255) continue;
     VoxelLoops scratch;
-    const VoxelLoops& loops = voxel_loops(mask, c, scratch);
-    chooser.consider(voxel, c, loops, find_tube(mask, c, loops));
+    const VoxelLoops& loops = voxel_loops(mask, values, scratch);
+    chooser.consider(voxel, values.above, loops, find_tube(mask, values, loops));
   }
   return SplitVoxels(dims, chooser.numbers);
 }

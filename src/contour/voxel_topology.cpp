@@ -95,33 +95,34 @@ constexpr MaskTable make_mask_table() {
 
 constexpr MaskTable kMasks = make_mask_table();
 
-// The rule of the header comment, for the corners c00, c10, c01, c11 of an ambiguous bilinear face.
-bool inside_corners_joined(double c00, double c10, double c01, double c11) {
-  const double diagonal = c00 * c11, other = c10 * c01;
-  return c00 >= 0 ? diagonal >= other : other >= diagonal;
-}
-
-bool inside_corners_joined(const Corners& c, int f) {
+// The rule of the header comment, for an ambiguous face. Both voxels at a face multiply the same
+// values in the same order.
+bool inside_corners_joined(int mask, const VoxelValues& v, int f) {
   const auto& k = kFaceCorners[f];
-  return inside_corners_joined(c[k[0]], c[k[1]], c[k[3]], c[k[2]]);
+  const auto [a, b] = std::minmax(k[0], k[2]);
+  const auto [p, q] = std::minmax(k[1], k[3]);
+  const int corners = 1 << a | 1 << b | 1 << p | 1 << q;
+  const int sign =
+      sign_of(v, corners, [=](const auto& x) { return x.c(a) * x.c(b) - x.c(p) * x.c(q); });
+  return is_inside(mask, a) ? sign >= 0 : sign <= 0;
 }
 
 // The plane swept along z. Columns are the edges along z, numbered as corners 0-3; a column's sign
 // flips when the plane passes its crossing.
 class Sweep {
  public:
-  Sweep(int mask, const Corners& c, const VoxelLoops& loops) : mask_(mask), c_(c) {
+  Sweep(int mask, const VoxelValues& values, const VoxelLoops& loops)
+      : mask_(mask), values_(values) {
     std::iota(piece_.begin(), piece_.end(), 0);
     for (int l = 0; l < loops.count; ++l) {
       for (const int e : loops.edges(l)) loop_of_edge_[e] = l;
     }
     for (int m = 0; m < 4; ++m) {
       if (is_inside(mask, m) == is_inside(mask, m + 4)) continue;
-      height_[m] = c[m] / (c[m] - c[m + 4]);
-      order_[events_++] = m;
+      int at = events_++;
+      for (; at > 0 && crosses_below(m, order_[at - 1]); --at) order_[at] = order_[at - 1];
+      order_[at] = m;
     }
-    std::stable_sort(order_.begin(), order_.begin() + events_,
-                     [&](int m, int n) { return height_[m] < height_[n]; });
   }
 
   Tube run() {
@@ -137,6 +138,16 @@ class Sweep {
 
  private:
   bool sign(int column) const { return is_inside(mask_, column + (passed_[column] ? 4 : 0)); }
+
+  // Whether the column gets inside on the way up, so that d > 0; else it gets outside.
+  bool rises(int column) const { return !is_inside(mask_, column); }
+
+  // Whether column m's crossing, at height -c / d, comes before column n's.
+  bool crosses_below(int m, int n) const {
+    const int sign =
+        sign_of(values_, 0xff, [=](const auto& x) { return x.c(n) * x.d(m) - x.c(m) * x.d(n); });
+    return sign == 0 ? rises(m) && !rises(n) : (sign < 0) == (rises(m) == rises(n));
+  }
 
   void unite(int l, int m) {
     const int from = std::max(piece_[l], piece_[m]), to = std::min(piece_[l], piece_[m]);
@@ -185,8 +196,8 @@ class Sweep {
   // event number e, or at a face of the voxel. At an event a column's value is zero, so its product
   // is, and the other product, of two values of equal sign, is positive.
   bool joined_at(int e, bool column_0_inside) const {
-    if (e < 0) return inside_corners_joined(c_, 4);
-    if (e >= events_) return inside_corners_joined(c_, 5);
+    if (e < 0) return inside_corners_joined(mask_, values_, 4);
+    if (e >= events_) return inside_corners_joined(mask_, values_, 5);
     const int column = order_[e];
     const bool column_inside = (column == 0 || column == 3) == column_0_inside;
     return !column_inside;
@@ -196,24 +207,37 @@ class Sweep {
   // twice in between: r(z) = (product of inside columns) - (product of outside ones) has its
   // extremum there, on the other side of zero (where zero counts as joined).
   bool saddle_flips(int slab, bool column_0_inside, bool joined) const {
-    const double d0 = c_[4] - c_[0], d1 = c_[5] - c_[1], d2 = c_[6] - c_[2], d3 = c_[7] - c_[3];
-    double r2 = d0 * d3 - d1 * d2;
-    double r1 = (c_[0] * d3 + c_[3] * d0) - (c_[1] * d2 + c_[2] * d1);
-    double r0 = c_[0] * c_[3] - c_[1] * c_[2];
-    if (!column_0_inside) r2 = -r2, r1 = -r1, r0 = -r0;
-    const double low = slab == 0 ? 0 : height_[order_[slab - 1]];
-    const double high = slab == events_ ? 1 : height_[order_[slab]];
-    const double discriminant = r1 * r1 - 4 * r2 * r0;
-    if (joined) return r2 > 0 && discriminant > 0 && -r1 > 2 * r2 * low && -r1 < 2 * r2 * high;
-    return r2 < 0 && discriminant >= 0 && -r1 < 2 * r2 * low && -r1 > 2 * r2 * high;
+    const int upwards = joined == column_0_inside ? 1 : -1;  // c0 c3 - c1 c2 falls, then rises
+    if (slope_at(slab - 1) != -upwards || slope_at(slab) != upwards) return false;
+    const int discriminant =
+        sign_of(values_, 0xff, [](const auto& x) { return r1(x) * r1(x) - r2(x) * r0(x) * 4.0; });
+    return discriminant >= (joined ? 1 : 0);
+  }
+
+  // c0 c3 - c1 c2 = r2 z^2 + r1 z + r0
+  static auto r2(const auto& x) { return x.d(0) * x.d(3) - x.d(1) * x.d(2); }
+  static auto r1(const auto& x) {
+    return (x.c(0) * x.d(3) + x.c(3) * x.d(0)) - (x.c(1) * x.d(2) + x.c(2) * x.d(1));
+  }
+  static auto r0(const auto& x) { return x.c(0) * x.c(3) - x.c(1) * x.c(2); }
+
+  // The sign of its slope, r1 + 2 r2 z, at event number e or at a face of the voxel.
+  int slope_at(int e) const {
+    if (e < 0) return sign_of(values_, 0xff, [](const auto& x) { return r1(x); });
+    if (e >= events_) {
+      return sign_of(values_, 0xff, [](const auto& x) { return r1(x) + r2(x) * 2.0; });
+    }
+    const int m = order_[e];
+    const int sign = sign_of(values_, 0xff,
+                             [=](const auto& x) { return r1(x) * x.d(m) - r2(x) * x.c(m) * 2.0; });
+    return rises(m) ? sign : -sign;
   }
 
   int mask_;
-  const Corners& c_;
+  const VoxelValues& values_;
   std::array<int, kMaxLoops> piece_{};  // smallest loop of the piece of each loop
   std::array<int, 12> loop_of_edge_{};
-  std::array<double, 4> height_{};  // of a column's crossing
-  std::array<int, 4> order_{};      // columns with a crossing, from below
+  std::array<int, 4> order_{};  // columns with a crossing, from below
   int events_ = 0;
   std::array<bool, 4> passed_{};
 };
@@ -228,12 +252,12 @@ VoxelLoops trace_loops(int mask, std::uint8_t joined) {
   return trace(mask, joined);
 }
 
-const VoxelLoops& voxel_loops(int mask, const Corners& c, VoxelLoops& scratch) {
+const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& scratch) {
   const std::uint8_t ambiguous = kMasks.ambiguous[mask];
   if (ambiguous == 0) return kMasks.loops[mask];
   int joined = 0;
   for (int f = 0; f < 6; ++f) {
-    if ((ambiguous >> f & 1) != 0 && inside_corners_joined(c, f)) joined |= 1 << f;
+    if ((ambiguous >> f & 1) != 0 && inside_corners_joined(mask, values, f)) joined |= 1 << f;
   }
   scratch = trace(mask, static_cast<std::uint8_t>(joined));
   return scratch;
@@ -252,9 +276,9 @@ bool has_tied_saddle(int mask, const Corners& c) {
   return false;
 }
 
-Tube find_tube(int mask, const Corners& c, const VoxelLoops& loops) {
+Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops) {
   if (loops.count < 2) return {};
-  return Sweep(mask, c, loops).run();
+  return Sweep(mask, values, loops).run();
 }
 
 }  // namespace deliso

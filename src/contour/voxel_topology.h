@@ -8,12 +8,15 @@
 //
 // The faces. Two crossings are joined. Of four, by the sign of the bilinear saddle: the two inside
 // corners are joined exactly when the saddle's value is >= kappa, that is when the product of the
-// inside corners is at least that of the outside ones. Both voxels at a face compare the same two
-// products of the same doubles, so they always agree, rounding or not.
+// inside corners is at least that of the outside ones. That sign is exact (contour/exact_sign.h),
+// so both voxels at a face agree.
 //
 // The interior. A slice across z is bilinear, with two arcs where its four corners alternate and
 // its topology changes only when a corner changes sign (at most four times) or, while they
-// alternate, when the saddle expression, a quadratic in z, does (at most twice). Loops that an arc
+// alternate, when the saddle expression, a quadratic in z, does (at most twice). The order of these
+// events is exact as well. Where two columns change sign at one height, the one that gets inside
+// comes first, and a saddle at kappa counts as inside: all as if kappa were a little lower, so that
+// faces, sweep and samples equal to kappa follow one rule. Loops that an arc
 // between two events connects belong to one piece. A piece has at most two loops: with s <= 2
 // saddle events, V - E + F of the whole is (arcs at z = 0) + (arcs born) - s >= 0, and wherever
 // there are three loops or more, two of them are triangles and bring an arc each.
@@ -23,6 +26,7 @@
 #include <cstdint>
 #include <span>
 
+#include "contour/exact_sign.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -54,16 +58,16 @@ std::uint8_t ambiguous_faces(int mask);
 // boundary of the piece they bound.
 VoxelLoops trace_loops(int mask, std::uint8_t joined);
 
-// The loops of the voxel with these values minus kappa; `mask` are their signs. The reference is
-// to a table or to `scratch`.
-const VoxelLoops& voxel_loops(int mask, const Corners& c, VoxelLoops& scratch);
+// The loops of the voxel with these values; `mask` are the signs above kappa. The reference is to a
+// table or to `scratch`.
+const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& scratch);
 
 // Whether the saddle of an ambiguous face is at kappa, to the last bits: there two arcs of Sigma on
 // the face meet in a point, and across the face Sigma is no surface.
 bool has_tied_saddle(int mask, const Corners& c);
 
-// pre: loops are those of c.
-Tube find_tube(int mask, const Corners& c, const VoxelLoops& loops);
+// pre: loops are those of the values.
+Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops);
 
 // The mask of values minus kappa.
 constexpr int mask_of(const Corners& c) {

@@ -9,9 +9,10 @@
 //   X2  no term is zero; the empty expansion is 0;
 //   X3  the bound N on the number of terms is part of the type and follows from the operation:
 //       a sum of M and N terms appends at most M + N, a product by a double at most 2 N, by their
-//       loops alone, NaN and infinities included.
+//       loops alone, NaN and infinities included; a product of M and N terms 2 M N.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
@@ -82,7 +83,14 @@ class Expansion {
     append(t.value);
   }
 
+  // Copies the terms there are.
+  Expansion(const Expansion& e) : size_(e.size_) {
+    std::copy_n(e.term_.begin(), e.size_, term_.begin());
+  }
+  Expansion& operator=(const Expansion&) = delete;
+
   int size() const { return size_; }
+  void clear() { size_ = 0; }
   double operator[](int i) const { return term_[i]; }
   int sign() const {
     if (size_ == 0) return 0;
@@ -114,17 +122,17 @@ Expansion<N> operator-(const Expansion<N>& e) {
   return h;
 }
 
-// Shewchuk's fast expansion sum: merge by magnitude, then carry upwards.
-template <int M, int N>
-Expansion<M + N> operator+(const Expansion<M>& e, const Expansion<N>& f) {
-  Expansion<M + N> h;
+// Shewchuk's fast expansion sum, h = e + f: merge by magnitude, then carry upwards.
+template <int L, int M, int N>
+void add(const Expansion<M>& e, const Expansion<N>& f, Expansion<L>& h) {
+  h.clear();
   int i = 0, j = 0;
   const auto smallest_left = [&] {
     const bool from_e = j == f.size() || (i < e.size() && std::fabs(e[i]) < std::fabs(f[j]));
     return from_e ? e[i++] : f[j++];
   };
   const int count = e.size() + f.size();
-  if (count == 0) return h;
+  if (count == 0) return;
   double carry = smallest_left();
   for (int k = 1; k < count; ++k) {
     const TwoTerms s = two_sum(carry, smallest_left());
@@ -132,6 +140,12 @@ Expansion<M + N> operator+(const Expansion<M>& e, const Expansion<N>& f) {
     carry = s.value;
   }
   h.append(carry);
+}
+
+template <int M, int N>
+Expansion<M + N> operator+(const Expansion<M>& e, const Expansion<N>& f) {
+  Expansion<M + N> h;
+  add(e, f, h);
   return h;
 }
 
@@ -159,6 +173,20 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   }
   h.append(carry);
   return h;
+}
+
+// Term by term of the second factor.
+template <int M, int N>
+Expansion<2 * M * N> operator*(const Expansion<M>& e, const Expansion<N>& f) {
+  Expansion<2 * M * N> sum, other;
+  for (int j = 0; j < f.size(); ++j) {
+    if (j % 2 == 0) {
+      add(sum, e * f[j], other);
+    } else {
+      add(other, e * f[j], sum);
+    }
+  }
+  return f.size() % 2 == 0 ? sum : other;
 }
 
 // a * d - b * c

@@ -357,12 +357,12 @@ TEST_CASE("a handle cut through is a component that differs") {
     const Parts whole{contour.points, contour.triangles};
     for (int n = 0; n < 125 && cut < 3; ++n) {
       const Index3 voxel{n % 5, n / 5 % 5, n / 25};
-      Corners c = scene.volume.corners(voxel);
-      for (double& value : c) value -= scene.surface.kappa();
+      const VoxelValues values(scene.volume.corners(voxel), scene.surface.kappa());
+      const int mask = mask_of(values.above);
       VoxelLoops scratch;
-      const VoxelLoops& loops = voxel_loops(mask_of(c), c, scratch);
+      const VoxelLoops& loops = voxel_loops(mask, values, scratch);
       if (loops.count != 2 || loops.edges(0).size() != 3 || loops.edges(1).size() != 3 ||
-          !find_tube(mask_of(c), c, loops)) {
+          !find_tube(mask, values, loops)) {
         continue;
       }
       Parts p{contour.points, {}};

@@ -5,13 +5,12 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <map>
-#include <set>
 #include <string>
 
 #include "base/random.h"
 #include "contour/contour.h"
+#include "glued_topology.h"
 #include "mesh_checks.h"
 #include "voxel_oracle.h"
 
@@ -248,77 +247,25 @@ TEST_CASE("small random volumes have the topology glued from the oracle's voxels
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
     const double kappa =
         effective_isovalue(volume, random.below(levels) + (trial % 3 == 1 ? 0.5 : 0));
-    // Elements: grid edges, 3 * sample + axis. Pieces and arcs of the voxels join them.
-    UnionFind surface(3 * samples.size()), curves(3 * samples.size());
-    std::map<int, int> euler;  // V - E + F without the faces' arcs, by element
-    std::map<std::pair<int, int>, int> arcs;
-    bool resolved = true;
-    const auto element = [&](Index3 voxel, int e) {
-      const auto [low, high] = corners_of_edge(e);
-      return static_cast<int>(3 * volume.index(voxel.i + (low & 1), voxel.j + (low >> 1 & 1),
-                                               voxel.k + (low >> 2))) +
-             e / 4;
-    };
-    const Index3 voxels = volume.voxels();
-    std::vector<std::pair<int, int>> on_box, pieces;
-    std::set<int> crossings;
-    for (int k = 0; k < voxels.k && resolved; ++k) {
-      for (int j = 0; j < voxels.j && resolved; ++j) {
-        for (int i = 0; i < voxels.i && resolved; ++i) {
-          const Index3 voxel{i, j, k};
-          Corners c = volume.corners(voxel);
-          for (double& v : c) v -= kappa;
-          if (mask_of(c) == 0 || mask_of(c) == 255) continue;
-          const VoxelTruth truth = VoxelOracle::solve(c);
-          resolved = resolved && truth.resolved;
-          if (!resolved) break;
-          for (const VoxelPiece& piece : truth.pieces) {
-            const int first = element(voxel, std::countr_zero(static_cast<unsigned>(piece.edges)));
-            for (int e = 0; e < 12; ++e) {
-              if ((piece.edges >> e & 1) == 0) continue;
-              surface.unite(first, element(voxel, e));
-              crossings.insert(element(voxel, e));
-            }
-            pieces.push_back({first, piece.euler});
-          }
-          for (int f = 0; f < 6; ++f) {
-            const int axis = f / 2;
-            const bool box = voxel[axis] == ((f & 1) != 0 ? voxels[axis] - 1 : 0);
-            for (int e = 0; e < 12; ++e) {
-              const int mate = truth.mate[f][e];
-              if (mate < 0) continue;
-              const int a = element(voxel, e), b = element(voxel, mate);
-              if (a > b) continue;
-              arcs[{a, b}] += box ? 2 : 1;
-              if (box) on_box.push_back({a, b});
-            }
-          }
-        }
-      }
-    }
+    bool faces_agree = true;
+    const auto expected = glue_voxels(
+        volume, kappa,
+        [](const Corners& corners, double at) {
+          Corners c = corners;
+          for (double& v : c) v -= at;
+          return VoxelOracle::solve(c);
+        },
+        faces_agree);
     const ContourMesh mesh = build_contour(volume, kappa);
     CHECK(check_contour(mesh, volume, kappa) == "");
-    if (!resolved) {
+    if (!expected) {
       ++skipped;
       continue;
     }
-    for (const int e : crossings) ++euler[surface.root(e)];
-    for (const auto& [arc, sides] : arcs) {
-      CHECK(sides == 2);  // both voxels at a face see the same arcs
-      --euler[surface.root(arc.first)];
-    }
-    for (const auto& [first, piece_euler] : pieces) euler[surface.root(first)] += piece_euler;
-    std::map<int, std::set<int>> loops;
-    for (const auto& [a, b] : on_box) curves.unite(a, b);
-    for (const auto& [a, b] : on_box) loops[surface.root(a)].insert(curves.root(a));
-    std::multiset<std::pair<std::int64_t, std::uint64_t>> expected, found;
-    for (const auto& [root, e] : euler) expected.insert({e, loops[root].size()});
-    for (const auto& component : mesh.summary.components) {
-      found.insert({component.euler, component.boundary_loops});
-    }
-    CHECK((expected == found));
+    CHECK(faces_agree);
+    CHECK((*expected == topology_of(mesh.summary)));
     ++compared;
-    components += static_cast<int>(expected.size());
+    components += static_cast<int>(expected->size());
   }
   MESSAGE("volumes compared " << compared << " with " << components
                               << " components, too close to a saddle for the oracle " << skipped);

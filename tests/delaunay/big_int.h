@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle of the predicate tests: integers of up to 1536 bits, and determinants of doubles
+// The oracle of the predicate tests: integers of up to 41,000 bits, and determinants of doubles
 // taken as integers over a common power of two. School arithmetic, nothing shared with src/.
 #pragma once
 
@@ -20,7 +20,7 @@ __extension__ typedef unsigned __int128 Wide;
 // Sign and magnitude, least significant limb first, no leading zero limbs; 0 has none.
 class BigInt {
  public:
-  static constexpr int kMaxLimbs = 24;
+  static constexpr int kMaxLimbs = 640;
 
   BigInt() {}
   explicit BigInt(std::int64_t v) : negative_(v < 0) {
@@ -145,7 +145,7 @@ class BigInt {
   bool negative_ = false;
 };
 
-// x as odd * 2^exponent, read from its bits. pre: x is normal and not 0.
+// x as odd * 2^exponent, read from its bits. pre: x is finite and not 0.
 struct OddPart {
   std::int64_t odd;
   int exponent;
@@ -153,10 +153,11 @@ struct OddPart {
 
 inline OddPart odd_part(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  const std::uint64_t mantissa = (bits & ((1ull << 52) - 1)) | 1ull << 52;
+  const int field = static_cast<int>(bits >> 52 & 2047);
+  const std::uint64_t mantissa = (bits & ((1ull << 52) - 1)) | (field > 0 ? 1ull << 52 : 0);
   const int zeros = std::countr_zero(mantissa);
   const auto odd = static_cast<std::int64_t>(mantissa >> zeros);
-  return {x < 0 ? -odd : odd, static_cast<int>(bits >> 52 & 2047) - 1075 + zeros};
+  return {x < 0 ? -odd : odd, std::max(field, 1) - 1075 + zeros};
 }
 
 inline int lowest_exponent(double x, int if_zero) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The contour's topology of many random volumes against an oracle in exact arithmetic
+// (tests/contour/exact_voxel.h).
+//   exact_topology [--first-seed N] [--count M]
+// Seeds first-seed .. first-seed + count - 1 (1 .. 600), each a volume of 2 to 5 samples along each
+// axis: a third with samples of 10^-12 to 10^12 or with saddles at kappa to the last bits
+// (tests/contour/wide_values.h), the others the tiny volumes (stress/tiny_volume.h). Prints each
+// seed that differs, by how many components and how, and a table. Exit status 1 when one does.
+//
+//   cmake --build build --target exact_topology
+//   build/tests/exact_topology --count 30000
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "contour/exact_voxel.h"
+#include "contour/glued_topology.h"
+#include "contour/wide_values.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using namespace deliso::stress;
+
+namespace {
+
+constexpr int kSmallest = 2, kLargest = 5;
+
+struct Counts {
+  std::uint64_t volumes = 0, different = 0, undecided = 0, components = 0;
+};
+
+TinyVolume make_volume(std::uint64_t seed, WideKind& kind, bool& is_wide) {
+  is_wide = seed % 3 == 0;
+  if (!is_wide) return make_tiny_volume(seed, kSmallest, kLargest);
+  Random random(seed);
+  // Half of them over magnitudes.
+  kind = seed % 2 == 0 ? WideKind::magnitudes : static_cast<WideKind>(1 + random.below(2));
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) {
+    dims[axis] = kSmallest + static_cast<int>(random.below(kLargest - kSmallest + 1));
+  }
+  const WideValues wide =
+      make_wide_values(random, kind, static_cast<std::size_t>(dims.i * dims.j * dims.k));
+  return {Volume::from_samples(dims, {1, 1, 1}, wide.samples), wide.kappa};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::uint64_t first_seed = 1, count = 600;
+  for (int n = 1; n < argc; ++n) {
+    const std::string_view option = argv[n];
+    const char* value = n + 1 < argc ? argv[++n] : "";
+    if (option == "--first-seed") {
+      first_seed = std::strtoull(value, nullptr, 10);
+    } else if (option == "--count") {
+      count = std::strtoull(value, nullptr, 10);
+    } else {
+      std::fprintf(stderr, "exact_topology: what is '%s'? (its source's head says)\n", argv[n]);
+      return 2;
+    }
+  }
+  constexpr const char* kNames[] = {"magnitudes", "half-way", "near ties", "tiny volumes"};
+  Counts counts[kWideKinds + 1];
+  for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
+    WideKind kind{};
+    bool is_wide = false;
+    const TinyVolume tiny = make_volume(seed, kind, is_wide);
+    Counts& row = counts[is_wide ? static_cast<std::size_t>(kind) : kWideKinds];
+    const double kappa = effective_isovalue(tiny.volume, tiny.isovalue);
+    bool faces_agree = true;
+    const auto expected = glue_voxels(tiny.volume, kappa, ExactVoxel::solve, faces_agree);
+    ++row.volumes;
+    if (!expected || !faces_agree) {
+      ++row.undecided;
+      continue;
+    }
+    row.components += expected->size();
+    const GluedTopology found = topology_of(summarize_contour(tiny.volume, kappa));
+    if (found == *expected) continue;
+    ++row.different;
+    std::printf(
+        "seed %llu (%s): %zu components, exactly %zu\n", static_cast<unsigned long long>(seed),
+        kNames[is_wide ? static_cast<int>(kind) : kWideKinds], found.size(), expected->size());
+  }
+  std::printf("%-14s %10s %10s %10s %10s\n", "kind", "volumes", "different", "undecided",
+              "components");
+  std::uint64_t faults = 0;
+  for (int n = 0; n <= kWideKinds; ++n) {
+    const Counts& row = counts[n];
+    faults += row.different + row.undecided;
+    std::printf("%-14s %10llu %10llu %10llu %10llu\n", kNames[n],
+                static_cast<unsigned long long>(row.volumes),
+                static_cast<unsigned long long>(row.different),
+                static_cast<unsigned long long>(row.undecided),
+                static_cast<unsigned long long>(row.components));
+  }
+  return faults == 0 ? 0 : 1;
+}
