@@ -12,23 +12,32 @@ namespace {
 constexpr double kSettled = 1e-8;
 constexpr double kFar = 0.5;  // a hit further away, in voxels, is worth looking for a nearer one
 
-// Found points keep this distance, in voxels, from the voxel's faces, so that none can round onto
+// Points are sought at this distance from the voxel's faces first. Where a face's saddle is at
+// kappa, the surface's points nearest to the centers of loops on either side of the face may be the
+// saddle itself; vertices of T there would be 1e-9 apart.
+constexpr double kClearance = 1e-3;
+
+// All points keep this distance, in voxels, from the voxel's faces, so that none can round onto
 // the volume's box. It moves them off Sigma by less than this share of the corners' range.
 constexpr double kMargin = 1e-11;
 
-// Largest t for which from + t * direction stays in the unit cube.
-double exit_parameter(const Vec3& from, const Vec3& direction) {
+// Largest t for which from + t * direction stays in the unit cube, so far from its faces.
+double exit_parameter(const Vec3& from, const Vec3& direction, double clearance) {
   double limit = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const double d = direction[axis];
-    if (d > 0) limit = std::min(limit, (1 - from[axis]) / d);
-    if (d < 0) limit = std::min(limit, -from[axis] / d);
+    if (d > 0) limit = std::min(limit, (1 - clearance - from[axis]) / d);
+    if (d < 0) limit = std::min(limit, (clearance - from[axis]) / d);
   }
   return limit;
 }
 
-Vec3 clamp_to_inside(const Vec3& u) {
-  constexpr double low = kMargin, high = 1 - kMargin;
+Vec3 corner(int m) {
+  return {static_cast<double>(m & 1), static_cast<double>(m >> 1 & 1), static_cast<double>(m >> 2)};
+}
+
+Vec3 clamp_to_inside(const Vec3& u, double clearance = kMargin) {
+  const double low = clearance, high = 1 - clearance;
   return {std::clamp(u.x, low, high), std::clamp(u.y, low, high), std::clamp(u.z, low, high)};
 }
 
@@ -95,17 +104,33 @@ double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
 }
 
 Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
+  if (const auto p = surface_point_within(clamp_to_inside(from, kClearance), kClearance)) return *p;
+  if (const auto p = surface_point_within(from, 0)) return *p;
+  // No line hit: a corner equals kappa, up to rounding, and Sigma only touches the voxel there.
+  double smallest = std::numeric_limits<double>::infinity();
+  Vec3 touching = from;
+  const bool positive = value(from) >= 0;
+  for (int m = 0; m < 8; ++m) {
+    if ((corners_[m] >= 0) == positive || !(std::abs(corners_[m]) < smallest)) continue;
+    smallest = std::abs(corners_[m]);
+    touching = corner(m);
+  }
+  return clamp_to_inside(touching);
+}
+
+std::optional<Vec3> TrilinearPatch::surface_point_within(const Vec3& from, double clearance) const {
   const double v = value(from);
   if (v == 0) return clamp_to_inside(from);
   const Vec3 g = gradient(from);
   const Vec3 towards = v > 0 ? -g : g;
   if (const auto t = newton(along(from, v, g, towards), kFar / length(g))) {
     const Vec3 p = from + *t * towards;
-    if (p == clamp_to_inside(p)) return p;
+    if (p == clamp_to_inside(p, std::max(clearance, kMargin))) return p;
   }
   double nearest = std::numeric_limits<double>::infinity();
-  Vec3 found = from;
-  const auto search = [&](const Vec3& direction, double limit) {
+  std::optional<Vec3> found;
+  const auto search = [&](const Vec3& direction) {
+    const double limit = exit_parameter(from, direction, clearance);
     if (!(limit > 0) || limit == std::numeric_limits<double>::infinity()) return;
     const double t = first_sign_change(along(from, v, g, direction), limit);
     const double d2 = t * t * length2(direction);
@@ -113,28 +138,17 @@ Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
     nearest = d2;
     found = clamp_to_inside(from + t * direction);
   };
-  search(towards, exit_parameter(from, towards));
+  search(towards);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec3 direction;
       direction[axis] = side;
-      search(direction, exit_parameter(from, direction));
+      search(direction);
     }
   }
-  double smallest = std::numeric_limits<double>::infinity();
-  Vec3 touching = from;
   for (int m = 0; m < 8; ++m) {
-    if ((corners_[m] >= 0) == (v >= 0)) continue;
-    const Vec3 corner{static_cast<double>(m & 1), static_cast<double>(m >> 1 & 1),
-                      static_cast<double>(m >> 2)};
-    search(corner - from, 1);
-    if (std::abs(corners_[m]) < smallest) {
-      smallest = std::abs(corners_[m]);
-      touching = corner;
-    }
+    if ((corners_[m] >= 0) != (v >= 0)) search(corner(m) - from);
   }
-  // No line hit: a corner equals kappa, up to rounding, and Sigma only touches the voxel there.
-  if (nearest == std::numeric_limits<double>::infinity()) return clamp_to_inside(touching);
   return found;
 }
 

@@ -20,7 +20,8 @@ class TrilinearPatch {
   double value(const Vec3& u) const;
   Vec3 gradient(const Vec3& u) const;
 
-  // A point of Sigma near `from`, strictly within the voxel: on the line along the gradient where
+  // A point of Sigma near `from`, strictly within the voxel, and a thousandth of it away from its
+  // faces where that can be had: on the line along the gradient where
   // Newton's method finds it near by (nearly always), else the nearest of those where the lines
   // along the gradient, along the axes and to the corners on the other side change sign. Each of
   // the latter does. (Where a corner equals kappa Sigma may only touch the voxel there; then it is
@@ -34,6 +35,9 @@ class TrilinearPatch {
     double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
     double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
   };
+  // A point on those lines, this far from the voxel's faces; none where no line has one.
+  // pre: `from` is as far from them.
+  std::optional<Vec3> surface_point_within(const Vec3& from, double clearance) const;
   Cubic along(const Vec3& from, double value_there, const Vec3& gradient_there,
               const Vec3& direction) const;
 

@@ -64,12 +64,6 @@ class Labels {
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
 
-  // The vertex v of T has been moved a little, its site's position is `site`.
-  void moved(VertexId v, const Vec3& site) {
-    distance2_[v] = distance2(contour_.points[v], site);
-    reach2_[label_[v]] = std::max(reach2_[label_[v]], distance2_[v]);
-  }
-
   // Takes what belongs to the new `site` from its Delaunay neighbours; appends those that lost
   // vertices to `changed`.
   void add_site(VertexId site, const Triangulation& triangulation,

@@ -36,7 +36,7 @@ constexpr std::size_t kSitesPerRound = 256;
 
 class CertifiedRecovery {
  public:
-  CertifiedRecovery(const Isosurface& surface, ContourMesh& contour, FirstSample first,
+  CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
                     const Parameters& parameters, Report& report)
       : surface_(surface),
         contour_(contour),
@@ -72,9 +72,6 @@ class CertifiedRecovery {
   void queue_site(VertexId s);
   // Makes the vertex v of T a site; false when it coincides with one.
   bool add_site(VertexId v);
-  // Where samples are such that vertices of T coincide, several have one site at distance 0, and
-  // nothing could tell them apart: moves one of them off `s`, a hair along T, and makes it a site.
-  bool part_coincident(VertexId s);
   // Takes the round from the queue.
   void begin_round();
   // Adds sites until every one holds the certificate and misses no protrusion.
@@ -89,7 +86,7 @@ class CertifiedRecovery {
   SurfaceMesh dual();
 
   const Isosurface& surface_;
-  ContourMesh& contour_;
+  const ContourMesh& contour_;
   const Parameters& parameters_;
   StageProgress progress_;
   Report& report_;
@@ -221,30 +218,6 @@ bool CertifiedRecovery::add_site(VertexId v) {
   return true;
 }
 
-bool CertifiedRecovery::part_coincident(VertexId s) {
-  for (const VertexId v : labels_.region(s)) {
-    if (v == contour_vertex_[s] || labels_.distance2_to_site(v) > 0) continue;
-    // The block beyond would not know of it.
-    if ((contour_.box_faces[v] & surface_.volume().inner_faces()) != 0) continue;
-    // Vertices on the box move along their chain, so that they stay there.
-    Vec3 along;
-    if (contour_.on_boundary(v)) {
-      along = contour_.points[graph_.chain_next(v)] - contour_.points[v];
-    } else {
-      for (const VertexId u : graph_.ring(v)) {
-        along = along + (contour_.points[u] - contour_.points[v]);
-      }
-    }
-    const double size = length(along);
-    if (!(size > 0)) continue;
-    const double hair = kHair * parameters_.voxel;
-    contour_.points[v] = contour_.points[v] + (hair / size) * along;
-    labels_.moved(v, triangulation_.point(s));
-    return add_site(v);
-  }
-  return false;
-}
-
 void CertifiedRecovery::begin_round() {
   const std::size_t size = std::min(queue_.size(), kSitesPerRound);
   round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
@@ -282,7 +255,7 @@ void CertifiedRecovery::settle() {
       const bool fine = verdict.violation == Violation::none && verdict.insert == kNoId;
       if (fine || queued_[s]) continue;
       if (trace_) trace_->verdict_asks(verdict, s, facets_[s], parameters_.fingers);
-      if (verdict.insert != kNoId ? add_site(verdict.insert) : part_coincident(s)) {
+      if (verdict.insert != kNoId && add_site(verdict.insert)) {
         queue_site(s);
       } else if (verdict.violation != Violation::none) {
         is_uncertified_[s] = 1;

@@ -17,7 +17,7 @@ using oracle::to_integer;
 
 namespace {
 
-constexpr int kUnit = -300;  // below every lowest bit that comes up here
+constexpr int kUnit = -400;  // below every lowest bit that comes up here
 
 double some_double(Random& random) {
   const int exponent = static_cast<int>(random.below(61)) - 30;
@@ -103,6 +103,7 @@ TEST_CASE("sums and products of expansions are exact and keep X1 and X2") {
     expect(d0 - d1, at_unit(i0 - i1, 2));
     expect(d0 - d0, BigInt());
     expect(d0 * v[4] + d1 * v[0], at_unit(i0 * i[4] + i1 * i[0], 3));
+    expect(d0 * d1, at_unit(i0 * i1, 4));
     expect(d0 * v[1] - (d1 + d0) * v[2], at_unit(i0 * i[1] - (i1 + i0) * i[2], 3));
   }
   CHECK(zeros > 30'000);
@@ -124,6 +125,7 @@ TEST_CASE("what is no number cannot make an expansion longer than its type says"
         CHECK(sum.size() <= 8);
         CHECK(product.size() <= 8);
         CHECK(both.size() <= 40);
+        CHECK((minor * minor).size() <= 32);
       }
     }
   }
