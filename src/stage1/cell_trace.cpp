@@ -16,7 +16,7 @@ void CellTrace::number_vertices(const Triangulation& t) {
 
 bool CellTrace::is_told(const Triangulation& t, CellId c) const {
   const auto& v = t.vertices(c);
-  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return numbers_[q] == kNoId; });
+  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return number(q) == kNoId; });
 }
 
 void CellTrace::add_zone(const Triangulation& t, const ConflictZone& zone, const Vec3& p) {
@@ -25,7 +25,7 @@ void CellTrace::add_zone(const Triangulation& t, const ConflictZone& zone, const
   for (const CellId c : zone.cells) {
     if (!is_told(t, c)) continue;
     const auto& v = t.vertices(c);
-    event.zone.push_back({numbers_[v[0]], numbers_[v[1]], numbers_[v[2]], numbers_[v[3]]});
+    event.zone.push_back({number(v[0]), number(v[1]), number(v[2]), number(v[3])});
   }
 }
 
@@ -38,7 +38,7 @@ void CellTrace::keep_cells(const Triangulation& t) {
   if (trace_.is_full()) return;
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c) || !is_told(t, c)) continue;
-    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(numbers_[v]);
+    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(number(v));
   }
 }
 

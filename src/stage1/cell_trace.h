@@ -20,10 +20,10 @@ class CellTrace {
   Trace& trace() const { return trace_; }
   // All vertices that are new; auxiliary ones have no number.
   void number_vertices(const Triangulation& t);
-  VertexId number(VertexId v) const { return numbers_[v]; }
-  Triangle number(const Triangle& v) const {
-    return {numbers_[v[0]], numbers_[v[1]], numbers_[v[2]]};
-  }
+  // Returns kNoId for a vertex that has no number: an auxiliary one, or one that came after the
+  // trace was full. Every look-up goes through here, so a caller need not ask whether it is full.
+  VertexId number(VertexId v) const { return v < numbers_.size() ? numbers_[v] : kNoId; }
+  Triangle number(const Triangle& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }
   // The cells that p is in conflict with, before they go.
   void add_zone(const Triangulation& t, const ConflictZone& zone, const Vec3& p);
   // Ends the event.

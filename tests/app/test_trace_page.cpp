@@ -116,6 +116,33 @@ TEST_CASE("without times two pages are the same, and the limit is said") {
   CHECK(has(element_of(cut, "header"), "\"limit\": 20"));
 }
 
+// A site that came after the trace was full has no number, and still was asked for it: memory
+// behind the numbers was read. What is read must not show in the page, so the sanitizers are to
+// tell.
+TEST_CASE("a trace that fills up in the middle of a stage has events of vertices that it knows") {
+  const TemporaryFolder folder;
+  for (const std::string_view way : {"", "--recover=paper", "--paper"}) {
+    for (const std::string_view limit : {"1", "20", "512"}) {
+      CAPTURE(way);
+      CAPTURE(limit);
+      std::vector<std::string_view> options{"builtin:gyroid:16", "--trace-limit", limit};
+      if (!way.empty()) options.push_back(way);
+      const std::string page = page_of(options, folder / "page.html");
+      const std::size_t events = array_of<std::uint8_t>(page, "event_routine").size();
+      CHECK(std::to_string(events) == limit);
+      const std::size_t vertices = array_of<float>(page, "points").size() / 3;
+      REQUIRE(vertices > 0);
+      for (const char* name : {"event_vertex", "event_caller", "zone", "added", "removed"}) {
+        CAPTURE(name);
+        for (const std::uint32_t v : array_of<std::uint32_t>(page, name)) {
+          const bool is_known = v < vertices || v == kNoId;
+          REQUIRE(is_known);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("what a trace refuses") {
   const auto refusal = [](std::vector<std::string_view> arguments) -> std::string {
     arguments.insert(arguments.begin(), "trace");
