@@ -195,7 +195,7 @@ constexpr OptionSpec kRest[] = {
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
     {"--single-stage", 0, "", kMeshAndTrace,
-     "all refinement on the 3D triangulation (for comparison)",
+     "all refinement on the 3D triangulation, with --recover paper (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
     {"--solver", 0, "NAME", kMeshAndTrace, "roots of cubics: isolation (default) or schwarze",
      [](Line& l, Text o, Text v) {

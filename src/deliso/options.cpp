@@ -32,6 +32,12 @@ double Length::in(const Volume& volume) const {
 }
 
 void require_limits(const Options& o, const Volume& volume) {
+  if (o.single_stage && o.recover != RecoverWay::paper) {
+    throw InputError(
+        "--single-stage needs --recover paper (or --paper): the certified way leaves all "
+        "refinement "
+        "to Stage 2");
+  }
   const double r_min_voxels = o.r_min.in(volume) / voxel_of(volume);
   if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
     throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",

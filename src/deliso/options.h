@@ -52,7 +52,8 @@ struct Options {
   // How many to use; the mesh is the same with any number.
   int threads = hardware_threads();
 
-  bool single_stage = false;  // Table 2's baseline: all refinement on the 3D triangulation
+  // Table 2's baseline, the paper's way only: all refinement on the 3D triangulation.
+  bool single_stage = false;
   bool stop_after_recover = false;
   bool cap = false;  // close the mesh on the box (cap/close_on_box.h)
   // The best mesh of about so many vertices: --max-distance gives way.
@@ -77,7 +78,8 @@ struct Options {
 inline constexpr double kSmallestRMin = 0.001;           // voxels
 inline constexpr std::size_t kMostSamples = 10'000'000;  // N0
 
-// Throws InputError beyond them, and for a criterion's limit below the least.
+// Throws InputError beyond them, for a criterion's limit below the least, and for a single stage of
+// the certified way, which has none.
 void require_limits(const Options& options, const Volume& volume);
 
 // All lengths in the scaled frame of the volume.

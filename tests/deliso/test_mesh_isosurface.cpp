@@ -143,6 +143,18 @@ TEST_CASE("stopping after Recover, and the single stage, give sound meshes of th
   CHECK(violations(out, scene.surface, options) <= out.mesh.faces.size() / 1000);
 }
 
+// It was Stage 1's mesh, unrefined, whose file said that it keeps to the distance.
+TEST_CASE("a single stage of the certified way is refused") {
+  const Scene scene = builtin_scene("sphere", 16);
+  Options options;
+  options.single_stage = true;
+  Report report;
+  CHECK_THROWS_WITH_AS(mesh_isosurface(scene.volume, scene.surface.kappa(), options, report),
+                       "--single-stage needs --recover paper (or --paper): the certified way "
+                       "leaves all refinement to Stage 2",
+                       InputError);
+}
+
 TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
