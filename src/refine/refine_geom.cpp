@@ -287,11 +287,13 @@ bool RefineGeom::must_stop() {
   }
   if (vertices < parameters.target_vertices || is_full_) return false;
   is_full_ = true;
-  double largest = 0;
+  double& bound = r_.parameters.refinement[Criterion::distance];
+  double largest = bound;
   for (FaceId f = 0; f < mesh_.faces.size() && reached_ == 0; ++f) {
-    if (is_live(f)) largest = std::max(largest, r_.shape(f).h);
+    // Without a surface point h is r, and a needle's r may be anything.
+    if (is_live(f) && r_.s.duals[f].on_surface) largest = std::max(largest, r_.shape(f).h);
   }
-  r_.parameters.refinement[Criterion::distance] = reached_ > 0 ? reached_ : largest;
+  bound = reached_ > 0 ? reached_ : largest;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f)) enqueue_if_bad(f);
   }
