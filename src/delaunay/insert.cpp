@@ -69,9 +69,10 @@ void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
     cells[kept] = first;
     marks_[first] -= in_conflict[0];
     kept += in_conflict[0];
+    if (!is_pair) break;  // no room for a second; only the last round, so it is foreseen
     cells[kept] = second;
-    marks_[second] -= is_pair & in_conflict[1];
-    kept += is_pair & in_conflict[1];
+    marks_[second] -= in_conflict[1];
+    kept += in_conflict[1];
   }
   cells.resize(kept);
 }
