@@ -40,7 +40,11 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
            place_text(volume.frame().to_world(d.furthest)), "\n");
   if (bound < Options::kNone) {
     line += text("          of ", d.points, " points ", share_text(d.beyond, d.points),
-                 " further than ", in_voxels(bound), " voxels\n");
+                 " further than ", in_voxels(bound), " voxels");
+    if (d.beyond > 0) {
+      line += text(": ", d.too_far, " above r_min, ", d.beyond - d.too_far, " below");
+    }
+    line += "\n";
   }
   if (d.given_up > 0) {
     line += "          " + counted(d.given_up, "point", "points") + " given up\n";
@@ -117,6 +121,8 @@ void add_distances(JsonWriter& json, std::string_view key, const Distances& d, d
   json.add("rms", d.rms / voxel);
   json.add("quantile_999", d.quantile_999 / voxel);
   json.add("beyond_bound", d.beyond);
+  json.add("beyond_bound_above_r_min", d.too_far);
+  json.add("beyond_bound_below_r_min", d.beyond - d.too_far);
   json.add("not_found", d.not_found);
   json.add("given_up", d.given_up);
   json.close();

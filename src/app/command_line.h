@@ -58,7 +58,7 @@ struct CommandLine {
   bool trace_times = true;
   bool allow_empty = false;
   bool check = false;
-  double restricted_share = 0.999;  // the least that a check lets pass
+  double restricted_share = 0;  // the least that a check lets pass
   bool quiet = false;
 };
 

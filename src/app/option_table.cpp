@@ -108,9 +108,11 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--check", 0, "", kMeshOnly, "check the mesh as the check command does: exit 1 on a fault",
      [](Line& l, Text, Text) { l.check = true; }},
     {"--restricted", 0, "SHARE", kMeshAndCheck,
-     "with --check: least share of restricted Delaunay triangles (default 0.999)",
+     "with --check: exit 1 unless this share of the triangles is restricted Delaunay (default: the "
+     "share is reported)",
      [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); },
-     "least share of restricted Delaunay triangles (default 0.999)"},
+     "exit 1 unless this share of the triangles is restricted Delaunay (default: the share is "
+     "reported)"},
     {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,

@@ -98,8 +98,6 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
 void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
   VerifyOptions options = verify_options(run.line, volume);
   if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
-  // Marching Cubes promises no Delaunay triangles.
-  if (run.line.options.method == Method::marching_cubes) options.restricted_share = 0;
   options.progress = [&](double share) { progress.show("check", share); };
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }

@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "embedding/nearest_distances.h"
+#include "embedding/nearest_triangles.h"
 
 namespace deliso {
 namespace {
@@ -18,9 +18,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kTrianglesAtOnce = 1u << 10;
 
 // Sums up distances in their order; infinite ones are of what was not found, negative ones of what
-// was given up. `at` is where number n was measured.
-template <class At>
-Distances summarize(std::vector<double> values, double bound, const At& at) {
+// was given up. `at` is where number n was measured, `triangle_of` which triangle it was at.
+template <class At, class TriangleOf>
+Distances summarize(std::vector<double> values, const CleanMesh& mesh, const DistanceBound& bound,
+                    const At& at, const TriangleOf& triangle_of) {
+  const auto r_min_allows = [&](std::size_t n) {
+    const Triangle& t = mesh.triangles[triangle_of(n)];
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    return values[n] <= bound.r_min && distance(circumcenter(a, b, c), a) <= bound.r_min;
+  };
+
   Distances d;
   double sum = 0, squares = 0;
   std::size_t furthest = 0;
@@ -37,7 +44,16 @@ Distances summarize(std::vector<double> values, double bound, const At& at) {
     }
     sum += value;
     squares += value * value;
-    d.beyond += value > bound;
+    if (value > bound.distance) {
+      ++d.beyond;
+      if (!r_min_allows(n)) {
+        ++d.too_far;
+        if (value > d.max_too_far) {
+          d.max_too_far = value;
+          d.furthest_too_far = at(n);
+        }
+      }
+    }
     if (value > d.max) {
       d.max = value;
       furthest = n;
@@ -90,11 +106,11 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 }
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               double bound, int threads) {
+                               const DistanceBound& bound, int threads) {
   const auto measure = [&](std::size_t n, SearchCounters& counters) {
     const Triangle& t = mesh.triangles[n];
     return measure_triangle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], surface, limit,
-                            bound, counters);
+                            bound.distance, counters);
   };
   std::vector<double> values(4 * mesh.triangles.size());
   for_each_run(threads, mesh.triangles.size(), kTrianglesAtOnce,
@@ -105,17 +121,28 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
                    for (std::size_t k = 0; k < 4; ++k) values[4 * n + k] = measures[k].distance;
                  }
                });
-  return summarize(std::move(values), bound, [&](std::size_t n) {
-    SearchCounters counters;
-    return measure(n / 4, counters)[n % 4].at;
-  });
+  return summarize(
+      std::move(values), mesh, bound,
+      [&](std::size_t n) {
+        SearchCounters counters;
+        return measure(n / 4, counters)[n % 4].at;
+      },
+      [](std::size_t n) { return n / 4; });
 }
 
-Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
-                                 double bound, int threads) {
-  if (mesh_tree.leaf_count() == 0) return {};
-  std::vector<double> values = nearest_distances(contour.points, mesh_tree, threads);
-  return summarize(std::move(values), bound, [&](std::size_t n) { return contour.points[n]; });
+Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& mesh,
+                                 const TriangleTree& tree, const DistanceBound& bound,
+                                 int threads) {
+  if (mesh.triangles.empty()) return {};
+  const std::vector<NearestTriangle> found = nearest_triangles(contour.points, tree, threads);
+  std::vector<double> values;
+  values.reserve(found.size());
+  for (const NearestTriangle& nearest : found) {
+    values.push_back(nearest.distance2 == kGivenUp ? kGivenUp : std::sqrt(nearest.distance2));
+  }
+  return summarize(
+      std::move(values), mesh, bound, [&](std::size_t n) { return contour.points[n]; },
+      [&](std::size_t n) { return found[n].triangle; });
 }
 
 double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "check/validity.h"
@@ -20,8 +21,19 @@ struct Distances {
   Vec3 furthest;              // the point with `max`
   std::size_t not_found = 0;  // points left out: no point of Sigma on the lines that were searched
   std::size_t beyond = 0;     // points further than the bound
+  // Of these, those further than r_min allows, and the furthest.
+  std::size_t too_far = 0;
+  double max_too_far = 0;
+  Vec3 furthest_too_far;
   Vec3 first_not_found;
   std::size_t given_up = 0;  // points left out: too many triangles overlap there
+};
+
+// What points are held to. Beyond `distance`, r_min allows what is no further than r_min from a
+// triangle whose r is no larger.
+struct DistanceBound {
+  double distance = std::numeric_limits<double>::infinity();
+  double r_min = 0;
 };
 
 // How far Sigma is looked for, in diagonals of a voxel.
@@ -41,11 +53,13 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 
 // The same for all triangles.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               double bound, int threads = 1);
+                               const DistanceBound& bound, int threads = 1);
 
 // From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
-Distances distances_from_surface(const ContourMesh& contour, const TriangleTree& mesh_tree,
-                                 double bound, int threads = 1);
+// pre: the tree is that of the mesh.
+Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& mesh,
+                                 const TriangleTree& tree, const DistanceBound& bound,
+                                 int threads = 1);
 
 // Whether a point of Sigma is within `tolerance` of p on the lines through p along the gradient and
 // the axes, or g is as near to kappa there as the oracle's own points may be (1e-9 of the range of

@@ -112,9 +112,11 @@ void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const I
                             std::min({spacing.x, spacing.y, spacing.z}), options.threads, result);
 }
 
-// What is not measured is a fault; a share too low is one where there is no other.
+// Where a share is asked for, that it is not measured is a fault; that it is too low is one where
+// there is no other.
 void judge_share(const TriMesh& mesh, const CleanMesh& clean, double least, Verification& result) {
   const DelaunayShare& share = result.delaunay;
+  if (!(least > 0)) return;
   if (!share.measured) {
     result.faults.add(FaultKind::not_measured,
                       "restricted share: the Delaunay triangulation takes too many cells",
@@ -196,12 +198,13 @@ CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions
   return clean;
 }
 
-// Every point beyond the bound is a fault; the furthest is named, and one of those that have
-// nothing near by.
+// Every point that is too far is a fault; the furthest is named, and one of those that have nothing
+// near by.
 void require_distance(const Distances& d, double voxel, const char* name, Faults& faults) {
-  if (d.beyond > 0) {
-    faults.add(FaultKind::too_far, text(name, " is ", d.max / voxel, " voxels away"), d.furthest);
-    faults.add_unnamed(FaultKind::too_far, d.beyond - 1);
+  if (d.too_far > 0) {
+    faults.add(FaultKind::too_far, text(name, " is ", d.max_too_far / voxel, " voxels away"),
+               d.furthest_too_far);
+    faults.add_unnamed(FaultKind::too_far, d.too_far - 1);
   }
   if (d.not_found > 0) {
     faults.add(FaultKind::too_far, text(name, " has nothing near by"), d.first_not_found);
@@ -267,10 +270,11 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   tell(0.65);
   laps.lap();
 
-  const double bound = options.limits[Criterion::distance];
-  result.to_surface =
-      distances_to_surface(clean, surface, kSearchDiagonals * length(spacing), bound, threads);
-  result.from_surface = distances_from_surface(contour, tree, kReach * bound, threads);
+  const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
+  result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
+                                           {bound, r_min}, threads);
+  result.from_surface =
+      distances_from_surface(contour, clean, tree, {kReach * bound, r_min}, threads);
   if (result.from_surface.given_up > 0) {
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,

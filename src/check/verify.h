@@ -8,7 +8,9 @@
 //   V2  degenerate and doubled triangles are named, then left out;
 //   V3  a component with faulty edges or vertices has no topology: it is not compared;
 //   V4  vertices of extra components are not asked whether they lie on Sigma;
-//   V5  the restricted share is always measured, but judged only where nothing else is wrong.
+//   V5  the restricted share is always measured, but judged on request alone, and only where
+//   nothing
+//       else is wrong.
 // A stage may be told to leave criteria unmet (below r_min, or where it has no room): they are
 // counted, and a fault only on request.
 #pragma once
@@ -35,14 +37,14 @@
 namespace deliso {
 
 struct VerifyOptions {
-  double min_component = 0;         // in voxels: smaller components of the contour may be missing
-  double position_error = 0;        // of the vertices, as far as they were rounded; scaled frame
-  double restricted_share = 0.999;  // the least share of restricted Delaunay facets
+  double min_component = 0;     // in voxels: smaller components of the contour may be missing
+  double position_error = 0;    // of the vertices, as far as they were rounded; scaled frame
+  double restricted_share = 0;  // the least share of restricted Delaunay facets that is no fault
   // What triangles are held to, with h from the circumcenter to Sigma. How many are over a limit is
   // counted, and no fault. Points of the mesh further than max_distance from Sigma are counted too,
   // and points of Sigma further than twice that from the mesh (as Stage 2 has it).
   Criteria limits;
-  bool require_distance = false;  // these points are faults
+  bool require_distance = false;  // these points are faults, but for those that r_min allows
   int threads = 1;
   std::function<void(double)> progress;  // called with the share that is done; may be empty
   bool solid = false;  // the mesh is to be closed on the box; what is said of it holds without caps

@@ -2,6 +2,8 @@
 #include "embedding/self_intersections.h"
 
 #include <algorithm>
+#include <array>
+#include <deque>
 #include <iterator>
 #include <numeric>
 #include <tuple>
@@ -16,6 +18,31 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kLeavesAtOnce = 256;
+constexpr double kArcRounding = 1e-14;  // more than that of the directions of arcs
+
+// A tree of triangles whose ids in the mesh are others, unless `ids` is empty.
+struct NamedTree {
+  const TriangleTree* tree;
+  std::span<const FaceId> ids;
+  FaceId id(FaceId f) const { return ids.empty() ? f : ids[f]; }
+};
+
+// Some triangles of the mesh, all of them at `center` where there is one, and a tree of them, or of
+// others in their place. Not moved, since the tree refers to it.
+struct Group {
+  Group(VertexId at, std::vector<FaceId> these, const std::vector<Vec3>& points,
+        std::vector<Triangle> in_place, int threads, double slack = 0)
+      : center(at),
+        ids(std::move(these)),
+        corners(std::move(in_place)),
+        tree(points, corners, threads, slack) {}
+  NamedTree named() const { return {&tree, ids}; }
+
+  VertexId center;
+  std::vector<FaceId> ids;
+  std::vector<Triangle> corners;
+  TriangleTree tree;
+};
 
 class Search {
  public:
@@ -34,46 +61,39 @@ class Search {
     });
   }
 
-  // Pairs within a tree of the triangles `name`, or of all where that is empty.
-  void within(const TriangleTree& tree, std::span<const FaceId> name = {}) {
-    run(tree.leaf_count(), [&](std::size_t leaf, Work& work) {
-      const std::span<const FaceId> mine = tree.leaf(leaf);
-      const std::span<const Box3> my_boxes = tree.boxes_of_leaf(leaf);
-      Box3 box = my_boxes[0];
-      for (const Box3& other : my_boxes) box = united(box, other);
-      work.boxes += tree.for_each_leaf_near(box, 0, leaf, [&](std::size_t other, const Box3&) {
-        const std::span<const FaceId> theirs = tree.leaf(other);
-        const std::span<const Box3> their_boxes = tree.boxes_of_leaf(other);
-        for (std::size_t m = 0; m < mine.size(); ++m) {
-          for (std::size_t n = other == leaf ? m + 1 : 0; n < theirs.size(); ++n) {
-            if (!TriangleTree::meet(my_boxes[m], their_boxes[n])) continue;
-            test(named(name, mine[m]), named(name, theirs[n]), work);
-          }
-        }
-        return !exhausted(work);
-      });
-      if (!exhausted(work)) return;
-      for (const FaceId f : mine) work.given_up.push_back(named(name, f));
-    });
+  // Pairs within each of some trees.
+  void within(std::span<const NamedTree> trees) {
+    std::vector<std::pair<const NamedTree*, std::size_t>> leaves;
+    for (const NamedTree& named : trees) {
+      for (std::size_t n = 0; n < named.tree->leaf_count(); ++n) leaves.emplace_back(&named, n);
+    }
+    run(leaves.size(),
+        [&](std::size_t n, Work& work) { within_leaf(*leaves[n].first, leaves[n].second, work); });
   }
 
-  // Pairs of one of `triangles` and one of the tree, which are the triangles `name`; but for those
-  // that share a vertex with many.
-  void between(std::span<const FaceId> triangles, const TriangleTree& tree,
-               std::span<const FaceId> name, const std::vector<std::uint32_t>& star) {
-    const auto shares_star = [&](const Triangle& s, const Triangle& t) {
-      return std::any_of(s.begin(), s.end(),
-                         [&](VertexId v) { return star[v] != kNoId && has_corner(t, v); });
-    };
-    run(triangles.size(), [&](std::size_t n, Work& work) {
-      const FaceId f = triangles[n];
+  // Pairs of triangles of different groups, but for those that share a center. The last group may
+  // have none.
+  void between(const std::deque<Group>& groups, const std::vector<bool>& is_center) {
+    // The groups by place, each as a triangle with its box.
+    std::vector<Vec3> ends;
+    std::vector<Triangle> boxes;
+    std::vector<std::pair<FaceId, FaceId>> items;  // a group, and a triangle of it
+    for (FaceId k = 0; k < groups.size(); ++k) {
+      const Box3& box = groups[k].tree.box();
+      ends.insert(ends.end(), {box.lo, box.hi});
+      boxes.push_back({2 * k, 2 * k + 1, 2 * k + 1});
+      if (k + 1 == groups.size()) break;
+      for (const FaceId f : groups[k].ids) items.emplace_back(k, f);
+    }
+    const TriangleTree places(ends, boxes, threads_);
+    run(items.size(), [&](std::size_t n, Work& work) {
+      const auto [mine, f] = items[n];
       const Triangle& t = triangles_[f];
       const Box3 box = box_of(points_[t[0]], points_[t[1]], points_[t[2]]);
-      work.boxes += tree.for_each_leaf_near(box, 0, 0, [&](std::size_t leaf, const Box3&) {
-        for (std::size_t k = 0; k < tree.leaf(leaf).size(); ++k) {
-          const FaceId g = name[tree.leaf(leaf)[k]];
-          if (!TriangleTree::meet(box, tree.boxes_of_leaf(leaf)[k])) continue;
-          if (!shares_star(t, triangles_[g])) test(f, g, work);
+      places.for_each_leaf_near(box, 0, 0, work.boxes, [&](std::size_t leaf, const Box3&) {
+        for (const FaceId k : places.leaf(leaf)) {
+          if (k <= mine || has_corner(t, groups[k].center)) continue;
+          against(f, box, groups[k], is_center, work);
         }
         return !exhausted(work);
       });
@@ -81,29 +101,7 @@ class Search {
     });
   }
 
-  // Pairs of triangles around a vertex that meet beyond it: their arcs do. An arc lies in the
-  // triangle of its ends and of the point where the tangents there meet.
-  void around(VertexId center, std::span<const FaceId> triangles) {
-    constexpr double kRounding = 1e-14;  // more than that of the directions
-    const auto direction = [&](VertexId to) {
-      const Vec3 d = points_[to] - points_[center];
-      return d / length(d);
-    };
-    std::vector<Vec3> directions;
-    std::vector<Triangle> arcs;
-    std::vector<FaceId> name;
-    for (const FaceId f : triangles) {
-      if (flat_[f]) continue;
-      const Triangle& t = triangles_[f];
-      const int i = t[0] == center ? 0 : t[1] == center ? 1 : 2;
-      const Vec3 b = direction(t[(i + 1) % 3]), c = direction(t[(i + 2) % 3]);
-      const auto first = static_cast<VertexId>(directions.size());
-      directions.insert(directions.end(), {b, c, (b + c) / std::max(1 + dot(b, c), kRounding)});
-      arcs.push_back({first, first + 1, first + 2});
-      name.push_back(f);
-    }
-    within(TriangleTree(directions, arcs, threads_, kRounding), name);
-  }
+  bool is_flat(FaceId f) const { return flat_[f]; }
 
   Crossings take() {
     sort_out(found_.pairs);
@@ -128,7 +126,45 @@ class Search {
            (work.boxes > most_.boxes || work.tests > most_.tests || work.found > most_.found);
   }
 
-  static FaceId named(std::span<const FaceId> name, FaceId f) { return name.empty() ? f : name[f]; }
+  void within_leaf(const NamedTree& named, std::size_t leaf, Work& work) const {
+    const TriangleTree& tree = *named.tree;
+    const std::span<const FaceId> mine = tree.leaf(leaf);
+    const std::span<const Box3> my_boxes = tree.boxes_of_leaf(leaf);
+    Box3 box = my_boxes[0];
+    for (const Box3& other : my_boxes) box = united(box, other);
+    tree.for_each_leaf_near(box, 0, leaf, work.boxes, [&](std::size_t other, const Box3&) {
+      const std::span<const FaceId> theirs = tree.leaf(other);
+      const std::span<const Box3> their_boxes = tree.boxes_of_leaf(other);
+      for (std::size_t m = 0; m < mine.size(); ++m) {
+        for (std::size_t n = other == leaf ? m + 1 : 0; n < theirs.size(); ++n) {
+          if (!TriangleTree::meet(my_boxes[m], their_boxes[n])) continue;
+          test(named.id(mine[m]), named.id(theirs[n]), work);
+        }
+      }
+      return !exhausted(work);
+    });
+    if (!exhausted(work)) return;
+    for (const FaceId f : mine) work.given_up.push_back(named.id(f));
+  }
+
+  // Pairs of the triangle f, which has this box, and those of a group.
+  void against(FaceId f, const Box3& box, const Group& group, const std::vector<bool>& is_center,
+               Work& work) const {
+    const auto share_center = [&](const Triangle& s, const Triangle& t) {
+      return std::any_of(s.begin(), s.end(),
+                         [&](VertexId v) { return is_center[v] && has_corner(t, v); });
+    };
+    group.tree.for_each_leaf_near(box, 0, 0, work.boxes, [&](std::size_t leaf, const Box3&) {
+      const std::span<const FaceId> theirs = group.tree.leaf(leaf);
+      const std::span<const Box3> their_boxes = group.tree.boxes_of_leaf(leaf);
+      for (std::size_t n = 0; n < theirs.size(); ++n) {
+        const FaceId g = group.ids[theirs[n]];
+        if (!TriangleTree::meet(box, their_boxes[n])) continue;
+        if (!share_center(triangles_[f], triangles_[g])) test(f, g, work);
+      }
+      return !exhausted(work);
+    });
+  }
 
   void test(FaceId f, FaceId g, Work& work) const {
     ++work.tests;
@@ -189,63 +225,90 @@ class Search {
   Crossings found_;
 };
 
-// A vertex with many triangles, and of these those that no star before it has.
-struct Star {
-  VertexId at;
-  std::vector<FaceId> around, own;
-};
-
-// The same where some vertices have many triangles: `star` numbers these, per vertex.
-void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads,
-                  std::vector<Star> stars, const std::vector<std::uint32_t>& star, Search& search) {
-  std::vector<FaceId> rest;
-  for (FaceId f = 0; f < triangles.size(); ++f) {
-    std::uint32_t first = kNoId;
-    for (const VertexId v : triangles[f]) {
-      if (star[v] == kNoId) continue;
-      stars[star[v]].around.push_back(f);
-      first = std::min(first, star[v]);
-    }
-    (first == kNoId ? rest : stars[first].own).push_back(f);
-  }
-  const auto take = [&](std::span<const FaceId> ids) {
-    std::vector<Triangle> taken;
-    for (const FaceId f : ids) taken.push_back(triangles[f]);
-    return taken;
+// In place of triangles around a vertex the arcs in which it sees them, each as the triangle of its
+// ends and of the point where the tangents there meet: it holds the arc.
+std::vector<Triangle> arcs_around(VertexId center, const std::vector<Vec3>& points,
+                                  std::span<const Triangle> triangles,
+                                  std::vector<Vec3>& directions) {
+  const auto direction = [&](VertexId to) {
+    const Vec3 d = points[to] - points[center];
+    return d / length(d);
   };
-  const std::vector<Triangle> triangles_of_rest = take(rest);
-  const TriangleTree tree_of_rest(points, triangles_of_rest, threads);
-  search.within(tree_of_rest, rest);
-  for (std::size_t n = 0; n < stars.size(); ++n) {
-    const std::vector<FaceId>& own = stars[n].own;
-    search.around(stars[n].at, stars[n].around);
-    search.between(own, tree_of_rest, rest, star);
-    if (own.empty() || n + 1 == stars.size()) continue;
-    const std::vector<Triangle> triangles_of_star = take(own);
-    const TriangleTree tree(points, triangles_of_star, threads);
-    for (std::size_t m = n + 1; m < stars.size(); ++m) {
-      search.between(stars[m].own, tree, own, star);
-    }
+  std::vector<Triangle> arcs;
+  arcs.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    const int i = t[0] == center ? 0 : t[1] == center ? 1 : 2;
+    const Vec3 b = direction(t[(i + 1) % 3]), c = direction(t[(i + 2) % 3]);
+    const auto first = static_cast<VertexId>(directions.size());
+    directions.insert(directions.end(), {b, c, (b + c) / std::max(1 + dot(b, c), kArcRounding)});
+    arcs.push_back({first, first + 1, first + 2});
   }
+  return arcs;
+}
+
+// The same where some vertices, the centers, have many triangles; the first has most. A group is of
+// the triangles at a center and at none before it, the last one of those at none.
+void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads,
+                  std::span<const VertexId> centers, Search& search) {
+  std::vector<bool> is_center(points.size(), false);
+  std::vector<std::uint32_t> number(points.size(), kNoId);
+  for (std::uint32_t n = 0; n < centers.size(); ++n) {
+    is_center[centers[n]] = true;
+    number[centers[n]] = n;
+  }
+  std::vector<std::vector<FaceId>> around(centers.size()), own(centers.size() + 1);
+  for (FaceId f = 0; f < triangles.size(); ++f) {
+    std::size_t first = centers.size();
+    for (const VertexId v : triangles[f]) {
+      if (!is_center[v]) continue;
+      if (!search.is_flat(f)) around[number[v]].push_back(f);
+      first = std::min<std::size_t>(first, number[v]);
+    }
+    own[first].push_back(f);
+  }
+  const auto corners_of = [&](std::span<const FaceId> ids) {
+    std::vector<Triangle> corners;
+    for (const FaceId f : ids) corners.push_back(triangles[f]);
+    return corners;
+  };
+  std::vector<Vec3> directions;
+  std::deque<Group> stars, groups;
+  std::vector<NamedTree> trees;
+  for (std::size_t n = 0; n < centers.size(); ++n) {
+    std::vector<Triangle> arcs = arcs_around(centers[n], points, corners_of(around[n]), directions);
+    stars.emplace_back(centers[n], std::move(around[n]), directions, std::move(arcs), threads,
+                       kArcRounding);
+    trees.push_back(stars.back().named());
+  }
+  for (std::size_t n = 0; n < own.size(); ++n) {
+    if (own[n].empty()) continue;
+    std::vector<Triangle> corners = corners_of(own[n]);
+    groups.emplace_back(n < centers.size() ? centers[n] : kNoId, std::move(own[n]), points,
+                        std::move(corners), threads);
+  }
+  if (groups.back().center == kNoId) trees.push_back(groups.back().named());
+  search.within(trees);
+  search.between(groups, is_center);
 }
 
 Crossings find(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                const TriangleTree& tree, int threads, bool bounded) {
-  std::vector<std::uint32_t> degree(points.size(), 0), star(points.size(), kNoId);
+  std::vector<std::uint32_t> degree(points.size(), 0);
   for (const Triangle& t : triangles) {
     for (const VertexId v : t) ++degree[v];
   }
-  std::vector<Star> stars;
+  std::vector<VertexId> centers;
   for (VertexId v = 0; v < points.size(); ++v) {
-    if (degree[v] <= kManyAround) continue;
-    star[v] = static_cast<std::uint32_t>(stars.size());
-    stars.push_back({v, {}, {}});
+    if (degree[v] > kManyAround) centers.push_back(v);
   }
+  // Most triangles first: then few of another star are at one's center, which all of its meet.
+  std::stable_sort(centers.begin(), centers.end(),
+                   [&](VertexId a, VertexId b) { return degree[a] > degree[b]; });
   Search search(points, triangles, threads, bounded);
-  if (stars.empty()) {
-    search.within(tree);
+  if (centers.empty()) {
+    search.within(std::array{NamedTree{&tree, {}}});
   } else {
-    search_stars(points, triangles, threads, std::move(stars), star, search);
+    search_stars(points, triangles, threads, centers, search);
   }
   return search.take();
 }

@@ -28,6 +28,8 @@ class TriangleTree {
   TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                int threads = 1, double slack = 0);
 
+  // pre: there are triangles.
+  const Box3& box() const { return boxes_[0]; }
   std::size_t leaf_count() const { return (order_.size() + kLeaf - 1) / kLeaf; }
   std::span<const FaceId> leaf(std::size_t n) const {
     return std::span(order_).subspan(n * kLeaf, std::min(kLeaf, order_.size() - n * kLeaf));
@@ -46,23 +48,25 @@ class TriangleTree {
     const Triangle& t = triangles_[f];
     return distance2_to_triangle(p, points_[t[0]], points_[t[1]], points_[t[2]]);
   }
-  // Lowers `best` to the squared distance of p from the triangles of a leaf, where that is less.
-  void improve(std::size_t leaf_number, const Vec3& p, double& best) const {
+  // Sets `best` to the triangle of a leaf that is nearest to p, where it is nearer.
+  void improve(std::size_t leaf_number, const Vec3& p, NearestTriangle& best) const {
     const std::span<const FaceId> faces = leaf(leaf_number);
     const std::span<const Box3> boxes = boxes_of_leaf(leaf_number);
     for (std::size_t n = 0; n < faces.size(); ++n) {
-      if (distance2_to(boxes[n], p) < best) best = std::min(best, distance2(faces[n], p));
+      if (!(distance2_to(boxes[n], p) < best.distance2)) continue;
+      const double d = distance2(faces[n], p);
+      if (d < best.distance2) best = {faces[n], d};
     }
   }
 
   // Calls visit(leaf, its box) for every leaf from number `first` on whose box is no further than
   // `within` from `box` along each axis, in the order of their numbers, until it returns false.
-  // Returns how many boxes were looked at.
+  // Each box that is looked at adds one to `looked`.
   template <class Visit>
-  std::size_t for_each_leaf_near(const Box3& box, double within, std::size_t first,
-                                 Visit&& visit) const {
+  void for_each_leaf_near(const Box3& box, double within, std::size_t first, std::size_t& looked,
+                          Visit&& visit) const {
     Part stack[kDepth];
-    std::size_t size = 0, looked = 0;
+    std::size_t size = 0;
     if (!order_.empty()) stack[size++] = {0, 0, leaf_count()};
     const Box3 grown = box.grown(within);
     while (size > 0) {
@@ -75,7 +79,6 @@ class TriangleTree {
         stack[size++] = part.left();
       }
     }
-    return looked;
   }
 
   static bool meet(const Box3& a, const Box3& b) {

@@ -548,6 +548,7 @@ TEST_CASE("check takes a mesh and a volume") {
   CHECK(line.meshes == std::vector<std::string>{"a.ply"});
   CHECK(line.input == "b.nrrd");
   CHECK(line.restricted_share == 0.5);
+  CHECK(parse({"check", "a.ply", "b.nrrd", "--iso", "3"}).restricted_share == 0);
   CHECK(refusal({"check", "a.ply", "b.nrrd"}).find("no isovalue given") == 0);
   CHECK(refusal({"check", "a", "b", "c", "--iso", "1"}).find("more than one input") == 0);
   CHECK(refusal({"check", "-", "-", "--iso", "1"}).find("mesh and volume cannot both") == 0);

@@ -242,6 +242,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
       flip_edge(flipped, quad);
       const Verification after = good.verify_parts(parts_of(flipped), before.delaunay.share());
       if (after.delaunay.restricted + 2 != before.delaunay.restricted) continue;
+      CHECK_FALSE(good.verify_parts(parts_of(flipped), 0).faults.any());
       check_only(after, FaultKind::restricted_share,
                  after.faults.count(FaultKind::restricted_share));
       CHECK(after.faults.count(FaultKind::restricted_share) > 0);
@@ -300,6 +301,67 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
     }
   }
   CHECK(over_some >= 8);
+}
+
+// A point is judged by the triangle that it is on, or nearest to.
+TEST_CASE("r_min allows what is near a triangle that is no larger, and no further than r_min") {
+  const Good good("fuel");
+  const VoxelTree voxels(good.volume);
+  const Isosurface surface(good.volume, voxels, good.kappa);
+  const ContourMesh contour = build_contour(good.volume, good.kappa);
+  const std::vector<Vec3>& points = good.mesh.points;
+  const double limit = kSearchDiagonals * length(good.volume.spacing());
+  std::size_t cases_with_both = 0;
+  for (const double bound : {0.01, 0.05}) {
+    for (const double r_min : {0.0, 0.03, 0.5, 1.0, 100.0}) {
+      std::size_t above = 0, below = 0;
+      const auto count = [&](double d, double r, double most) {
+        if (d > most) ++(d <= r_min && r <= r_min ? below : above);
+      };
+      const auto radius = [&](const Triangle& t) {
+        return distance(circumcenter(points[t[0]], points[t[1]], points[t[2]]), points[t[0]]);
+      };
+      for (const Face& face : good.mesh.faces) {
+        SearchCounters counters;
+        for (const Measure& m :
+             measure_triangle(points[face.v[0]], points[face.v[1]], points[face.v[2]], surface,
+                              limit, bound, counters)) {
+          count(m.distance, radius(face.v), bound);
+        }
+      }
+      const std::size_t above_of_mesh = above, below_of_mesh = below;
+      above = below = 0;
+      for (const Vec3& p : contour.points) {
+        double least = std::numeric_limits<double>::infinity(), r = 0;
+        for (const Face& face : good.mesh.faces) {
+          const double d2 =
+              distance2_to_triangle(p, points[face.v[0]], points[face.v[1]], points[face.v[2]]);
+          // Of equally near ones, any: they share the edge or vertex that is nearest.
+          if (d2 < least) r = radius(face.v);
+          least = std::min(least, d2);
+        }
+        count(std::sqrt(least), r, 2 * bound);
+      }
+      VerifyOptions options;
+      options.require_distance = true;
+      options.limits[Criterion::distance] = bound;
+      options.limits.r_min = r_min;
+      const Verification v = verify(good.mesh, good.volume, good.kappa, options);
+      CAPTURE(bound);
+      CAPTURE(r_min);
+      CHECK(v.to_surface.too_far == above_of_mesh);
+      CHECK(v.to_surface.beyond == above_of_mesh + below_of_mesh);
+      CHECK(v.from_surface.beyond == above + below);
+      // Ties may go to a triangle of another size.
+      CHECK(std::fabs(static_cast<double>(v.from_surface.too_far) - static_cast<double>(above)) <=
+            0.01 * static_cast<double>(above + below));
+      check_only(v, FaultKind::too_far, v.to_surface.too_far + v.from_surface.too_far);
+      cases_with_both += above > 0 && below > 0 && above_of_mesh > 0 && below_of_mesh > 0;
+      if (r_min == 0) CHECK(v.from_surface.too_far == v.from_surface.beyond);
+      if (r_min == 100) CHECK_FALSE(v.faults.any());
+    }
+  }
+  CHECK(cases_with_both > 0);
 }
 
 // Vertices on the surface, the middles of triangles nowhere near it: found by no line, and so no

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "embedding/nearest_distances.h"
+#include "embedding/nearest_triangles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -47,7 +46,8 @@ Cubes sort_into_cubes(std::span<const Vec3> points) {
 
 class RunOfPoints {
  public:
-  RunOfPoints(std::span<const Vec3> points, const TriangleTree& tree, std::span<double> found)
+  RunOfPoints(std::span<const Vec3> points, const TriangleTree& tree,
+              std::span<NearestTriangle> found)
       : points_(points), tree_(tree), found_(found) {}
 
   void measure() {
@@ -68,27 +68,27 @@ class RunOfPoints {
     const double least = tree_.distance2(near_, first);
     const NearestTriangle nearest = tree_.nearest(first, least, &leaves_left_);
     if (leaves_left_ == 0) {
-      for (const std::uint32_t i : patch) found_[i] = -1;
+      for (const std::uint32_t i : patch) found_[i].distance2 = kGivenUp;
       return;
     }
     if (nearest.triangle != kNoId) near_ = nearest.triangle;
-    found_[patch[0]] = std::sqrt(nearest.distance2);
+    found_[patch[0]] = {near_, nearest.distance2};
     if (patch.size() == 1) return;
 
-    std::array<double, kPatch> best{};
+    std::array<NearestTriangle, kPatch> best{};
     double most = 0;
     Box3 box{first, first};
     for (std::size_t n = 0; n < patch.size(); ++n) {
       const Vec3& p = points_[patch[n]];
       box = united(box, {p, p});
-      best[n] = tree_.distance2(near_, p);
-      most = std::max(most, best[n]);
+      best[n] = {near_, tree_.distance2(near_, p)};
+      most = std::max(most, best[n].distance2);
     }
     const double reach = std::sqrt(most);
     std::array<std::pair<std::size_t, const Box3*>, kMostLeaves> leaves;
-    std::size_t count = 0;
+    std::size_t count = 0, looked = 0;
     bool room = true;
-    tree_.for_each_leaf_near(box, reach, 0, [&](std::size_t leaf, const Box3& of_leaf) {
+    tree_.for_each_leaf_near(box, reach, 0, looked, [&](std::size_t leaf, const Box3& of_leaf) {
       room = count < kMostLeaves;
       if (room) leaves[count++] = {leaf, &of_leaf};
       return room;
@@ -102,10 +102,10 @@ class RunOfPoints {
     for (std::size_t n = 0; n < patch.size(); ++n) {
       const Vec3& p = points_[patch[n]];
       for (std::size_t k = 0; k < count; ++k) {
-        if (distance2_to(*leaves[k].second, p) < best[n])
+        if (distance2_to(*leaves[k].second, p) < best[n].distance2)
           tree_.improve(leaves[k].first, p, best[n]);
       }
-      found_[patch[n]] = std::sqrt(best[n]);
+      found_[patch[n]] = best[n];
     }
   }
 
@@ -113,16 +113,16 @@ class RunOfPoints {
 
   std::span<const Vec3> points_;
   const TriangleTree& tree_;
-  std::span<double> found_;
+  std::span<NearestTriangle> found_;
   std::size_t leaves_left_ = kMostLeavesOfRun;
   FaceId near_ = 0;
 };
 
 }  // namespace
 
-std::vector<double> nearest_distances(std::span<const Vec3> points, const TriangleTree& tree,
-                                      int threads) {
-  std::vector<double> found(points.size(), std::numeric_limits<double>::infinity());
+std::vector<NearestTriangle> nearest_triangles(std::span<const Vec3> points,
+                                               const TriangleTree& tree, int threads) {
+  std::vector<NearestTriangle> found(points.size());
   if (tree.leaf_count() == 0) return found;
   for_each_run(threads, points.size(), kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
     RunOfPoints(points.subspan(begin, end - begin), tree,
