@@ -91,7 +91,6 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloor * voxel);
   // Fingers would ask for more than so many vertices.
   if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
-  p.pole_side = o.pole_side;
   p.threads = o.threads;
   p.seed = o.seed;
   p.samples = o.samples;

@@ -388,7 +388,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
   timer.reset();
   if (parameters.asks_for_poles()) begin_stage(parameters.progress, "poles");
   std::vector<double> poles;
-  if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report, parameters.pole_side);
+  if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report);
   timer.emplace(report.seconds_refine);
   if (single_stage) {
     recovery.begin("refine");

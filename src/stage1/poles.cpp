@@ -9,8 +9,8 @@
 
 namespace deliso {
 
-std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface, Report& report,
-                                  PoleSide side) {
+std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface,
+                                  Report& report) {
   const StepTimer timer(report.seconds_poles);
   const std::size_t count = t.vertex_capacity();
   std::vector<Vec3> gradient(count);
@@ -29,9 +29,7 @@ std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surf
   }
   std::vector<double> height(count);
   for (VertexId q = 0; q < count; ++q) {
-    const auto [falling, rising] = furthest2[q];
-    height[q] =
-        std::sqrt(side == PoleSide::nearer ? std::min(falling, rising) : std::max(falling, rising));
+    height[q] = std::sqrt(std::min(furthest2[q][0], furthest2[q][1]));
   }
   return height;
 }

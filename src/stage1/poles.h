@@ -7,7 +7,6 @@
 
 #include "delaunay/triangulation.h"
 #include "isosurface/isosurface.h"
-#include "surface/parameters.h"
 #include "surface/report.h"
 
 namespace deliso {
@@ -15,6 +14,6 @@ namespace deliso {
 // One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
 // their own; the auxiliary vertices (stage1/first_sample.h) keep those of the surface off it.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
-                                  Report& report, PoleSide side = PoleSide::nearer);
+                                  Report& report);
 
 }  // namespace deliso

@@ -17,10 +17,6 @@ namespace deliso {
 // off Sigma.
 inline constexpr double kHair = 1e-7;
 
-// Which of a vertex's two poles gives its height: §3.2 says the nearer; the other is for studying
-// how the paper's counts came about.
-enum class PoleSide : std::uint8_t { nearer, further };
-
 struct Profile;
 class Observer;
 class Trace;
@@ -33,7 +29,6 @@ struct Parameters {
   Criteria refinement;
   // Stage 2 as published: no dear rungs, no point of Sigma looked for, no crossing refused.
   bool as_published = false;
-  PoleSide pole_side = PoleSide::nearer;
 
   int threads = 1;
   std::uint64_t seed = 1;
