@@ -123,8 +123,9 @@ void draw_rungs(const std::string& folder) {
   constexpr Rung kLadder[] = {Rung::collapse,       Rung::surface_point, Rung::foot,
                               Rung::boundary_split, Rung::flip,          Rung::far_point,
                               Rung::patch,          Rung::move};
-  constexpr std::array<const char*, kRefusals> kColors = {
-      "#0072b2", "#e69f00", "#cc79a7", "#8c8c00", "#56b4e9", "#999999", "#c62828", "#cfd3d9"};
+  constexpr std::array<const char*, kRefusals> kColors = {"#0072b2", "#004b75", "#e69f00",
+                                                          "#cc79a7", "#8c8c00", "#56b4e9",
+                                                          "#999999", "#c62828", "#cfd3d9"};
   Drawing out(760, 356);
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
   out.text({kLeft, 26}, "builtin:noise: what was tried, rung by rung, as shares", Anchor::start, 13,

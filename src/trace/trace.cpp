@@ -83,7 +83,6 @@ std::uint32_t Trace::micros_since_last() {
 void Trace::record(std::uint8_t outcome) {
   if (events_seen_++ < limit_) append_event(outcome);
   TraceEvent& e = event_;
-  e.is_changed = false;
   e.vertex = kNoId;
   e.place = kNowhere;
   e.removed.clear();

@@ -90,7 +90,6 @@ struct TraceEvent {
   std::vector<Vec3> hits;                       // of Sigma with the edge
 
   // What comes of it.
-  bool is_changed = false;          // the mesh is another one, in Stage 2
   VertexId vertex = kNoId;          // the one that came
   Vec3 place{kNone, kNone, kNone};  // where it came, or was to
   std::vector<Triangle> removed, added;

@@ -6,14 +6,14 @@ set -eu
 src=$1
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine trace cap baseline"
+stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks trace cap baseline"
 
 allowed() {
   case $1 in
     base) echo base ;;
     roots | delaunay | files) echo "base $1" ;;
     mesh | volume) echo "base files $1" ;;
-    blocks) echo "base files mesh volume blocks" ;;
+    blocks) echo "$surface files refine blocks" ;;
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
     page) echo "base files page" ;;
@@ -22,10 +22,10 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    stage1 | paper | recover) echo "$surface delaunay contour trace/trace.h stage1 $1" ;;
-    trace) echo "$surface delaunay contour stage1 paper recover trace" ;;
-    refine) echo "$surface delaunay/predicates.h trace/trace.h refine" ;;
-    cap) echo "$surface delaunay planar refine/replace_disk.h cap" ;;
+    stage1 | paper | recover) echo "$surface delaunay contour trace/trace.h blocks/choose_seam.h stage1 $1" ;;
+    trace) echo "$surface delaunay contour stage1 paper recover refine trace" ;;
+    refine) echo "$surface refine" ;;
+    cap) echo "$surface delaunay planar refine/refinement.h cap" ;;
     baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "$stages deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \

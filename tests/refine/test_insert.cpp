@@ -8,7 +8,9 @@
 
 #include <set>
 
+#include "deliso/deliso.h"
 #include "refine/stage.h"
+#include "volume/builtin_fields.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -110,10 +112,8 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
       REQUIRE((is_dead(stage.mesh.faces[g]) || stage.mesh.faces[g].v != before.faces[g].v));
     }
   }
-  const auto& counts = stage.report[Rung::foot];
-  std::uint64_t refused = 0;
-  for (const std::uint64_t c : counts.refused) refused += c;
-  CHECK(counts.done + refused > 0);
+  CHECK(done(stage.report, Rung::foot) + done(stage.report, Rung::boundary_split) ==
+        stage.report.insertions_refine);
   CHECK(stage.report.insertions_refine == stage.mesh.points.size() - stage.report.points_recovered);
 }
 
@@ -166,4 +166,16 @@ TEST_CASE(
   const Vec3 p = stage.surface_mesh.duals[0].center;
   CHECK(insert_point(stage.r, Rung::foot, 0, p) == Refusal::swallows_vertex);
   CHECK(stage.mesh.points.size() == before.points.size());
+}
+
+TEST_CASE("every insertion of a run is counted once, as what was done") {
+  const Volume volume = make_builtin_volume("builtin:gyroid");
+  Report report;
+  mesh_isosurface(volume, find_builtin_field("builtin:gyroid")->isovalue, {}, report);
+  std::uint64_t inserted = 0;
+  for (const Rung rung : {Rung::surface_point, Rung::foot, Rung::boundary_split, Rung::far_point}) {
+    inserted += done(report, rung);
+  }
+  CHECK(done(report, Rung::boundary_split) > 0);
+  CHECK(inserted == report.insertions_refine);
 }
