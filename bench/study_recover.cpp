@@ -7,7 +7,7 @@
 
 #include "support/line_chart.h"
 #include "support/runs.h"
-#include "surface/profile.h"
+#include "trace/profile.h"
 
 using namespace deliso;
 
@@ -103,7 +103,7 @@ int work(const BenchArguments& arguments) {
     for (std::size_t n = 0; n < without.reports.size(); ++n) {
       Profile next;
       Options profiled = plain;
-      profiled.profile = &next;
+      profiled.observer = &next;
       const Report r = run_once(opened, profiled).last();
       if (n > 0 && r.seconds_recover >= report.seconds_recover) continue;
       report = r;
@@ -111,17 +111,18 @@ int work(const BenchArguments& arguments) {
     }
 
     const double seconds = report.seconds_recover;
-    const double rest = seconds - profile.seconds_search - profile.seconds_triangulation -
-                        profile.seconds_disk_tests;
+    const double rest = seconds - profile.seconds(Activity::search) -
+                        profile.seconds(Activity::triangulation) -
+                        profile.seconds(Activity::disk_test);
     const SearchCounters& searches = report.searches_recover;
     const double n = static_cast<double>(searches.searches);
     const Statistic recover = without.of([](const Report& r) { return r.seconds_recover; });
     parts.add({dataset.name, opened.data, fixed_cell(recover.median, 3),
-               percent_cell(profile.seconds_search / seconds),
-               percent_cell(profile.seconds_triangulation / seconds),
-               percent_cell(profile.seconds_disk_tests / seconds), percent_cell(rest / seconds),
-               fixed_cell(mean_searches(profile.recover), 1),
-               fixed_cell(1e6 * profile.seconds_search / n, 2),
+               percent_cell(profile.seconds(Activity::search) / seconds),
+               percent_cell(profile.seconds(Activity::triangulation) / seconds),
+               percent_cell(profile.seconds(Activity::disk_test) / seconds),
+               percent_cell(rest / seconds), fixed_cell(mean_searches(profile.recover), 1),
+               fixed_cell(1e6 * profile.seconds(Activity::search) / n, 2),
                percent_cell(static_cast<double>(searches.searches_with_hit) / n),
                percent_cell(seconds / recover.median - 1)});
     std::vector<std::string> row{dataset.name, opened.data};

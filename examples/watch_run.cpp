@@ -16,7 +16,7 @@
 #include "deliso/deliso.h"
 #include "deliso/surface/criteria.h"
 #include "deliso/surface/report.h"
-#include "deliso/trace/trace.h"
+#include "deliso/trace/recorder.h"
 #include "deliso/trace/trace_names.h"
 #include "deliso/volume/read_volume.h"
 
@@ -43,8 +43,9 @@ void watch(const std::string& input, double isovalue) {
   deliso::value_range(volume);     // throws for a NaN
   deliso::Trace trace(1'000'000);  // so many events at most
   deliso::Options options;
-  options.trace = &trace;
   deliso::Report report;
+  deliso::TraceRecorder recorder(trace, report);
+  options.observer = &recorder;
   const deliso::TriMesh mesh = deliso::mesh_isosurface(volume, isovalue, options, report);
 
   // All events, an array for each of their parts.

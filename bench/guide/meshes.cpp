@@ -13,10 +13,10 @@
 #include "recover/certificate.h"
 #include "recover/labels.h"
 #include "recover/recover.h"
-#include "stage1/first_sample.h"
 #include "render/color_map.h"
 #include "render/render.h"
 #include "render/write_png.h"
+#include "stage1/first_sample.h"
 #include "volume/builtin_fields.h"
 
 namespace deliso::guide {

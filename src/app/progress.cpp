@@ -58,9 +58,15 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   add(!cubes && certified, "cutting", 4);
   add(!cubes && certified, "labels", 6);
   add(!cubes && !certified, "initial", 3);
-  add(!cubes, "recover", certified ? 20 : 32);
+  add(!cubes && certified, "recover", 20);
+  add(!cubes && !certified, "topology", 4);
+  add(!cubes && !certified && std::isfinite(options.epsilon), "geometry", 28);
   add(!cubes && options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
-  add(!cubes && !options.stop_after_recover, "refine", 45);
+  const bool refines = !cubes && !options.stop_after_recover;
+  const bool in_regions =
+      certified && !options.keep_partial && options.target_vertices == Options{}.target_vertices;
+  add(refines && in_regions, "regions", 35);
+  add(refines, "refine", in_regions ? 10 : 45);
   add(options.cap, "cap", 3);
   const bool examined = !line.quiet || line.check || !line.json.empty();
   add(examined, "check", line.check ? 150 : 18);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "surface/observer.h"
 
 namespace deliso {
 
@@ -24,7 +25,7 @@ struct StageCost {
   double cost;  // in some unit
 };
 
-// The stages of the mesh command, in order: reading, those of Options::progress, check, writing.
+// The stages of the mesh command, in order: reading, those that a run tells of, check, writing.
 std::vector<StageCost> mesh_stages(const CommandLine& line);
 
 // How much of the whole is done: B1 and B2.
@@ -44,13 +45,20 @@ class ProgressModel {
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,
                           bool coloured);
 
-class Progress {
+class Progress : public Observer {
  public:
   // Shows nothing when `wanted` is false, or standard error is no terminal that can redraw a line.
   Progress(std::vector<StageCost> stages, bool wanted);
-  ~Progress() { clear(); }
+  ~Progress() override { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+
+  void stage_begins(const char* stage) override { show(stage, 0); }
+  // A queue grows while it is worked on, and others may follow: a guess.
+  void steps_done(std::size_t done, std::size_t queued) override {
+    share_done(static_cast<double>(done) / static_cast<double>(done + queued));
+  }
+  void share_done(double share) override { show(std::string(stage_), share); }
 
   // `share` of the stage is done, in [0, 1]. Cheap to call often: draws when a stage begins, and
   // ten times a second.

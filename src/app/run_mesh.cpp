@@ -146,7 +146,7 @@ int run_mesh(const CommandLine& line) {
   MeshRun run(line, input);
 
   Options options = line.options;
-  options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
+  options.observer = &progress;
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
   if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +

@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "deliso/deliso.h"
+#include "trace/recorder.h"
 
 namespace deliso {
 namespace {
@@ -31,9 +32,9 @@ int run_trace(const CommandLine& line) {
   require_limits(line.options, input.volume);
   Trace trace(line.trace_limit, line.trace_times);
   Options options = line.options;
-  options.trace = &trace;
-  options.progress = [&](const char* stage, double share) { progress.show(stage, share); };
   Report report;
+  TraceRecorder recorder(trace, report, &progress);
+  options.observer = &recorder;
   const TriMesh mesh = mesh_isosurface(input.volume, *line.isovalue, options, report);
   if (mesh.faces.empty()) {
     throw InputError(no_surface_text(*line.isovalue, input.range));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/deliso.h"
 
-#include <optional>
-
 #include "base/text.h"
 #include "baseline/marching_cubes.h"
 #include "blocks/clear_seam.h"
@@ -15,8 +13,7 @@
 #include "paper/recover.h"
 #include "recover/recover.h"
 #include "refine/refine.h"
-#include "surface/stage_progress.h"
-#include "trace/mesh_recorder.h"
+#include "surface/observer.h"
 
 namespace deliso {
 namespace {
@@ -39,13 +36,13 @@ void make_seam(Recovered& s, const Isosurface& surface, const Parameters& parame
 
 TriMesh mesh_by_cubes(const Volume& volume, double kappa, const Options& options,
                       const Parameters& parameters, Report& report) {
-  begin_stage(parameters.progress, "cubes");
+  begin_stage(parameters.observer, "cubes");
   report.kappa_effective = kappa;
   report.exact =
       summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
   SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
   if (options.cap) {
-    begin_stage(parameters.progress, "cap");
+    begin_stage(parameters.observer, "cap");
     const VoxelTree tree =
         timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
     const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
@@ -72,7 +69,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     return mesh_by_cubes(volume, kappa, options, parameters, report);
   }
   report.kappa_effective = kappa;
-  begin_stage(parameters.progress, "contour");
+  begin_stage(parameters.observer, "contour");
   ContourMesh contour = timed(report.seconds_contour, [&] {
     return build_settled_contour(volume, report.kappa_effective, parameters.threads);
   });
@@ -88,8 +85,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
     inside = dissolved.corner_inside;
   }
 
-  std::optional<MeshRecorder> recorder;
-  if (options.trace) parameters.observer = &recorder.emplace(*options.trace, report);
+  Observer* const follower = deliso::follower(options.observer);
   Recovered s =
       options.recover == RecoverWay::certified
           ? recover_certified(surface, std::move(contour), parameters, report)
@@ -97,14 +93,14 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
   const unsigned inner_faces = volume.inner_faces();
   // Before Stage 2 too, which then has less to keep out of; what is left now, make_seam() clears.
   if (inner_faces != 0) clear_seam(s.mesh, surface, s.curves, parameters, report);
-  if (recorder) recorder->mesh_handed_over(s.mesh);
+  if (follower) follower->mesh_handed_over(s.mesh);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(s.mesh, surface, s.curves, s.witnesses, parameters, report);
   }
-  if (recorder) recorder->mesh_finished();
+  if (follower) follower->mesh_finished();
   if (inner_faces != 0) make_seam(s, surface, parameters, report);
   if (options.cap) {
-    begin_stage(parameters.progress, "cap");
+    begin_stage(parameters.observer, "cap");
     close_on_box(s.mesh, surface, s.curves, inside, parameters, report);
   }
   s.mesh.mesh.frame = volume.frame();

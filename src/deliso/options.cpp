@@ -98,9 +98,7 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.target_vertices = o.target_vertices;
   p.max_vertices = o.max_vertices;
   p.keep_partial = o.keep_partial;
-  p.progress = o.progress;
-  p.profile = o.profile;
-  p.trace = o.trace;
+  p.observer = o.observer;
   return p;
 }
 

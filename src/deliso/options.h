@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 
 #include "base/parallel.h"
@@ -61,11 +60,9 @@ struct Options {
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
   bool keep_partial = false;
 
-  // Called when a stage begins (contour, cutting, labels, recover, ...) and now and then, with its
-  // name and the share of it that is done, in [0, 1], which never falls; may be empty.
-  std::function<void(const char* stage, double share)> progress;
-  Profile* profile = nullptr;  // surface/profile.h: filled when given
-  Trace* trace = nullptr;      // trace/trace.h: likewise; the mesh is then refined undivided
+  // Is told what the run does (surface/observer.h): a progress bar, a trace, a profile; may be
+  // null.
+  Observer* observer = nullptr;
 
   // Everything as published: the paper's Recover, epsilon1 0.1, epsilon2 0.2, r_min = 0.001 b.
   static Options paper();
@@ -74,8 +71,8 @@ struct Options {
 
 // Limits of what is taken on: beyond them a run could not end in reasonable time
 // (docs/what-is-proven.md, "What ends, and why").
-inline constexpr double kSmallestRMin = 0.001;           // voxels
-inline constexpr std::size_t kMostSamples = 10'000'000;  // N0
+inline constexpr double kSmallestRMin = 0.001;          // voxels
+inline constexpr std::size_t kMostSamples = 1'000'000;  // N0
 
 // Throws InputError beyond them, for a criterion's limit below the least, and for a single stage of
 // the certified way, which has none.

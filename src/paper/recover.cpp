@@ -9,7 +9,6 @@
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "paper/build_tri_mesh.h"
-#include "paper/restricted_trace.h"
 #include "stage1/poles.h"
 #include "surface/criteria.h"
 
@@ -23,9 +22,6 @@ constexpr double kFloor = 0.01;
 // A hit is real only if no vertex lies deeper in its ball than rounding explains.
 constexpr double kBallTolerance = 0.999;
 
-// What the topology and ApproximateGeom take of Recover's time; in one stage, of all that follows.
-constexpr double kTopology = 0.1, kGeometry = 0.8, kRefinement = 0.9;
-
 }  // namespace
 
 Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
@@ -34,6 +30,7 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
       curves_(curves),
       chain_(chain),
       parameters_(parameters),
+      steps_(parameters.observer),
       report_(restricted.report()),
       floor_(kFloor * parameters.r_min) {
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
@@ -42,18 +39,14 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
 }
 
 void Recovery::recover() {
-  begin("recover");
-  const bool has_geometry = std::isfinite(parameters_.recovery[Criterion::h_over_r]);
-  begin_part(0.5 * (has_geometry ? kTopology : 1));
+  begin("topology");
   protect_boundary();
   multi_intersect();
-  begin_part(0.5 * (has_geometry ? kTopology : 1));
   extract_manifold();
-  if (!has_geometry) return;
+  if (!std::isfinite(parameters_.recovery[Criterion::h_over_r])) return;
+  begin("geometry");
   std::vector<double> no_poles;
-  begin_part(kGeometry);
   approximate_geom(parameters_.recovery, no_poles);
-  begin_part(1 - kTopology - kGeometry);
   extract_manifold();
 }
 
@@ -102,35 +95,32 @@ std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
   return worst;
 }
 
-Recovery::Outcome Recovery::insert(RecordId r, const Vec3& x) {
+Attempt Recovery::insert(RecordId r, const Vec3& x) {
   created_.clear();
-  const Outcome outcome = try_insert(r, x);
-  if (RestrictedTrace* const trace = restricted_.trace()) {
-    if (outcome == Outcome::forgotten) trace->ended(TraceOutcome::forgotten, x);
-    if (outcome == Outcome::refused) trace->ended(TraceOutcome::refused, x);
-  }
-  return outcome;
+  const Attempt attempt = try_insert(r, x);
+  if (Observer* const follower = restricted_.follower()) follower->attempt_ended(attempt, x);
+  return attempt;
 }
 
-Recovery::Outcome Recovery::try_insert(RecordId r, const Vec3& x) {
+Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
   const Triangulation& t = restricted_.triangulation();
   const double radius = distance(x, t.point(restricted_.triangle(r)[0]));
   if (radius < floor_) {
     ++report_[Counter::capped_insertions];
-    return Outcome::refused;
+    return Attempt::refused;
   }
   const ConflictZone& zone = restricted_.prepare(x, restricted_.facet(r).cell);
   if (zone.duplicate != kNoId || restricted_.distance_to_vertices(x) < kBallTolerance * radius) {
     for (const VertexId v : restricted_.triangle(r)) queue_vertex(v);
     restricted_.forget(r);
-    return Outcome::forgotten;
+    return Attempt::forgotten;
   }
   if (const auto edge = encroached_edge(x, zone.cells)) {
-    return split_edge(*edge) ? Outcome::split : Outcome::refused;
+    return split_edge(*edge) ? Attempt::split : Attempt::refused;
   }
   restricted_.insert_prepared(x);
   after_insertion();
-  return Outcome::inserted;
+  return Attempt::inserted;
 }
 
 bool Recovery::split_edge(VertexId a) {
@@ -160,7 +150,7 @@ bool Recovery::split_edge(VertexId a) {
         if (chain_.is_boundary(v)) near.push_back(v);
       }
     }
-    if (restricted_.trace()) restricted_.trace()->splits(from, to);
+    if (restricted_.follower()) restricted_.follower()->edge_split(from, to);
     const VertexId v = restricted_.insert_prepared(middle->point);
     chain_.insert_after(from, v, middle->place);
     queue_vertex(from);
@@ -202,7 +192,7 @@ void Recovery::protect_boundary() {
   const std::size_t count = restricted_.triangulation().vertex_capacity();
   for (VertexId v = 1; v < count; ++v) {
     while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
-      if (restricted_.trace()) restricted_.trace()->boundary_asks(v, chain_.next(v));
+      if (restricted_.follower()) restricted_.follower()->edge_asked(v, chain_.next(v));
       if (!split_edge(v)) break;
     }
   }
@@ -214,8 +204,9 @@ void Recovery::multi_intersect() {
     queue.emplace_back(r, restricted_.generation(r));
   }
   const Triangulation& t = restricted_.triangulation();
+  Observer* const follower = restricted_.follower();
   while (!queue.empty()) {
-    show_progress(queue.size());
+    steps_.step(queue.size());
     const auto [r, generation] = queue.front();
     queue.pop_front();
     if (!restricted_.is_live(r) || restricted_.generation(r) != generation) continue;
@@ -226,11 +217,13 @@ void Recovery::multi_intersect() {
     const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
       return distance2(p, a) < distance2(q, a);
     });
-    if (restricted_.trace()) restricted_.trace()->edge_asks(r);
-    const Outcome outcome = insert(r, x);
-    if (outcome == Outcome::inserted || outcome == Outcome::split) {
+    if (follower) {
+      follower->record_asked(r, Reason::several_hits, static_cast<double>(hits.size()));
+    }
+    const Attempt attempt = insert(r, x);
+    if (attempt == Attempt::inserted || attempt == Attempt::split) {
       for (const RecordId n : created_) queue.emplace_back(n, restricted_.generation(n));
-      if (outcome == Outcome::split) queue.emplace_back(r, restricted_.generation(r));
+      if (attempt == Attempt::split) queue.emplace_back(r, restricted_.generation(r));
     }
   }
 }
@@ -254,15 +247,15 @@ bool Recovery::is_manifold_at(VertexId q) {
 
 void Recovery::extract_manifold() {
   const Triangulation& t = restricted_.triangulation();
-  Profile* const profile = restricted_.profile();
+  Observer* const follower = restricted_.follower();
   while (!vertex_queue_.empty()) {
-    show_progress(vertex_queue_.size());
+    steps_.step(vertex_queue_.size());
     const VertexId q = vertex_queue_.front();
     vertex_queue_.pop_front();
     vertex_queued_[q] = 0;
     bool is_manifold = false;
     {
-      const ProfiledTime time(profile ? &profile->seconds_disk_tests : nullptr);
+      const Working working(follower, Activity::disk_test, report_.searches_recover);
       is_manifold = is_manifold_at(q);
     }
     if (is_manifold) continue;
@@ -280,11 +273,9 @@ void Recovery::extract_manifold() {
         x = hit;
       }
     }
-    if (restricted_.trace()) {
-      restricted_.trace()->star_asks(q, chain_.is_boundary(q), star_, furthest);
-    }
+    if (follower) follower->star_asked(q, chain_.is_boundary(q), furthest);
     if (furthest != kNoId) {
-      if (insert(furthest, x) != Outcome::refused) queue_vertex(q);
+      if (insert(furthest, x) != Attempt::refused) queue_vertex(q);
     } else if (chain_.is_boundary(q)) {
       const VertexId before = chain_.previous(q), after = chain_.next(q);
       const bool longer =
@@ -320,23 +311,26 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
   while (!queue.empty()) {
-    show_progress(queue.size());
+    steps_.step(queue.size());
     const Item item = queue.top();
     queue.pop();
     const RecordId r = item.record;
     if (!restricted_.is_live(r) || restricted_.generation(r) != item.generation) continue;
     if (!restricted_.is_restricted(r)) continue;
     const std::size_t before = t.vertex_capacity();
-    if (restricted_.trace()) restricted_.trace()->shape_asks(r, shape_of(r), criteria);
-    const Outcome outcome = insert(r, restricted_.surface_point(r));
+    if (restricted_.follower()) {
+      const Criterion worst = worst_criterion(shape_of(r), criteria);
+      restricted_.follower()->record_asked(r, reason_of(worst), item.violation);
+    }
+    const Attempt attempt = insert(r, restricted_.surface_point(r));
     if (!poles.empty()) {
       for (VertexId v = static_cast<VertexId>(before); v < t.vertex_capacity(); ++v) {
         estimate_pole(v, poles);
       }
     }
-    if (outcome == Outcome::inserted || outcome == Outcome::split) {
+    if (attempt == Attempt::inserted || attempt == Attempt::split) {
       for (const RecordId n : created_) judge(n);
-      if (outcome == Outcome::split) judge(r);
+      if (attempt == Attempt::split) judge(r);
     }
   }
 }
@@ -371,13 +365,11 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
                         const Parameters& parameters, bool single_stage, Report& report) {
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   std::optional<StepTimer> timer(report.seconds_init);
-  begin_stage(parameters.progress, "initial");
+  begin_stage(parameters.observer, "initial");
   FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);
   timer.emplace(report.seconds_recover);
-  std::optional<RestrictedTrace> trace;
-  if (parameters.trace) trace.emplace(*parameters.trace, surface.volume().box(), report);
   RestrictedDelaunay restricted(surface, std::move(first.triangulation), parameters.r_min, report,
-                                parameters.profile, trace ? &*trace : nullptr);
+                                follower(parameters.observer));
   Recovery recovery(restricted, curves, first.chain, parameters);
   recovery.recover();
   const Triangulation& t = restricted.triangulation();
@@ -386,19 +378,17 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
       report.points_recovered - std::min(report.points_recovered, report.points_initial);
 
   timer.reset();
-  if (parameters.asks_for_poles()) begin_stage(parameters.progress, "poles");
+  if (parameters.asks_for_poles()) begin_stage(parameters.observer, "poles");
   std::vector<double> poles;
   if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report);
   timer.emplace(report.seconds_refine);
   if (single_stage) {
     recovery.begin("refine");
-    recovery.begin_part(kRefinement);
     recovery.approximate_geom(parameters.refinement, poles);
-    recovery.begin_part(1 - kRefinement);
     recovery.extract_manifold();
     if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
   }
-  if (trace) trace->end();
+  if (restricted.follower()) restricted.follower()->recovery_finished();
   recovery.count_unresolved();
   return {build_tri_mesh(std::move(restricted), first.chain, poles), std::move(curves),
           std::move(contour.points)};

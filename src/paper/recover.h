@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "paper/restricted.h"
+#include "surface/observer.h"
 #include "surface/recovered.h"
-#include "surface/stage_progress.h"
 
 namespace deliso {
 
@@ -27,9 +27,11 @@ class Recovery {
 
   // Figure 5.
   void recover();
-  // What follows is a part of the stage called so, and takes that share of its time.
-  void begin(const char* stage) { progress_.emplace(parameters_.progress, stage); }
-  void begin_part(double width) { progress_->begin_part(width); }
+  // What follows is the stage called so.
+  void begin(const char* stage) {
+    begin_stage(parameters_.observer, stage);
+    steps_ = Steps(parameters_.observer);
+  }
 
   // Splits edges of the boundary chain until none has a vertex in its diametral ball.
   void protect_boundary();
@@ -44,12 +46,10 @@ class Recovery {
   void count_unresolved();
 
  private:
-  enum class Outcome { inserted, split, forgotten, refused };
-
   // Inserts x, an effective hit of r, or splits the boundary edge it encroaches upon; forgets r's
   // hits when x's ball holds a vertex.
-  Outcome insert(RecordId r, const Vec3& x);
-  Outcome try_insert(RecordId r, const Vec3& x);
+  Attempt insert(RecordId r, const Vec3& x);
+  Attempt try_insert(RecordId r, const Vec3& x);
   // Splits the chain's edge from a to its next; then those that the new vertex encroaches upon.
   bool split_edge(VertexId a);
   // The longest edge of the chain, by its first vertex, whose ball holds p. The zone of p must be
@@ -61,16 +61,13 @@ class Recovery {
   // The mean pole height over v's neighbours in Del S|Sigma, appended to poles.
   void estimate_pole(VertexId v, std::vector<double>& poles);
   void queue_vertex(VertexId v);
-  void show_progress(std::size_t queued) {
-    if (progress_) progress_->step(queued);
-  }
   void check_room() const;
 
   RestrictedDelaunay& restricted_;
   const BoundaryCurves& curves_;
   BoundaryChain& chain_;
   const Parameters& parameters_;
-  std::optional<StageProgress> progress_;
+  Steps steps_;
   Report& report_;
   double floor_;  // no ball smaller than this gets its point
 

@@ -6,31 +6,29 @@
 #include "base/check.h"
 #include "base/sorted_list.h"
 #include "delaunay/tet_tables.h"
-#include "paper/restricted_trace.h"
 
 namespace deliso {
 
 RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation,
-                                       double delta, Report& report, Profile* profile,
-                                       RestrictedTrace* trace)
+                                       double delta, Report& report, Observer* follower)
     : surface_(surface),
       triangulation_(std::move(triangulation)),
       delta_(delta),
       report_(report),
-      profile_(profile),
-      trace_(trace),
-      watch_(profile ? &profile->recover : nullptr),
+      follower_(follower),
       box_(surface.volume().box()) {
   const Triangulation& t = triangulation_;
   record_of_.assign(4 * t.cell_capacity(), kNoId);
-  const ProfiledTime time(profile_ ? &profile_->seconds_search : nullptr);
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    if (!t.is_live(c)) continue;
-    for (int i = 0; i < 4; ++i) {
-      if (c < t.neighbor(c, i)) search({c, i});
+  {
+    const Working working(follower_, Activity::search, report_.searches_recover);
+    for (CellId c = 0; c < t.cell_capacity(); ++c) {
+      if (!t.is_live(c)) continue;
+      for (int i = 0; i < 4; ++i) {
+        if (c < t.neighbor(c, i)) search({c, i});
+      }
     }
   }
-  if (trace_) trace_->begin(*this);
+  if (follower_) follower_->restricted_ready(*this);
 }
 
 Triangle RestrictedDelaunay::triangle(RecordId r) const {
@@ -65,7 +63,7 @@ void RestrictedDelaunay::search(Facet f) {
 }
 
 void RestrictedDelaunay::release(RecordId r) {
-  if (trace_) trace_->gone(r);
+  if (follower_) follower_->record_gone(r);
   records_[r].hits.clear();
   ++records_[r].generation;
   free_records_.push_back(r);
@@ -147,8 +145,8 @@ std::span<const VertexId> RestrictedDelaunay::neighbors(VertexId q) const {
 }
 
 const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
-  watch_.start(report_.searches_recover);
-  const ProfiledTime time(profile_ ? &profile_->seconds_triangulation : nullptr);
+  if (follower_) follower_->work_begins(Activity::insertion, report_.searches_recover);
+  const Working working(follower_, Activity::triangulation, report_.searches_recover);
   triangulation_.find_conflicts(p, hint, zone_);
   return zone_;
 }
@@ -181,7 +179,7 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
   ++stamp_;
   touched_.clear();
   created_records_.clear();
-  if (trace_) trace_->begin_insertion(p, zone_);
+  if (follower_) follower_->insertion_begins(p, zone_);
 
   // Records of the zone's boundary survive with their facets; all others in it go.
   surviving_.clear();
@@ -204,7 +202,7 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
 
   VertexId v = kNoId;
   {
-    const ProfiledTime time(profile_ ? &profile_->seconds_triangulation : nullptr);
+    const Working working(follower_, Activity::triangulation, report_.searches_recover);
     v = t.insert_in_zone(p, zone_, created_cells_);
   }
   touch(v);
@@ -234,7 +232,7 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     }
   }
   {
-    const ProfiledTime time(profile_ ? &profile_->seconds_search : nullptr);
+    const Working working(follower_, Activity::search, report_.searches_recover);
     for (std::size_t k = 0; k < created_cells_.size(); ++k) {
       const CellId c = created_cells_[k];
       for (int i = 0; i < 4; ++i) {
@@ -242,8 +240,10 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
       }
     }
   }
-  watch_.done(report_.searches_recover);
-  if (trace_) trace_->inserted();
+  if (follower_) {
+    follower_->work_ends(Activity::insertion, report_.searches_recover);
+    follower_->point_inserted(v);
+  }
   return v;
 }
 

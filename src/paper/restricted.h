@@ -23,26 +23,22 @@
 #include "isosurface/isosurface.h"
 #include "mesh/star.h"
 #include "stage1/first_sample.h"
-#include "surface/profile.h"
+#include "surface/observer.h"
 #include "surface/report.h"
 
 namespace deliso {
 
-using RecordId = std::uint32_t;
-class RestrictedTrace;
-
 class RestrictedDelaunay {
  public:
   // Searches every facet of `triangulation`, which it takes over. The surface must outlive it, and
-  // so must `profile` and `trace`, if given.
+  // so must `follower`, if given, who is told of every insertion.
   RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation, double delta,
-                     Report& report, Profile* profile = nullptr, RestrictedTrace* trace = nullptr);
+                     Report& report, Observer* follower = nullptr);
 
   const Triangulation& triangulation() const { return triangulation_; }
   const Isosurface& surface() const { return surface_; }
   Report& report() const { return report_; }
-  Profile* profile() const { return profile_; }
-  RestrictedTrace* trace() const { return trace_; }
+  Observer* follower() const { return follower_; }
 
   bool is_auxiliary(VertexId v) const {
     return deliso::is_auxiliary(triangulation_.point(v), box_);
@@ -106,9 +102,7 @@ class RestrictedDelaunay {
   Triangulation triangulation_;
   double delta_;
   Report& report_;
-  Profile* profile_;
-  RestrictedTrace* trace_;
-  InsertionWatch watch_;
+  Observer* follower_;
   Box3 box_;
 
   std::vector<RecordId> record_of_;  // per cell and index; kNoId where Sigma is not met

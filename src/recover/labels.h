@@ -77,4 +77,13 @@ class Labels {
   std::vector<double> reach2_;  // per site, squared: nothing in its region is further from it
 };
 
+// What an observer sees of the certified way.
+struct LabelState {
+  const ContourMesh& contour;
+  const ContourGraph& graph;
+  const Labels& labels;
+  const Triangulation& triangulation;
+  Box3 box;
+};
+
 }  // namespace deliso

@@ -2,6 +2,7 @@
 #include "recover/recover.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -13,19 +14,14 @@
 #include "contour/fine_contour.h"
 #include "recover/certificate.h"
 #include "recover/dual_crossings.h"
-#include "recover/label_trace.h"
 #include "recover/protrusions.h"
 #include "stage1/first_sample.h"
 #include "stage1/poles.h"
-#include "surface/stage_progress.h"
+#include "surface/observer.h"
 #include "surface/surface_point.h"
 
 namespace deliso {
 namespace {
-
-// Settling the sites and then the tests of all of K take so much each of the time that is left:
-// typical of the paper's volumes.
-constexpr double kSettling = 0.85, kTests = 0.5;
 
 // So many facets, or sites of a round, make a task for a thread.
 constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
@@ -34,6 +30,13 @@ constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
 // look at is still in the cache. In any other order a large volume takes up to three times as long.
 constexpr std::size_t kSitesPerRound = 256;
 
+// Where nothing is violated a protrusion is to be inserted.
+Reason reason_of(Violation violation) {
+  constexpr std::array reasons{Reason::protrusion, Reason::region, Reason::interface,
+                               Reason::triple, Reason::boundary};
+  return reasons[static_cast<std::size_t>(violation)];
+}
+
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
@@ -41,7 +44,8 @@ class CertifiedRecovery {
       : surface_(surface),
         contour_(contour),
         parameters_(parameters),
-        progress_(parameters.progress, "recover"),
+        follower_(follower(parameters.observer)),
+        steps_(parameters.observer),
         report_(report),
         triangulation_(std::move(first.triangulation)),
         chain_(std::move(first.chain)),
@@ -60,9 +64,8 @@ class CertifiedRecovery {
     for (auto v = static_cast<VertexId>(site_.size()); v-- > 0;) {
       if (site_[v] != kNoId) queue_site(site_[v]);
     }
-    if (parameters.trace) {
-      trace_.emplace(*parameters.trace, contour, graph_, labels_, triangulation_,
-                     surface.volume().box(), report);
+    if (follower_) {
+      follower_->labels_ready({contour, graph_, labels_, triangulation_, surface.volume().box()});
     }
   }
 
@@ -81,14 +84,15 @@ class CertifiedRecovery {
   // And to components that are inside out: four sites on a rod may be either way round.
   std::size_t turn_out();
   // kNoId: none.
-  std::size_t add_sites(std::span<const VertexId> vertices, Routine routine, Reason reason);
+  std::size_t add_sites(std::span<const VertexId> vertices, Reason reason);
   DualFacets all_facets() const;
   SurfaceMesh dual();
 
   const Isosurface& surface_;
   const ContourMesh& contour_;
   const Parameters& parameters_;
-  StageProgress progress_;
+  Observer* const follower_;
+  Steps steps_;
   Report& report_;
   Triangulation triangulation_;
   BoundaryChain chain_;
@@ -114,19 +118,17 @@ class CertifiedRecovery {
   ConflictZone zone_;
   std::vector<CellId> created_;
   std::vector<VertexId> neighbors_, changed_;
-  std::optional<LabelTrace> trace_;
 };
 
 SurfaceMesh CertifiedRecovery::run() {
   const StepTimer timer(report_.seconds_recover);
+  begin_stage(parameters_.observer, "recover");
   do {
-    progress_.begin_part_of_rest(kSettling);
     settle();
-    progress_.begin_part_of_rest(kTests);
   } while (part_crossings() > 0 || turn_out() > 0);
   report_[Counter::uncertified_sites] +=
       static_cast<std::uint64_t>(std::count(is_uncertified_.begin(), is_uncertified_.end(), 1));
-  if (trace_) trace_->end();
+  if (follower_) follower_->recovery_finished();
   return dual();
 }
 
@@ -182,7 +184,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   const Vec3& p = contour_.points[v];
   triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
   if (zone_.duplicate != kNoId) return false;
-  if (trace_) trace_->begin_insertion(p, zone_);
+  if (follower_) follower_->insertion_begins(p, zone_);
   const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
   if (triangulation_.vertex_capacity() > parameters_.max_vertices) {
     throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
@@ -214,7 +216,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
     chain_.insert_after(site_[before], s, graph_.chain_place(v));
     ++report_[Counter::boundary_splits_recover];
   }
-  if (trace_) trace_->added(s);
+  if (follower_) follower_->site_added(s);
   return true;
 }
 
@@ -249,12 +251,12 @@ void CertifiedRecovery::settle() {
           }
         });
     for (std::size_t n = 0; n < round_.size(); ++n) {
-      progress_.step(round_.size() - n + queue_.size());
+      steps_.step(round_.size() - n + queue_.size());
       const VertexId s = round_[n];
       const Verdict verdict = verdicts_[n];
       const bool fine = verdict.violation == Violation::none && verdict.insert == kNoId;
       if (fine || queued_[s]) continue;
-      if (trace_) trace_->verdict_asks(verdict, s, facets_[s], parameters_.fingers);
+      if (follower_) follower_->site_asked(reason_of(verdict.violation), s, verdict.insert);
       if (verdict.insert != kNoId && add_site(verdict.insert)) {
         queue_site(s);
       } else if (verdict.violation != Violation::none) {
@@ -296,15 +298,14 @@ std::size_t CertifiedRecovery::turn_out() {
     const std::uint32_t c = contour_.component[v];
     if (is_turned[c]) furthest[c] = labels_.further(furthest[c], v);
   }
-  return add_sites(furthest, Routine::turn_out, Reason::reversed);
+  return add_sites(furthest, Reason::reversed);
 }
 
-std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Routine routine,
-                                         Reason reason) {
+std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Reason reason) {
   std::size_t added = 0;
   for (const VertexId v : vertices) {
     if (v == kNoId) continue;
-    if (trace_) trace_->asks(routine, reason, kNoId, v);
+    if (follower_) follower_->site_asked(reason, kNoId, v);
     added += add_site(v);
   }
   return added;
@@ -315,7 +316,7 @@ std::size_t CertifiedRecovery::part_crossings() {
       between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
   report_[Counter::crossings_handed_over] = between.size();
   sort_out(between);
-  const std::size_t added = add_sites(between, Routine::part_crossings, Reason::crossing);
+  const std::size_t added = add_sites(between, Reason::crossing);
   // Pairs that could not be parted are counted again the next time.
   if (added == between.size()) std::fill(is_new_.begin(), is_new_.end(), 0);
   return added;
@@ -326,14 +327,14 @@ std::size_t CertifiedRecovery::part_crossings() {
 Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
                             const Parameters& parameters, Report& report) {
   std::optional<StepTimer> timer(report.seconds_contour);
-  begin_stage(parameters.progress, "cutting");
+  begin_stage(parameters.observer, "cutting");
   ContourMesh contour =
       fine_contour(std::move(plain), surface.volume(), surface.kappa(), parameters.threads);
   report[Counter::voxels_cut] = contour.split_voxels;
   order_by_blocks(contour, surface.volume(), parameters.threads);
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
   timer.emplace(report.seconds_labels);
-  begin_stage(parameters.progress, "labels");
+  begin_stage(parameters.observer, "labels");
   CertifiedRecovery recovery(
       surface, contour, init_triangulation(contour, curves, surface.volume(), parameters, report),
       parameters, report);

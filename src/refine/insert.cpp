@@ -48,6 +48,7 @@ std::optional<EdgeRef> encroached_edge(const Refinement& r, const Vec3& p) {
 
 // D in E's place. `split`: the boundary edge that p splits, on which D has no facet.
 std::optional<Refusal> put_cone(Refinement& r, const Vec3& p, EdgeRef split = {}) {
+  if (r.observer) r.observer->work_begins(Activity::insertion, r.report.searches_refine);
   Change& c = r.change;
   if (const auto refusal = r.open_cavity(c)) return refusal;
   if (c.was.inner_vertices() > 0) return Refusal::swallows_vertex;
@@ -57,8 +58,10 @@ std::optional<Refusal> put_cone(Refinement& r, const Vec3& p, EdgeRef split = {}
   }
   r.set_cone(c, p, split);
   const auto refusal = r.replace(c, [] { return true; });
-  if (!refusal) ++r.report.insertions_refine;
-  return refusal;
+  if (refusal) return refusal;
+  ++r.report.insertions_refine;
+  if (r.observer) r.observer->work_ends(Activity::insertion, r.report.searches_refine);
+  return std::nullopt;
 }
 
 // The ends of a boundary edge as the chain runs; nothing when it is none of the chain, or a seam's.

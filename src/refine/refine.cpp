@@ -95,19 +95,19 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
             std::span<const Vec3> samples, const Parameters& parameters, Report& report,
             std::size_t largest_region) {
   const StepTimer timer(report.seconds_refine);
-  const auto tell = [&](const char* stage) {
-    if (parameters.observer) parameters.observer->stage_begins(stage);
-  };
   const std::size_t of_stage1 = mesh.mesh.points.size();
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
   std::vector<FaceId> open(mesh.mesh.faces.size());
   std::iota(open.begin(), open.end(), 0);
-  if (const Cut cut(mesh, largest_region); may_be_cut(parameters) && cut.size() >= 2) {
-    tell("regions");
-    open = refine_regions(mesh, surface, curves, samples, parameters, cut, far, report);
+  if (may_be_cut(parameters)) {
+    begin_stage(parameters.observer, "regions");
+    const Cut cut(mesh, largest_region);
+    if (cut.size() >= 2) {
+      open = refine_regions(mesh, surface, curves, samples, parameters, cut, far, report);
+    }
   }
-  tell("refine");
+  begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report, of_stage1);
   refine_geom(whole, std::move(open), samples, far);
   count_left(whole);

@@ -40,7 +40,8 @@ class RefineGeom {
         samples_(samples),
         far_(far),
         by_count_(refinement.parameters.target_vertices != kNoTarget),
-        queue_(refinement.surface.volume().box(), refinement.parameters.voxel, by_count_) {}
+        queue_(refinement.surface.volume().box(), refinement.parameters.voxel, by_count_),
+        steps_(refinement.parameters.observer) {}
 
   std::vector<FaceId> run(std::vector<FaceId> open);
 
@@ -69,12 +70,12 @@ class RefineGeom {
   std::vector<std::uint32_t>& far_;
   const bool by_count_;  // target_vertices is given
   FacetQueue queue_;
+  Steps steps_;
   // Per facet: nothing is to be tried until something changes around it.
   std::vector<std::uint8_t> is_done_;
   std::vector<FaceId> refused_;    // since drain() began its turn
   std::vector<FaceId> changed_;    // to be looked at for flips
   std::vector<FaceId> at_curves_;  // and for boundary edges that leave their curve
-  std::size_t moves_left_ = 0;
   // Something tried for the facet at hand was refused for the sake of frozen ones: it waits until
   // the regions are put together.
   bool met_frozen_ = false;
@@ -100,7 +101,6 @@ std::vector<FaceId> RefineGeom::run(std::vector<FaceId> open) {
   drain(false);
   if (parameters.as_published) return {};
   while (!is_full_ && !by_count_ && insert_far_samples()) drain(false);
-  moves_left_ = mesh_.faces.size();
   drain(true);
   make_delaunay();
   return std::move(waiting_);
@@ -124,7 +124,7 @@ void RefineGeom::drain(bool with_moves) {
         if (met_frozen_) waiting_.push_back(f);
       }
       follow_curves();
-      if (r_.parameters.observer) r_.parameters.observer->steps_done(1, queue_.size());
+      steps_.step(queue_.size());
       if (must_stop()) return;
     }
     // New facets are Delaunay with each other, but need not be with those around them.
@@ -147,12 +147,8 @@ bool RefineGeom::refine(FaceId f) {
   return !met_frozen_ && insert_other_point(f);
 }
 
-// Each move lowers a cost of its own, but moves and flips together could go round in circles: so
-// many are tried.
 bool RefineGeom::move(FaceId f) {
-  if (met_frozen_ || moves_left_ == 0) return false;
-  --moves_left_;
-  return accept(move_corner(r_, f));
+  return !met_frozen_ && accept(move_corner(r_, f));
 }
 
 // Where the steepest lines through its circumcenter and through the middle of its longest edge meet

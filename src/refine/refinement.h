@@ -79,7 +79,8 @@ class Refinement {
   const Region region;
   const std::size_t removable;
   SurfacePointFinder finder;
-  Change change;  // the last one proposed
+  Change change;                         // the last one proposed
+  std::vector<std::uint8_t> move_tries;  // per vertex; grows when it is asked for
 
   // `change`, as an operation finds it: nothing is proposed.
   Change& begin_change(double least_cosine = -1);

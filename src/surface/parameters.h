@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -17,9 +16,7 @@ namespace deliso {
 // off Sigma.
 inline constexpr double kHair = 1e-7;
 
-struct Profile;
 class Observer;
-class Trace;
 
 struct Parameters {
   double voxel;  // the shortest side of one
@@ -42,11 +39,10 @@ struct Parameters {
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
   bool keep_partial = false;
 
-  // Called now and then with a stage's name and a share done in [0, 1]; may be empty.
+  Observer* observer = nullptr;  // surface/observer.h; may be null; Stage 1 tells it what it does
+  // Stage 2's: called now and then with a stage's name and a share done in [0, 1]; may be empty.
   std::function<void(const char* stage, double share)> progress;
-  Observer* observer = nullptr;  // surface/observer.h
-  Profile* profile = nullptr;  // filled when given
-  Trace* trace = nullptr;      // likewise; Stage 2 then refines in one part
+  Observer* observer = nullptr;  // surface/observer.h; may be null
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };

@@ -197,7 +197,7 @@ refuses 'cannot both' view - -o out/page.html --volume - --iso 1
 
 # What cannot be taken on: the message names the limit.
 refuses 'at least 0.001' builtin:sphere --rmin 1e-12 -o $o
-refuses 'at most 10000000' builtin:sphere --samples 18446744073709551615 -o $o
+refuses 'at most 1000000' builtin:sphere --samples 18446744073709551615 -o $o
 refuses 'million vertices' builtin:fuel --rmin 0.001vox --max-distance 1e-12 --max-radius 1e-9 -o $o
 for n in $(seq 32); do printf '\000\377'; done >stripes.raw
 refuses 'million vertices' stripes.raw --dims 4x4x4 --type uint8 --spacing 1,1,4e9 --iso 9.5 -o $o

@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
 
 #include "base/random.h"
 #include "deliso/deliso.h"
-#include "surface/stage_progress.h"
+#include "surface/observer.h"
 #include "volume/builtin_fields.h"
 
 using namespace deliso;
@@ -76,31 +74,6 @@ TEST_CASE("from 0 to 100 % in order, and not there before the last stage ends") 
   }
 }
 
-TEST_CASE("a stage tells shares that do not fall, within its parts") {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    double last = 0;
-    int told = 0;
-    const StageProgress::Callback callback = [&](const char*, double share) {
-      REQUIRE(share >= last);
-      REQUIRE(share <= 1);
-      last = share;
-      ++told;
-    };
-    StageProgress progress(callback, "stage");
-    for (int n = 0; n < 20; ++n) {
-      random.below(2) == 0 ? progress.begin_part(random.uniform(0, 0.4))
-                           : progress.begin_part_of_rest(random.uniform());
-      for (std::uint32_t steps = random.below(5000); steps > 0; --steps) {
-        progress.step(random.below(100000));
-      }
-      progress.reach(random.uniform(-1, 2));
-    }
-    CHECK(told > 20);
-  }
-}
-
 TEST_CASE("the program knows every stage that a run tells of") {
   for (const std::vector<std::string_view>& more :
        std::vector<std::vector<std::string_view>>{{},
@@ -111,13 +84,21 @@ TEST_CASE("the program knows every stage that a run tells of") {
                                                   {"--vertices", "500"},
                                                   {"--stop-after", "recover"}}) {
     CommandLine line = command_line(more);
-    std::map<std::string, double> last;
     std::vector<std::string> order;
-    line.options.progress = [&](const char* stage, double share) {
-      if (!last.contains(stage)) order.push_back(stage);
-      CHECK(share >= last[stage]);
-      last[stage] = share;
-    };
+    struct Stages : Observer {
+      std::vector<std::string>& order;
+      std::size_t steps = 0;
+      explicit Stages(std::vector<std::string>& told) : order(told) {}
+      void stage_begins(const char* stage) override {
+        order.emplace_back(stage);
+        steps = 0;
+      }
+      void steps_done(std::size_t done, std::size_t) override {
+        CHECK(done > steps);
+        steps = done;
+      }
+    } stages(order);
+    line.options.observer = &stages;
     const Volume volume = make_builtin_volume("builtin:fuel:24");
     Report report;
     mesh_isosurface(volume, 0.3, line.options, report);

@@ -10,7 +10,7 @@
 
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
-#include "surface/profile.h"
+#include "trace/profile.h"
 #include "volume/builtin_fields.h"
 #include "volume/read_volume.h"
 
@@ -53,7 +53,7 @@ TEST_CASE("a profile counts every insertion, stays within the stage's time and c
     Profile profile;
     Options options = Options::paper();
     const Run plain = mesh_builtin(input, options);
-    options.profile = &profile;
+    options.observer = &profile;
     const Run run = mesh_builtin(input, options);
     CHECK(same(plain.mesh, run.mesh));
     const Report& r = run.report;
@@ -64,10 +64,11 @@ TEST_CASE("a profile counts every insertion, stays within the stage's time and c
     CHECK(total(profile.refine.nanoseconds) == r.insertions_refine);
     CHECK(profile.recover.searches[0] == 0);
     CHECK(profile.refine.searches[0] == 0);
-    CHECK(profile.seconds_search > 0);
-    CHECK(profile.seconds_triangulation > 0);
-    CHECK(profile.seconds_disk_tests > 0);
-    CHECK(profile.seconds_search + profile.seconds_triangulation + profile.seconds_disk_tests <
+    CHECK(profile.seconds(Activity::search) > 0);
+    CHECK(profile.seconds(Activity::triangulation) > 0);
+    CHECK(profile.seconds(Activity::disk_test) > 0);
+    CHECK(profile.seconds(Activity::search) + profile.seconds(Activity::triangulation) +
+              profile.seconds(Activity::disk_test) <
           r.seconds_recover);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a trace tells, against what came out: its facets replayed are the mesh, its zones are in
 // conflict by exact predicates, and the run is the one that it would have been without.
-#include "trace/trace.h"
+#include "trace/recorder.h"
 
 #include <doctest/doctest.h>
 
@@ -36,7 +36,8 @@ Traced traced(const Volume& volume, double isovalue, Options options,
               std::size_t limit = kNoLimit) {
   Traced out;
   out.trace = Trace(limit, false);
-  options.trace = &out.trace;
+  TraceRecorder recorder(out.trace, out.report);
+  options.observer = &recorder;
   out.mesh = mesh_isosurface(volume, isovalue, options, out.report);
   return out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "trace/mesh_recorder.h"
+#include "trace/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace deliso {
 
-void MeshRecorder::number(const std::vector<Triangle>& facets, VertexId new_vertex,
-                          std::vector<Triangle>& out) const {
+void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
+                                std::vector<Triangle>& out) const {
   out.clear();
   for (Triangle t : facets) {
     for (VertexId& v : t) v = v == new_vertex ? kNoId : trace_.of_mesh()[v];
@@ -17,21 +17,20 @@ void MeshRecorder::number(const std::vector<Triangle>& facets, VertexId new_vert
   }
 }
 
-void MeshRecorder::mesh_handed_over(const SurfaceMesh& s) {
+void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
   trace_.switch_to(s.mesh);
 }
 
-void MeshRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) {
-  if (!is_recorded()) return;
-  TraceEvent& event =
-      trace_.asks(trace_code(Routine::count_), static_cast<std::uint8_t>(reason), value);
+void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) {
+  if (!trace_.follows_mesh() || trace_.is_full()) return;
+  TraceEvent& event = trace_.asks(trace_code(Routine::count_), trace_code(reason), value);
   for (std::size_t i = 0; i < 3; ++i) event.caller[i] = trace_.of_mesh()[s.mesh.faces[f].v[i]];
   const Dual& dual = s.duals[f];
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
-void MeshRecorder::operation_tried(Rung rung, const Change& change,
-                                   std::optional<Refusal> refusal) {
+void TraceRecorder::operation_tried(Rung rung, const Change& change,
+                                    std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
   TraceEvent& event = trace_.event();
   event.is_changed = !refusal;
@@ -39,17 +38,17 @@ void MeshRecorder::operation_tried(Rung rung, const Change& change,
     const bool has_vertex = change.what != Change::Vertex::none;
     if (has_vertex) event.place = change.place;
     if (refusal) {
-      number(change.was.facets, kNoId, event.star);
-      number(change.in.facets, has_vertex ? change.vertex : kNoId, event.cone);
+      number_mesh(change.was.facets, kNoId, event.star);
+      number_mesh(change.in.facets, has_vertex ? change.vertex : kNoId, event.cone);
     } else {
-      number(change.was.facets, kNoId, event.removed);
+      number_mesh(change.was.facets, kNoId, event.removed);
       if (has_vertex) {
         event.vertex = trace_.add_vertex(change.place);
         std::vector<VertexId>& numbers = trace_.of_mesh();
         numbers.resize(std::max<std::size_t>(numbers.size(), change.vertex + 1));
         numbers[change.vertex] = event.vertex;
       }
-      number(change.in.facets, kNoId, event.added);
+      number_mesh(change.in.facets, kNoId, event.added);
     }
   }
   event.routine = trace_code(rung);
