@@ -39,9 +39,6 @@ struct Parameters {
   // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
   bool keep_partial = false;
 
-  Observer* observer = nullptr;  // surface/observer.h; may be null; Stage 1 tells it what it does
-  // Stage 2's: called now and then with a stage's name and a share done in [0, 1]; may be empty.
-  std::function<void(const char* stage, double share)> progress;
   Observer* observer = nullptr;  // surface/observer.h; may be null
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }

@@ -33,7 +33,6 @@ void TraceRecorder::operation_tried(Rung rung, const Change& change,
                                     std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
   TraceEvent& event = trace_.event();
-  event.is_changed = !refusal;
   if (!trace_.is_full()) {
     const bool has_vertex = change.what != Change::Vertex::none;
     if (has_vertex) event.place = change.place;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/random.h"
-#include "refine/worst_first.h"
+#include "refine/facet_queue.h"
 
 using namespace deliso;
 
