@@ -56,9 +56,9 @@ struct Bounded {
   friend Bounded operator+(Bounded a, Bounded b) { return {a.value + b.value, a.size + b.size}; }
   friend Bounded operator-(Bounded a, Bounded b) { return {a.value - b.value, a.size + b.size}; }
   friend Bounded operator*(Bounded a, Bounded b) {
-    const double size = a.size * b.size;
-    const bool lost = size < kUnderflow && a.size != 0 && b.size != 0;
-    return {a.value * b.value, lost ? std::numeric_limits<double>::infinity() : size};
+    const double product = a.size * b.size;
+    const bool lost = product < kUnderflow && a.size != 0 && b.size != 0;
+    return {a.value * b.value, lost ? std::numeric_limits<double>::infinity() : product};
   }
   friend Bounded operator*(Bounded a, double b) { return a * Bounded(b); }
 };

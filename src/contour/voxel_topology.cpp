@@ -99,8 +99,8 @@ constexpr MaskTable kMasks = make_mask_table();
 // values in the same order.
 bool inside_corners_joined(int mask, const VoxelValues& v, int f) {
   const auto& k = kFaceCorners[f];
-  const auto [a, b] = std::minmax(k[0], k[2]);
-  const auto [p, q] = std::minmax(k[1], k[3]);
+  const int a = std::min(k[0], k[2]), b = std::max(k[0], k[2]);
+  const int p = std::min(k[1], k[3]), q = std::max(k[1], k[3]);
   const int corners = 1 << a | 1 << b | 1 << p | 1 << q;
   const int sign =
       sign_of(v, corners, [=](const auto& x) { return x.c(a) * x.c(b) - x.c(p) * x.c(q); });
