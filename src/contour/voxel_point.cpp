@@ -104,7 +104,14 @@ double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
 }
 
 Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
-  if (const auto p = surface_point_within(clamp_to_inside(from, kClearance), kClearance)) return *p;
+  // Where a sample is next to kappa, a piece around it has no point further from the faces.
+  const auto [least, most] =
+      std::minmax_element(corners_.begin(), corners_.end(),
+                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const Vec3 clear = clamp_to_inside(from, kClearance);
+  if (from == clear || std::abs(*least) > kClearance * std::abs(*most)) {
+    if (const auto p = surface_point_within(clear, kClearance)) return *p;
+  }
   if (const auto p = surface_point_within(from, 0)) return *p;
   // No line hit: a corner equals kappa, up to rounding, and Sigma only touches the voxel there.
   double smallest = std::numeric_limits<double>::infinity();
