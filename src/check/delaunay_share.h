@@ -32,8 +32,9 @@ struct DelaunayShare {
 // circumcenter, as far as that is at most so many circumradii away.
 inline constexpr double kBallLimit = 4;
 
-// Cells that may be made for each vertex, all in all. Vertices spread over a surface take some
-// thirty; those of a helix seen from its axis would take as many as there are vertices.
+// Cells that may be made or walked through for each vertex, all in all. Vertices spread over a
+// surface take some forty; those of a helix seen from its axis, or around a center, would take as
+// many as there are vertices.
 inline constexpr std::size_t kMostCells = 96;
 
 // Four auxiliary vertices far outside stand in for infinity. Not measured where all vertices lie in

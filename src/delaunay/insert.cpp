@@ -11,7 +11,7 @@
 
 namespace deliso {
 
-CellId Triangulation::locate(const Vec3& p, CellId hint) const {
+CellId Triangulation::locate(const Vec3& p, CellId hint, std::size_t& walked) const {
   DELISO_CHECK(!cells_.empty());
   CellId c = hint < cells_.size() && is_live(hint) ? hint : last_created_;
   if (is_infinite(c)) c = neighbor(c, 0);
@@ -30,6 +30,7 @@ CellId Triangulation::locate(const Vec3& p, CellId hint) const {
     }
     if (next == kNoId) return c;
     c = next >> 2;
+    ++walked;
     if (is_infinite(c)) return c;
     entered = static_cast<int>(next & 3);
   }
@@ -81,7 +82,8 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
   zone.cells.clear();
   zone.boundary.clear();
   zone.duplicate = kNoId;
-  const CellId start = locate(p, hint);
+  zone.walked = 0;
+  const CellId start = locate(p, hint, zone.walked);
   for (VertexId v : cells_[start].vertices) {
     if (v != kInfinite && points_[v] == p) {
       zone.duplicate = v;

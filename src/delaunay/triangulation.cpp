@@ -90,15 +90,15 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
   for (int k = 0; k < 4; ++k) ids[f[k]] = static_cast<VertexId>(1 + k);
   // The order jumps about in memory where the points do not.
   constexpr std::size_t kAhead = 8;
-  std::size_t made = 0;
+  std::size_t work = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::uint32_t i = order[k], ahead = order[std::min(k + kAhead, order.size() - 1)];
     __builtin_prefetch(&points[ahead]);
     __builtin_prefetch(&ids[ahead]);
     if (ids[i] != kNoId) continue;
     ids[i] = insert(points[i]);
-    made += scratch_created_.size();
-    if (made / most_cells > points.size()) {
+    work += scratch_created_.size() + scratch_zone_.walked;
+    if (work / most_cells > points.size()) {
       clear();
       return false;
     }

@@ -50,6 +50,7 @@ struct ConflictZone {
   std::vector<CellId> cells;
   std::vector<Facet> boundary;  // facets of conflict cells whose other cell stays
   VertexId duplicate = kNoId;   // the vertex at this very position; then nothing is in conflict
+  std::size_t walked = 0;       // cells on the way to it
 };
 
 // Coordinates: finite, any unit, in the range of predicates.h. Up to 2^30 cells.
@@ -61,7 +62,8 @@ class Triangulation {
   // Inserts all points in a biased randomised Hilbert order (Amenta, Choi and Rote 2003) that
   // depends on nothing but the points and their order. ids[i] is the vertex of points[i];
   // duplicates share one. Returns false, and stays empty, when all points lie in one plane, or when
-  // it would make more than `most_cells` cells for each point, those counted that are gone again.
+  // it would make or walk through more than `most_cells` cells for each point, those counted that
+  // are gone again.
   bool build(std::span<const Vec3> points, std::vector<VertexId>& ids,
              std::size_t most_cells = kNoId);
 
@@ -81,9 +83,9 @@ class Triangulation {
   Facet mirror(Facet f) const { return facet(cells_[f.cell].links[f.index]); }
 
   // The cell that holds p (finite, or infinite when p is beyond the hull), by a remembering walk
-  // from `hint` (kNoId or a cell that is no more: from the last cell created).
-  // pre: build() has succeeded, here and below.
-  CellId locate(const Vec3& p, CellId hint) const;
+  // from `hint` (kNoId or a cell that is no more: from the last cell created). Each step adds one
+  // to `walked`. pre: build() has succeeded, here and below.
+  CellId locate(const Vec3& p, CellId hint, std::size_t& walked) const;
   // The conflict zone of p. Const: nothing changes until insert_in_zone.
   void find_conflicts(const Vec3& p, CellId hint, ConflictZone& zone) const;
   // Stars the zone from p. created[k] is the new cell on zone.boundary[k] = (c, i): it has the

@@ -114,6 +114,16 @@ status=0
 "$deliso" "$@" -o many.ply -q 2>stderr >stdout || status=$?
 holds "not when quiet" [ "$(wc -l <stderr)" -eq 1 ]
 
+# The share of restricted Delaunay triangles is a number, and a fault on request alone.
+"$deliso" builtin:noise:16 --check -q -o noise.ply
+holds "the share alone is no fault" "$deliso" check noise.ply builtin:noise:16 -q
+status=0
+"$deliso" check noise.ply builtin:noise:16 --restricted 1 >report || status=$?
+holds "but one that is asked for is" [ "$status" -eq 1 ]
+holds "and named" grep -q '^FAULT     restricted share: ' report
+holds "points are told apart by r_min" \
+  sh -c '"$1" check noise.ply builtin:noise:16 | grep -q "voxels: [0-9]* above r_min, [0-9]* below$"' - "$deliso"
+
 # Marching Cubes.
 "$deliso" builtin:torus --method marching-cubes -q --check -o cubes.ply
 "$deliso" builtin:torus -q -o torus.ply

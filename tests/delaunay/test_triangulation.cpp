@@ -175,7 +175,9 @@ TEST_CASE("locate finds a cell that holds the point, from any hint") {
       if (query % 4 == 1) p = 0.5 * (p + any());
       if (query % 4 == 2) p = p + 1.5 * (any() - any());
       if (query % 4 == 3) p = 100 * p;
-      const CellId c = t.locate(p, random.below(static_cast<std::uint32_t>(t.cell_capacity() + 1)));
+      std::size_t walked = 0;
+      const CellId c =
+          t.locate(p, random.below(static_cast<std::uint32_t>(t.cell_capacity() + 1)), walked);
       REQUIRE(t.is_live(c));
       const int infinite = t.infinite_index(c);
       if (infinite >= 0) {
