@@ -87,7 +87,7 @@ class Search {
     }
     const TriangleTree places(ends, boxes, threads_);
     run(items.size(), [&](std::size_t n, Work& work) {
-      const auto [mine, f] = items[n];
+      const FaceId mine = items[n].first, f = items[n].second;
       const Triangle& t = triangles_[f];
       const Box3 box = box_of(points_[t[0]], points_[t[1]], points_[t[2]]);
       places.for_each_leaf_near(box, 0, 0, work.boxes, [&](std::size_t leaf, const Box3&) {
