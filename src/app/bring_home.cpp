@@ -10,19 +10,21 @@
 
 namespace deliso {
 
+bool is_single_precision(const TriMesh& mesh) {
+  return std::ranges::all_of(mesh.points, [](const Vec3& p) {
+    return Vec3{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)} == p;
+  });
+}
+
 double bring_home(TriMesh& mesh, const Frame& at) {
   double largest = 0;
-  bool single = true;
-  const auto note = [&](double x) {
-    largest = std::max(largest, std::fabs(x));
-    single &= static_cast<double>(static_cast<float>(x)) == x;
-  };
+  const bool single = is_single_precision(mesh);
   const auto& [u, v, w] = at.axes;
   const double determinant = dot(cross(u, v), w);
   const Vec3 to_x = cross(v, w) / determinant, to_y = cross(w, u) / determinant;
   const Vec3 to_z = cross(u, v) / determinant;
   for (Vec3& p : mesh.points) {
-    for (int axis = 0; axis < 3; ++axis) note(p[axis]);
+    for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::fabs(p[axis]));
     const Vec3 q = p - at.origin;
     if (at.origin == Vec3{} && u == Vec3{1, 0, 0} && v == Vec3{0, 1, 0} && w == Vec3{0, 0, 1}) {
       continue;  // the frames are the same, to the last bit

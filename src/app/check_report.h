@@ -12,6 +12,10 @@
 
 namespace deliso {
 
+// What to do about crossings that rounding to float made.
+inline constexpr const char* kKeepDoubles =
+    ".ply, .off, .obj and .vtp keep doubles, without --float";
+
 // The limits are those of the command line; of the check command those of `noted`, what the mesh's
 // file says, where options do not say otherwise. Distances are required by the check command alone,
 // and only where it was told one. Lengths in the scaled frame; position_error is left 0.

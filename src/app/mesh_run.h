@@ -3,6 +3,7 @@
 // programs.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,13 +32,21 @@ struct MeshRun {
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
   double volume = 0;        // with --cap: what mesh and caps enclose, in world units
+  // Pairs of triangles that cross, of what is written: counted with --cap, and where coordinates
+  // are rounded to float. The second is what they would be in double precision.
+  std::size_t crossings = 0, crossings_in_double = 0;
   std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
   std::uint64_t peak_bytes = 0;  // of the process
 
+  bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
+  std::size_t crossings_by_rounding() const {
+    return crossings - std::min(crossings, crossings_in_double);
+  }
   bool sound() const {
-    return fault.empty() && report.cap.sound() && !(verification && verification->faults.any());
+    return fault.empty() && report.cap.failure.empty() && crossings_by_rounding() == 0 &&
+           !(has_solid() && crossings > 0) && !(verification && verification->faults.any());
   }
 };
 

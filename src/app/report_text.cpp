@@ -123,14 +123,19 @@ std::string report_text(const MeshRun& run) {
       (run.mesh == run.report.exact ? std::string("the same") : topology_text(run.report.exact)) +
       "\n";
   if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
-  if (run.line.options.cap && report.cap.failure.empty()) {
+  if (run.has_solid()) {
     text += "solid     " +
             solid_text(run.vertices - report.cap.surface_vertices,
                        run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality) +
-            "\n          " + (report.cap.crossings > 0 ? "FAULT: " : "") +
-            counted(report.cap.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
+            "\n          " + (run.crossings > 0 ? "FAULT: " : "") +
+            counted(run.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
+  }
+  if (run.crossings_by_rounding() > 0) {
+    text += "rounding  FAULT: single precision makes " +
+            counted(run.crossings_by_rounding(), "pair", "pairs") + " of triangles cross; " +
+            kKeepDoubles + "\n";
   }
   if (run.triangles > 0)
     append_quality(text, run.quality, run.line.options.limits[Criterion::r_over_l].value,

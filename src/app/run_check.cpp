@@ -20,6 +20,7 @@ int run_check(const CommandLine& line) {
   const Volume& volume = input.volume;
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
+  const bool is_single = is_single_precision(mesh);
   options.position_error = bring_home(mesh, volume.frame());
   const double isovalue = is_of_blocks(comments)
                               ? isovalue_of_blocks(volume.type(), *line.isovalue)
@@ -37,8 +38,15 @@ int run_check(const CommandLine& line) {
   }
   if (!line.quiet && line.json != "-") {
     const char* judged = noted ? ", judged by the criteria in its comment\n" : "\n";
-    print("mesh      " + line.meshes.front() + judged + input_text(input) +
-          verification_text(result, volume));
+    std::string text = "mesh      " + line.meshes.front() + judged + input_text(input) +
+                       verification_text(result, volume);
+    if (is_single && result.faults.count(FaultKind::self_intersections) > 0) {
+      text += std::string(
+                  "          coordinates are in single precision, which may be why "
+                  "triangles cross: ") +
+              kKeepDoubles + "\n";
+    }
+    print(text);
   }
   return result.faults.any() ? kFaultFound : kFine;
 }

@@ -102,13 +102,19 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
-// Single precision and turned axes round: what is counted is the solid in the file.
+// Single precision and turned axes round: what is counted is what the file will hold. Only where
+// floats cross are the doubles counted as well, to tell whether rounding did it.
 void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
-  CapReport& cap = run.report.cap;
-  if (!line.options.cap || !cap.failure.empty() || line.output.empty()) return;
-  const std::vector<Vec3> written = written_points(mesh, line.write);
-  if (written != mesh.points) cap.crossings = count_crossings(written, mesh.faces);
+  const bool is_written = !line.output.empty();
+  const bool is_single = is_written && writes_single_precision(line.write);
+  if (!run.has_solid() && !is_single) return;
+  const auto count = [&](const MeshWriteOptions& how) {
+    const std::vector<Vec3> points = is_written ? written_points(mesh, how) : mesh.points;
+    return count_crossings(points, mesh.faces, line.options.threads);
+  };
+  run.crossings = run.crossings_in_double = count(line.write);
+  if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
 }
 
 void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
@@ -119,9 +125,9 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
     MeshWriteOptions options = line.write;
     options.comment = criteria_note(line, volume, run.report);
     if (line.read.block) {
-      options.comment +=
-          part_words(volume, *line.read.block, *line.isovalue, run.report.kappa_effective);
       options.seam = seam_of(mesh, volume);
+      options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
+                                     run.report.kappa_effective, written_part(mesh, options));
     }
     write_mesh(mesh, line.output, options);
   }

@@ -28,7 +28,6 @@ std::string name_of(Index3 block) {
 struct Part {
   std::string path;
   PartNote note;
-  std::string space;  // the comment that names the space
 };
 
 // Whether a grid edge lies in the plane of samples number n across an axis.
@@ -69,9 +68,12 @@ class Joiner {
   [[noreturn]] void fail_match(const Part& a, const Part& b) const {
     throw InputError(text("the seams of ", quote(a.path), " and ", quote(b.path), " do not match"));
   }
-  std::uint32_t number_of(Index3 block) const {
-    return static_cast<std::uint32_t>(block.i + of_.i * (block.j + of_.j * block.k));
+  // pre: there is one part of each block, so that these numbers are those of the parts.
+  std::size_t number_of(Index3 block) const {
+    const auto [i, j, k] = block;
+    return static_cast<std::size_t>(i + of_.i * (j + std::int64_t{of_.j} * k));
   }
+  PartMesh read(std::uint32_t p) const;
   void require_one_of_each() const;
   void require_same_samples() const;
   void number(std::uint32_t p, const PartMesh& part);
@@ -96,11 +98,7 @@ Joiner::Joiner(std::span<const std::string> paths) {
     const std::vector<std::string> comments = read_ply_comments(path);
     std::optional<PartNote> note = part_note(comments);
     if (!note) throw InputError(text(quote(path), " is no part of a mesh, as --block makes them"));
-    std::string space;
-    for (const std::string& comment : comments) {
-      if (comment.starts_with("DelIso SPACE=")) space = comment;
-    }
-    parts_.push_back({path, std::move(*note), std::move(space)});
+    parts_.push_back({path, std::move(*note)});
   }
   DELISO_CHECK(!parts_.empty());
   // Named first or not, of two that differ one is blamed: that of the later block.
@@ -128,19 +126,24 @@ Joiner::Joiner(std::span<const std::string> paths) {
 }
 
 void Joiner::require_one_of_each() const {
-  const auto number = [&](std::size_t n) { return number_of(parts_[n].note.block.at); };
-  const std::size_t blocks = number_of({of_.i - 1, of_.j - 1, of_.k - 1}) + std::size_t{1};
-  for (std::size_t n = 0; n < std::max(parts_.size(), blocks); ++n) {
-    if (n > 0 && n < parts_.size() && number(n) == number(n - 1)) {
+  for (std::size_t n = 1; n < parts_.size(); ++n) {
+    if (parts_[n].note.block.at == parts_[n - 1].note.block.at) {
       throw InputError(text(quote(parts_[n].path), " and ", quote(parts_[n - 1].path),
                             " are both block ", name_of(parts_[n].note.block.at)));
     }
-    if (n >= parts_.size() || number(n) != n) {
-      const int i = static_cast<int>(n);
-      throw InputError(text("block ", name_of({i % of_.i, i / of_.i % of_.j, i / of_.i / of_.j}),
-                            " of ", name_of(of_), " is missing beside ",
+  }
+  // Counted up like an odometer: how many blocks there are may be more than 64 bits hold.
+  Index3 due;
+  for (std::size_t n = 0; due.k < of_.k; ++n) {
+    if (n == parts_.size() || parts_[n].note.block.at != due) {
+      throw InputError(text("block ", name_of(due), " of ", name_of(of_), " is missing beside ",
                             quote(parts_.front().path)));
     }
+    if (++due.i < of_.i) continue;
+    due.i = 0;
+    if (++due.j < of_.j) continue;
+    due.j = 0;
+    ++due.k;
   }
 }
 
@@ -233,10 +236,17 @@ void Joiner::match_edges() {
   joined_.seam_vertices = seam_.size();
 }
 
+// In each pass anew: a part that has changed in between is refused.
+PartMesh Joiner::read(std::uint32_t p) const {
+  PartMesh part = read_part(parts_[p].path);
+  require_as_noted(parts_[p].note, part, parts_[p].path);
+  return part;
+}
+
 Joined Joiner::run(const std::string& output, bool single_precision, bool ascii) {
   joined_.parts = parts_.size();
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    PartMesh part = read_part(parts_[p].path);
+    PartMesh part = read(p);
     number(p, part);
     collect_edges(p, std::move(part));
   }
@@ -246,20 +256,20 @@ Joined Joiner::run(const std::string& output, bool single_precision, bool ascii)
                           joined_.triangles, " triangles, more than 32-bit ids can name"));
   }
   PlyHeader header{{}, joined_.vertices, joined_.triangles, {}, single_precision, ascii};
-  const Part& first = parts_.front();
-  header.comments.push_back(first.space.empty() ? "DelIso" : first.space);
+  const PartNote& first = parts_.front().note;
+  header.comments.push_back("DelIso" + (first.space.empty() ? "" : " SPACE=" + first.space));
   std::string& line = header.comments.emplace_back();
-  for (const std::string& word : first.note.words) line += (line.empty() ? "" : " ") + word;
+  for (const std::string& word : first.words) line += (line.empty() ? "" : " ") + word;
   AtomicFile out(output);
   PlyWriter writer(out, header);
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    const PartMesh part = read_part(parts_[p].path);
+    const PartMesh part = read(p);
     for (VertexId v = 0; v < part.points.size(); ++v) {
       if (!numbers_[p].of(v).is_foreign) writer.vertex(part.points[v]);
     }
   }
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
-    for (Triangle t : read_part(parts_[p].path).triangles) {
+    for (Triangle t : read(p).triangles) {
       for (VertexId& v : t) v = static_cast<VertexId>(numbers_[p].of(v).in_whole);
       writer.facet(t);
     }

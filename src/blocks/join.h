@@ -26,7 +26,7 @@ struct Joined {
 // seams. The result does not depend on the order of the paths.
 // Throws InputError that names the file: for one that is no part, parts that are not of one mesh
 // (other volume, isovalue, criteria, grid of blocks), a block missing or twice, seams that do not
-// match.
+// match, a part that is not, in each of the three times, what its note says.
 Joined join_parts(std::span<const std::string> paths, const std::string& output,
                   bool single_precision, bool ascii);
 

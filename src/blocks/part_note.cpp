@@ -9,12 +9,22 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "files/checksum.h"
+#include "files/text_scan.h"
 
 namespace deliso {
 namespace {
 
 constexpr std::string_view kLowered = "lowered=";
-constexpr std::string_view kVolume = "volume=", kBlock = "block=", kSamples = "samples=";
+constexpr std::string_view kVolume = "volume=", kFrame = "frame=";
+constexpr std::string_view kBlock = "block=", kSamples = "samples=";
+constexpr std::size_t kFrameNumbers = 12;  // of the origin and three axes; a space may follow
+constexpr std::string_view kHolds = "holds=", kChecksum = "checksum=";
+
+std::string digits_of(std::uint32_t checksum) {
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(checksum));
+  return digits;
+}
 
 // Of the samples on a face of the box, as numbers of type double: of any machine.
 std::string face_checksum(const Volume& volume, int face) {
@@ -26,10 +36,21 @@ std::string face_checksum(const Volume& volume, int face) {
   for (at[v] = 0; at[v] < dims[v]; ++at[v]) {
     for (at[u] = 0; at[u] < dims[u]; ++at[u]) samples.push_back(volume.sample(at.i, at.j, at.k));
   }
-  char digits[16];
-  std::snprintf(digits, sizeof digits, "%08x",
-                static_cast<unsigned>(crc32(std::as_bytes(std::span(samples)))));
-  return digits;
+  return digits_of(crc32(std::as_bytes(std::span(samples))));
+}
+
+// What comes behind `comment`.
+std::string last_words(std::string_view comment, const PartMesh& part) {
+  std::uint32_t sum = crc32(std::as_bytes(std::span(comment)));
+  sum = crc32(std::as_bytes(std::span(part.points)), sum);
+  sum = crc32(std::as_bytes(std::span(part.triangles)), sum);
+  for (const SeamVertex& s : part.seam) {
+    const auto& [i, j, k] = s.at.low;
+    const std::int64_t row[] = {s.vertex, s.at.axis, i, j, k};
+    sum = crc32(std::as_bytes(std::span(row)), sum);
+  }
+  return text(" ", kHolds, part.points.size(), ",", part.triangles.size(), ",", part.seam.size(),
+              " ", kChecksum, digits_of(sum));
 }
 
 std::string listed(Index3 n, const char* between) {
@@ -52,6 +73,7 @@ std::vector<std::string> words_of(std::string_view line, char separator) {
 
 std::optional<PartNote> note_in(const std::string& comment) {
   PartNote note;
+  note.comment = comment;
   bool has_block = false, has_samples = false;
   for (const std::string& word : words_of(comment, ' ')) {
     const std::string_view value = std::string_view(word).substr(word.find('=') + 1);
@@ -63,7 +85,11 @@ std::optional<PartNote> note_in(const std::string& comment) {
       if (sums.size() != note.samples.size()) return std::nullopt;
       std::copy(sums.begin(), sums.end(), note.samples.begin());
       has_samples = true;
-    } else {
+    } else if (!word.starts_with(kHolds) && !word.starts_with(kChecksum)) {
+      if (word.starts_with(kFrame)) {
+        const std::vector<std::string> frame = words_of(value, ',');
+        if (frame.size() > kFrameNumbers) note.space = frame.back();
+      }
       if (word.starts_with(kVolume)) note.dims = parse_dims(value.substr(0, value.find(',')));
       note.words.push_back(word);
     }
@@ -75,21 +101,35 @@ std::optional<PartNote> note_in(const std::string& comment) {
 
 }  // namespace
 
-std::string part_words(const Volume& volume, const BlockChoice& block, double isovalue,
-                       double effective_isovalue) {
+std::string part_comment(std::string comment, const Volume& volume, const BlockChoice& block,
+                         double isovalue, double effective_isovalue, const PartMesh& part) {
   const Frame& at = volume.frame();
-  std::string words =
-      text(" ", kVolume, listed(volume.whole_dims(), "x"), ",", name_of(volume.type()), ",",
-           listed(volume.spacing()), " frame=", listed(at.origin));
-  for (const Vec3& axis : at.axes) words += text(",", listed(axis));
-  if (at.space != AnatomicalSpace::unknown) words += text(",", short_name_of(at.space));
-  words += text(" isovalue=", isovalue, " ", kLowered, effective_isovalue, " ", kBlock,
-                listed(block.at, ","), "/", listed(block.of, ","));
+  comment += text(" ", kVolume, listed(volume.whole_dims(), "x"), ",", name_of(volume.type()), ",",
+                  listed(volume.spacing()), " ", kFrame, listed(at.origin));
+  for (const Vec3& axis : at.axes) comment += text(",", listed(axis));
+  if (at.space != AnatomicalSpace::unknown) comment += text(",", short_name_of(at.space));
+  comment += text(" isovalue=", isovalue, " ", kLowered, effective_isovalue, " ", kBlock,
+                  listed(block.at, ","), "/", listed(block.of, ","));
   for (int face = 0; face < 6; ++face) {
-    words += face == 0 ? text(" ", kSamples) : ",";
-    words += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";
+    comment += face == 0 ? text(" ", kSamples) : ",";
+    comment += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";
   }
-  return words;
+  return comment + last_words(comment, part);
+}
+
+void require_as_noted(const PartNote& note, const PartMesh& part, const std::string& path) {
+  const std::size_t end = note.comment.rfind(text(" ", kHolds));
+  if (end == std::string::npos) {
+    throw InputError(text(quote(path),
+                          " has no checksum in its note, as an older version made it: "
+                          "make it again"));
+  }
+  const std::string noted = note.comment.substr(end);
+  const std::string is = last_words(std::string_view(note.comment).substr(0, end), part);
+  if (is != noted) {
+    throw InputError(
+        text(quote(path), " is not as it was made: it has", is, ", its note says", noted));
+  }
 }
 
 bool is_of_blocks(std::span<const std::string> comments) {

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "cap/box_caps.h"
 #include "cap/leave_box.h"
-#include "embedding/self_intersections.h"
 #include "mesh/split.h"
 
 namespace deliso {
@@ -145,9 +144,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   if (links.boundary_edges + links.non_manifold_edges > 0) {
     result.failure = text(links.boundary_edges, " edges stay open, ", links.non_manifold_edges,
                           " are no manifold");
-    return;
   }
-  result.crossings = count_crossings(mesh.points, mesh.faces);
 }
 
 }  // namespace deliso

@@ -23,8 +23,8 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa);
 
 // Appends the caps to s.mesh; where there is no surface, but the volume is inside, they are the
 // whole box. The r/l that the refinement is bounded by bounds theirs where boundary edges allow.
-// Sets report.cap: what could not be closed stays open, and report.cap.failure says why; pairs of
-// triangles that cross are counted when it is closed.
+// Sets report.cap: what could not be closed stays open, and report.cap.failure says why. Triangles
+// that cross are not looked for: count_crossings() does that, of the points as they are written.
 // `inside` says of corners of the box what the mesh does not: where a face has no boundary edge.
 // pre: the mesh is linked.
 void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,

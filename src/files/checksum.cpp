@@ -31,8 +31,8 @@ std::uint32_t little32(std::span<const std::byte> in) {
 
 }  // namespace
 
-std::uint32_t crc32(std::span<const std::byte> bytes) {
-  std::uint32_t c = 0xffffffffu;
+std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
+  std::uint32_t c = ~before;
   while (bytes.size() >= 8) {
     const std::uint32_t lo = c ^ little32(bytes), hi = little32(bytes.subspan(4));
     c = kCrc[7][lo & 0xff] ^ kCrc[6][lo >> 8 & 0xff] ^ kCrc[5][lo >> 16 & 0xff] ^

@@ -8,8 +8,8 @@
 
 namespace deliso {
 
-std::uint32_t crc32(std::span<const std::byte> bytes);
 // `before`: the sum of the bytes that come before these.
+std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before = 0);
 std::uint32_t adler32(std::span<const std::byte> bytes, std::uint32_t before = 1);
 
 }  // namespace deliso

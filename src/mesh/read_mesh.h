@@ -34,12 +34,7 @@ namespace deliso {
 // file's.
 TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments = nullptr);
 
-// A part of a mesh from a PLY file, not linked.
-struct PartMesh {
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-  std::vector<SeamVertex> seam;  // as in the file; empty where there is none
-};
+// A part of a mesh from a PLY file; without a seam where the file has none.
 PartMesh read_part(const std::string& path);
 // The comments of a PLY file, of which only the header is read.
 std::vector<std::string> read_ply_comments(const std::string& path);

@@ -49,8 +49,12 @@ MeshFormat mesh_format_of(std::string_view path) {
   throw InputError(text("'", path, "' has no mesh format's ending (", known, ")"));
 }
 
+bool writes_single_precision(const MeshWriteOptions& options) {
+  return options.single_precision || options.format == MeshFormat::stl;
+}
+
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
-  const bool single = options.single_precision || options.format == MeshFormat::stl;
+  const bool single = writes_single_precision(options);
   std::vector<Vec3> points;
   points.reserve(mesh.points.size());
   for (const Vec3& p : mesh.points) {
@@ -59,6 +63,14 @@ std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& op
     points.push_back(q);
   }
   return points;
+}
+
+PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options) {
+  PartMesh part{written_points(mesh, options), {}, options.seam};
+  const WorldMesh world(mesh, {});
+  part.triangles.reserve(world.face_count());
+  for (std::size_t f = 0; f < world.face_count(); ++f) part.triangles.push_back(world.triangle(f));
+  return part;
 }
 
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

@@ -43,9 +43,20 @@ struct MeshWriteOptions {
   std::vector<SeamVertex> seam{};
 };
 
-// The points as the file will hold them: in the world, rounded to float where that is asked for, or
-// by STL. pre: options.format.
+// Whether coordinates are rounded to float: where that is asked for, and by STL. pre:
+// options.format.
+bool writes_single_precision(const MeshWriteOptions& options);
+// The points as the file will hold them: in the world, and rounded where it rounds.
+// pre: options.format.
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
+
+// A part as its file holds it; the facets are not linked.
+struct PartMesh {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<SeamVertex> seam;
+};
+PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // In world coordinates: the mesh's frame is applied. Its space is written as SPACE=RAS or LPS where
 // it is known, in VTP as field data, where 3D Slicer looks for it; not in OFF.

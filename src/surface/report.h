@@ -136,9 +136,7 @@ struct RungCounts {
 // With --cap: the surface is what comes first in the mesh, the caps follow.
 struct CapReport {
   std::size_t surface_vertices = 0, surface_triangles = 0;
-  std::string failure;        // why the mesh stayed open; empty: it is closed
-  std::size_t crossings = 0;  // pairs of its triangles, caps and surface, when it is closed
-  bool sound() const { return failure.empty() && crossings == 0; }
+  std::string failure;  // why the mesh stayed open; empty: it is closed
 };
 
 struct Report {

@@ -227,9 +227,9 @@ Volume scaled(const Volume& volume, double slope, double intercept) {
     }
   });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  return Volume(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
-                bytes.owner, volume.frame())
-      .as_block(volume.first(), volume.whole_dims());
+  const Volume real(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
+                    bytes.owner, volume.frame());
+  return volume.is_block() ? real.as_block(volume.first(), volume.whole_dims()) : real;
 }
 
 Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, Volume volume) {

@@ -59,7 +59,8 @@ class Volume {
          std::shared_ptr<const void> owner, Frame frame = {});
 
   // This volume, of which frame() is the larger one's, as a block of that: samples `first` and so
-  // on of `whole`. pre: it fits in there.
+  // on of `whole`. Also where it is all of `whole`: one block is meshed as any other is.
+  // pre: it fits in there.
   Volume as_block(Index3 first, Index3 whole) const;
 
   // Copies `samples` (dims.i * dims.j * dims.k of them, else InputError).
@@ -76,7 +77,7 @@ class Volume {
   // this is all there is.
   Index3 first() const { return first_; }
   Index3 whole_dims() const { return whole_; }
-  bool is_block() const { return whole_ != dims_; }
+  bool is_block() const { return is_block_; }
   // Bit f: face f of the box (2 * axis, 1 more at the high end) is inside the larger volume, and
   // so shared with another block.
   unsigned inner_faces() const;
@@ -147,6 +148,7 @@ class Volume {
   std::shared_ptr<const void> owner_;
   Frame frame_;
   Index3 first_, whole_;
+  bool is_block_ = false;
 };
 
 // Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or

@@ -249,6 +249,14 @@ refuses 'other1.ply' join part0.ply other1.ply -o $o
 refuses 'kept.ply' join part0.ply kept.ply -o $o
 refuses 'nowhere.ply' join part0.ply nowhere.ply -o $o
 refuses "$same reads" join part0.ply part1.ply -o part1.ply
+# Parts that are not what their notes say: another number, none, and a grid whose blocks wrap 32 bits.
+"$deliso" builtin:torus:24 --block 1,0,0/2,1,1 -q --ply-ascii -o text.ply
+sed 's/^\(3 [0-9]* [0-9]*\) [0-9]*$/\1 0/' text.ply >edited.ply
+refuses 'edited.ply.* is not as it was made: it has holds=' join part0.ply edited.ply -o $o
+sed 's/ holds=.*$//' text.ply >old.ply
+refuses 'old.ply.* has no checksum in its note' join part0.ply old.ply -o $o
+sed 's/=24x24x24/=642x6700418x2/; s,block=1\,0\,0/2\,1\,1,block=0\,0\,0/641\,6700417\,1,' text.ply >wraps.ply
+refuses 'block 1,0,0 of 641,6700417,1 is missing' join wraps.ply -o $o
 
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply

@@ -46,12 +46,14 @@ inline std::vector<BlockChoice> all_blocks(Index3 of) {
 
 // Meshes a block and writes the part.
 inline TriMesh write_part(const Volume& whole, const BlockChoice& block, double isovalue,
-                          const Options& options, const std::string& path, Report& report) {
+                          const Options& options, const std::string& path, Report& report,
+                          MeshWriteOptions how = {}) {
   const Volume volume = block_of(whole, block);
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
-  MeshWriteOptions how;
   how.seam = seam_of(mesh, volume);
-  how.comment = "deliso test" + part_words(volume, block, isovalue, report.kappa_effective);
+  how.format = MeshFormat::ply;
+  how.comment = part_comment("deliso test", volume, block, isovalue, report.kappa_effective,
+                             written_part(mesh, how));
   write_mesh(mesh, path, how);
   return mesh;
 }

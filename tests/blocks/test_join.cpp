@@ -79,6 +79,7 @@ std::string fault_of(const std::vector<std::string>& paths, const std::string& w
     CHECK(content(whole).empty());
     return error.what();
   }
+  std::filesystem::remove(whole);
   return {};
 }
 
@@ -184,14 +185,14 @@ TEST_CASE("what does not belong together is refused, and the file is named") {
   // samples; and one that has another surface, whose samples are forged.
   Parts other_volume(sphere(14, 5, 0.25f), {2, 1, 1}, 0, {}, "volume");
   CHECK(names(fault_of(with(other_volume.paths[1]), to), "other samples"));
-  std::string forged = content(other_volume.paths[1]);
   const std::string ours = content(paths[1]);
-  const auto samples_in = [](const std::string& bytes) {
-    const std::size_t at = bytes.find(" samples=");
-    return bytes.substr(at, bytes.find('\n', at) - at);
-  };
-  forged.replace(forged.find(" samples="), samples_in(forged).size(), samples_in(ours));
-  std::ofstream(parts.folder / "forged.ply", std::ios::binary) << forged;
+  const Volume block = block_of(volume, {{1, 0, 0}, {2, 1, 1}});
+  const PartMesh other = read_part(other_volume.paths[1]);
+  MeshWriteOptions how;
+  how.seam = other.seam;
+  how.comment = part_comment("deliso test", block, {{1, 0, 0}, {2, 1, 1}}, 0,
+                             isovalue_of_blocks(block.type(), 0), other);
+  write_mesh(read_mesh(other_volume.paths[1]), parts.folder / "forged.ply", how);
   CHECK(names(fault_of(with(parts.folder / "forged.ply"), to), "do not match"));
 
   // No part at all.
@@ -200,4 +201,82 @@ TEST_CASE("what does not belong together is refused, and the file is named") {
   std::ofstream(parts.folder / "broken.ply", std::ios::binary) << ours.substr(0, ours.size() / 2);
   CHECK(names(fault_of(with(parts.folder / "broken.ply"), to), "broken.ply"));
   CHECK(fault_of(paths, to).empty());
+}
+
+TEST_CASE("a part that is not what its note says is refused, and so is one that has no checksum") {
+  Parts parts(sphere(14, 5), {2, 1, 1}, 0);
+  const std::string ours = content(parts.paths[1]), to = parts.folder / "refused.ply";
+  const std::string edited = parts.folder / "edited.ply";
+  const auto fault_with = [&](std::string bytes) {
+    write_bytes(edited, bytes);
+    return fault_of({parts.paths[0], edited}, to);
+  };
+  const auto without = [&](const std::string& words) {
+    std::string bytes = ours;
+    const std::size_t at = bytes.find(words);
+    return bytes.erase(at, bytes.find_first_of(" \n", at + 1) - at);
+  };
+  CHECK(fault_with(ours).empty());
+  std::string inside = ours;
+  inside[ours.find("end_header") + 11 + 24 * 20] ^= 1;  // a coordinate's last bit
+  CHECK(fault_with(inside).find("edited.ply' is not as it was made: it has holds=") !=
+        std::string::npos);
+  std::string isovalue = ours;
+  isovalue.replace(isovalue.find("deliso test"), 11, "deliso text");
+  CHECK(fault_with(isovalue).find("is no part of the same mesh") != std::string::npos);
+  CHECK(fault_with(without(" checksum=")).find("its note says holds=") != std::string::npos);
+  std::string old = ours;
+  const std::size_t at = old.find(" holds=");
+  old.erase(at, old.find('\n', at) - at);
+  CHECK(fault_with(old).find("edited.ply' has no checksum in its note") != std::string::npos);
+}
+
+TEST_CASE("more blocks than 64 bits can count are not taken for fewer") {
+  Parts parts(sphere(14, 5), {1, 1, 1}, 0);
+  for (const auto& [dims, of] :
+       {std::pair{"642x6700418x2", "641,6700417,1"},
+        std::pair{"2147483647x2147483647x2147483647", "2147483646,2147483646,2147483646"}}) {
+    std::string bytes = content(parts.paths[0]);
+    bytes.replace(bytes.find("14x14x14"), 8, dims);
+    bytes.replace(bytes.find("0/1,1,1") + 2, 5, of);
+    write_bytes(parts.folder / "huge.ply", bytes);
+    CHECK(fault_of({parts.folder / "huge.ply"}, parts.whole).find("block 1,0,0 of") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("text and floats have their checksums as well, and a turned frame keeps its space") {
+  const Volume straight = sphere(14, 5);
+  const std::array<Vec3, 3> axes{Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};  // left-handed
+  const Frame frame{{0.1, -7, 1e-9}, axes, AnatomicalSpace::lps};
+  std::vector<float> samples;
+  for (int n = 0; n < 14 * 14 * 14; ++n) {
+    samples.push_back(static_cast<float>(straight.sample(n % 14, n / 14 % 14, n / 196)));
+  }
+  const Volume volume = Volume::from_samples({14, 14, 14}, {1, 1, 1}, samples, frame);
+  for (const bool ascii : {false, true}) {
+    for (const bool single : {false, true}) {
+      const TemporaryFolder folder;
+      std::vector<std::string> paths;
+      for (const BlockChoice& block : all_blocks({2, 1, 1})) {
+        paths.push_back(folder / ("part" + std::to_string(paths.size()) + ".ply"));
+        Report report;
+        MeshWriteOptions how;
+        how.ascii = ascii;
+        how.single_precision = single;
+        write_part(volume, block, 0, {}, paths.back(), report, how);
+      }
+      join_parts(paths, folder / "whole.ply", false, false);
+      CHECK(content(folder / "whole.ply").find("\ncomment DelIso SPACE=LPS\n") !=
+            std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("one block is at the isovalue of blocks, where samples equal it") {
+  std::vector<std::uint8_t> samples(64, 0);
+  for (const std::size_t n : {21u, 22u, 25u, 26u, 37u, 38u, 41u, 42u}) samples[n] = 9;
+  const Volume volume = Volume::from_samples({4, 4, 4}, {1, 1, 1}, samples);
+  Report report;
+  check_whole(volume, 9, mesh_in_blocks(volume, {1, 1, 1}, 9, {}, report));
 }

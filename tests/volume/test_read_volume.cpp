@@ -186,6 +186,9 @@ TEST_CASE("blocks are regions that know where they lie, and have every voxel onc
   CHECK(std::ranges::count(seen, 1) == 22 * 22 * 22);
   CHECK(std::ranges::count(seen, 0) == 23 * 23 * 23 - 22 * 22 * 22);
   CHECK_FALSE(whole.is_block());
+  // One block is a block as well, at the isovalue of blocks.
+  const BlockChoice all{{}, {1, 1, 1}};
+  CHECK(make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = all}).is_block());
   CHECK_THROWS_AS(make_builtin_volume("builtin:noise:23",
                                       {.raw = {}, .roi = {}, .block = BlockChoice{{}, {23, 1, 1}}}),
                   InputError);
