@@ -94,8 +94,9 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    const unsigned fourths = 1 + random.below(8);
-    WorstFirst queue(box, 2, fourths);
+    const bool is_strict = random.below(2) == 0;
+    const int fourths = is_strict ? 1 : 8;
+    FacetQueue queue(box, 2.0 / 32, is_strict);
     std::vector<double> violation(200, 0);
     std::vector<Vec3> place(200);
     for (int n = 0; n < 1000; ++n) {
@@ -114,7 +115,7 @@ TEST_CASE(
       const int fourth = static_cast<int>(4 * std::log2(violation[f]));
       const int block =
           static_cast<int>(place[f].x + 1) / 2 + 4 * (static_cast<int>(place[f].y) / 2);
-      const std::array<int, 3> now{-(fourth / static_cast<int>(fourths)), block, -fourth};
+      const std::array<int, 3> now{-(fourth / fourths), block, -fourth};
       CHECK(now >= last);
       last = now;
       violation[f] = 0;  // given out once
@@ -125,7 +126,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the queue takes any violation and any place") {
-  WorstFirst queue({{0, 0, 0}, {0, 0, 0}}, 1, 8);  // a box without size
+  FacetQueue queue({{0, 0, 0}, {0, 0, 0}}, 1, false);  // a box without size
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   queue.set(3, 2, {0, 0, 0});
   queue.set(1, kInfinity, {5, -5, 0});
