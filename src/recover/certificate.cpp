@@ -105,9 +105,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
   const long vertices = static_cast<long>(region.size());
   const long edges = (directed + boundary_edges) / 2;
   if (vertices - edges + thrice_faces / 3 != 1) {
-    VertexId furthest = kNoId;
-    for (const VertexId v : region) furthest = labels_.further(furthest, v);
-    return {Violation::region, furthest};
+    return {Violation::region, labels_.furthest(region)};
   }
   if (boundary_vertices > 0) {
     const bool boundary_site = graph_.chain_next(at) != kNoId;
@@ -129,10 +127,8 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
       const auto &s = facets[i].sites, &t = facets[j].sites;
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
-      VertexId best = kNoId;
-      for (const VertexId v : facets[i].witness) best = labels_.further(best, v);
-      for (const VertexId v : facets[j].witness) best = labels_.further(best, v);
-      return {Violation::triple, best};
+      return {Violation::triple,
+              labels_.furthest(facets[j].witness, labels_.furthest(facets[i].witness))};
     }
   }
   return {};

@@ -3,8 +3,8 @@
 
 #include "base/parallel.h"
 #include "delaunay/predicates.h"
-#include "embedding/triangle_pair.h"
 #include "embedding/box_grid.h"
+#include "embedding/triangle_pair.h"
 
 namespace deliso {
 
@@ -25,10 +25,7 @@ std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& label
     grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
       if (g == f || (g > f && k.is_new[g])) return false;
       if (!triangles_intersect(k.points, t, k.triangles[g])) return false;
-      VertexId worst = kNoId;
-      for (const VertexId v : k.witnesses[f]) worst = labels.further(worst, v);
-      for (const VertexId v : k.witnesses[g]) worst = labels.further(worst, v);
-      found.push_back(worst);
+      found.push_back(labels.furthest(k.witnesses[g], labels.furthest(k.witnesses[f])));
       return false;
     });
   };

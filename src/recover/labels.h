@@ -61,6 +61,10 @@ class Labels {
     if (best == kNoId) return v;
     return d2 > distance2_[best] || (d2 == distance2_[best] && v < best) ? v : best;
   }
+  VertexId furthest(std::span<const VertexId> vertices, VertexId best = kNoId) const {
+    for (const VertexId v : vertices) best = further(best, v);
+    return best;
+  }
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
 

@@ -43,18 +43,15 @@ VertexId ProtrusionSearch::find(VertexId s, std::span<const DualFacet> facets) {
   }
   VertexId worst = kNoId;
   double worst2 = near2_;
-  std::size_t last = 0;  // what one vertex lies over the next often does as well
   for (const VertexId v : labels_.region(s)) {
     if (labels_.distance2_to_site(v) <= worst2) continue;
     const Vec3 d = contour_.points[v] - site;
-    if (last < frames_.size() && frames_[last].is_within(d, worst2)) continue;
-    const auto over = std::find_if(frames_.begin(), frames_.end(),
-                                   [&](const Frame& f) { return f.is_within(d, worst2); });
-    last = static_cast<std::size_t>(over - frames_.begin());
-    if (over != frames_.end()) continue;
+    const auto is_over = [&](const Frame& f) { return f.is_within(d, worst2); };
+    if (std::any_of(frames_.begin(), frames_.end(), is_over)) continue;
     double nearest2 = labels_.distance2_to_site(v);
-    for (std::size_t n = 0; n < frames_.size() && nearest2 > worst2; ++n) {
-      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, frames_[n].b, frames_[n].c));
+    for (const Frame& f : frames_) {
+      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, f.b, f.c));
+      if (nearest2 <= worst2) break;
     }
     if (nearest2 <= worst2 || (nearest2 <= limit2_ && is_faced(v, d, nearest2))) continue;
     worst = v;

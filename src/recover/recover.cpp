@@ -75,8 +75,6 @@ class CertifiedRecovery {
   void queue_site(VertexId s);
   // Makes the vertex v of T a site; false when it coincides with one.
   bool add_site(VertexId v);
-  // Takes the round from the queue.
-  void begin_round();
   // Adds sites until every one holds the certificate and misses no protrusion.
   void settle();
   // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
@@ -137,8 +135,7 @@ SurfaceMesh CertifiedRecovery::dual() {
   if (parameters_.asks_for_poles()) poles = compute_poles(triangulation_, surface_, report_);
   SurfaceMesh out;
   std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
-  std::vector<Triangle> triangles;
-  const DualFacets k = all_facets();
+  DualFacets k = all_facets();
   out.duals.resize(k.triangles.size());
   std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kFacetsPerTask));
   for_each_run(parameters_.threads, k.triangles.size(), kFacetsPerTask,
@@ -152,7 +149,7 @@ SurfaceMesh CertifiedRecovery::dual() {
                });
   for (const SearchCounters& n : searches) report_.searches_recover += n;
   for (const Dual& d : out.duals) report_[Counter::unready_facets] += !d.on_surface;
-  for (Triangle v : k.triangles) {
+  for (Triangle& v : k.triangles) {
     for (VertexId& q : v) {
       if (new_id[q] == kNoId) {
         new_id[q] = static_cast<VertexId>(out.mesh.points.size());
@@ -161,9 +158,8 @@ SurfaceMesh CertifiedRecovery::dual() {
       }
       q = new_id[q];
     }
-    triangles.push_back(v);
   }
-  out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);
+  out.mesh = make_tri_mesh(std::move(out.mesh.points), k.triangles);
   out.chain = chain_.renumbered(new_id);
   return out;
 }
@@ -220,20 +216,16 @@ bool CertifiedRecovery::add_site(VertexId v) {
   return true;
 }
 
-void CertifiedRecovery::begin_round() {
-  const std::size_t size = std::min(queue_.size(), kSitesPerRound);
-  round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
-  queue_.resize(queue_.size() - size);
-  for (const VertexId s : round_) queued_[s] = 0;
-}
-
 // Round by round: what all sites of one say is found out first, in threads, since nothing changes
 // meanwhile. Then sites are added one by one; where one of these has changed a site, what that one
 // said is out of date, and it says it again in the next round.
 void CertifiedRecovery::settle() {
   while (!queue_.empty()) {
-    begin_round();
-    verdicts_.resize(round_.size());
+    const std::size_t size = std::min(queue_.size(), kSitesPerRound);
+    round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
+    queue_.resize(queue_.size() - size);
+    for (const VertexId s : round_) queued_[s] = 0;
+    verdicts_.resize(size);
     certificate_.begin_round();
     for_each_run(
         parameters_.threads, round_.size(), kSitesPerTask, [&](std::size_t n, std::size_t end) {
