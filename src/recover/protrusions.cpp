@@ -11,10 +11,10 @@ namespace {
 
 // In voxels: as near to the mesh a vertex of T may be that no facet faces. Points that the final
 // mesh misses fall to a third or a tenth with it, and so does the furthest.
-constexpr double kNear = 0.25;
+constexpr double kNear = 0.2;
 
-// Cosine of the angle between normals up to which a facet faces a vertex: 60 degrees.
-constexpr double kFacing = 0.5;
+// Cosine of the angle between normals up to which a facet faces a vertex: 45 degrees.
+constexpr double kFacing = 0.7;
 
 }  // namespace
 
