@@ -17,9 +17,9 @@
 #include "base/random.h"
 #include "base/triangle.h"
 #include "contour/contour.h"
+#include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
-#include "recover/recover.h"
 #include "refine/flip.h"
 #include "refine/insert.h"
 #include "volume/builtin_fields.h"
@@ -48,7 +48,8 @@ class Insertion {
  public:
   Insertion(const Isosurface& surface, const ContourMesh& contour, double area, std::size_t count)
       : parameters_(parameters_for(count, area, surface.volume())),
-        recovered_(recover_certified(surface, ContourMesh(contour), parameters_, report_)),
+        recovered_(delaunay_mesh(surface, ContourMesh(contour), Options{.stop_after_recover = true},
+                                 parameters_, report_)),
         mesh_(recovered_.mesh.mesh),
         replacer_(recovered_.mesh, surface, parameters_, report_),
         inserter_(recovered_.mesh, replacer_, recovered_.curves, parameters_, report_),
@@ -122,7 +123,7 @@ class Insertion {
 
   Report report_;
   Parameters parameters_;
-  Recovered recovered_;
+  DelaunayMesh recovered_;
   const TriMesh& mesh_;
   DiskReplacer replacer_;
   Inserter inserter_;

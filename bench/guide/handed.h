@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "contour/contour.h"
+#include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "kdtree/voxel_tree.h"
-#include "recover/recover.h"
 #include "volume/builtin_fields.h"
 
 namespace deliso::guide {
+
+// For delaunay_mesh(): Stage 1 alone, certified.
+inline Options stage1_only() {
+  Options options;
+  options.stop_after_recover = true;
+  return options;
+}
 
 struct Handed {
   Volume volume;
@@ -21,7 +28,7 @@ struct Handed {
   Isosurface surface;
   Parameters parameters;
   Report report;
-  Recovered recovered;
+  DelaunayMesh recovered;
 
   Handed(const char* field, double isovalue, const Options& options)
       : volume(make_builtin_volume(field)),
@@ -30,7 +37,8 @@ struct Handed {
         tree(volume),
         surface(volume, tree, kappa),
         parameters(resolve(options, volume)),
-        recovered(recover_certified(surface, ContourMesh(contour), parameters, report)) {}
+        recovered(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
+  }
 };
 
 // E: the facets, from `start` on, whose balls hold p.

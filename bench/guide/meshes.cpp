@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/append_format.h"
+#include "blocks/choose_seam.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
@@ -12,7 +13,6 @@
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
-#include "recover/recover.h"
 #include "render/color_map.h"
 #include "render/render.h"
 #include "render/write_png.h"
@@ -126,7 +126,8 @@ void draw_certified(const std::string& folder) {
     sites.build(points, ids);
     panels.push_back(labelled(sites, kSites));
   }
-  const Recovered recovered = recover_certified(surface, ContourMesh(contour), parameters, report);
+  const DelaunayMesh recovered =
+      delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report);
   {
     Triangulation sites;
     std::vector<VertexId> ids;

@@ -9,6 +9,7 @@
 #include "base/append_format.h"
 #include "base/check.h"
 #include "base/triangle.h"
+#include "blocks/choose_seam.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/drawing.h"
@@ -224,7 +225,7 @@ void draw_boundary(const std::string& folder) {
   draw_chain(handed, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, true);
   out.frame(handed, "handed over by Stage 1");
   background(refined);
-  refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.witnesses, h.parameters,
+  refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.samples, h.parameters,
          h.report);
   draw_chain(refined, h.recovered.mesh.chain, h.recovered.mesh.mesh.points, false);
   out.frame(refined, "at the end");

@@ -56,8 +56,8 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   add(cubes, "cubes", 20);
   add(!cubes, "contour", 4);
   add(!cubes && certified, "cutting", 4);
-  add(!cubes && certified, "labels", 6);
-  add(!cubes && !certified, "initial", 3);
+  add(!cubes, "initial", 3);
+  add(!cubes && certified, "labels", 4);
   add(!cubes && certified, "recover", 20);
   add(!cubes && !certified, "topology", 4);
   add(!cubes && !certified && std::isfinite(options.epsilon), "geometry", 28);

@@ -254,13 +254,29 @@ class FaceSeam {
   std::vector<Chord> chords_;
 };
 
-}  // namespace
-
+// Marks the points of a seam as kept, and nothing else on inner faces.
 void choose_seams(const Volume& volume, const Parameters& parameters,
                   std::vector<BoundaryLoop>& loops) {
   for (int face = 0; face < 6; ++face) {
     if ((volume.inner_faces() >> face & 1) != 0) FaceSeam(volume, parameters, loops, face).choose();
   }
+}
+
+}  // namespace
+
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
+                               const Parameters& parameters) {
+  const BoundaryChains& chains = contour.boundary;
+  std::vector<BoundaryLoop> loops(chains.size());
+  for (std::size_t c = 0; c < loops.size(); ++c) {
+    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
+      loops[c].points.push_back(contour.points[chains.vertices[k]]);
+      loops[c].kept.push_back(chains.on_box_edge[k]);
+      loops[c].faces.push_back(chains.face[k]);
+    }
+  }
+  choose_seams(surface.volume(), parameters, loops);
+  return {surface, std::move(loops)};
 }
 
 }  // namespace deliso

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which points of a curve on an inner face become vertices of the mesh's seam. The block beyond
-// must come to the same, so nothing is asked but the face's samples and the criteria: the points
-// are crossings of grid edges, taken in an order of their own, whichever way the loop runs and
-// wherever it begins.
+// The boundary curves of T, and which points of a curve on an inner face become vertices of the
+// mesh's seam. The block beyond must come to the same, so nothing is asked but the face's samples
+// and the criteria: the points are crossings of grid edges, taken in an order of their own,
+// whichever way the loop runs and wherever it begins.
 //
 // From one vertex on as many crossings are passed over as leave the chord near the curve and not
 // too long, so crossings that lie next to each other, beside a sample, make no short edges. Then
@@ -10,16 +10,14 @@
 // through all crossings never meet.
 #pragma once
 
-#include <vector>
-
+#include "contour/contour.h"
 #include "surface/boundary.h"
 #include "surface/parameters.h"
-#include "volume/volume.h"
 
 namespace deliso {
 
-// Marks these as kept, and nothing else on inner faces.
-void choose_seams(const Volume& volume, const Parameters& parameters,
-                  std::vector<BoundaryLoop>& loops);
+// The curves in which T ends on the box; of those on inner faces the points of seams are kept.
+BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
+                               const Parameters& parameters);
 
 }  // namespace deliso

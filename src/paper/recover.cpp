@@ -361,13 +361,10 @@ void Recovery::count_unresolved() {
   }
 }
 
-Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
-                        const Parameters& parameters, bool single_stage, Report& report) {
-  BoundaryCurves curves = boundary_curves(surface, contour, parameters);
-  std::optional<StepTimer> timer(report.seconds_init);
-  begin_stage(parameters.observer, "initial");
-  FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);
-  timer.emplace(report.seconds_recover);
+SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curves,
+                          FirstSample first, const Parameters& parameters, bool single_stage,
+                          Report& report) {
+  std::optional<StepTimer> timer(report.seconds_recover);
   RestrictedDelaunay restricted(surface, std::move(first.triangulation), parameters.r_min, report,
                                 follower(parameters.observer));
   Recovery recovery(restricted, curves, first.chain, parameters);
@@ -390,8 +387,7 @@ Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
   }
   if (restricted.follower()) restricted.follower()->recovery_finished();
   recovery.count_unresolved();
-  return {build_tri_mesh(std::move(restricted), first.chain, poles), std::move(curves),
-          std::move(contour.points)};
+  return build_tri_mesh(std::move(restricted), first.chain, poles);
 }
 
 }  // namespace deliso

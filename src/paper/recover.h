@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "paper/restricted.h"
+#include "stage1/first_sample.h"
 #include "surface/observer.h"
-#include "surface/recovered.h"
 
 namespace deliso {
 
@@ -79,10 +79,10 @@ class Recovery {
   std::vector<Triangle> triangles_;
 };
 
-// InitTriangulation and Recover of Figure 4, ComputePoles and BuildTriMesh, with which Figure 9
-// begins (or, with `single_stage`, all refinement on the triangulation too: the baseline of Table
-// 2). `contour`: build_contour().
-Recovered recover_paper(const Isosurface& surface, ContourMesh&& contour,
-                        const Parameters& parameters, bool single_stage, Report& report);
+// Recover of Figure 4, ComputePoles and BuildTriMesh, with which Figure 9 begins (or, with
+// `single_stage`, all refinement on the triangulation too: the baseline of Table 2).
+SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curves,
+                          FirstSample first, const Parameters& parameters, bool single_stage,
+                          Report& report);
 
 }  // namespace deliso

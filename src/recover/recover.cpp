@@ -15,7 +15,6 @@
 #include "recover/certificate.h"
 #include "recover/dual_crossings.h"
 #include "recover/protrusions.h"
-#include "stage1/first_sample.h"
 #include "stage1/poles.h"
 #include "surface/observer.h"
 #include "surface/surface_point.h"
@@ -316,26 +315,26 @@ std::size_t CertifiedRecovery::part_crossings() {
 
 }  // namespace
 
-Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
-                            const Parameters& parameters, Report& report) {
-  std::optional<StepTimer> timer(report.seconds_contour);
+void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters& parameters,
+               Report& report) {
   begin_stage(parameters.observer, "cutting");
-  ContourMesh contour =
-      fine_contour(std::move(plain), surface.volume(), surface.kappa(), parameters.threads);
-  report[Counter::voxels_cut] = contour.split_voxels;
+  const StepTimer timer(report.seconds_contour);
+  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa(), parameters.threads);
   order_by_blocks(contour, surface.volume(), parameters.threads);
-  BoundaryCurves curves = boundary_curves(surface, contour, parameters);
-  timer.emplace(report.seconds_labels);
+  report[Counter::voxels_cut] = contour.split_voxels;
+}
+
+SurfaceMesh recover(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
+                    const Parameters& parameters, Report& report) {
   begin_stage(parameters.observer, "labels");
-  CertifiedRecovery recovery(
-      surface, contour, init_triangulation(contour, curves, surface.volume(), parameters, report),
-      parameters, report);
+  std::optional<StepTimer> timer(report.seconds_labels);
+  CertifiedRecovery recovery(surface, contour, std::move(first), parameters, report);
   timer.reset();
   SurfaceMesh mesh = recovery.run();
   report.points_recovered = mesh.mesh.points.size();
   report.insertions_recover =
       report.points_recovered - std::min(report.points_recovered, report.points_initial);
-  return {std::move(mesh), std::move(curves), std::move(contour.points)};
+  return mesh;
 }
 
 }  // namespace deliso

@@ -11,12 +11,18 @@
 #pragma once
 
 #include "contour/contour.h"
-#include "surface/recovered.h"
+#include "stage1/first_sample.h"
+#include "surface/surface_mesh.h"
 
 namespace deliso {
 
-// `plain`: build_contour(), with at least one vertex.
-Recovered recover_certified(const Isosurface& surface, ContourMesh&& plain,
-                            const Parameters& parameters, Report& report);
+// Makes T fine enough for labels (contour/fine_contour.h), block by block.
+void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters& parameters,
+               Report& report);
+
+// Grows the first sample, vertices of T at random and the coarse boundary chain, as said above, and
+// returns the dual K. pre: make_fine() was called for `contour`, with at least one vertex.
+SurfaceMesh recover(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
+                    const Parameters& parameters, Report& report);
 
 }  // namespace deliso

@@ -11,7 +11,7 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "blocks/choose_seam.h"
+#include "surface/observer.h"
 
 namespace deliso {
 namespace {
@@ -79,6 +79,8 @@ bool is_auxiliary(const Vec3& p, const Box3& box) {
 
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
                                const Volume& volume, const Parameters& parameters, Report& report) {
+  const StepTimer timer(report.seconds_init);
+  begin_stage(parameters.observer, "initial");
   const std::vector<std::uint8_t> kept = kept_components(contour, parameters);
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
@@ -120,21 +122,6 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   }
   report.points_initial = out.triangulation.vertex_capacity() - 1 - kAuxiliaryVertices;
   return out;
-}
-
-BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
-                               const Parameters& parameters) {
-  const BoundaryChains& chains = contour.boundary;
-  std::vector<BoundaryLoop> loops(chains.size());
-  for (std::size_t c = 0; c < loops.size(); ++c) {
-    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
-      loops[c].points.push_back(contour.points[chains.vertices[k]]);
-      loops[c].kept.push_back(chains.on_box_edge[k]);
-      loops[c].faces.push_back(chains.face[k]);
-    }
-  }
-  choose_seams(surface.volume(), parameters, loops);
-  return {surface, std::move(loops)};
 }
 
 std::vector<std::uint8_t> kept_components(const ContourMesh& contour,

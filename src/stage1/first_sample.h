@@ -25,9 +25,6 @@ inline constexpr std::size_t kAuxiliaryVertices = 4;
 // Whether a vertex at p is an auxiliary one.
 bool is_auxiliary(const Vec3& p, const Box3& box);
 
-BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
-                               const Parameters& parameters);
-
 // Which components of T are to be meshed.
 std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Parameters& parameters);
 

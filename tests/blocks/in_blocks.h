@@ -7,11 +7,11 @@
 
 #include "blocks/join.h"
 #include "blocks/part_note.h"
+#include "blocks/seam.h"
 #include "deliso/deliso.h"
 #include "files/temporary_folder.h"
 #include "mesh/read_mesh.h"
 #include "mesh/write_mesh.h"
-#include "blocks/seam.h"
 
 namespace deliso::test {
 

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "contour/contour.h"
+#include "deliso/deliso.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 #include "surface/report.h"
@@ -30,6 +31,13 @@ struct Scene {
   Isosurface surface;
   ContourMesh contour;
 };
+
+// For delaunay_mesh(): Stage 1 alone, certified.
+inline Options stage1_only() {
+  Options options;
+  options.stop_after_recover = true;
+  return options;
+}
 
 inline Scene builtin_scene(const std::string& name, int size) {
   const std::string input = "builtin:" + name + ":" + std::to_string(size);

@@ -13,7 +13,7 @@ allowed() {
     base) echo base ;;
     roots | delaunay | files) echo "base $1" ;;
     mesh | volume) echo "base files $1" ;;
-    blocks) echo "$surface files refine blocks" ;;
+    blocks) echo "$surface files contour refine blocks" ;;
     planar) echo "base delaunay planar" ;;
     render) echo "base files mesh render" ;;
     page) echo "base files page" ;;
@@ -22,7 +22,7 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    stage1 | paper | recover) echo "$surface delaunay contour blocks/choose_seam.h stage1 $1" ;;
+    stage1 | paper | recover) echo "$surface delaunay contour stage1 $1" ;;
     trace) echo "$surface delaunay contour stage1 paper recover refine trace" ;;
     refine) echo "$surface refine" ;;
     cap) echo "$surface delaunay planar refine/refinement.h cap" ;;

@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include "base/random.h"
+#include "blocks/choose_seam.h"
+#include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
@@ -137,8 +139,9 @@ TEST_CASE("a speck smaller than r_min has sites and no facet: it is lost, and th
   Options options = Options::paper();
   options.r_min = {2, Length::Unit::voxel};
   Report report;
-  const Recovered recovered = recover_paper(scene.surface, ContourMesh(scene.contour),
-                                            resolve(options, scene.volume), false, report);
+  options.stop_after_recover = true;
+  const DelaunayMesh recovered = delaunay_mesh(scene.surface, ContourMesh(scene.contour), options,
+                                               resolve(options, scene.volume), report);
   CHECK(report[Counter::unresolved_facets] == 0);
   CHECK(report[Counter::unresolved_vertices] > 0);
   CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 1);

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "base/triangle.h"
+#include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "recover/recover.h"
 
 using namespace deliso;
 
@@ -45,10 +45,10 @@ Seen look(const Scene& scene, double fingers, double near) {
   options.fingers = {fingers, Length::Unit::voxel};
   Report report;
   const Parameters parameters = resolve(options, scene.volume);
-  const Recovered k =
-      recover_certified(scene.surface, ContourMesh(scene.contour), parameters, report);
+  const DelaunayMesh k =
+      delaunay_mesh(scene.surface, ContourMesh(scene.contour), stage1_only(), parameters, report);
   Seen seen;
-  for (const Vec3& p : k.witnesses) {
+  for (const Vec3& p : k.samples) {
     const Vec3 gradient = scene.surface.gradient(p);
     double nearest2 = std::numeric_limits<double>::infinity();
     bool is_faced = false;

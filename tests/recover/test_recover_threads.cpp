@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "blocks/choose_seam.h"
 #include "contour/block_order.h"
+#include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "recover/labels.h"
-#include "recover/recover.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;
@@ -16,7 +17,7 @@ using namespace deliso;
 namespace {
 
 struct Outcome {
-  Recovered recovered;
+  DelaunayMesh recovered;
   Report report;
 };
 
@@ -25,8 +26,8 @@ Outcome stage_1(const Scene& scene, int threads) {
   options.threads = threads;
   Report report;
   ContourMesh contour = build_contour(scene.volume, scene.surface.kappa(), threads);
-  Recovered recovered =
-      recover_certified(scene.surface, std::move(contour), resolve(options, scene.volume), report);
+  DelaunayMesh recovered = delaunay_mesh(scene.surface, std::move(contour), stage1_only(),
+                                         resolve(options, scene.volume), report);
   return {std::move(recovered), std::move(report)};
 }
 
@@ -44,7 +45,7 @@ void check_same(const Outcome& a, const Outcome& b) {
     REQUIRE(m.chain.is_boundary(v) == n.chain.is_boundary(v));
     if (m.chain.is_boundary(v)) REQUIRE(m.chain.next(v) == n.chain.next(v));
   }
-  CHECK(a.recovered.witnesses == b.recovered.witnesses);
+  CHECK(a.recovered.samples == b.recovered.samples);
   CHECK(a.report.counters == b.report.counters);
   CHECK(a.report.searches_recover.searches == b.report.searches_recover.searches);
   CHECK(a.report.searches_recover.computations == b.report.searches_recover.computations);

@@ -12,11 +12,11 @@
 
 #include "base/random.h"
 #include "delaunay/predicates.h"
+#include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "embedding/triangle_pair.h"
 #include "mesh/check_mesh.h"
-#include "recover/recover.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
 
@@ -123,7 +123,8 @@ class Stage {
   explicit Stage(const Scene& of, const Options& options = {}, bool refined = false)
       : scene(of),
         parameters(resolve(options, of.volume)),
-        recovered(recover_certified(of.surface, ContourMesh(of.contour), parameters, report)),
+        recovered(
+            delaunay_mesh(of.surface, ContourMesh(of.contour), stage1_only(), parameters, report)),
         surface_mesh(recovered.mesh),
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
         r(recovered.mesh, of.surface, recovered.curves, parameters, report, mesh.points.size()),
@@ -265,15 +266,14 @@ class Stage {
   const Scene& scene;
   Report report;
   Parameters parameters;  // a test may change them
-  Recovered recovered;
+  DelaunayMesh recovered;
   SurfaceMesh& surface_mesh;
   const TriMesh& mesh;
   Refinement r;
 
  private:
   const TriMesh& refined_mesh() {
-    refine(recovered.mesh, scene.surface, recovered.curves, recovered.witnesses, parameters,
-           report);
+    refine(recovered.mesh, scene.surface, recovered.curves, recovered.samples, parameters, report);
     return recovered.mesh.mesh;
   }
 

@@ -67,7 +67,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
   Stage stage(scene, options);
   REQUIRE(stage.fault() == "");
   Random random(static_cast<std::uint64_t>(n) + 100);
-  const std::vector<Vec3>& witnesses = stage.recovered.witnesses;
+  const std::vector<Vec3>& witnesses = stage.recovered.samples;
   for (int k = 0; k < tries; ++k) {
     CAPTURE(k);
     const FaceId f = stage.random_facet(random);

@@ -522,7 +522,7 @@ Change random_change(Stage& stage, Random& random) {
     change.what = Change::Vertex::comes;
     change.vertex = static_cast<VertexId>(mesh.points.size());
     const auto p = stage.point_near(f, random);
-    change.place = p ? *p : stage.recovered.witnesses[0];
+    change.place = p ? *p : stage.recovered.samples[0];
     Disk patch;
     for (const FaceId g : change.cavity) patch.facets.push_back(mesh.faces[g].v);
     if (patch.link()) {

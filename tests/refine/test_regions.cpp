@@ -76,7 +76,7 @@ TEST_CASE("a mesh refined in parts keeps what it is, and is the same with any nu
     CAPTURE(n);
     const Scene scene = some_scene(n);
     Stage once(scene);
-    refine(once.surface_mesh, scene.surface, once.recovered.curves, once.recovered.witnesses,
+    refine(once.surface_mesh, scene.surface, once.recovered.curves, once.recovered.samples,
            once.parameters, once.report);
     left_whole += once.report[Counter::unrefined_facets] + once.report[Counter::points_far];
     whole += once.mesh.points.size();
@@ -84,7 +84,7 @@ TEST_CASE("a mesh refined in parts keeps what it is, and is the same with any nu
     for (const int threads : {1, 2, 3, 8}) {
       Stage stage(scene);
       stage.parameters.threads = threads;
-      refine(stage.surface_mesh, scene.surface, stage.recovered.curves, stage.recovered.witnesses,
+      refine(stage.surface_mesh, scene.surface, stage.recovered.curves, stage.recovered.samples,
              stage.parameters, stage.report, 30);
       if (first) {
         CHECK(*first == stage.snapshot());

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "stage1/first_sample.h"

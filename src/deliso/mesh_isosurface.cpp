@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "deliso/deliso.h"
+
+#include "base/text.h"
+#include "baseline/marching_cubes.h"
+#include "blocks/clear_seam.h"
+#include "blocks/seam.h"
+#include "cap/close_on_box.h"
+#include "cap/leave_box.h"
+#include "contour/contour.h"
+#include "contour/dissolve.h"
+#include "kdtree/voxel_tree.h"
+#include "surface/observer.h"
+
+namespace deliso {
+namespace {
+
+// How often a seam is cleared: what is to go from it may be in the way of an edge within the face,
+// which leaves in the same round.
+constexpr int kRounds = 3;
+
+// Leaves nothing on the inner faces but the seam (blocks/seam.h).
+void make_seam(DelaunayMesh& s, const Isosurface& surface, const Parameters& parameters,
+               Report& report) {
+  std::size_t unknown = 1, flat = 0;
+  for (int round = 0; round < kRounds && unknown > 0; ++round) {
+    unknown = clear_seam(s.mesh, surface, s.curves, parameters, report);
+    flat = leave_box(s.mesh, surface, s.curves, surface.volume().inner_faces(), parameters, report);
+  }
+  report[Counter::cap_not_lifted] += flat;
+  if (unknown > 0) refuse_seam(text("a vertex, one of ", unknown));
+}
+
+TriMesh mesh_by_cubes(const Volume& volume, double kappa, const Options& options,
+                      const Parameters& parameters, Report& report) {
+  begin_stage(parameters.observer, "cubes");
+  report.kappa_effective = kappa;
+  report.exact =
+      summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
+  SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
+  if (options.cap) {
+    begin_stage(parameters.observer, "cap");
+    const VoxelTree tree =
+        timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+    const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
+    s.duals.resize(s.mesh.faces.size());
+    close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
+                 report);
+  }
+  s.mesh.frame = volume.frame();
+  return std::move(s.mesh);
+}
+
+}  // namespace
+
+TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
+                        Report& report) {
+  const StepTimer total(report.seconds_total);
+  require_limits(options, volume);
+  Parameters parameters = resolve(options, volume);
+  report.r_min = parameters.r_min;
+  if (options.method == Method::marching_cubes) {
+    return mesh_by_cubes(volume, isovalue, options, parameters, report);
+  }
+  begin_stage(parameters.observer, "contour");
+  double kappa = isovalue;  // lowered where samples or saddles equal it
+  ContourMesh contour = timed(report.seconds_contour, [&] {
+    return build_settled_contour(volume, kappa, parameters.threads);
+  });
+  report.kappa_effective = kappa;
+  report.exact = contour.summary.topology();
+  const VoxelTree tree =
+      timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+  const Isosurface surface(volume, tree, kappa, options.cubic);
+  std::array<bool, 8> inside{};
+  if (options.cap) inside = corners_inside(volume, kappa);
+  if (options.cap && options.min_component > 0) {
+    Dissolved dissolved = dissolve_small(contour, volume, kappa, options.min_component);
+    parameters.kept = std::move(dissolved.kept);
+    inside = dissolved.corner_inside;
+  }
+
+  DelaunayMesh s = delaunay_mesh(surface, std::move(contour), options, parameters, report);
+  if (volume.inner_faces() != 0) make_seam(s, surface, parameters, report);
+  if (options.cap) {
+    begin_stage(parameters.observer, "cap");
+    close_on_box(s.mesh, surface, s.curves, inside, parameters, report);
+  }
+  s.mesh.mesh.frame = volume.frame();
+  return std::move(s.mesh.mesh);
+}
+
+}  // namespace deliso
