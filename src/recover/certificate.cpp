@@ -6,11 +6,8 @@
 namespace deliso {
 
 Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId site) {
-  for (Interface& i : interfaces_) {
-    if (i.site == site) return i;
-  }
-  interfaces_.push_back({site});
-  return interfaces_.back();
+  const auto found = std::ranges::find(interfaces_, site, &Interface::site);
+  return found != interfaces_.end() ? *found : interfaces_.emplace_back(Interface{site});
 }
 
 VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
@@ -26,7 +23,6 @@ VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
 
 Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
                            std::vector<DualFacet>& facets) {
-  using Interface = Scratch::Interface;
   scratch.interfaces_.clear();
   facets.clear();
   long directed = 0, thrice_faces = 0;
@@ -70,7 +66,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
           ++(y == a ? thrice_faces : scratch.interface_with(y).twice_faces);
           continue;
         }
-        Interface& i = scratch.interface_with(x);
+        Scratch::Interface& i = scratch.interface_with(x);
         ++i.edges;
         if (y == a) {
           ++i.twice_faces;
@@ -88,7 +84,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
     if (before == a) {
       ++boundary_edges;
     } else {
-      Interface& i = scratch.interface_with(before);
+      Scratch::Interface& i = scratch.interface_with(before);
       ++i.edges;
       ++i.boundary_edges;
     }
@@ -102,11 +98,9 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
     }
     return {Violation::region, stray};
   }
-  const long vertices = static_cast<long>(region.size());
-  const long edges = (directed + boundary_edges) / 2;
-  if (vertices - edges + thrice_faces / 3 != 1) {
+  const long vertices = static_cast<long>(region.size()), edges = (directed + boundary_edges) / 2;
+  if (vertices - edges + thrice_faces / 3 != 1)
     return {Violation::region, labels_.furthest(region)};
-  }
   if (boundary_vertices > 0) {
     const bool boundary_site = graph_.chain_next(at) != kNoId;
     if (!boundary_site || boundary_vertices - boundary_edges != 1) {
@@ -117,7 +111,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
       return {Violation::boundary, furthest};
     }
   }
-  for (const Interface& i : scratch.interfaces_) {
+  for (const Scratch::Interface& i : scratch.interfaces_) {
     if (i.boundary_edges > 1) return {Violation::boundary, furthest_between(a, i.site)};
     if (2 * i.edges - i.twice_faces != 2)
       return {Violation::interface, furthest_between(a, i.site)};

@@ -24,6 +24,7 @@ struct Verdict {
   // The vertex of T whose insertion as a site helps: the furthest from its site in the stray piece,
   // region, interface, triple or boundary arc. kNoId: every vertex there is a site already.
   VertexId insert = kNoId;
+  bool is_fine() const { return violation == Violation::none && insert == kNoId; }
 };
 
 // A facet of the dual: three sites as the triangle of T runs on which their labels meet, beginning

@@ -23,8 +23,8 @@ std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& label
     const Triangle& t = k.triangles[f];
     if (!k.is_new[f] || is_flat(t)) return;
     grid.any(grid.box_of(k.points, t), [&](FaceId g, const BoxGrid::Box&) {
-      if (g == f || (g > f && k.is_new[g])) return false;
-      if (!triangles_intersect(k.points, t, k.triangles[g])) return false;
+      const bool is_mine = g < f || (g > f && !k.is_new[g]);
+      if (!is_mine || !triangles_intersect(k.points, t, k.triangles[g])) return false;
       found.push_back(labels.furthest(k.witnesses[g], labels.furthest(k.witnesses[f])));
       return false;
     });

@@ -107,9 +107,6 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
       distance2_[v] = best2;
     }
   });
-  std::vector<std::uint32_t> size(regions_.size(), 0);
-  for (const VertexId s : label_) size[s == kNoId ? 0 : s] += s != kNoId;
-  for (std::size_t s = 0; s < regions_.size(); ++s) regions_[s].reserve(size[s]);
   for (VertexId v = 0; v < label_.size(); ++v) {
     const VertexId s = label_[v];
     if (s == kNoId) continue;

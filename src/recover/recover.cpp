@@ -123,8 +123,7 @@ SurfaceMesh CertifiedRecovery::run() {
   do {
     settle();
   } while (part_crossings() > 0 || turn_out() > 0);
-  report_[Counter::uncertified_sites] +=
-      static_cast<std::uint64_t>(std::count(is_uncertified_.begin(), is_uncertified_.end(), 1));
+  for (const std::uint8_t is : is_uncertified_) report_[Counter::uncertified_sites] += is;
   if (follower_) follower_->recovery_finished();
   return dual();
 }
@@ -245,8 +244,7 @@ void CertifiedRecovery::settle() {
       steps_.step(round_.size() - n + queue_.size());
       const VertexId s = round_[n];
       const Verdict verdict = verdicts_[n];
-      const bool fine = verdict.violation == Violation::none && verdict.insert == kNoId;
-      if (fine || queued_[s]) continue;
+      if (queued_[s] || verdict.is_fine()) continue;
       if (follower_) follower_->site_asked(reason_of(verdict.violation), s, verdict.insert);
       if (verdict.insert != kNoId && add_site(verdict.insert)) {
         queue_site(s);
