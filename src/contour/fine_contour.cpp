@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,42 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour) {
   return out;
 }
 
+// In voxels: how far a vertex moves that lies at another one's place, well within what vertices may
+// lie off Sigma.
+constexpr double kHairVoxels = 1e-7;
+
+// The vertices that lie where an earlier one does. Where samples of a voxel differ by many orders
+// of magnitude, points of several cells round to one place, and no site could tell them apart.
+std::vector<VertexId> coincident(const std::vector<Vec3>& points) {
+  std::vector<VertexId> found, table(std::bit_ceil(2 * points.size()), kNoId);
+  for (VertexId v = 0; v < points.size(); ++v) {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(points[v][axis] + 0.0)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
+    std::size_t at = hash & (table.size() - 1);
+    while (table[at] != kNoId && points[table[at]] != points[v]) at = (at + 1) & (table.size() - 1);
+    if (table[at] != kNoId) found.push_back(v);
+    table[at] = v;
+  }
+  return found;
+}
+
+// Moves each of these along T, towards the mean of its neighbors. On the box none was seen.
+void part_coincident(ContourMesh& contour, double hair) {
+  for (const VertexId v : coincident(contour.points)) {
+    Vec3 along;
+    for (const Triangle& t : contour.triangles) {
+      if (!has_corner(t, v)) continue;
+      for (const VertexId u : t) along = along + (contour.points[u] - contour.points[v]);
+    }
+    const double size = length(along);
+    if (contour.on_boundary(v) || !(size > 0)) continue;
+    contour.points[v] = contour.points[v] + (hair / size) * along;
+  }
+}
+
 }  // namespace
 
 ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, int threads) {
@@ -87,6 +125,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
         cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split, threads);
   }
+  if (contour.split_voxels > 0) part_coincident(contour, kHairVoxels * shortest);
   return contour;
 }
 

@@ -56,9 +56,6 @@ double least_cost(const Refinement& r, const Vec3& p) {
 
 std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.s.chain.is_boundary(v)) return Refusal::boundary;
-  r.move_tries.resize(r.mesh.points.size(), 0);
-  if (r.move_tries[v] == kMaxTries) return Refusal::no_gain;
-  ++r.move_tries[v];
   Change& c = r.begin_change(kSharpestFold);
   facets_around(r.mesh, f, v, c.cavity);
   if (const auto refusal = r.open_cavity(c)) return refusal;
@@ -81,7 +78,9 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     here += cost_of_ball(r, g);
   }
   const double size = length(normal);
-  if (!(size > 0) || here == 0) return Refusal::no_gain;
+  r.move_tries.resize(r.mesh.points.size(), 0);
+  if (!(size > 0) || here == 0 || r.move_tries[v] == kMaxTries) return Refusal::no_gain;
+  ++r.move_tries[v];
   normal = normal / size;
   const Vec3 sideways = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
   const Vec3 u = sideways / length(sideways), w = cross(normal, u);
