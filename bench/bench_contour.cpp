@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "contour/contour.h"
-#include "volume/builtin_fields.h"
-#include "volume/read_volume.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/read_volume.h"
 
 using namespace deliso;
 

@@ -19,10 +19,10 @@
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
+#include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
 #include "refine/flip.h"
 #include "refine/insert.h"
-#include "volume/builtin_fields.h"
 
 using namespace deliso;
 

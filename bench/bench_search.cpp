@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "base/random.h"
+#include "io/volume/read_volume.h"
 #include "isosurface/isosurface.h"
 #include "isosurface/voxel_ray.h"
-#include "volume/read_volume.h"
 
 using namespace deliso;
 

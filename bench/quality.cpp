@@ -17,13 +17,13 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/text.h"
-#include "mesh/read_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/read_volume.h"
 #include "support/datasets.h"
 #include "support/quality.h"
 #include "support/quality_table.h"
 #include "support/run_program.h"
-#include "volume/builtin_fields.h"
-#include "volume/read_volume.h"
 
 using namespace deliso;
 

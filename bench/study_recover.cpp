@@ -7,7 +7,7 @@
 
 #include "support/line_chart.h"
 #include "support/runs.h"
-#include "trace/profile.h"
+#include "view/trace/profile.h"
 
 using namespace deliso;
 

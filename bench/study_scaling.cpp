@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/text.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/read_volume.h"
 #include "support/line_chart.h"
 #include "support/runs.h"
-#include "volume/builtin_fields.h"
-#include "volume/read_volume.h"
 
 using namespace deliso;
 

@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C++ file with the text of every file of the list SOURCES: src/page/web_sources.h.
+# Writes OUTPUT, a C++ file with the text of every file of the list SOURCES: view/page/web_sources.h.
 # Compilers need only take string literals of 65,536 characters, so a text is cut, at ends of lines.
 set(most 15000)
 set(definitions "")
@@ -24,7 +24,7 @@ foreach(source IN LISTS SOURCES)
   math(EXPR number "${number} + 1")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by cmake/embed_web_sources.cmake.
-#include \"page/web_sources.h\"
+#include \"view/page/web_sources.h\"
 
 namespace deliso {
 namespace {

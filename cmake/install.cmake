@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS deliso EXPORT deliso_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(CODE "
   include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
-  deliso_public_headers(\"${PROJECT_SOURCE_DIR}/src\" \"${PROJECT_BINARY_DIR}/generated\"
+  deliso_public_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/generated\"
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -8,8 +8,8 @@
 #include "deliso/base/check.h"
 #include "deliso/check/verify.h"
 #include "deliso/deliso.h"
-#include "deliso/mesh/write_mesh.h"
-#include "deliso/volume/read_volume.h"
+#include "deliso/io/mesh/write_mesh.h"
+#include "deliso/io/volume/read_volume.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 
 #include "deliso/base/check.h"
 #include "deliso/deliso.h"
+#include "deliso/io/mesh/write_mesh.h"
 #include "deliso/mesh/quality.h"
-#include "deliso/mesh/write_mesh.h"
 #include "deliso/volume/volume.h"
 
 namespace {

@@ -14,11 +14,11 @@
 
 #include "deliso/base/check.h"
 #include "deliso/deliso.h"
+#include "deliso/io/volume/read_volume.h"
 #include "deliso/surface/criteria.h"
 #include "deliso/surface/report.h"
-#include "deliso/trace/recorder.h"
-#include "deliso/trace/trace_names.h"
-#include "deliso/volume/read_volume.h"
+#include "deliso/view/trace/recorder.h"
+#include "deliso/view/trace/trace_names.h"
 
 namespace {
 

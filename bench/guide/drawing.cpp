@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/append_format.h"
-#include "files/atomic_file.h"
+#include "io/files/atomic_file.h"
 #include "support/line_chart.h"
 
 namespace deliso::guide {

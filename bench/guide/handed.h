@@ -8,8 +8,8 @@
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
+#include "io/volume/builtin_volume.h"
 #include "kdtree/voxel_tree.h"
-#include "volume/builtin_fields.h"
 
 namespace deliso::guide {
 

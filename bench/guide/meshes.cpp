@@ -10,14 +10,14 @@
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/figures.h"
+#include "io/volume/builtin_volume.h"
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
-#include "render/color_map.h"
-#include "render/render.h"
-#include "render/write_png.h"
 #include "stage1/first_sample.h"
-#include "volume/builtin_fields.h"
+#include "view/render/color_map.h"
+#include "view/render/render.h"
+#include "view/render/write_png.h"
 
 namespace deliso::guide {
 namespace {

@@ -16,11 +16,11 @@
 #include "guide/figures.h"
 #include "guide/handed.h"
 #include "guide/slice.h"
+#include "io/volume/builtin_volume.h"
 #include "refine/insert.h"
 #include "refine/refine.h"
 #include "refine/replace_disk.h"
 #include "stage1/first_sample.h"
-#include "volume/builtin_fields.h"
 
 namespace deliso::guide {
 namespace {

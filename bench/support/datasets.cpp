@@ -8,9 +8,9 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/read_volume.h"
 #include "support/sha256.h"
-#include "volume/builtin_fields.h"
-#include "volume/read_volume.h"
 
 namespace deliso {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/append_format.h"
 #include "base/check.h"
-#include "files/atomic_file.h"
+#include "io/files/atomic_file.h"
 
 namespace deliso {
 namespace {

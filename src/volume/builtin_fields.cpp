@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
+#include <limits>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "base/random.h"
-#include "files/text_scan.h"
-#include "volume/sample_grid.h"
 
 namespace deliso {
 namespace {
@@ -113,8 +113,11 @@ double machine(const Vec3& p, double width) {
 
 // Samples of one type in native order.
 struct Samples {
+  Samples(SampleType of, std::size_t size)
+      : type(of), bytes(std::make_unique_for_overwrite<std::byte[]>(size)) {}
+
   SampleType type;
-  Buffer bytes;
+  std::shared_ptr<std::byte[]> bytes;
 };
 
 template <class T>
@@ -130,8 +133,8 @@ T quantised(double value) {
 template <class T, double (*field)(const Vec3&, double)>
 Samples sampled(int size) {
   const std::size_t n = static_cast<std::size_t>(size);
-  Samples samples{sample_type_of<T>(), Buffer(n * n * n * sizeof(T))};
-  std::byte* to = samples.bytes.data.get();
+  Samples samples(sample_type_of<T>(), n * n * n * sizeof(T));
+  std::byte* to = samples.bytes.get();
   const auto coordinate = [size](int i) { return (2.0 * i - (size - 1)) / (size - 1); };
   const double width = 2.0 / (size - 1);
   for (int k = 0; k < size; ++k) {
@@ -156,8 +159,8 @@ Samples noise(int size) {
     for (std::size_t at = 0; at + 2 * step < values.size(); ++at)
       values[at] =
           static_cast<std::uint16_t>(values[at] + 2 * values[at + step] + values[at + 2 * step]);
-  Samples samples{SampleType::u8, Buffer(n * n * n)};
-  std::byte* to = samples.bytes.data.get();
+  Samples samples(SampleType::u8, n * n * n);
+  std::byte* to = samples.bytes.get();
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
@@ -189,52 +192,15 @@ constexpr Samples (*kMakers[])(int) = {
     sampled<std::uint8_t, machine>, noise};
 static_assert(std::size(kFields) == std::size(kMakers));
 
-// "builtin:NAME:SIZE" -> NAME, SIZE (or empty); nothing without the prefix.
-std::optional<std::pair<std::string_view, std::optional<std::string_view>>> parse(
-    std::string_view input) {
-  constexpr std::string_view prefix = "builtin:";
-  if (!input.starts_with(prefix)) return std::nullopt;
-  input.remove_prefix(prefix.size());
-  const std::size_t colon = input.find(':');
-  if (colon == std::string_view::npos) return std::pair{input, std::nullopt};
-  return std::pair{input.substr(0, colon), std::optional(input.substr(colon + 1))};
-}
-
 }  // namespace
 
 std::span<const BuiltinField> builtin_fields() {
   return kFields;
 }
 
-const BuiltinField* find_builtin_field(std::string_view input) {
-  const auto parts = parse(input);
-  if (!parts) return nullptr;
-  std::string known;
-  for (const BuiltinField& field : kFields) {
-    if (field.name == parts->first) return &field;
-    known += (known.empty() ? "" : ", ") + std::string(field.name);
-  }
-  fail(input, "no built-in field " + quote(parts->first) + " (there are " + known + ")");
-}
-
-Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
-  const BuiltinField* field = find_builtin_field(input);
-  if (!field) fail(input, "is no built-in field");
-  int size = field->default_size;
-  if (const auto text = parse(input)->second) {
-    const std::optional<std::int64_t> given = to_int(*text);
-    if (!given || *given < 16 || *given > 1024)
-      fail(input, "size " + quote(*text) + " is not a number from 16 to 1024");
-    size = static_cast<int>(*given);
-  }
-  Samples samples = kMakers[field - kFields](size);
-  SampleGrid grid;
-  grid.name = input;
-  grid.dims.fill(size);
-  grid.type = samples.type;
-  grid.roi = options.roi;
-  grid.block = options.block;
-  return volume_from_raw(grid, bytes_of(std::move(samples.bytes), std::string(input)));
+Volume sample_builtin_field(const BuiltinField& field, int size) {
+  const Samples samples = kMakers[&field - kFields](size);
+  return {{size, size, size}, {1, 1, 1}, samples.type, samples.bytes.get(), samples.bytes};
 }
 
 }  // namespace deliso

@@ -13,10 +13,8 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "volume/read_volume.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -39,12 +37,7 @@ struct BuiltinField {
 
 std::span<const BuiltinField> builtin_fields();
 
-// The field that "builtin:NAME[:SIZE]" names; null if `input` does not begin with "builtin:".
-// Throws InputError for an unknown name.
-const BuiltinField* find_builtin_field(std::string_view input);
-
-// The volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Throws InputError.
-// Of the options it takes the region and the block.
-Volume make_builtin_volume(std::string_view input, const ReadOptions& options = {});
+// The volume of one of these, of `size` samples along each axis. pre: two or more.
+Volume sample_builtin_field(const BuiltinField& field, int size);
 
 }  // namespace deliso

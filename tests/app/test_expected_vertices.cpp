@@ -11,7 +11,7 @@
 
 #include "contour/contour.h"
 #include "deliso/deliso.h"
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_volume.h"
 
 using namespace deliso;
 

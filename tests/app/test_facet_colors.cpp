@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "render/color_map.h"
+#include "view/render/color_map.h"
 
 using namespace deliso;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "files/temporary_folder.h"
+#include "io/files/temporary_folder.h"
 
 using namespace deliso;
 using namespace deliso::test;

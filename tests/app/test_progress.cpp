@@ -9,8 +9,8 @@
 
 #include "base/random.h"
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
 #include "surface/observer.h"
-#include "volume/builtin_fields.h"
 
 using namespace deliso;
 

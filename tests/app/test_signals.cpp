@@ -14,9 +14,9 @@
 #include "app/run.h"
 #include "base/check.h"
 #include "base/parallel.h"
-#include "files/atomic_file.h"
-#include "files/input_file.h"
-#include "files/temporary_folder.h"
+#include "io/files/atomic_file.h"
+#include "io/files/input_file.h"
+#include "io/files/temporary_folder.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -14,9 +14,9 @@
 #include "app/command_line.h"
 #include "app/run.h"
 #include "base/check.h"
-#include "files/temporary_folder.h"
-#include "page/page_text.h"
-#include "volume/builtin_fields.h"
+#include "io/files/temporary_folder.h"
+#include "io/volume/builtin_volume.h"
+#include "view/page/page_text.h"
 
 using namespace deliso;
 using namespace deliso::test;

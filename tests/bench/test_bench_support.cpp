@@ -12,7 +12,7 @@
 
 #include "base/check.h"
 #include "base/random.h"
-#include "files/temporary_folder.h"
+#include "io/files/temporary_folder.h"
 #include "support/datasets.h"
 #include "support/line_chart.h"
 #include "support/sha256.h"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
 #include "support/quality.h"
 #include "support/statistics.h"
-#include "volume/builtin_fields.h"
 
 using namespace deliso;
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "base/check.h"
-#include "files/temporary_folder.h"
+#include "io/files/temporary_folder.h"
 #include "support/quality_table.h"
 #include "support/run_program.h"
 

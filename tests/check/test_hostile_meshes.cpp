@@ -13,7 +13,7 @@
 #include "embedding/nearest_triangles.h"
 #include "embedding/self_intersections.h"
 #include "embedding/triangle_pair.h"
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_volume.h"
 
 using namespace deliso;
 using namespace deliso::test;

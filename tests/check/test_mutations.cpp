@@ -10,7 +10,7 @@
 #include "base/random.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_volume.h"
 
 using namespace deliso;
 

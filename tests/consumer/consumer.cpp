@@ -8,8 +8,8 @@
 
 #include "deliso/base/version.h"
 #include "deliso/deliso.h"
-#include "deliso/mesh/write_mesh.h"
-#include "deliso/volume/read_volume.h"
+#include "deliso/io/mesh/write_mesh.h"
+#include "deliso/io/volume/read_volume.h"
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "volume/volume_files.h"
+#include "io/volume/volume_files.h"
 
 using namespace deliso;
 

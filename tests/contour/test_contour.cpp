@@ -9,8 +9,8 @@
 #include <functional>
 
 #include "base/random.h"
+#include "io/volume/builtin_volume.h"
 #include "mesh_checks.h"
-#include "volume/builtin_fields.h"
 
 using namespace deliso;
 

@@ -10,10 +10,10 @@
 #include "base/random.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 #include "surface/report.h"
-#include "volume/builtin_fields.h"
 #include "volume/volume.h"
 
 namespace deliso {

@@ -28,7 +28,8 @@ function from_here(path,   all) {
   return all
 }
 function is_file(name) {
-  if (name ~ /^deliso\// && ("src/" substr(name, 8)) in file) return 1  # as consumers include it
+  # As consumers include it.
+  if (name ~ /^deliso\// && (substr(name, 8) in file || ("src/" substr(name, 8)) in file)) return 1
   return (name in file) || (("src/" name) in file) || (("tests/" name) in file) || \
          (from_here(name) in file) || (name in base) || ((FILENAME, name) in made)
 }
@@ -87,10 +88,11 @@ function look_up_code(text,   n, m, spans, parts, count) {
 # names.
 function look_up_row(text,   row, n, m, spans, parts, count, named, name, found) {
   row = text
-  while (match(text, /[a-z_]+\/([a-z_0-9]+\.(h|cpp)|[ ,|])/)) {
-    name = "src/" substr(text, RSTART, RLENGTH)
+  while (match(text, /([a-z_]+\/)+([a-z_0-9]+\.(h|cpp)|[ ,|])/)) {
+    name = substr(text, RSTART, RLENGTH)
     text = substr(text, RSTART + RLENGTH)
     sub(/\.(h|cpp)$|\/[ ,|]$/, "", name)
+    if (name !~ /^(io|view|app)\//) name = "src/" name
     if ((name ".h") in file || (name ".cpp") in file || name in folder) named[name] = 1
   }
   n = split(row, spans, "`")

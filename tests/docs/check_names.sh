@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What pages and comments name is there: links and headings, files, functions, names of the code in
-# backticks, options, make's targets; and the README has every folder of src/ and every command.
+# backticks, options, make's targets; and the README has every room of the trees and every command.
 # Usage: check_names.sh SOURCE PROGRAM
 set -eu
 cd "$1"
@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 {
-  find .ci bench cmake docs examples src tests -type f
+  find .ci bench cmake docs examples src io view app tests -type f
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
@@ -49,10 +49,11 @@ check pass=1 $faulty pass=2 $faulty | sed -n 's/^FAULT: [^:]*:\([0-9]*\):.*/\1/p
   uniq >"$work/got"
 diff "$work/wanted" "$work/got"
 
-# The README has every folder of src/ and every command.
+# The README has every room of the trees and every command.
 faults=0
-for folder in src/*/; do
-  folder=$(basename "$folder")
+for folder in src/*/ io/*/ view/*/ app/; do
+  folder=${folder#src/}
+  folder=${folder%/}
   sed -n '/^## Layout/,/^To read/p' README.md | grep -qw "$folder" ||
     { echo "FAULT: README.md: no $folder in the layout"; faults=1; }
 done

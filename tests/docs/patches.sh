@@ -15,7 +15,9 @@ for page in docs/guide/add-a-criterion.md docs/guide/add-a-proposer.md docs/guid
     docs/guide/add-a-bench.md; do
   name=$(basename "$page" .md)
   mkdir "$work/$name"
-  cp -r "$source/src" "$source/tests" "$source/bench" "$source/docs" "$work/$name"
+  for tree in src io view app tests bench docs; do
+    cp -r "$source/$tree" "$work/$name"
+  done
   awk '/^```diff$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$source/$page" >"$work/$name.patch"
   grep -q '^+' "$work/$name.patch" || { echo "$page: shows no change"; exit 1; }
   (cd "$work/$name" && patch -p1 --fuzz=0 --quiet <"$work/$name.patch") ||
@@ -23,11 +25,12 @@ for page in docs/guide/add-a-criterion.md docs/guide/add-a-proposer.md docs/guid
   changed=$(sed -n 's|^+++ b/||p' "$work/$name.patch")
   for file in $changed; do
     case $file in
-      src/*.cpp | bench/*.cpp | tests/*.cpp | src/*.h | tests/*.h) ;;
+      docs/*) continue ;;
+      *.cpp | *.h) ;;
       *) continue ;;
     esac
     "$compiler" -std=c++20 -fsyntax-only -w -x c++ \
-      -I"$work/$name/src" -I"$build/generated" -I"$work/$name/bench" -I"$work/$name/tests" \
+      -I"$work/$name/src" -I"$work/$name" -I"$build/generated" -I"$work/$name/bench" -I"$work/$name/tests" \
       "$work/$name/$file" || { echo "$page: $file does not compile"; exit 1; }
   done
   echo "$name: $(echo "$changed" | wc -l | tr -d ' ') files"

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "volume/builtin_fields.h"
-#include "volume/volume_files.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/volume_files.h"
 
 using namespace deliso;
 

@@ -3,8 +3,8 @@
 // The same data into a smaller output must give the same bytes.
 #include <algorithm>
 
-#include "files/inflate.h"
 #include "fuzz/reader_target.h"
+#include "io/files/inflate.h"
 
 using namespace deliso;
 using namespace deliso::fuzz;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Plain samples. The first line holds what the user says, dims, type, spacing, byte order and
 // bytes to skip, parsed as the program parses it; the samples follow.
-#include "files/text_scan.h"
 #include "fuzz/reader_target.h"
+#include "io/files/text_scan.h"
 
 using namespace deliso;
 using namespace deliso::fuzz;

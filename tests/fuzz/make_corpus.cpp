@@ -7,9 +7,9 @@
 
 #include "base/random.h"
 #include "fuzz/reader_target.h"
-#include "mesh/mesh_files.h"
-#include "mesh/write_mesh.h"
-#include "volume/volume_files.h"
+#include "io/mesh/mesh_files.h"
+#include "io/mesh/write_mesh.h"
+#include "io/volume/volume_files.h"
 
 using namespace deliso;
 using namespace deliso::test;

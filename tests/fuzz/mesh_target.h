@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fuzz/reader_target.h"
-#include "mesh/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso::fuzz {

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "base/check.h"
-#include "volume/read_volume.h"
+#include "io/volume/read_volume.h"
+#include "io/volume/volume_formats.h"
 #include "volume/volume.h"
-#include "volume/volume_formats.h"
 
 namespace deliso::fuzz {
 

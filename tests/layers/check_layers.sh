@@ -1,56 +1,61 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A folder of src/ includes only itself, what is named here for it, and what that may use: a folder,
-# or one file of it. Usage: check_layers.sh SRC
+# A room of the four trees includes only itself, what is named here for it, and what that may use: a
+# room, or one file of it. The rooms of src/ go by their names alone, as in includes; so src/ knows
+# nothing of io/, view/ and app/. Usage: check_layers.sh PROJECT
 set -eu
-src=$1
+cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks trace cap baseline"
+stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks cap baseline"
+io="io/files io/volume io/mesh io/parts"
+view="view/page view/render view/trace"
 
 allowed() {
   case $1 in
     base) echo base ;;
-    roots | delaunay | files) echo "base $1" ;;
-    mesh | volume) echo "base files $1" ;;
-    blocks) echo "$surface files contour refine blocks" ;;
+    roots | delaunay | mesh | volume) echo "base $1" ;;
     planar) echo "base delaunay planar" ;;
-    render) echo "base files mesh render" ;;
-    page) echo "base files page" ;;
     kdtree) echo "base volume kdtree" ;;
     embedding) echo "base delaunay mesh embedding" ;;
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
     stage1 | paper | recover) echo "$surface delaunay contour stage1 $1" ;;
-    trace) echo "$surface delaunay contour stage1 paper recover refine trace" ;;
     refine) echo "$surface refine" ;;
+    blocks) echo "$surface contour refine blocks" ;;
     cap) echo "$surface delaunay planar refine/refinement.h cap" ;;
     baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "$stages deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;
-    app) echo "$stages files deliso check render page blocks app" ;;
+    io/files) echo "base io/files" ;;
+    io/volume) echo "base volume io/files io/volume" ;;
+    io/mesh) echo "base mesh io/files io/mesh" ;;
+    io/parts) echo "base volume mesh $io" ;;
+    view/page) echo "base io/files view/page" ;;
+    view/render) echo "base mesh io/files view/render" ;;
+    view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
+    app) echo "$stages deliso check $io $view app" ;;
     *) return 1 ;;
   esac
 }
 
 files=0
 faults=0
-for file in "$src"/*/*.h "$src"/*/*.cpp; do
-  [ -f "$file" ] || continue
+for file in $(find src io view app -name '*.h' -o -name '*.cpp'); do
   files=$((files + 1))
-  folder=$(basename "$(dirname "$file")")
-  if ! may_use=$(allowed "$folder"); then
-    echo "$file: folder '$folder' has no place in the layers"
+  room=$(dirname "${file#src/}")
+  if ! may_use=$(allowed "$room"); then
+    echo "$file: room '$room' has no place in the layers"
     faults=$((faults + 1))
     continue
   fi
   for included in $(sed -n 's|^ *# *include *"\([^"]*\)".*|\1|p' "$file"); do
     case " $may_use " in
-      *" ${included%%/*} "* | *" $included "*) ;;
+      *" ${included%/*} "* | *" $included "*) ;;
       *)
-        echo "$file: '$folder' may not include \"$included\""
+        echo "$file: '$room' may not include \"$included\""
         faults=$((faults + 1))
         ;;
     esac

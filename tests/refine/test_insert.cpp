@@ -9,8 +9,8 @@
 #include <set>
 
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
 #include "refine/stage.h"
-#include "volume/builtin_fields.h"
 
 using namespace deliso;
 using namespace deliso::test;

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "base/check.h"
-#include "blocks/in_blocks.h"
 #include "contour/contour.h"
+#include "io/parts/in_blocks.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
 

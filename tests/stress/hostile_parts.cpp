@@ -20,7 +20,7 @@
 #include <thread>
 
 #include "base/check.h"
-#include "blocks/in_blocks.h"
+#include "io/parts/in_blocks.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;

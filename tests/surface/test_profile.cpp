@@ -9,10 +9,10 @@
 #include <string>
 
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/read_volume.h"
 #include "mesh/check_mesh.h"
-#include "trace/profile.h"
-#include "volume/builtin_fields.h"
-#include "volume/read_volume.h"
+#include "view/trace/profile.h"
 
 using namespace deliso;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_volume.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
-#include "files/checksum.h"
+#include "io/files/checksum.h"
 #include "topology_oracle.h"
 
 using namespace deliso;

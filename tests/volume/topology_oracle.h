@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_volume.h"
 #include "volume/volume.h"
 
 namespace deliso::test {

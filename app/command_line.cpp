@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/option_table.h"
+#include "base/check.h"
+#include "io/files/text_scan.h"
+#include "io/volume/builtin_volume.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Command>, 7> kCommands{
+    {{"mesh", Command::mesh},
+     {"info", Command::info},
+     {"check", Command::check},
+     {"render", Command::render},
+     {"view", Command::view},
+     {"trace", Command::trace},
+     {"join", Command::join}}};
+
+// Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+const OptionSpec& find_option(std::string_view name) {
+  const OptionSpec* nearest = nullptr;
+  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const OptionSpec& spec : option_table()) {
+    if (spec.name == name) return spec;
+    if (name.size() == 2 && spec.letter == name[1]) return spec;
+    // --isovalue is --iso, whatever follows.
+    const std::size_t distance = name.starts_with(spec.name) ? 0 : edit_distance(name, spec.name);
+    if (name.size() > 2 && distance < least) {
+      least = distance;
+      nearest = &spec;
+    }
+  }
+  throw InputError(
+      "unknown option " + quote(name) +
+      (nearest ? "; did you mean " + std::string(nearest->name) + "?" : "; --help lists them"));
+}
+
+std::string_view name_of(Command command) {
+  for (const auto& [name, known] : kCommands) {
+    if (known == command) return name;
+  }
+  return {};
+}
+
+// The command that the first argument names; nothing when it names none.
+std::optional<Command> command_named(std::string_view word) {
+  for (const auto& [name, command] : kCommands) {
+    if (name == word) return command;
+  }
+  return std::nullopt;
+}
+
+// Throws where `word` was meant to be a command: a bare word, no file, and either like a command's
+// name or not the only input.
+void refuse_unknown_command(std::string_view word, bool another_input) {
+  if (word.find_first_of("./:") != std::string_view::npos) return;
+  std::string_view nearest;
+  std::size_t least = 3;
+  for (const auto& [name, command] : kCommands) {
+    const std::size_t distance = edit_distance(word, name);
+    if (distance < least) {
+      least = distance;
+      nearest = name;
+    }
+  }
+  std::error_code ignored;
+  if ((nearest.empty() && !another_input) || std::filesystem::exists(word, ignored)) return;
+  throw InputError(
+      "unknown command " + quote(word) +
+      (nearest.empty() ? "; --help lists them" : "; did you mean " + std::string(nearest) + "?"));
+}
+
+// The colors of a picture may need a volume, and an isovalue.
+void check_colors(CommandLine& line) {
+  const bool of_distance = line.color_by == ColorBy::distance;
+  if (!of_distance && line.color_by != ColorBy::gradient) {
+    if (line.input.empty() && !line.isovalue && !line.read.raw && !line.read.roi) return;
+    throw InputError("--volume and its options are for --color-by distance and gradient");
+  }
+  const std::string colors = of_distance ? "--color-by distance" : "--color-by gradient";
+  if (line.input.empty()) {
+    throw InputError(colors + " needs --volume INPUT" + (of_distance ? " --iso K" : ""));
+  }
+  if (!of_distance && line.isovalue) throw InputError(colors + " takes no --iso");
+  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
+    line.isovalue = field->isovalue;
+  }
+  if (of_distance && !line.isovalue) throw InputError(colors + " needs --iso K");
+}
+
+void check_streams(const CommandLine& line) {
+  const auto streams = std::count(line.meshes.begin(), line.meshes.end(), "-");
+  if (streams > 1) throw InputError("only one mesh can come from standard input");
+  if (streams > 0 && line.input == "-") {
+    throw InputError("mesh and volume cannot both come from standard input");
+  }
+}
+
+void check_page_name(const CommandLine& line) {
+  if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".html")) {
+    throw InputError("cannot write '" + line.output + "': pages are .html");
+  }
+}
+
+void check_page(CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no mesh given: deliso view MESH -o PAGE.html");
+  if (line.meshes.size() > 2) throw InputError("a page shows one mesh, or two side by side");
+  check_streams(line);
+  if (line.input.empty() && (line.isovalue || line.read.raw || line.read.roi)) {
+    throw InputError("an isovalue, and how to read a volume, mean nothing without --volume INPUT");
+  }
+  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
+    line.isovalue = field->isovalue;
+  }
+  if (!line.input.empty() && !line.isovalue) throw InputError("--volume needs --iso K");
+  check_page_name(line);
+}
+
+void check_picture(CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
+  check_streams(line);
+  if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
+    throw InputError("--clip wants one plane, or one for each mesh");
+  }
+  if (!line.labels.empty() && line.labels != std::vector<std::string>{"auto"} &&
+      line.labels.size() != line.meshes.size()) {
+    throw InputError("--labels wants auto, or one text for each mesh as in 'before/after'");
+  }
+  const double largest = largest_zoom(line.render.size);
+  if (line.render.aim.zoom > largest) {
+    throw InputError("--zoom wants at most " + std::to_string(static_cast<int>(largest)) +
+                     " in a picture of that --size");
+  }
+  check_colors(line);
+  if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".png")) {
+    throw InputError("cannot write '" + line.output + "': pictures are .png");
+  }
+}
+
+void check_join(const CommandLine& line) {
+  if (line.meshes.empty()) throw InputError("no parts given: deliso join PART... -o WHOLE.ply");
+  if (line.output.empty()) throw InputError("no whole named: -o FILE.ply, or -o -");
+  if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 0) {
+    throw InputError("parts are read more than once, so none can come from standard input");
+  }
+  if (line.output != "-" && mesh_format_of(line.output) != MeshFormat::ply) {
+    throw InputError("cannot write " + quote(line.output) + ": parts are joined to PLY");
+  }
+}
+
+// A block is meshed by what its samples say alone: what asks for all of the volume, or changes the
+// mesh at its faces, is not for blocks.
+template <class Given>
+void check_block(const CommandLine& line, const Given& given) {
+  if (!line.read.block) return;
+  constexpr std::string_view kNotWithBlock[] = {"--roi",      "--cap",          "--min-component",
+                                                "--vertices", "--triangles",    "--keep-partial",
+                                                "--paper",    "--single-stage", "--stop-after"};
+  const auto refuse = [](const std::string& other) {
+    throw InputError("--block and " + other + " exclude each other");
+  };
+  for (const std::string_view other : kNotWithBlock) {
+    if (given(other)) refuse(std::string(other));
+  }
+  if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
+  if (line.options.method == Method::marching_cubes) refuse("--method marching-cubes");
+  if (line.options.r_min.unit == Length::Unit::box) {
+    throw InputError("--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
+  }
+  if (line.write.format.value_or(MeshFormat::ply) != MeshFormat::ply) {
+    throw InputError("--block writes parts as PLY, which alone holds what joins them");
+  }
+}
+
+// What must hold between options, once all are read.
+void check_combination(CommandLine& line) {
+  if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
+    throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
+  }
+  if (line.input.empty() && line.meshes.empty() && line.command != Command::join) {
+    throw InputError("no input given; --help shows how");
+  }
+  if (line.command == Command::render) return check_picture(line);
+  if (line.command == Command::view) return check_page(line);
+  if (line.command == Command::join) return check_join(line);
+  if (line.command == Command::check) check_streams(line);
+  const BuiltinField* field = find_builtin_field(line.input);
+  if (field && !line.isovalue) line.isovalue = field->isovalue;
+  if (line.command != Command::info && !line.isovalue) {
+    throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
+  }
+  if (line.output == "-" && line.json == "-") {
+    throw InputError("the mesh and the JSON cannot both go to standard output");
+  }
+  if (line.options.keep_partial &&
+      line.options.max_vertices == std::numeric_limits<std::size_t>::max()) {
+    throw InputError("--keep-partial needs --max-vertices N");
+  }
+  if (line.command == Command::trace) return check_page_name(line);
+  if (!line.output.empty() && !line.write.format) {
+    line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
+  }
+  if (line.write.ascii && line.write.format != MeshFormat::ply) {
+    throw InputError("--ply-ascii needs PLY output");
+  }
+}
+
+// --vertices and --triangles choose the distance that Stage 2 refines to: they exclude what sets it
+// otherwise, and what does without that stage.
+template <class Given>
+void check_counts(const Options& options, bool paper, const Given& given) {
+  const std::string_view name = given("--vertices")    ? "--vertices"
+                                : given("--triangles") ? "--triangles"
+                                                       : "";
+  if (name.empty()) return;
+  const auto refuse = [&](std::string_view other) {
+    throw InputError(std::string(name) + " and " + std::string(other) + " exclude each other");
+  };
+  if (given("--vertices") && given("--triangles")) refuse("--triangles");
+  if (given("--max-distance")) refuse("--max-distance");
+  if (options.recover == RecoverWay::paper) {
+    refuse(paper && !given("--recover") ? "--paper" : "--recover paper");
+  }
+  if (options.single_stage) refuse("--single-stage");
+  if (options.stop_after_recover) refuse("--stop-after");
+}
+
+// What --paper stands for, where options do not say otherwise; and the criteria of the paper turn
+// the bound on the distance off.
+template <class Given>
+void take_paper(Options& options, bool everything, const Given& given) {
+  const Options paper = Options::paper();
+  if (everything) {
+    if (!given("--recover")) options.recover = paper.recover;
+    for (const Criterion c : {Criterion::h_over_r, Criterion::r_over_pole}) {
+      if (!given(row_of(c).option)) options.limits[c] = paper.limits[c];
+    }
+    if (!given("--rmin")) options.r_min = paper.r_min;
+  }
+  const bool by_distance = !everything && !given("--eps1") && !given("--eps2");
+  if (!by_distance && !given("--max-distance")) {
+    options.limits[Criterion::distance] = paper.limits[Criterion::distance];
+  }
+}
+
+}  // namespace
+
+CommandLine parse_command_line(std::span<const std::string_view> arguments) {
+  CommandLine line;
+  std::vector<bool> seen(option_table().size(), false);
+  const auto named = arguments.empty() ? std::nullopt : command_named(arguments[0]);
+  const Command command = named.value_or(Command::mesh);
+  std::size_t at = named ? 1 : 0;
+  const auto given = [&](std::string_view name) {
+    return static_cast<bool>(
+        seen[static_cast<std::size_t>(&find_option(name) - option_table().data())]);
+  };
+  bool options_end = false;
+  for (; at < arguments.size(); ++at) {
+    const std::string_view argument = arguments[at];
+    if (options_end || argument == "-" || !argument.starts_with('-')) {
+      if (argument.empty()) throw InputError("the input's name is empty");
+      if (command == Command::render || command == Command::view || command == Command::join ||
+          (command == Command::check && line.meshes.empty())) {
+        line.meshes.emplace_back(argument);
+        continue;
+      }
+      if (!line.input.empty()) {
+        if (command == Command::mesh && !named) refuse_unknown_command(line.input, true);
+        throw InputError("more than one input: " + quote(line.input) + " and " + quote(argument));
+      }
+      line.input = argument;
+      continue;
+    }
+    if (argument == "--") {
+      options_end = true;
+      continue;
+    }
+
+    // --name value, --name=value, or -letter value
+    const std::size_t equals = argument.starts_with("--") ? argument.find('=') : argument.npos;
+    const OptionSpec& spec = find_option(argument.substr(0, equals));
+    const auto number = static_cast<std::size_t>(&spec - option_table().data());
+    if (seen[number]) throw InputError(std::string(spec.name) + " is given twice");
+    seen[number] = true;
+    if ((spec.commands & flag_of(command)) == 0) {
+      throw InputError(std::string(spec.name) + " has no meaning for deliso " +
+                       std::string(name_of(command)));
+    }
+    std::string_view value;
+    if (spec.argument.empty()) {
+      if (equals != argument.npos) throw InputError(std::string(spec.name) + " takes no value");
+    } else if (equals != argument.npos) {
+      value = argument.substr(equals + 1);
+    } else if (++at < arguments.size()) {
+      value = arguments[at];
+    } else {
+      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
+    }
+    if (!spec.argument.empty() && value.empty()) {
+      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
+    }
+    spec.apply(line, spec.name, value);
+    line.help_of = named;
+    if (line.command == Command::help || line.command == Command::version) return line;
+  }
+  if (command == Command::mesh && !named) refuse_unknown_command(line.input, false);
+  line.command = command;
+  take_paper(line.options, line.paper, given);
+  check_counts(line.options, line.paper, given);
+  for (std::size_t n = 0; n < kCriteria; ++n) {
+    line.given.limits.values[n] = given(kCriterionTable[n].option);
+  }
+  line.given.r_min = given("--rmin");
+  if (given("--float") && given("--double")) {
+    throw InputError("--float and --double exclude each other");
+  }
+  if (line.read.raw && !(given("--dims") && given("--type"))) {
+    throw InputError("a raw file needs both --dims and --type");
+  }
+  check_combination(line);
+  check_block(line, given);
+  return line;
+}
+
+}  // namespace deliso

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "app/input.h"
+
+#include <array>
+#include <utility>
+
+#include "app/output.h"
+#include "app/stopwatch.h"
+#include "app/text.h"
+#include "base/check.h"
+#include "io/volume/read_volume.h"
+
+namespace deliso {
+namespace {
+
+std::string_view name_of(AnatomicalSpace space) {
+  switch (space) {
+    case AnatomicalSpace::ras:
+      return "right-anterior-superior";
+    case AnatomicalSpace::lps:
+      return "left-posterior-superior";
+    case AnatomicalSpace::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string text_of(const Vec3& v) {
+  return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
+}
+
+void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
+  json.add(key, {v.x, v.y, v.z});
+}
+
+}  // namespace
+
+Input read_input(const CommandLine& line, std::vector<std::string> others) {
+  const Stopwatch watch;
+  ReadLog log;
+  Volume volume = read_volume(line.input, line.read, &log);
+  others.insert(others.end(), log.files.begin(), log.files.end());
+  if (line.input == "-") others.push_back(line.input);
+  require_outputs(std::array{line.output, line.json}, others);
+  const ValueRange range = value_range(volume, line.input, line.options.threads);
+  return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
+}
+
+std::string no_surface_text(double isovalue, const ValueRange& range) {
+  return "no surface at isovalue " + number_text(isovalue) + ": the samples are " +
+         number_text(range.min) + " to " + number_text(range.max);
+}
+
+std::string input_text(const Input& input) {
+  const Volume& volume = input.volume;
+  const Index3 dims = volume.dims();
+  std::string text = "volume    " + input.name + "\n          " + std::to_string(dims.i) + " x " +
+                     std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
+                     std::string(name_of(volume.type())) + ", spacing " +
+                     text_of(volume.spacing()) + ", samples " + number_text(input.range.min) +
+                     " to " + number_text(input.range.max) + "\n";
+
+  if (volume.is_block()) {
+    const Index3 first = volume.first(), whole = volume.whole_dims();
+    text += "          a block of " + std::to_string(whole.i) + " x " + std::to_string(whole.j) +
+            " x " + std::to_string(whole.k) + ", from sample " + std::to_string(first.i) + ", " +
+            std::to_string(first.j) + ", " + std::to_string(first.k) + " on\n";
+  }
+  const Frame& at = volume.frame();
+  if (at != Frame{}) {
+    text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
+            text_of(at.axes[1]) + " / " + text_of(at.axes[2]) +
+            (at.left_handed() ? ", left-handed" : "") + ", space " +
+            std::string(name_of(at.space)) + "\n";
+  }
+  for (const NamedArray& array : input.log.arrays) {
+    std::string of = array.name + ": " + array.type;
+    if (array.components != 1) of += " x " + std::to_string(array.components);
+    text += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
+  }
+  for (const std::string& note : input.log.notes) text += "          " + note + "\n";
+  return text;
+}
+
+void add_input(JsonWriter& json, const Input& input) {
+  const Volume& volume = input.volume;
+  const Frame& at = volume.frame();
+  const Index3 dims = volume.dims();
+  json.open("volume");
+  json.add("input", input.name);
+  json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
+  if (volume.is_block()) {
+    const Index3 first = volume.first(), whole = volume.whole_dims();
+    json.add("first", {double(first.i), double(first.j), double(first.k)});
+    json.add("whole_dims", {double(whole.i), double(whole.j), double(whole.k)});
+  }
+  json.add("type", name_of(volume.type()));
+  add_vector(json, "spacing", volume.spacing());
+  add_vector(json, "origin", at.origin);
+  add_vector(json, "axis_x", at.axes[0]);
+  add_vector(json, "axis_y", at.axes[1]);
+  add_vector(json, "axis_z", at.axes[2]);
+  json.add("space", name_of(at.space));
+  json.add("range", {input.range.min, input.range.max});
+  if (!input.log.arrays.empty()) json.open("arrays");
+  for (const NamedArray& array : input.log.arrays) {
+    json.open(array.name);
+    json.add("type", array.type);
+    json.add("components", array.components);
+    json.add("read", array.read);
+    json.close();
+  }
+  if (!input.log.arrays.empty()) json.close();
+  json.close();
+}
+
+}  // namespace deliso

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The check command: a mesh file and a volume in, a proof or a list of faults out.
+#include <vector>
+
+#include "app/bring_home.h"
+#include "app/check_report.h"
+#include "app/input.h"
+#include "app/output.h"
+#include "app/run.h"
+#include "check/verify.h"
+#include "contour/contour.h"
+#include "io/mesh/read_mesh.h"
+#include "io/parts/part_note.h"
+
+namespace deliso {
+int run_check(const CommandLine& line) {
+  std::vector<std::string> comments;
+  TriMesh mesh = read_mesh(line.meshes.front(), &comments);
+  const Input input = read_input(line, line.meshes);
+  const Volume& volume = input.volume;
+  const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
+  VerifyOptions options = verify_options(line, volume, noted);
+  const bool is_single = is_single_precision(mesh);
+  options.position_error = bring_home(mesh, volume.frame());
+  const double isovalue = is_of_blocks(comments)
+                              ? isovalue_of_blocks(volume.type(), *line.isovalue)
+                              : settled_isovalue(volume, *line.isovalue, options.threads);
+  const Verification result = verify(mesh, volume, isovalue, options);
+
+  if (!line.json.empty()) {
+    JsonWriter json("check");
+    json.add("mesh", line.meshes.front());
+    json.add("criteria_of_file", noted.has_value());
+    add_input(json, input);
+    json.add("isovalue", *line.isovalue);
+    add_verification(json, result, volume);
+    write_text(line.json, json.finish());
+  }
+  if (!line.quiet && line.json != "-") {
+    const char* judged = noted ? ", judged by the criteria in its comment\n" : "\n";
+    std::string text = "mesh      " + line.meshes.front() + judged + input_text(input) +
+                       verification_text(result, volume);
+    if (is_single && result.faults.count(FaultKind::self_intersections) > 0) {
+      text += std::string(
+                  "          coordinates are in single precision, which may be why "
+                  "triangles cross: ") +
+              kKeepDoubles + "\n";
+    }
+    print(text);
+  }
+  return result.faults.any() ? kFaultFound : kFine;
+}
+
+}  // namespace deliso

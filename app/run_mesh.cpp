@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The mesh command: volume and isovalue in, mesh and report out.
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/check_report.h"
+#include "app/criteria_note.h"
+#include "app/expected_vertices.h"
+#include "app/mesh_run.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/run.h"
+#include "app/signals.h"
+#include "app/solid.h"
+#include "app/stopwatch.h"
+#include "app/text.h"
+#include "base/check.h"
+#include "base/parallel.h"
+#include "blocks/seam.h"
+#include "check/verify.h"
+#include "deliso/deliso.h"
+#include "embedding/self_intersections.h"
+#include "io/mesh/write_mesh.h"
+#include "io/parts/part_note.h"
+#include "mesh/check_mesh.h"
+#include "mesh/quality.h"
+
+namespace deliso {
+namespace {
+
+// Vertices that are worth a word, and more than 32-bit ids of their facets can name.
+constexpr double kMany = 1e7, kTooMany = 2e9;
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+// Throws InputError where no sample can be on one of the two sides.
+void require_isovalue_in_range(double isovalue, const ValueRange& range) {
+  if (range.min < isovalue && isovalue <= range.max) return;
+  throw InputError(no_surface_text(isovalue, range) + ", everything is " +
+                   (isovalue <= range.min ? "inside" : "outside") +
+                   " (--allow-empty accepts that)");
+}
+
+// One line beforehand for what may take long and much memory; an InputError for what cannot be.
+void warn_of_size(double vertices, bool quiet) {
+  if (vertices <= kMany) return;
+  char words[160];
+  std::snprintf(words, sizeof words,
+                "about %.0f million vertices are to be expected; a larger --max-distance or "
+                "--rmin, or --vertices N, gives fewer",
+                vertices / 1e6);
+  if (vertices > kTooMany) throw InputError(std::string("too large: ") + words);
+  if (!quiet) std::fprintf(stderr, "deliso: warning: %s\n", words);
+}
+
+// The facets from number `begin` to `end`, over the same vertices.
+TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
+  std::vector<Triangle> triangles;
+  for (std::size_t f = begin; f < end; ++f) triangles.push_back(mesh.faces[f].v);
+  return make_tri_mesh(mesh.points, triangles);
+}
+
+// Checks the mesh, and counts and measures what is reported of it, side by side.
+void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, bool reported,
+             MeshRun& run) {
+  const Options& options = run.line.options;
+  std::string boundary_fault;
+  std::vector<std::function<void()>> looks{
+      [&] { run.fault = check_mesh(mesh); },
+      [&] { boundary_fault = check_boundary_on_box(surface, volume.box()); }};
+  if (reported) {
+    looks.emplace_back([&] { run.mesh = topology_of(mesh_topology(surface)); });
+    looks.emplace_back([&] {
+      run.quality =
+          measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
+    });
+  }
+  if (reported && options.cap) {
+    looks.emplace_back([&] {
+      const TriMesh caps = part_of(mesh, run.report.cap.surface_triangles, mesh.faces.size());
+      run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
+      run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+    });
+  }
+  for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
+  if (run.fault.empty()) run.fault = boundary_fault;
+}
+
+// Holds the mesh against the volume, trusting no stage.
+void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
+  VerifyOptions options = verify_options(run.line, volume);
+  if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
+  options.progress = [&](double share) { progress.show("check", share); };
+  run.verification = verify(mesh, volume, run.report.kappa_effective, options);
+}
+
+// Single precision and turned axes round: what is counted is what the file will hold. Only where
+// floats cross are the doubles counted as well, to tell whether rounding did it.
+void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
+  const CommandLine& line = run.line;
+  const bool is_written = !line.output.empty();
+  const bool is_single = is_written && writes_single_precision(line.write);
+  if (!run.has_solid() && !is_single) return;
+  const auto count = [&](const MeshWriteOptions& how) {
+    const std::vector<Vec3> points = is_written ? written_points(mesh, how) : mesh.points;
+    return count_crossings(points, mesh.faces, line.options.threads);
+  };
+  run.crossings = run.crossings_in_double = count(line.write);
+  if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
+}
+
+void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
+  const CommandLine& line = run.line;
+  const DeferSignals defer;
+  const Stopwatch watch;
+  if (!line.output.empty()) {
+    MeshWriteOptions options = line.write;
+    options.comment = criteria_note(line, volume, run.report);
+    if (line.read.block) {
+      options.seam = seam_of(mesh, volume);
+      options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
+                                     run.report.kappa_effective, written_part(mesh, options));
+    }
+    write_mesh(mesh, line.output, options);
+  }
+  run.seconds_write = watch.seconds();
+}
+
+}  // namespace
+
+int run_mesh(const CommandLine& line) {
+  const Stopwatch total;
+  Progress progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  const Input input = read_input(line);
+  progress.clear();
+  const Volume& volume = input.volume;
+  const double isovalue = *line.isovalue;
+  // A part may well be empty.
+  const bool may_be_empty = line.allow_empty || line.read.block;
+  if (!may_be_empty) require_isovalue_in_range(isovalue, input.range);
+  require_limits(line.options, volume);
+  warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
+  MeshRun run(line, input);
+
+  Options options = line.options;
+  options.observer = &progress;
+  const TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
+  if (mesh.faces.empty() && !may_be_empty) {
+    throw InputError("the mesh at isovalue " + number_text(isovalue) +
+                     " is empty (--allow-empty accepts that)");
+  }
+
+  progress.show("check", 0);
+  const Stopwatch watch;
+  run.vertices = mesh.points.size();
+  run.triangles = mesh.faces.size();
+  // Caps are no part of what is compared with the exact surface.
+  TriMesh without_caps;
+  if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
+  const TriMesh& surface = line.options.cap ? without_caps : mesh;
+  const bool reported = !line.quiet || line.check || !line.json.empty();
+  examine(volume, mesh, surface, reported, run);
+  count_crossings_as_written(mesh, run);
+  if (line.check) verify_run(volume, mesh, progress, run);
+  run.seconds_check = watch.seconds();
+  progress.show("writing", 0);
+  write_results(mesh, volume, run);
+  progress.clear();
+  run.peak_bytes = peak_memory_bytes();
+  run.seconds_total = total.seconds();
+
+  if (!line.json.empty()) write_text(line.json, report_json(run));
+  if (!line.quiet) {
+    const bool stdout_taken = line.output == "-" || line.json == "-";
+    const std::string text = report_text(run);
+    if (stdout_taken) {
+      std::fputs(text.c_str(), stderr);
+    } else {
+      print(text);
+    }
+  }
+  return run.sound() ? kFine : kFaultFound;
+}
+
+}  // namespace deliso

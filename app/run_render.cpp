@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The render command: meshes from files in, a picture out.
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/facet_colors.h"
+#include "app/output.h"
+#include "app/run.h"
+#include "app/signals.h"
+#include "app/text.h"
+#include "base/box3.h"
+#include "base/check.h"
+#include "io/mesh/read_mesh.h"
+#include "view/render/font.h"
+#include "view/render/render.h"
+#include "view/render/write_png.h"
+
+namespace deliso {
+namespace {
+
+Box3 box_of(std::span<const TriMesh> meshes) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (const TriMesh& mesh : meshes) {
+    for (const Face& face : mesh.faces) {
+      for (const VertexId v : face.v) {
+        for (int axis = 0; axis < 3; ++axis) {
+          box.lo[axis] = std::min(box.lo[axis], mesh.points[v][axis]);
+          box.hi[axis] = std::max(box.hi[axis], mesh.points[v][axis]);
+        }
+      }
+    }
+  }
+  return box;
+}
+
+ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
+  if (clip.plane) return *clip.plane;
+  const double at = (1 - clip.fraction) * box.lo[clip.axis] + clip.fraction * box.hi[clip.axis];
+  const double sign = clip.keep_above ? -1 : 1;
+  ClipPlane plane{{}, sign * at};
+  plane.normal[clip.axis] = sign;
+  return plane;
+}
+
+std::string caption_of(const std::string& label, const std::string& file, const std::string& size) {
+  if (label != "auto") return label;
+  std::string caption = short_name(file) + ": " + size;
+  std::replace_if(
+      caption.begin(), caption.end(),
+      [](char c) {
+        return !is_drawable({&c, 1});
+      },
+      '?');
+  return caption;
+}
+
+}  // namespace
+
+int run_render(const CommandLine& line) {
+  require_outputs({&line.output, 1}, line.meshes);
+  std::vector<TriMesh> meshes;
+  std::string names;
+  for (const std::string& name : line.meshes) {
+    meshes.push_back(read_mesh(name));
+    names += (names.empty() ? "'" : ", '") + name + "'";
+  }
+  const FacetColors colors = color_facets(meshes, line);
+  const Box3 box = box_of(meshes);
+  RenderOptions options = line.render;
+  options.bar = colors.bar;
+  std::vector<Subject> subjects;
+  std::string sizes;
+  for (std::size_t n = 0; n < meshes.size(); ++n) {
+    subjects.push_back({&meshes[n], {}, colors.of_mesh[n]});
+    if (!line.clips.empty()) {
+      const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
+      if (clip) subjects.back().clip = plane_of(*clip, box);
+    }
+    std::string size = counted(meshes[n].faces.size(), "triangle", "triangles");
+    if (!colors.components.empty()) {
+      size += ", " + counted(colors.components[n], "component", "components");
+    }
+    if (!line.labels.empty()) {
+      const std::string& label = line.labels[line.labels.size() == 1 ? 0 : n];
+      options.captions.push_back(caption_of(label, line.meshes[n], size));
+    }
+    sizes += (n == 0 ? "" : " | ") + size;
+  }
+  Image image;
+  try {
+    if (!options.view) {
+      options.view = best_view(subjects, layout_of(options, subjects.size()).panel);
+    }
+    image = render(subjects, options);
+  } catch (const InputError& error) {
+    throw InputError("cannot draw " + names + ": " + error.what());
+  }
+  {
+    const DeferSignals defer;
+    write_png(image, line.output);
+  }
+  if (!line.quiet) {
+    const std::string report = sizes + " drawn from --view " + number_text(options.view->azimuth) +
+                               "," + number_text(options.view->elevation) + "\n";
+    if (line.output == "-") {
+      std::fputs(report.c_str(), stderr);
+    } else {
+      print(report);
+    }
+  }
+  return kFine;
+}
+
+}  // namespace deliso

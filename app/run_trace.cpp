@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The trace command: volume and isovalue in, a page out on which the mesher can be watched.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "app/input.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/run.h"
+#include "app/signals.h"
+#include "app/text.h"
+#include "app/trace_page.h"
+#include "base/check.h"
+#include "base/text.h"
+#include "deliso/deliso.h"
+#include "view/trace/recorder.h"
+
+namespace deliso {
+namespace {
+
+void tell(const std::string& note, bool quiet) {
+  if (!quiet) std::fprintf(stderr, "deliso: note: %s\n", note.c_str());
+}
+
+}  // namespace
+
+int run_trace(const CommandLine& line) {
+  Progress progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  const Input input = read_input(line);
+  require_limits(line.options, input.volume);
+  Trace trace(line.trace_limit, line.trace_times);
+  Options options = line.options;
+  Report report;
+  TraceRecorder recorder(trace, report, &progress);
+  options.observer = &recorder;
+  const TriMesh mesh = mesh_isosurface(input.volume, *line.isovalue, options, report);
+  if (mesh.faces.empty()) {
+    throw InputError(no_surface_text(*line.isovalue, input.range));
+  }
+
+  progress.show("writing", 0);
+  PageData data;
+  add_trace(trace, data);
+  const bool has_samples = input.volume.sample_count() <= kMostSamplesShown;
+  if (has_samples) add_samples(input.volume, input.range, data);
+  const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
+  {
+    const DeferSignals defer;
+    write_page(line.output, title, trace_header(line, input, report, trace), data);
+  }
+  progress.clear();
+  if (trace.truncated()) {
+    tell(text("the page has the first ", line.trace_limit, " of ", trace.events_seen(),
+              " events: --trace-limit N takes more"),
+         line.quiet);
+  }
+  if (!has_samples) {
+    tell(
+        "the page has no slices of the volume, which has more than 2 million samples: --roi "
+        "takes a part",
+        line.quiet);
+  }
+  if (!line.quiet && line.output != "-") {
+    print(counted(trace.size(), "event", "events") + ", " +
+          counted(mesh.faces.size(), "triangle", "triangles") + " in the end, in " + line.output +
+          "\n");
+  }
+  return kFine;
+}
+
+}  // namespace deliso

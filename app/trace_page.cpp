@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "app/trace_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "app/json.h"
+#include "base/text.h"
+#include "view/trace/trace.h"
+#include "view/trace/trace_names.h"
+
+namespace deliso {
+namespace {
+
+template <class T>
+void add_list(PageData& data, const std::string& name, const TraceList<T>& list) {
+  data.add(name, list.values);
+  data.add(name + "_begin", list.begin);
+}
+
+void add_routine(JsonWriter& json, const RoutineName& routine) {
+  json.open_item();
+  json.add("name", routine.name);
+  json.add("figure", routine.figure);
+  json.add("stage", routine.stage);
+  json.add("text", routine.text);
+  json.close();
+}
+
+void add_routines(JsonWriter& json) {
+  json.open_list("routines");
+  for (std::size_t n = 0; n < static_cast<std::size_t>(Routine::count_); ++n) {
+    add_routine(json, name_of(static_cast<Routine>(n)));
+  }
+  for (const Words& rung : kRungTable) {
+    add_routine(json, {rung.name, rung.figure, 2, rung.meaning});
+  }
+  json.close();
+}
+
+// As strings, and what the refusals mean beside them.
+void add_outcomes(JsonWriter& json) {
+  std::vector<std::string> names, texts;
+  for (std::size_t n = 0; n < static_cast<std::size_t>(TraceOutcome::count_); ++n) {
+    names.emplace_back(name_of(static_cast<TraceOutcome>(n)));
+  }
+  texts = {"done", "a boundary edge was split in its place",
+           "the hit was the work of a garbage Voronoi edge, and is forgotten",
+           "the ball is too small, or the boundary edge to be split too short"};
+  for (const Words& refusal : kRefusalTable) {
+    names.push_back("refused: " + std::string(refusal.name));
+    texts.emplace_back(refusal.meaning);
+  }
+  json.add("outcomes", names);
+  json.add("outcome_texts", texts);
+}
+
+void add_reasons(JsonWriter& json) {
+  const auto add = [&](std::string_view name, std::string_view meaning) {
+    json.open_item();
+    json.add("name", name);
+    json.add("text", meaning);
+    json.close();
+  };
+  json.open_list("reasons");
+  for (std::size_t n = 0; n < static_cast<std::size_t>(Reason::count_); ++n) {
+    const ReasonName reason = name_of(static_cast<Reason>(n));
+    add(reason.name, reason.text);
+  }
+  for (const CriterionRow& row : kCriterionTable) {
+    add(row.measured,
+        text("over its limit, in Stage 2 that of ", row.option, "; value: times the limit"));
+  }
+  json.close();
+}
+
+struct Scale {
+  double first, step;  // value = first + step * stored
+};
+
+Scale scale_of(const Volume& volume, const ValueRange& range) {
+  if (size_of(volume.type()) <= 2)
+    return {volume.type() == SampleType::i8    ? -128.0
+            : volume.type() == SampleType::i16 ? -32768.0
+                                               : 0.0,
+            1};
+  const double step = (range.max / 65535 - range.min / 65535);
+  return {range.min, step > 0 ? step : 1};
+}
+
+template <class T>
+std::vector<T> stored(const Volume& volume, const Scale& scale) {
+  std::vector<T> out;
+  out.reserve(volume.sample_count());
+  volume.visit([&](const auto* samples) {
+    for (std::size_t n = 0; n < volume.sample_count(); ++n) {
+      const double share = (static_cast<double>(samples[n]) - scale.first) / scale.step;
+      out.push_back(static_cast<T>(std::lround(share)));
+    }
+  });
+  return out;
+}
+
+}  // namespace
+
+void add_trace(const Trace& trace, PageData& data) {
+  const TraceArrays& a = trace.arrays();
+  data.add("points", a.points);
+  data.add("event_routine", a.routine);
+  data.add("event_outcome", a.outcome);
+  data.add("event_reason", a.reason);
+  data.add("event_value", a.value);
+  data.add("event_vertex", a.vertex);
+  data.add("event_place", a.place);
+  data.add("event_caller", a.caller);
+  data.add("event_micros", a.micros);
+  data.add("event_searches", a.searches);
+  data.add("event_computations", a.computations);
+  data.add("event_edge", a.edge);
+  data.add("event_ball", a.ball);
+  add_list(data, "removed", a.removed);
+  add_list(data, "added", a.added);
+  add_list(data, "zone", a.zone);
+  add_list(data, "star", a.star);
+  add_list(data, "cone", a.cone);
+  add_list(data, "hits", a.hits);
+  add_list(data, "relabel", a.relabel);
+  data.add("tets", a.tets);
+  if (a.contour_points.empty()) return;
+  data.add("contour_points", a.contour_points);
+  data.add("contour_triangles", a.contour_triangles);
+  data.add("contour_label", a.contour_label);
+}
+
+void add_samples(const Volume& volume, const ValueRange& range, PageData& data) {
+  const Scale scale = scale_of(volume, range);
+  if (size_of(volume.type()) == 1) {
+    data.add("samples", stored<std::uint8_t>(volume, scale));
+  } else {
+    data.add("samples", stored<std::uint16_t>(volume, scale));
+  }
+}
+
+std::string trace_header(const CommandLine& line, const Input& input, const Report& report,
+                         const Trace& trace) {
+  const Volume& volume = input.volume;
+  const Box3 box = volume.box();
+  const Index3 dims = volume.dims();
+  const Vec3 spacing = volume.spacing();
+  const Scale scale = scale_of(volume, input.range);
+  JsonWriter json;
+  json.add("kind", "trace");
+  json.add("input", input.name);
+  json.add("iso", report.kappa_effective);
+  json.add("way", line.options.recover == RecoverWay::paper ? "paper" : "certified");
+  json.add("box", {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z});
+  json.add("voxel", std::min({spacing.x, spacing.y, spacing.z}));
+  json.add("r_min", report.r_min);
+  json.add("truncated", trace.truncated());
+  json.add("limit", line.trace_limit);
+  json.add("events_seen", trace.events_seen());
+  add_routines(json);
+  add_outcomes(json);
+  add_reasons(json);
+  json.add("points_initial", report.points_initial);
+  json.add("insertions_recover", report.insertions_recover);
+  json.add("insertions_refine", report.insertions_refine);
+  if (line.trace_times) {
+    json.add("seconds_init", report.seconds_init + report.seconds_labels);
+    json.add("seconds_recover", report.seconds_recover);
+    json.add("seconds_refine", report.seconds_refine);
+  }
+  json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
+  json.add("spacing", {spacing.x, spacing.y, spacing.z});
+  json.add("origin", {0, 0, 0});
+  json.add("sample_scale", {scale.first, scale.step});
+  return json.finish();
+}
+
+}  // namespace deliso

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "io/files/text_scan.h"
+
+#include <algorithm>
+
+namespace deliso {
+namespace {
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+template <class T>
+std::optional<std::vector<T>> to_numbers(std::string_view text) {
+  std::vector<T> numbers;
+  for (std::string_view word : words_of(text)) {
+    const std::optional<T> number = number_in<T>(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::string_view TextCursor::line() {
+  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  std::string_view line = text_.substr(position_, end - position_);
+  position_ = std::min(end + 1, text_.size());
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+std::string_view TextCursor::word() {
+  while (!at_end() && is_space(text_[position_])) ++position_;
+  const std::size_t begin = position_;
+  while (!at_end() && !is_space(text_[position_])) ++position_;
+  return text_.substr(begin, position_ - begin);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower(c);
+  return result;
+}
+
+bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
+  return text.size() >= prefix.size() &&
+         std::equal(prefix.begin(), prefix.end(), text.begin(),
+                    [](char a, char b) { return lower(a) == lower(b); });
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  TextCursor cursor(text);
+  for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word())
+    words.push_back(word);
+  return words;
+}
+
+std::optional<std::vector<std::int64_t>> to_ints(std::string_view text) {
+  return to_numbers<std::int64_t>(text);
+}
+
+std::optional<std::vector<double>> to_doubles(std::string_view text) {
+  return to_numbers<double>(text);
+}
+
+std::string quote(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string quoted = "'";
+  quoted.append(text.substr(0, longest)).append(text.size() > longest ? "...'" : "'");
+  return quoted;
+}
+
+}  // namespace deliso

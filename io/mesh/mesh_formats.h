@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Inside of write_mesh: the writers, one per format, and what they share.
+#pragma once
+
+#include <bit>
+#include <charconv>
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/files/atomic_file.h"
+#include "io/mesh/write_mesh.h"
+
+namespace deliso {
+
+// A mesh as the file shall hold it: in the world frame, turned round where the frame mirrors; and
+// what is to be said of it. Keeps a reference to the mesh.
+class WorldMesh {
+ public:
+  // `comment`: of printable ASCII, with no "\" and no "--" in it.
+  WorldMesh(const TriMesh& mesh, std::string comment)
+      : mesh_(mesh), mirrored_(mesh.frame.left_handed()), comment_(std::move(comment)) {}
+
+  std::size_t vertex_count() const { return mesh_.points.size(); }
+  std::size_t face_count() const { return mesh_.faces.size(); }
+  Vec3 point(std::size_t v) const { return mesh_.frame.to_world(mesh_.points[v]); }
+  std::string_view space() const { return short_name_of(mesh_.frame.space); }
+  // The comment as a line between these, or nothing where there is none.
+  std::string comment_line(std::string_view before, std::string_view after) const {
+    return comment_.empty() ? "" : std::string(before) + comment_ + std::string(after);
+  }
+  // To go behind the program's name; empty where the space is not known.
+  std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
+  Triangle triangle(std::size_t f) const {
+    const Triangle& v = mesh_.faces[f].v;
+    return mirrored_ ? Triangle{v[0], v[2], v[1]} : v;
+  }
+
+ private:
+  const TriMesh& mesh_;
+  bool mirrored_;
+  std::string comment_;
+};
+
+// STL begins with so many free bytes, of which the writer's begin with this.
+inline constexpr std::size_t kStlHeader = 80;
+inline constexpr std::string_view kStlTitle = "binary STL by DelIso";
+
+template <class T>
+concept Number = std::integral<T> || std::floating_point<T>;
+
+// Appends the bytes of `value`, least significant first.
+template <Number T>
+void put_binary(AtomicFile& out, T value) {
+  using Bits = std::conditional_t<
+      sizeof(T) == 8, std::uint64_t,
+      std::conditional_t<sizeof(T) == 4, std::uint32_t,
+                         std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint8_t>>>;
+  const Bits bits = std::bit_cast<Bits>(value);
+  char bytes[sizeof(T)];
+  for (std::size_t i = 0; i < sizeof(T); ++i) bytes[i] = static_cast<char>(bits >> (8 * i) & 0xff);
+  out.write({bytes, sizeof bytes});
+}
+
+// Appends the shortest text that reads back as `value`, then `after`.
+template <Number T>
+void put_text(AtomicFile& out, T value, char after) {
+  char text[32];
+  char* end = std::to_chars(text, text + sizeof text - 1, value).ptr;
+  *end++ = after;
+  out.write({text, static_cast<std::size_t>(end - text)});
+}
+
+// Calls put(coordinate) for x, y, z of every vertex, as float or double.
+template <class Put>
+void for_each_coordinate(const WorldMesh& mesh, bool single_precision, Put put) {
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const Vec3 p = mesh.point(v);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (single_precision) {
+        put(static_cast<float>(p[axis]), axis);
+      } else {
+        put(p[axis], axis);
+      }
+    }
+  }
+}
+
+void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
+void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+void write_stl(AtomicFile& out, const WorldMesh& mesh);
+void write_vtp(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+
+}  // namespace deliso

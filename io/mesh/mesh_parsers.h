@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Inside of read_mesh: the parsers, one per format, and what they share.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "io/files/text_scan.h"
+#include "mesh/seam_vertex.h"
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+// Takes the next word off the front of `text`; empty when only blanks are left.
+inline std::string_view take_word(std::string_view& text) {
+  std::size_t begin = 0;
+  while (begin < text.size() && is_space(text[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && !is_space(text[end])) ++end;
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+// The lines of a text file, counted from 1.
+class Lines {
+ public:
+  Lines(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
+
+  // Moves to the next line; false at the end of the file.
+  bool next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++number_;
+    return true;
+  }
+  // The part of the line that no word has been taken of.
+  std::string_view& line() { return line_; }
+  std::string_view rest() const { return rest_; }
+  std::size_t number() const { return number_; }
+  [[noreturn]] void fail(const std::string& fault) const { fail_at(number_, fault); }
+  [[noreturn]] void fail_at(std::size_t line, const std::string& fault) const {
+    throw InputError(text("'", name_, "' line ", line, ": ", fault));
+  }
+
+ private:
+  std::string_view rest_, line_;
+  std::string name_;
+  std::size_t number_ = 0;
+};
+
+// Of a file's comments so many are kept.
+inline constexpr std::size_t kMostComments = 100;
+
+// Rule R5. `line`: without what marks it as a comment.
+inline void keep_comment(std::string_view line, std::vector<std::string>& comments) {
+  while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+  if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
+}
+
+// What the parsers fill. Corners are checked by the parser, which knows where it is; points, finite
+// or not, by parse_mesh.
+struct MeshParts {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<std::string> comments;
+  std::vector<SeamVertex> seam;
+
+  // Rule R1. pre: three corners or more.
+  void add_polygon(const std::vector<VertexId>& corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    }
+  }
+};
+
+// As many vertices as ids can name, and as many facets as link_faces can take.
+inline constexpr std::uint64_t kMostVertices = kNoId - 1;
+inline constexpr std::uint64_t kMostFaces = kNoId / 3;
+
+MeshParts parse_ply(std::string_view bytes, const std::string& name);
+std::vector<std::string> parse_ply_comments(std::string_view bytes, const std::string& name);
+MeshParts parse_off(std::string_view bytes, const std::string& name);
+MeshParts parse_obj(std::string_view bytes, const std::string& name);
+MeshParts parse_stl(std::string_view bytes, const std::string& name);
+MeshParts parse_vtp(std::string_view bytes, const std::string& name);
+
+// Whether the bytes can be binary STL and no text.
+bool looks_like_binary_stl(std::string_view bytes);
+
+}  // namespace deliso

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A PLY file vertex by vertex, then facet by facet, for meshes that are never in memory as a whole.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/triangle.h"
+#include "base/vec3.h"
+#include "io/files/atomic_file.h"
+#include "mesh/seam_vertex.h"
+
+namespace deliso {
+
+struct PlyHeader {
+  std::vector<std::string> comments;  // each of one line
+  std::uint64_t vertices = 0, facets = 0;
+  std::span<const SeamVertex> seam{};  // a third element, of a part of a mesh
+  bool single_precision = false, ascii = false;
+};
+
+class PlyWriter {
+ public:
+  // Writes the header. Keeps references.
+  PlyWriter(AtomicFile& out, const PlyHeader& header);
+  // As many as the header says, then facets, then finish().
+  void vertex(const Vec3& p);
+  void facet(const Triangle& t);
+  // Writes the seam.
+  void finish();
+
+ private:
+  AtomicFile& out_;
+  const PlyHeader& header_;
+};
+
+}  // namespace deliso

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "io/mesh/read_mesh.h"
+
+#include <cmath>
+#include <utility>
+
+#include "io/files/input_file.h"
+#include "io/files/vtk_xml.h"
+#include "io/mesh/mesh_parsers.h"
+
+namespace deliso {
+namespace {
+
+MeshFormat format_of_bytes(std::string_view bytes) {
+  const std::string_view all = bytes;
+  const std::string_view word = take_word(bytes);
+  if (word == "ply") return MeshFormat::ply;
+  if (word.ends_with("OFF")) return MeshFormat::off;
+  if (word == "solid" || looks_like_binary_stl(all)) return MeshFormat::stl;
+  return looks_like_vtk_xml(all) ? MeshFormat::vtp : MeshFormat::obj;
+}
+
+// What the predicates can take. `first`: where the format counts vertices from.
+void require_in_range(const std::vector<Vec3>& points, const std::string& name, std::size_t first) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (int axis = 0; axis < 3 && !in_range(points[v]); ++axis) {
+      const double x = points[v][axis];
+      if (std::fabs(x) <= kLargestLength) continue;
+      throw InputError(text("'", name, "': coordinate ",
+                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
+                            " of vertex ", first + v, " is ", x, ", not a number up to ",
+                            kLargestLength, " in size"));
+    }
+  }
+}
+
+MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::string& name) {
+  MeshParts parts;
+  switch (format) {
+    case MeshFormat::ply:
+      parts = parse_ply(bytes, name);
+      break;
+    case MeshFormat::off:
+      parts = parse_off(bytes, name);
+      break;
+    case MeshFormat::obj:
+      parts = parse_obj(bytes, name);
+      break;
+    case MeshFormat::stl:
+      parts = parse_stl(bytes, name);
+      break;
+    case MeshFormat::vtp:
+      parts = parse_vtp(bytes, name);
+      break;
+  }
+  if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
+    throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
+  }
+  require_in_range(parts.points, name, format == MeshFormat::obj ? 1 : 0);
+  return parts;
+}
+
+}  // namespace
+
+TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
+                   std::vector<std::string>* comments) {
+  MeshParts parts = parse_parts(bytes, format, name);
+  if (comments != nullptr) *comments = std::move(parts.comments);
+  return make_tri_mesh(std::move(parts.points), parts.triangles);
+}
+
+TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
+  if (path == "-") {
+    const Bytes bytes = read_standard_input();
+    return parse_mesh(bytes.text(), format_of_bytes(bytes.text()), bytes.name, comments);
+  }
+  const MeshFormat format = mesh_format_of(path);
+  return parse_mesh(open_file(path).text(), format, path, comments);
+}
+
+PartMesh read_part(const std::string& path) {
+  MeshParts parts = parse_parts(open_file(path).text(), MeshFormat::ply, path);
+  return {std::move(parts.points), std::move(parts.triangles), std::move(parts.seam)};
+}
+
+std::vector<std::string> read_ply_comments(const std::string& path) {
+  return parse_ply_comments(open_file(path).text(), path);
+}
+
+}  // namespace deliso

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// STL (3D Systems 1989): triangles by the positions of their corners, in single precision. Binary
+// (write_stl.cpp has the layout), or text: "solid name", for each triangle "facet normal" and three
+// numbers, "outer loop", three times "vertex" and three numbers, "endloop", "endfacet"; "endsolid".
+// A file may hold several solids. Binary ones that open with "solid" as well are told by their
+// size.
+#include <bit>
+#include <cstdint>
+
+#include "io/mesh/mesh_formats.h"
+#include "io/mesh/mesh_parsers.h"
+#include "mesh/first_at_place.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kFacet = 50;  // bytes
+
+// Little endian.
+std::uint32_t bits_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t bits = 0;
+  for (std::size_t b = 0; b < 4; ++b) {
+    bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + b])) << (8 * b);
+  }
+  return bits;
+}
+// -0 and 0 are one position.
+double coordinate_at(std::string_view bytes, std::size_t at) {
+  return static_cast<double>(std::bit_cast<float>(bits_at(bytes, at))) + 0.0;
+}
+
+// Rule R6. `corners`: three for each triangle.
+void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
+  std::vector<VertexId> vertex = first_at_place(corners);  // from here on of those that are done
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (vertex[c] < c) {
+      vertex[c] = vertex[vertex[c]];
+    } else {
+      vertex[c] = static_cast<VertexId>(mesh.points.size());
+      mesh.points.push_back(corners[c]);
+    }
+  }
+  mesh.triangles.reserve(vertex.size() / 3);
+  for (std::size_t c = 0; c + 2 < vertex.size(); c += 3) {
+    mesh.triangles.push_back({vertex[c], vertex[c + 1], vertex[c + 2]});
+  }
+}
+
+// Rule R5: what the writer puts behind its own title is a comment by itself.
+void keep_header(std::string_view header, std::vector<std::string>& comments) {
+  header = header.substr(0, header.find('\0'));
+  if (!header.starts_with(kStlTitle)) return keep_comment(header, comments);
+  std::string_view rest = header.substr(kStlTitle.size());
+  std::string_view probe = rest;
+  if (take_word(probe).starts_with("SPACE=")) rest = probe;
+  keep_comment(header.substr(0, header.size() - rest.size()), comments);
+  keep_comment(rest, comments);
+}
+
+MeshParts parse_binary(std::string_view bytes, const std::string& name) {
+  const auto fail = [&](const std::string& fault) {
+    throw InputError(text("'", name, "': ", fault));
+  };
+  if (bytes.size() < kStlHeader + 4) fail("is no STL file: it ends within the header");
+  const std::uint64_t count = bits_at(bytes, kStlHeader);
+  const std::string_view facets = bytes.substr(kStlHeader + 4);
+  if (count > kMostFaces) fail(text(count, " facets are too many"));
+  if (facets.size() != count * kFacet) {
+    fail(text("binary STL of ", count, " facets needs ", count * kFacet,
+              " bytes behind its header, found ", facets.size()));
+  }
+  MeshParts mesh;
+  keep_header(bytes.substr(0, kStlHeader), mesh.comments);
+  std::vector<Vec3> corners;
+  corners.reserve(3 * count);
+  for (std::size_t f = 0; f < count; ++f) {
+    for (std::size_t corner = 1; corner <= 3; ++corner) {  // the first vector is the normal
+      const std::size_t at = f * kFacet + 12 * corner;
+      corners.push_back({coordinate_at(facets, at), coordinate_at(facets, at + 4),
+                         coordinate_at(facets, at + 8)});
+    }
+  }
+  merge_corners(corners, mesh);
+  return mesh;
+}
+
+// The words of the text kind, wherever its lines end.
+class WordReader {
+ public:
+  explicit WordReader(Lines& lines) : lines_(lines) {}
+
+  // In lower case; empty at the end of the file.
+  std::string next() { return lower(raw()); }
+  void expect(std::string_view wanted) {
+    const std::string word = next();
+    if (word != wanted) lines_.fail(text("there is ", quote(word), " in place of ", quote(wanted)));
+  }
+  // As the float that it is in the binary kind.
+  double number() {
+    const std::string_view word = raw();
+    const auto value = number_in<double>(word);
+    if (!value) lines_.fail(text("there is ", quote(word), " in place of a number"));
+    return static_cast<double>(static_cast<float>(*value)) + 0.0;
+  }
+  void skip_line() { lines_.line() = {}; }
+
+ private:
+  std::string_view raw() {
+    std::string_view word = take_word(lines_.line());
+    while (word.empty() && lines_.next()) word = take_word(lines_.line());
+    return word;
+  }
+
+  Lines& lines_;
+};
+
+MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
+  Lines lines(bytes, name);
+  WordReader words(lines);
+  MeshParts mesh;
+  std::vector<Vec3> corners;
+  words.expect("solid");
+  keep_comment(lines.line(), mesh.comments);
+  words.skip_line();
+  for (bool inside = true;;) {
+    const std::string word = words.next();
+    if (!inside) {
+      if (word.empty()) break;
+      if (word != "solid") lines.fail(text("there is ", quote(word), " behind 'endsolid'"));
+      words.skip_line();
+      inside = true;
+    } else if (word == "endsolid") {
+      words.skip_line();  // the name again
+      inside = false;
+    } else {
+      if (word.empty()) lines.fail("the file ends before 'endsolid'");
+      if (word != "facet") lines.fail(text("there is ", quote(word), " in place of 'facet'"));
+      words.expect("normal");
+      for (int axis = 0; axis < 3; ++axis) words.next();  // may be nan
+      words.expect("outer");
+      words.expect("loop");
+      for (int corner = 0; corner < 3; ++corner) {
+        words.expect("vertex");
+        const double x = words.number(), y = words.number();
+        corners.push_back({x, y, words.number()});
+      }
+      words.expect("endloop");
+      words.expect("endfacet");
+      if (corners.size() / 3 > kMostFaces) lines.fail("too many facets");
+    }
+  }
+  merge_corners(corners, mesh);
+  return mesh;
+}
+
+bool has_binary_size(std::string_view bytes) {
+  return bytes.size() >= kStlHeader + 4 &&
+         bytes.size() - kStlHeader - 4 == kFacet * std::uint64_t{bits_at(bytes, kStlHeader)};
+}
+
+}  // namespace
+
+bool looks_like_binary_stl(std::string_view bytes) {
+  // No text holds a zero byte.
+  return has_binary_size(bytes) ||
+         bytes.substr(0, kStlHeader + 4).find('\0') != std::string_view::npos;
+}
+
+MeshParts parse_stl(std::string_view bytes, const std::string& name) {
+  std::string_view probe = bytes.substr(0, kStlHeader);
+  const bool text_kind = lower(take_word(probe)) == "solid" && !has_binary_size(bytes);
+  return text_kind ? parse_ascii(bytes, name) : parse_binary(bytes, name);
+}
+
+}  // namespace deliso

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// VTP: VTK's XML PolyData. Of its piece the points are read and the polygons: their corners one
+// behind the other (connectivity) and where each ends there (offsets). io/files/vtk_xml.h has the
+// markup and the arrays.
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
+
+#include "io/files/input_file.h"
+#include "io/files/vtk_xml.h"
+#include "io/mesh/mesh_parsers.h"
+
+namespace deliso {
+namespace {
+
+// What a piece consists of.
+constexpr std::string_view kSections[] = {"Points", "Polys",     "Verts",   "Lines",
+                                          "Strips", "PointData", "CellData"};
+
+class VtpParser {
+ public:
+  VtpParser(std::string_view bytes, const std::string& name)
+      : bytes_{text("'", name, "'"), std::as_bytes(std::span(bytes)), nullptr},
+        xml_(bytes_, "PolyData", "holds a mesh") {}
+
+  MeshParts run() {
+    MeshParts mesh;
+    for (const std::string_view comment : xml_.comments()) keep_comment(comment, mesh.comments);
+    read_structure();
+    read_points(mesh);
+    read_polygons(mesh);
+    return mesh;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& fault) const { deliso::fail(bytes_.name, fault); }
+
+  void read_structure() {
+    std::string_view inside;  // the section that began last
+    int pieces = 0;
+    bool whole = false;
+    for (XmlTag tag = xml_.next(); !tag.name.empty(); tag = xml_.next()) {
+      if (tag.name == "Piece") {
+        if (++pieces > 1) fail("has several pieces: only one is supported");
+        points_ = xml_.count(tag, "NumberOfPoints", 0);
+        polygons_ = xml_.count(tag, "NumberOfPolys", 0);
+        if (xml_.count(tag, "NumberOfStrips", 0) != 0)
+          fail("has triangle strips, which are not supported");
+        if (points_ > kMostVertices) fail(text(points_, " points are too many"));
+        if (polygons_ > kMostFaces) fail(text(polygons_, " polygons are too many"));
+      } else if (tag.name == "/PolyData") {
+        whole = true;
+      } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
+        inside = tag.name;
+      } else if (tag.name == "DataArray" && inside == "Points") {
+        coordinates_ = tag;
+      } else if (tag.name == "DataArray" && inside == "Polys") {
+        if (tag.attribute("Name") == "offsets") offsets_ = tag;
+        if (tag.attribute("Name") == "connectivity") connectivity_ = tag;
+      }
+    }
+    if (!whole) fail("ends before </PolyData>");
+  }
+
+  void read_points(MeshParts& mesh) const {
+    if (points_ == 0) return;
+    if (xml_.count(coordinates_, "NumberOfComponents", 1) != 3)
+      fail("its points have not three coordinates");
+    Vec3 p;
+    int axis = 0;
+    for_each<double>(coordinates_, 3 * points_, text("the coordinates of ", points_, " points"),
+                     [&](double x) {
+                       p[axis] = x;
+                       if (axis == 2) mesh.points.push_back(p);
+                       axis = (axis + 1) % 3;
+                     });
+  }
+
+  void read_polygons(MeshParts& mesh) const {
+    if (polygons_ == 0) return;
+    std::vector<std::uint64_t> ends;
+    std::uint64_t last = 0;
+    for_each<std::int64_t>(offsets_, polygons_, text("the offsets of ", polygons_, " polygons"),
+                           [&](std::int64_t end) {
+                             const auto next = static_cast<std::uint64_t>(end);
+                             if (end < 0 || next < last || next - last < 3 || next > kMostCorners)
+                               fail(text("polygon ", ends.size(), " ends at corner ", end,
+                                         ", the one before at ", last));
+                             ends.push_back(last = next);
+                           });
+    std::vector<VertexId> corners;
+    std::size_t polygon = 0;
+    std::uint64_t n = 0;
+    for_each<std::int64_t>(connectivity_, last, text("the corners of ", polygons_, " polygons"),
+                           [&](std::int64_t v) {
+                             if (v < 0 || static_cast<std::uint64_t>(v) >= points_)
+                               fail(text("a corner of polygon ", polygon, " is ", v,
+                                         ", not one of ", points_, " points"));
+                             corners.push_back(static_cast<VertexId>(v));
+                             if (++n < ends[polygon]) return;
+                             mesh.add_polygon(corners);
+                             corners.clear();
+                             ++polygon;
+                           });
+  }
+
+  // Calls take(value) for each of an array's `count` values, which `what` needs.
+  template <class As, class Take>
+  void for_each(const XmlTag& array, std::uint64_t count, const std::string& what,
+                Take take) const {
+    const std::string_view type = array.attribute("type").value_or("");
+    const auto each = [&]<class T>(T) { for_each_of<T, As>(array, count, what, take); };
+    if (type == "Float32") return each(float{});
+    if (type == "Float64") return each(double{});
+    if (type == "Int8") return each(std::int8_t{});
+    if (type == "UInt8") return each(std::uint8_t{});
+    if (type == "Int16") return each(std::int16_t{});
+    if (type == "UInt16") return each(std::uint16_t{});
+    if (type == "Int32") return each(std::int32_t{});
+    if (type == "UInt32") return each(std::uint32_t{});
+    if (type == "Int64") return each(std::int64_t{});
+    fail(array.name.empty() ? "has no array for " + what
+                            : text("type ", quote(type), " of ", what, " is not supported"));
+  }
+
+  template <class T, class As, class Take>
+  void for_each_of(const XmlTag& array, std::uint64_t count, const std::string& what,
+                   Take take) const {
+    if constexpr (std::is_integral_v<As> && !std::is_integral_v<T>) {
+      fail(what + " are no integers");
+    } else if (xml_.is_text(array)) {
+      const Bytes data = xml_.inside(array);
+      TextCursor words(data.text());
+      for (std::uint64_t n = 0; n < count; ++n) {
+        const std::string_view word = words.word();
+        if (word.empty()) fail(text("data is too short: ", what, " need ", count, " numbers"));
+        const auto value = number_in<T>(word);
+        if (!value) fail(text("there is ", quote(word), " in place of a number"));
+        take(static_cast<As>(*value));
+      }
+      if (!words.word().empty()) fail(text("more than ", count, " numbers for ", what));
+    } else {
+      const Bytes data = xml_.binary(array, count * sizeof(T), what);
+      for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
+        char raw[sizeof(T)];
+        std::memcpy(raw, data.data.data() + at, sizeof(T));
+        if (xml_.byte_order() != std::endian::native) std::reverse(raw, raw + sizeof(T));
+        T value;
+        std::memcpy(&value, raw, sizeof(T));
+        take(static_cast<As>(value));
+      }
+    }
+  }
+
+  static constexpr std::uint64_t kMostCorners = std::uint64_t{1} << 40;  // no product overflows
+
+  Bytes bytes_;
+  VtkXml xml_;
+  std::uint64_t points_ = 0, polygons_ = 0;
+  XmlTag coordinates_, connectivity_, offsets_;
+};
+
+}  // namespace
+
+MeshParts parse_vtp(std::string_view bytes, const std::string& name) {
+  return VtpParser(bytes, name).run();
+}
+
+}  // namespace deliso

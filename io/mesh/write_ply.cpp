@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// PLY (Turk 1994): a text header that names the elements and their types, then the data.
+#include "base/text.h"
+#include "io/mesh/mesh_formats.h"
+#include "io/mesh/ply_writer.h"
+
+namespace deliso {
+
+PlyWriter::PlyWriter(AtomicFile& out, const PlyHeader& header) : out_(out), header_(header) {
+  out.write("ply\nformat ");
+  out.write(header.ascii ? "ascii" : "binary_little_endian");
+  out.write(" 1.0\n");
+  for (const std::string& comment : header.comments) out.write(text("comment ", comment, "\n"));
+  out.write(text("element vertex ", header.vertices, "\n"));
+  for (const char* axis : {"x", "y", "z"}) {
+    out.write(text("property ", header.single_precision ? "float" : "double", " ", axis, "\n"));
+  }
+  out.write(text("element face ", header.facets, "\n"));
+  out.write("property list uchar int vertex_indices\n");
+  if (!header.seam.empty()) {
+    out.write(text("element seam ", header.seam.size(), "\n"));
+    for (const char* name : kSeamProperties) out.write(text("property int ", name, "\n"));
+  }
+  out.write("end_header\n");
+}
+
+void PlyWriter::vertex(const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const char after = axis == 2 ? '\n' : ' ';
+    const auto put = [&](auto value) {
+      header_.ascii ? put_text(out_, value, after) : put_binary(out_, value);
+    };
+    header_.single_precision ? put(static_cast<float>(p[axis])) : put(p[axis]);
+  }
+}
+
+void PlyWriter::facet(const Triangle& t) {
+  if (header_.ascii) {
+    out_.write("3 ");
+    for (int i = 0; i < 3; ++i) put_text(out_, t[i], i == 2 ? '\n' : ' ');
+  } else {
+    put_binary(out_, std::uint8_t{3});
+    for (const VertexId v : t) put_binary(out_, v);
+  }
+}
+
+void PlyWriter::finish() {
+  for (const SeamVertex& s : header_.seam) {
+    const auto& [i, j, k] = s.at.low;
+    const std::int32_t row[] = {static_cast<std::int32_t>(s.vertex), s.at.axis, i, j, k};
+    for (int n = 0; n < 5; ++n) {
+      header_.ascii ? put_text(out_, row[n], n == 4 ? '\n' : ' ') : put_binary(out_, row[n]);
+    }
+  }
+}
+
+void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
+  PlyHeader header{
+      {"DelIso" + mesh.space_note()}, mesh.vertex_count(), mesh.face_count(), options.seam,
+      options.single_precision,       options.ascii};
+  const std::string comment = mesh.comment_line("", "");
+  if (!comment.empty()) header.comments.push_back(comment);
+  PlyWriter writer(out, header);
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) writer.vertex(mesh.point(v));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) writer.facet(mesh.triangle(f));
+  writer.finish();
+}
+
+}  // namespace deliso

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// NIfTI-1 and NIfTI-2 (nifti1.h and nifti2.h of the NIfTI Data Format Working Group): a binary
+// header of 348 or 540 bytes in either byte order, in the same file as the data or beside it.
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "io/files/inflate.h"
+#include "io/files/text_scan.h"
+#include "io/volume/sample_grid.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
+
+bool is_gzip(const Bytes& bytes) {
+  return bytes.text().starts_with("\x1f\x8b");
+}
+
+// Fields of a header by their offset.
+class FieldReader {
+ public:
+  FieldReader(std::span<const std::byte> bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
+
+  template <class T>
+  T get(std::size_t offset) const {
+    std::byte raw[sizeof(T)];
+    std::memcpy(raw, bytes_.data() + offset, sizeof(T));
+    if (swapped_)
+      for (std::size_t n = 0; n < sizeof(T) / 2; ++n) std::swap(raw[n], raw[sizeof(T) - 1 - n]);
+    T value;
+    std::memcpy(&value, raw, sizeof(T));
+    return value;
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+  bool swapped_;
+};
+
+// What both versions of the header say.
+struct NiftiHeader {
+  bool swapped = false;
+  bool in_one_file = true;
+  std::int64_t dim[8]{};
+  int datatype = 0;
+  double pixdim[8]{};
+  double data_offset = 0;
+  double slope = 0, intercept = 0;
+  int qform_code = 0, sform_code = 0;
+  double quatern[3]{}, qoffset[3]{};
+  double srow[3][4]{};
+};
+
+template <class Real>
+void read_reals(const FieldReader& fields, std::size_t offset, double* to, std::size_t count) {
+  for (std::size_t n = 0; n < count; ++n)
+    to[n] = static_cast<double>(fields.get<Real>(offset + n * sizeof(Real)));
+}
+
+NiftiHeader parse_version_1(const FieldReader& fields, bool swapped) {
+  NiftiHeader h;
+  h.swapped = swapped;
+  for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int16_t>(40 + 2 * n);
+  h.datatype = fields.get<std::int16_t>(70);
+  read_reals<float>(fields, 76, h.pixdim, 8);
+  read_reals<float>(fields, 108, &h.data_offset, 1);
+  read_reals<float>(fields, 112, &h.slope, 1);
+  read_reals<float>(fields, 116, &h.intercept, 1);
+  h.qform_code = fields.get<std::int16_t>(252);
+  h.sform_code = fields.get<std::int16_t>(254);
+  read_reals<float>(fields, 256, h.quatern, 3);
+  read_reals<float>(fields, 268, h.qoffset, 3);
+  for (std::size_t row = 0; row < 3; ++row)
+    read_reals<float>(fields, 280 + 16 * row, h.srow[row], 4);
+  return h;
+}
+
+NiftiHeader parse_version_2(const FieldReader& fields, bool swapped) {
+  NiftiHeader h;
+  h.swapped = swapped;
+  for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int64_t>(16 + 8 * n);
+  h.datatype = fields.get<std::int16_t>(12);
+  read_reals<double>(fields, 104, h.pixdim, 8);
+  h.data_offset = static_cast<double>(fields.get<std::int64_t>(168));
+  read_reals<double>(fields, 176, &h.slope, 1);
+  read_reals<double>(fields, 184, &h.intercept, 1);
+  h.qform_code = fields.get<std::int32_t>(344);
+  h.sform_code = fields.get<std::int32_t>(348);
+  read_reals<double>(fields, 352, h.quatern, 3);
+  read_reals<double>(fields, 376, h.qoffset, 3);
+  for (std::size_t row = 0; row < 3; ++row)
+    read_reals<double>(fields, 400 + 32 * row, h.srow[row], 4);
+  return h;
+}
+
+// The header at the start of `bytes`; nothing if there is none.
+std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHeader1) return std::nullopt;
+  for (bool swapped : {false, true}) {
+    const FieldReader fields(bytes, swapped);
+    const std::int32_t size = fields.get<std::int32_t>(0);
+    const auto magic_at = [&](std::size_t offset) {
+      return std::string_view(reinterpret_cast<const char*>(bytes.data()) + offset, 4);
+    };
+    if (size == static_cast<std::int32_t>(kHeader1)) {
+      const std::string_view magic = magic_at(344);
+      NiftiHeader h = parse_version_1(fields, swapped);
+      h.in_one_file = magic == std::string_view("n+1\0", 4);
+      if (h.in_one_file || magic == std::string_view("ni1\0", 4)) return h;
+    } else if (size == static_cast<std::int32_t>(kHeader2) && bytes.size() >= kHeader2) {
+      const std::string_view magic = magic_at(4);
+      NiftiHeader h = parse_version_2(fields, swapped);
+      h.in_one_file = magic == std::string_view("n+2\0", 4);
+      if (h.in_one_file || magic == std::string_view("ni2\0", 4)) return h;
+    }
+  }
+  return std::nullopt;
+}
+
+SampleType sample_type(const VolumeInput& input, int datatype) {
+  switch (datatype) {
+    case 2:
+      return SampleType::u8;
+    case 4:
+      return SampleType::i16;
+    case 8:
+      return SampleType::i32;
+    case 16:
+      return SampleType::f32;
+    case 64:
+      return SampleType::f64;
+    case 256:
+      return SampleType::i8;
+    case 512:
+      return SampleType::u16;
+    case 768:
+      return SampleType::u32;
+    default:
+      fail(input.name(), "NIfTI datatype " + std::to_string(datatype) +
+                             " is not supported (integers of up to 32 bits, float32, float64 are)");
+  }
+}
+
+// nifti1.h, "Orientation and location in space": method 3 (sform) if given, else method 2 (qform),
+// else method 1 (the spacings alone).
+void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
+  if (h.sform_code > 0) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      grid.steps[axis] = {h.srow[0][axis], h.srow[1][axis], h.srow[2][axis]};
+    grid.origin = {h.srow[0][3], h.srow[1][3], h.srow[2][3]};
+    grid.space = AnatomicalSpace::ras;
+    return;
+  }
+  grid.set_spacing({h.pixdim[1], h.pixdim[2], h.pixdim[3]});
+  if (h.qform_code <= 0) return;
+  double b = h.quatern[0], c = h.quatern[1], d = h.quatern[2];
+  double a = 1 - (b * b + c * c + d * d);
+  if (a < 1e-7) {  // a half turn: rounding must not leave it a non-unit quaternion
+    const double scale = 1 / std::sqrt(b * b + c * c + d * d);
+    b *= scale;
+    c *= scale;
+    d *= scale;
+    a = 0;
+  } else {
+    a = std::sqrt(a);
+  }
+  const double flip = h.pixdim[0] < 0 ? -1 : 1;
+  const Vec3 axes[3] = {{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
+                        {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)},
+                        {flip * 2 * (b * d + a * c), flip * 2 * (c * d - a * b),
+                         flip * (a * a + d * d - b * b - c * c)}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * axes[axis];
+  grid.origin = {h.qoffset[0], h.qoffset[1], h.qoffset[2]};
+  grid.space = AnatomicalSpace::ras;
+}
+
+SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
+  SampleGrid grid = grid_of(input);
+  grid.type = sample_type(input, h.datatype);
+  if (h.swapped)
+    grid.byte_order =
+        std::endian::native == std::endian::little ? std::endian::big : std::endian::little;
+  if (h.dim[0] < 3 || h.dim[0] > 7)
+    fail(input.name(), "has " + std::to_string(h.dim[0]) +
+                           " dimensions: only three-dimensional volumes can be meshed");
+  for (std::int64_t n = 4; n <= h.dim[0]; ++n) {
+    if (h.dim[n] == 1) continue;
+    fail(input.name(), "dimension " + std::to_string(n) + " has size " + std::to_string(h.dim[n]) +
+                           ": only one scalar volume without time steps can be meshed");
+  }
+  for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = h.dim[n + 1];
+  data_size(grid);
+  read_geometry(h, grid);
+  return grid;
+}
+
+// "a.hdr" or "a.hdr.gz" -> "a.img", or "a.img.gz" if only that is there.
+Bytes open_image_file(const VolumeInput& input) {
+  const std::size_t slash = input.name().rfind('/');
+  std::string stem = input.name().substr(slash == std::string::npos ? 0 : slash + 1);
+  for (std::string_view end : {".gz", ".hdr"})
+    if (stem.ends_with(end)) stem.resize(stem.size() - end.size());
+  std::error_code ignored;
+  const bool plain = std::filesystem::exists(input.directory + stem + ".img", ignored);
+  const bool packed = std::filesystem::exists(input.directory + stem + ".img.gz", ignored);
+  return open_data_file(input, stem + (packed && !plain ? ".img.gz" : ".img"));
+}
+
+// scl_slope * sample + scl_inter, computed in double and rounded once.
+template <class Real>
+Volume scaled(const Volume& volume, double slope, double intercept) {
+  const std::size_t count = volume.sample_count();
+  Buffer buffer(count * sizeof(Real));
+  volume.visit([&](const auto* samples) {
+    for (std::size_t n = 0; n < count; ++n) {
+      const Real value = static_cast<Real>(slope * static_cast<double>(samples[n]) + intercept);
+      std::memcpy(&buffer.data[n * sizeof(Real)], &value, sizeof value);
+    }
+  });
+  const Bytes bytes = bytes_of(std::move(buffer), {});
+  const Volume real(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
+                    bytes.owner, volume.frame());
+  return volume.is_block() ? real.as_block(volume.first(), volume.whole_dims()) : real;
+}
+
+Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, Volume volume) {
+  if (h.slope == 0 || (h.slope == 1 && h.intercept == 0)) return volume;
+  if (!std::isfinite(h.slope)) {
+    input.note("scl_slope is not finite; the samples are taken as stored");
+    return volume;
+  }
+  if (!std::isfinite(h.intercept)) fail(input.name(), "scl_inter is not finite");
+  const bool small = size_of(volume.type()) <= 2 || volume.type() == SampleType::f32;
+  volume = small ? scaled<float>(volume, h.slope, h.intercept)
+                 : scaled<double>(volume, h.slope, h.intercept);
+  input.note("samples are scaled as the header asks (" + std::to_string(h.slope) + " * sample + " +
+             std::to_string(h.intercept) + ") and held as " + std::string(name_of(volume.type())));
+  return volume;
+}
+
+}  // namespace
+
+bool looks_like_nifti(const Bytes& bytes) {
+  return is_gzip(bytes) || parse_header(bytes.data).has_value();
+}
+
+Volume read_nifti(const VolumeInput& input) {
+  Buffer start(kHeader2);
+  std::span<const std::byte> head = input.bytes.data;
+  if (is_gzip(input.bytes)) {
+    const Inflated inflated = inflate(input.bytes.data, Wrapping::gzip, start.span());
+    if (inflated.fault)
+      fail(input.name(), std::string("compressed data is damaged: ") + inflated.fault);
+    head = start.span().first(inflated.size);
+  }
+  const std::optional<NiftiHeader> header = parse_header(head);
+  if (!header) fail(input.name(), "is compressed, but holds no NIfTI header");
+  const SampleGrid grid = read_grid(input, *header);
+
+  const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);
+  const double offset = header->data_offset;
+  const double smallest = header->in_one_file ? static_cast<double>(kHeader1) : 0;
+  if (!(offset >= smallest && offset <= 0x1p52) || offset != std::floor(offset))
+    fail(input.name(), "vox_offset " + std::to_string(offset) + " is not valid");
+  const std::uint64_t skip = static_cast<std::uint64_t>(offset);
+  if (is_gzip(data))
+    return apply_scaling(input, *header, volume_from_compressed(grid, data, Wrapping::gzip, skip));
+  if (skip > data.size())
+    fail(data.name, "has " + std::to_string(data.size()) + " bytes, its samples begin at " +
+                        std::to_string(skip));
+  return apply_scaling(input, *header,
+                       volume_from_raw(grid, data.from(static_cast<std::size_t>(skip))));
+}
+
+}  // namespace deliso

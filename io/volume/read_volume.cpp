@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "io/volume/read_volume.h"
+
+#include <filesystem>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "io/files/text_scan.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/foreign_formats.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+struct Format {
+  bool (*is_of)(const Bytes& bytes);
+  Volume (*read)(const VolumeInput& input);
+  bool has_named_arrays = false;
+};
+constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
+                               {looks_like_vtk, read_vtk, true},
+                               {looks_like_nifti, read_nifti},
+                               {looks_like_vti, read_vti, true},
+                               {looks_like_metaimage, read_metaimage}};
+
+void refuse_array(const std::string& name, const ReadOptions& options) {
+  if (options.array)
+    fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
+}
+
+Volume read_recognised(const VolumeInput& input) {
+  if (input.options.raw) {
+    refuse_array(input.name(), input.options);
+    return read_raw(input);
+  }
+  for (const Format& format : kFormats) {
+    if (!format.is_of(input.bytes)) continue;
+    if (!format.has_named_arrays) refuse_array(input.name(), input.options);
+    return format.read(input);
+  }
+  refuse_file(input.bytes);
+}
+
+[[noreturn]] void fail_option(std::string_view text, const char* wanted) {
+  throw InputError(quote(text) + " is not " + wanted);
+}
+
+// "a<separator>b<separator>c" split; nothing if it has not `count` parts.
+std::optional<std::vector<std::string_view>> split(std::string_view text, char separator,
+                                                   std::size_t count) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 1);
+  }
+  if (parts.size() != count) return std::nullopt;
+  return parts;
+}
+
+std::optional<int> to_index(std::string_view text) {
+  const std::optional<std::int64_t> value = to_int(text);
+  if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(*value);
+}
+
+// "a,b,c"
+std::optional<Index3> to_index3(std::string_view text) {
+  const auto parts = split(text, ',', 3);
+  if (!parts) return std::nullopt;
+  Index3 out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<int> n = to_index((*parts)[static_cast<std::size_t>(axis)]);
+    if (!n) return std::nullopt;
+    out[axis] = *n;
+  }
+  return out;
+}
+
+}  // namespace
+
+Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog* log) {
+  ReadLog own_log;
+  ReadLog& filled = log ? *log : own_log;
+  try {
+    if (input.starts_with("builtin:")) {
+      refuse_array(input, options);
+      return make_builtin_volume(input, options);
+    }
+    const std::size_t slash = input.rfind('/');
+    const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
+    if (input == "-") return read_recognised({read_standard_input(), directory, options, filled});
+    std::error_code ignored;
+    if (std::filesystem::is_directory(input, ignored)) refuse_folder(input);
+    filled.files.push_back(input);
+    return read_recognised({open_file(input), directory, options, filled});
+  } catch (const std::bad_alloc&) {
+    fail(input, "not enough memory to read it");
+  } catch (const std::length_error&) {
+    fail(input, "not enough memory to read it");
+  }
+}
+
+Roi region_of(const BlockChoice& block, Index3 dims) {
+  Roi region;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t voxels = dims[axis] - 1, parts = block.of[axis], n = block.at[axis];
+    if (parts > voxels) {
+      throw InputError(text("cannot be cut into ", parts, " blocks along ",
+                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
+                            ": it has ", voxels, " voxels there"));
+    }
+    region.begin[axis] = static_cast<int>(n * voxels / parts);
+    region.end[axis] = static_cast<int>((n + 1) * voxels / parts) + 1;
+  }
+  return region;
+}
+
+SampleGrid grid_of(const VolumeInput& input) {
+  SampleGrid grid;
+  grid.name = input.name();
+  grid.roi = input.options.roi;
+  grid.block = input.options.block;
+  return grid;
+}
+
+Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
+  if (file_name.empty()) fail(input.name(), "names no data file");
+  const bool absolute = file_name[0] == '/';
+  const std::string path = (absolute ? "" : input.directory) + std::string(file_name);
+  input.log.files.push_back(path);
+  try {
+    return open_file(path, NamedBy::file);
+  } catch (const InputError& error) {
+    fail(input.name(), std::string("its data file ") + error.what());
+  }
+}
+
+SampleType supported_type(const VolumeInput& input, std::string_view name) {
+  if (const std::optional<SampleType> type = sample_type_named(name)) return *type;
+  fail(input.name(), "sample type " + quote(name) +
+                         " is not supported (integers of up to 32 bits, float32, float64 are)");
+}
+
+std::optional<SampleType> sample_type_named(std::string_view name) {
+  std::string plain = lower(trimmed(name));
+  for (char& c : plain)
+    if (c == '_') c = ' ';
+  if (plain.starts_with("met ")) plain.erase(0, 4);
+  if (plain.ends_with(" t")) plain.resize(plain.size() - 2);
+  struct Spelling {
+    std::string_view name;
+    SampleType type;
+  };
+  constexpr Spelling spellings[] = {
+      {"uint8", SampleType::u8},
+      {"uchar", SampleType::u8},
+      {"unsigned char", SampleType::u8},
+      {"int8", SampleType::i8},
+      {"char", SampleType::i8},
+      {"signed char", SampleType::i8},
+      {"uint16", SampleType::u16},
+      {"ushort", SampleType::u16},
+      {"unsigned short", SampleType::u16},
+      {"unsigned short int", SampleType::u16},
+      {"int16", SampleType::i16},
+      {"short", SampleType::i16},
+      {"short int", SampleType::i16},
+      {"signed short", SampleType::i16},
+      {"signed short int", SampleType::i16},
+      {"uint32", SampleType::u32},
+      {"uint", SampleType::u32},
+      {"unsigned int", SampleType::u32},
+      {"int32", SampleType::i32},
+      {"int", SampleType::i32},
+      {"signed int", SampleType::i32},
+      {"float32", SampleType::f32},
+      {"float", SampleType::f32},
+      {"float64", SampleType::f64},
+      {"double", SampleType::f64},
+  };
+  for (const Spelling& spelling : spellings)
+    if (spelling.name == plain) return spelling.type;
+  return std::nullopt;
+}
+
+Roi parse_roi(std::string_view text) {
+  constexpr const char* wanted = "a region like 0:64,0:64,10:32";
+  const auto axes = split(text, ',', 3);
+  if (!axes) fail_option(text, wanted);
+  Roi roi;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto ends = split((*axes)[static_cast<std::size_t>(axis)], ':', 2);
+    const std::optional<int> begin = ends ? to_index((*ends)[0]) : std::nullopt;
+    const std::optional<int> end = ends ? to_index((*ends)[1]) : std::nullopt;
+    if (!begin || !end || *begin >= *end) fail_option(text, wanted);
+    roi.begin[axis] = *begin;
+    roi.end[axis] = *end;
+  }
+  return roi;
+}
+
+BlockChoice parse_block(std::string_view text) {
+  const auto sides = split(text, '/', 2);
+  const auto at = sides ? to_index3((*sides)[0]) : std::nullopt;
+  const auto of = sides ? to_index3((*sides)[1]) : std::nullopt;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!at || !of || (*at)[axis] >= (*of)[axis]) {
+      fail_option(text, "a block like 0,1,0/2,2,2, counted from 0");
+    }
+  }
+  return {*at, *of};
+}
+
+Index3 parse_dims(std::string_view text) {
+  constexpr const char* wanted = "dimensions like 256x256x128";
+  const auto parts = split(text, 'x', 3);
+  if (!parts) fail_option(text, wanted);
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<int> n = to_index((*parts)[static_cast<std::size_t>(axis)]);
+    if (!n) fail_option(text, wanted);
+    dims[axis] = *n;
+  }
+  return dims;
+}
+
+SampleType parse_sample_type(std::string_view text) {
+  if (const std::optional<SampleType> type = sample_type_named(text)) return *type;
+  fail_option(text, "a sample type (uint8, int8, uint16, int16, uint32, int32, float32, float64)");
+}
+
+}  // namespace deliso

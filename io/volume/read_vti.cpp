@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// VTK's XML format for images ("VTK File Formats", XML formats; ImageData with one piece).
+// io/files/vtk_xml.h has the markup and the arrays.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/text.h"
+#include "io/files/text_scan.h"
+#include "io/files/vtk_xml.h"
+#include "io/volume/named_arrays.h"
+#include "io/volume/sample_grid.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+class VtiParser {
+ public:
+  explicit VtiParser(const VolumeInput& input)
+      : input_(input), grid_(grid_of(input)), xml_(input.bytes, "ImageData", "can be meshed") {}
+
+  Volume run() {
+    grid_.byte_order = xml_.byte_order();
+    const XmlTag array = read_structure();
+    const std::uint64_t size = data_size(grid_);
+    if (xml_.is_text(array)) return volume_from_text(grid_, xml_.inside(array), false);
+    return volume_from_raw(grid_, xml_.binary(array, size, describe(grid_)));
+  }
+
+ private:
+  std::vector<double> numbers(const XmlTag& tag, const char* name, std::size_t count) const {
+    const std::string_view words = tag.attribute(name).value_or("");
+    const std::optional<std::vector<double>> values = to_doubles(words);
+    if (!values || values->size() != count)
+      fail(input_.name(),
+           text("attribute ", name, " is ", quote(words), ", not ", count, " numbers"));
+    return *values;
+  }
+
+  void read_image(const XmlTag& tag) {
+    if (tag.attribute("Spacing")) {
+      const std::vector<double> s = numbers(tag, "Spacing", 3);
+      grid_.set_spacing({s[0], s[1], s[2]});
+    }
+    if (tag.attribute("Origin")) {
+      const std::vector<double> o = numbers(tag, "Origin", 3);
+      grid_.origin = {o[0], o[1], o[2]};
+    }
+    if (tag.attribute("Direction")) {  // row by row; the axes are its columns
+      const std::vector<double> d = numbers(tag, "Direction", 9);
+      for (std::size_t a = 0; a < 3; ++a)
+        grid_.steps[a] = grid_.steps[a][static_cast<int>(a)] * Vec3{d[a], d[a + 3], d[a + 6]};
+    }
+  }
+
+  // Extents are the first and last index along each axis; index (0,0,0) lies at the origin.
+  void read_extent(const XmlTag& tag, const char* name) {
+    const std::string_view words = tag.attribute(name).value_or("");
+    const std::optional<std::vector<std::int64_t>> e = to_ints(words);
+    constexpr std::int64_t limit = std::int64_t{1} << 40;
+    bool valid = e && e->size() == 6;
+    for (std::size_t n = 0; valid && n < 6; ++n) valid = (*e)[n] > -limit && (*e)[n] < limit;
+    if (!valid) fail(input_.name(), text(name, " is ", quote(words), ", not six integers"));
+    for (std::size_t a = 0; a < 3; ++a) {
+      grid_.dims[a] = (*e)[2 * a + 1] - (*e)[2 * a] + 1;
+      start_[a] = static_cast<double>((*e)[2 * a]);
+    }
+  }
+
+  // Walks the markup: the image, its piece, its arrays, of which it returns the one to read.
+  XmlTag read_structure() {
+    std::string_view active;  // the array that PointData names
+    std::vector<XmlTag> tags;
+    std::vector<NamedArray> arrays;
+    bool in_points = false;
+    int pieces = 0;
+    for (XmlTag tag = xml_.next(); !tag.name.empty(); tag = xml_.next()) {
+      if (tag.name == "ImageData") {
+        read_image(tag);
+        read_extent(tag, "WholeExtent");
+      } else if (tag.name == "Piece") {
+        if (++pieces > 1) fail(input_.name(), "has several pieces: only one is supported");
+        if (tag.attribute("Extent")) read_extent(tag, "Extent");
+      } else if (tag.name == "PointData" || tag.name == "CellData") {
+        in_points = tag.name == "PointData";
+        if (in_points) active = tag.attribute("Scalars").value_or("");
+      } else if (tag.name == "DataArray" && in_points) {
+        tags.push_back(tag);
+        arrays.push_back({std::string(tag.attribute("Name").value_or("")),
+                          std::string(tag.attribute("type").value_or("")),
+                          xml_.count(tag, "NumberOfComponents", 1)});
+      }
+    }
+    for (std::size_t a = 0; a < 3; ++a) grid_.origin = grid_.origin + start_[a] * grid_.steps[a];
+    const std::size_t chosen = choose_array(input_, std::move(arrays), active);
+    grid_.type = supported_type(input_, tags[chosen].attribute("type").value_or(""));
+    return tags[chosen];
+  }
+
+  const VolumeInput& input_;
+  SampleGrid grid_;
+  VtkXml xml_;
+  std::array<double, 3> start_{};  // the first sample's index
+};
+
+}  // namespace
+
+bool looks_like_vti(const Bytes& bytes) {
+  return looks_like_vtk_xml(bytes.text());
+}
+
+Volume read_vti(const VolumeInput& input) {
+  return VtiParser(input).run();
+}
+
+}  // namespace deliso

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "io/volume/sample_grid.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "io/files/text_scan.h"
+
+namespace deliso {
+namespace {
+
+constexpr double kShearTolerance = 1e-4;
+
+bool is_swapped(const SampleGrid& grid) {
+  return grid.byte_order != std::endian::native && size_of(grid.type) > 1;
+}
+
+// Splits the steps into spacing and unit axes.
+std::pair<Vec3, Frame> place(const SampleGrid& grid) {
+  Vec3 spacing;
+  Frame frame{grid.origin, {}, grid.space};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
+    const double s = length(step);
+    if (!(s > 0)) fail(grid.name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
+    spacing[axis] = s;
+    frame.axes[static_cast<std::size_t>(axis)] = step / s;
+  }
+  const Index3 dims{static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
+                    static_cast<int>(grid.dims[2])};
+  require_in_range(dims, spacing, frame, grid.name);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a + 1; b < 3; ++b) {
+      const double cosine = dot(frame.axes[a], frame.axes[b]);
+      if (std::abs(cosine) <= kShearTolerance) continue;
+      const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
+      fail(grid.name, std::string("sheared grid: its axes ") + "xyz"[a] + " and " + "xyz"[b] +
+                          " enclose " + std::to_string(degrees) +
+                          " degrees; only rectangular grids can be meshed (resample it)");
+    }
+  }
+  return {spacing, frame};
+}
+
+// The part of the grid to keep, as checked index ranges.
+Roi region(const SampleGrid& grid) {
+  Roi whole{{0, 0, 0},
+            {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
+             static_cast<int>(grid.dims[2])}};
+  if (grid.block) {
+    try {
+      return region_of(*grid.block, whole.end);
+    } catch (const InputError& error) {
+      fail(grid.name, error.what());
+    }
+  }
+  if (!grid.roi) return whole;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int lo = grid.roi->begin[axis], hi = grid.roi->end[axis];
+    if (lo >= 0 && hi <= whole.end[axis] && hi - lo >= 2) continue;
+    fail(grid.name, std::string("region ") + std::to_string(lo) + ":" + std::to_string(hi) +
+                        " along " + "xyz"[axis] +
+                        " is not two or more of the samples 0:" + std::to_string(whole.end[axis]));
+  }
+  return *grid.roi;
+}
+
+template <class Word>
+void swap_words(std::span<std::byte> bytes) {
+  for (std::size_t n = 0; n + sizeof(Word) <= bytes.size(); n += sizeof(Word)) {
+    Word word, swapped = 0;
+    std::memcpy(&word, &bytes[n], sizeof word);
+    for (std::size_t b = 0; b < sizeof(Word); ++b)
+      swapped =
+          static_cast<Word>(swapped | ((word >> (8 * b)) & 0xff) << (8 * (sizeof(Word) - 1 - b)));
+    std::memcpy(&bytes[n], &swapped, sizeof word);
+  }
+}
+
+void swap_bytes(std::span<std::byte> bytes, std::size_t word_size) {
+  if (word_size == 2) swap_words<std::uint16_t>(bytes);
+  if (word_size == 4) swap_words<std::uint32_t>(bytes);
+  if (word_size == 8) swap_words<std::uint64_t>(bytes);
+}
+
+// The samples of the region, copied together.
+Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::byte> data) {
+  const std::size_t nx = static_cast<std::size_t>(grid.dims[0]);
+  const std::size_t ny = static_cast<std::size_t>(grid.dims[1]);
+  const auto length_of = [&](int axis) {
+    return static_cast<std::size_t>(roi.end[axis] - roi.begin[axis]);
+  };
+  const std::size_t sample = size_of(grid.type), row = sample * length_of(0);
+  Buffer buffer(row * length_of(1) * length_of(2));
+  std::byte* to = buffer.data.get();
+  for (int k = roi.begin.k; k < roi.end.k; ++k) {
+    for (int j = roi.begin.j; j < roi.end.j; ++j, to += row) {
+      const std::size_t first =
+          static_cast<std::size_t>(roi.begin.i) +
+          nx * (static_cast<std::size_t>(j) + ny * static_cast<std::size_t>(k));
+      std::memcpy(to, data.data() + sample * first, row);
+    }
+  }
+  return buffer;
+}
+
+std::string size_fault(const SampleGrid& grid, std::uint64_t expected, std::uint64_t found) {
+  return std::string(found < expected ? "data is too short" : "data is too long") + ": " +
+         describe(grid) + " need " + std::to_string(expected) + " bytes, found " +
+         std::to_string(found);
+}
+
+template <class T>
+void parse_samples(const SampleGrid& grid, const Bytes& data, bool more_may_follow,
+                   std::span<std::byte> out) {
+  TextCursor text(data.text());
+  const std::size_t count = out.size() / sizeof(T);
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::string_view word = text.word();
+    if (word.empty())
+      fail(data.name, "data is too short: " + describe(grid) + " need " + std::to_string(count) +
+                          " numbers, found " + std::to_string(n));
+    T value{};
+    const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+      fail(data.name, "sample " + std::to_string(n) + " is " + quote(word) +
+                          ", not a number of type " + std::string(name_of(grid.type)));
+    std::memcpy(&out[n * sizeof(T)], &value, sizeof value);
+  }
+  if (!more_may_follow && !text.word().empty())
+    fail(data.name, "data is too long: more than the " + std::to_string(count) + " numbers of " +
+                        describe(grid));
+}
+
+}  // namespace
+
+void SampleGrid::set_spacing(const Vec3& spacing) {
+  // A negative spacing would mirror the axis unseen; NaN is refused where the steps are.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3& step = steps[static_cast<std::size_t>(axis)];
+    step = {0, 0, 0};
+    step[axis] = spacing[axis] > 0 ? spacing[axis] : nan;
+  }
+}
+
+std::string describe(const SampleGrid& grid) {
+  return std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) + " x " +
+         std::to_string(grid.dims[2]) + " " + std::string(name_of(grid.type)) + " samples";
+}
+
+std::uint64_t data_size(const SampleGrid& grid) {
+  std::uint64_t bytes = size_of(grid.type);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t n = grid.dims[axis];
+    const auto text = [&] { return std::to_string(n) + " samples along " + "xyz"[axis]; };
+    if (n < 1) fail(grid.name, text() + ": dimensions must be positive");
+    if (n < 2) fail(grid.name, text() + ": a volume needs two or more along each axis");
+    if (n > std::numeric_limits<int>::max()) fail(grid.name, text() + " are too many");
+    const std::uint64_t limit = std::numeric_limits<std::ptrdiff_t>::max();
+    if (bytes > limit / static_cast<std::uint64_t>(n))
+      fail(grid.name, describe(grid) + " are too many");
+    bytes *= static_cast<std::uint64_t>(n);
+  }
+  return bytes;
+}
+
+Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
+  const std::uint64_t expected = data_size(grid);
+  if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
+  auto [spacing, frame] = place(grid);
+  const Roi roi = region(grid);
+  if (grid.roi) {
+    frame.origin =
+        frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
+  }
+  const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
+
+  const auto placed = [&](const Volume& volume) {
+    if (!grid.block) return volume;
+    return volume.as_block(roi.begin,
+                           {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
+                            static_cast<int>(grid.dims[2])});
+  };
+  const bool whole_slices = dims.i == grid.dims[0] && dims.j == grid.dims[1];
+  const std::size_t slice = size_of(grid.type) * static_cast<std::size_t>(grid.dims[0]) *
+                            static_cast<std::size_t>(grid.dims[1]);
+  const std::byte* start = data.data.data() + slice * static_cast<std::size_t>(roi.begin.k);
+  const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
+  if (whole_slices && aligned && !is_swapped(grid))
+    return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));
+
+  Buffer samples = copy_region(grid, roi, data.data);
+  if (is_swapped(grid)) swap_bytes(samples.span(), size_of(grid.type));
+  const Bytes bytes = bytes_of(std::move(samples), data.name);
+  return placed(Volume(dims, spacing, grid.type, bytes.data.data(), bytes.owner, frame));
+}
+
+Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {
+  const std::uint64_t expected = data_size(grid);
+  const std::uint64_t count = expected / size_of(grid.type);
+  // n numbers take 2n - 1 characters at least.
+  if (count > data.size() / 2 + 1)
+    fail(data.name, "data is too short: " + describe(grid) + " do not fit in " +
+                        std::to_string(data.size()) + " characters");
+  Buffer buffer(static_cast<std::size_t>(expected));
+  const auto parse = [&]<class T>(T) {
+    parse_samples<T>(grid, data, more_may_follow, buffer.span());
+  };
+  switch (grid.type) {
+    case SampleType::u8:
+      parse(std::uint8_t{});
+      break;
+    case SampleType::i8:
+      parse(std::int8_t{});
+      break;
+    case SampleType::u16:
+      parse(std::uint16_t{});
+      break;
+    case SampleType::i16:
+      parse(std::int16_t{});
+      break;
+    case SampleType::u32:
+      parse(std::uint32_t{});
+      break;
+    case SampleType::i32:
+      parse(std::int32_t{});
+      break;
+    case SampleType::f32:
+      parse(float{});
+      break;
+    case SampleType::f64:
+      parse(double{});
+      break;
+  }
+  SampleGrid native = grid;
+  native.byte_order = std::endian::native;
+  return volume_from_raw(native, bytes_of(std::move(buffer), data.name));
+}
+
+Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrapping wrapping,
+                              std::uint64_t skip) {
+  const std::uint64_t expected = data_size(grid);
+  const std::uint64_t possible = largest_inflated(data.size());
+  if (skip > possible || expected > possible - skip)
+    fail(data.name, size_fault(grid, expected, data.size()) + " compressed");
+  Buffer buffer(static_cast<std::size_t>(skip + expected));
+  const Inflated result = inflate(data.data, wrapping, buffer.span());
+  if (result.fault) {
+    fail(data.name, std::string("compressed data is damaged: ") + result.fault + " after " +
+                        std::to_string(result.size) + " of " + std::to_string(buffer.size) +
+                        " bytes");
+  }
+  if (result.size != buffer.size)
+    fail(data.name, size_fault(grid, expected, result.size > skip ? result.size - skip : 0));
+  if (!result.ended)
+    fail(data.name, "data is too long: " + describe(grid) + " need " + std::to_string(expected) +
+                        " bytes, the compressed data holds more");
+  const Bytes bytes = bytes_of(std::move(buffer), data.name);
+  return volume_from_raw(grid, bytes.from(static_cast<std::size_t>(skip)));
+}
+
+}  // namespace deliso

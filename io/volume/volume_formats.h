@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The readers behind read_volume(), one per format. Each is given a whole input, whose content has
+// been recognised, fills in a SampleGrid and finds the data. All throw InputError.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/input_file.h"
+#include "io/volume/read_volume.h"
+#include "io/volume/sample_grid.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+struct VolumeInput {
+  Bytes bytes;            // bytes.name is the path, or "standard input"
+  std::string directory;  // where detached data files are: "" or ending with a slash
+  const ReadOptions& options;
+  ReadLog& log;
+
+  const std::string& name() const { return bytes.name; }
+  void note(const std::string& text) const { log.notes.push_back(name() + ": " + text); }
+};
+
+// With its name and region filled in.
+SampleGrid grid_of(const VolumeInput& input);
+
+bool looks_like_nrrd(const Bytes& bytes);
+Volume read_nrrd(const VolumeInput& input);
+
+bool looks_like_metaimage(const Bytes& bytes);
+Volume read_metaimage(const VolumeInput& input);
+
+// Also true for gzip data: of the formats here only NIfTI is compressed as a whole.
+bool looks_like_nifti(const Bytes& bytes);
+Volume read_nifti(const VolumeInput& input);
+
+bool looks_like_vtk(const Bytes& bytes);
+Volume read_vtk(const VolumeInput& input);
+
+bool looks_like_vti(const Bytes& bytes);
+Volume read_vti(const VolumeInput& input);
+
+// pre: input.options.raw.
+Volume read_raw(const VolumeInput& input);
+
+// The file that a header of `input` names, which is put down in the log; relative names are taken
+// from the header's folder.
+Bytes open_data_file(const VolumeInput& input, std::string_view file_name);
+// The sample type of that name, or InputError.
+SampleType supported_type(const VolumeInput& input, std::string_view name);
+
+}  // namespace deliso

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+// What the writers put into files, byte by byte where the format is text, decoded by hand where it
+// is binary; the same bytes in every locale; nothing left behind by a fault.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <locale>
+
+#include "base/check.h"
+#include "base/triangle.h"
+#include "io/files/temporary_folder.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
+#include "mesh/meshes.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+constexpr MeshFormat kFormats[] = {MeshFormat::ply, MeshFormat::off, MeshFormat::obj,
+                                   MeshFormat::stl, MeshFormat::vtp};
+
+std::string written(const TriMesh& mesh, MeshWriteOptions options) {
+  const TemporaryFolder folder;
+  write_mesh(mesh, folder / "mesh", options);
+  return file_bytes(folder / "mesh");
+}
+
+// Numbers that show the shortest form. The frame, even the plain one, makes -0 a 0.
+TriMesh triangle() {
+  return make_tri_mesh({{0.1, -0.0, 1e300}, {1.0 / 3, 2, 1e-7}, {-5, 123456789, 0.5}},
+                       Triangles{{0, 1, 2}});
+}
+
+TriMesh random_sphere(std::uint64_t seed) {
+  RandomMesh source(octahedron(), seed);
+  for (int i = 0; i < 40; ++i) source.change();
+  TriMesh mesh = source.mesh();
+  for (Vec3& p : mesh.points) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] = source.random().uniform(-100, 100);
+  }
+  return mesh;
+}
+
+// Little endian, from the bytes themselves.
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+  REQUIRE(at + sizeof(T) <= bytes.size());
+  std::uint64_t bits = 0;
+  for (std::size_t i = sizeof(T); i-- > 0;) {
+    bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
+  }
+  if constexpr (std::is_same_v<T, float>)
+    return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+  else if constexpr (std::is_same_v<T, double>)
+    return std::bit_cast<double>(bits);
+  else
+    return static_cast<T>(bits);
+}
+
+// The number behind `key` in text.
+std::size_t attribute(const std::string& text, const std::string& key, std::size_t from = 0) {
+  const std::size_t at = text.find(key + "=\"", from);
+  REQUIRE(at != std::string::npos);
+  return std::stoull(text.substr(at + key.size() + 2));
+}
+
+std::string error_of(const std::string& path) {
+  try {
+    write_mesh(triangle(), path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("the text formats") {
+  CHECK(written(triangle(), {.format = MeshFormat::ply, .ascii = true}) ==
+        "ply\nformat ascii 1.0\ncomment DelIso\nelement vertex 3\nproperty double x\n"
+        "property double y\nproperty double z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0.1 0 1e+300\n0.3333333333333333 2 1e-07\n-5 123456789 0.5\n3 0 1 2\n");
+  CHECK(written(triangle(), {.format = MeshFormat::off}) ==
+        "OFF\n3 1 0\n0.1 0 1e+300\n0.3333333333333333 2 1e-07\n-5 123456789 0.5\n3 0 1 2\n");
+  CHECK(written(triangle(), {.format = MeshFormat::obj}) ==
+        "# DelIso\nv 0.1 0 1e+300\nv 0.3333333333333333 2 1e-07\nv -5 123456789 0.5\nf 1 2 3\n");
+  TriMesh small = triangle();
+  small.points[0].z = 1e30;
+  CHECK(written(small, {.format = MeshFormat::obj, .single_precision = true}) ==
+        "# DelIso\nv 0.1 0 1e+30\nv 0.33333334 2 1e-07\nv -5 123456792 0.5\nf 1 2 3\n");
+  CHECK(written(small, {.format = MeshFormat::ply, .single_precision = true, .ascii = true})
+            .find("property float x\n") != std::string::npos);
+}
+
+TEST_CASE("binary PLY") {
+  for (const bool single : {false, true}) {
+    const TriMesh mesh = random_sphere(7);
+    const std::string bytes =
+        written(mesh, {.format = MeshFormat::ply, .single_precision = single});
+    CHECK(bytes.starts_with("ply\nformat binary_little_endian 1.0\n"));
+    const std::string end = "end_header\n";
+    std::size_t at = bytes.find(end) + end.size();
+    for (const Vec3& p : mesh.points) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (single)
+          CHECK(number_at<float>(bytes, at) == static_cast<float>(p[axis]));
+        else
+          CHECK(number_at<double>(bytes, at) == p[axis]);
+        at += single ? 4 : 8;
+      }
+    }
+    for (const Face& face : mesh.faces) {
+      CHECK(bytes[at++] == 3);
+      for (const VertexId v : face.v) {
+        CHECK(number_at<std::uint32_t>(bytes, at) == v);
+        at += 4;
+      }
+    }
+    CHECK(at == bytes.size());
+  }
+}
+
+TEST_CASE("binary STL: corners, and normals by the right-hand rule") {
+  TriMesh mesh = random_sphere(8);
+  mesh.points[mesh.faces[3].v[0]] = mesh.points[mesh.faces[3].v[1]];  // one facet of no area
+  const std::string bytes = written(mesh, {.format = MeshFormat::stl});
+  REQUIRE(bytes.size() == 84 + 50 * mesh.faces.size());
+  CHECK_FALSE(bytes.starts_with("solid"));
+  CHECK(number_at<std::uint32_t>(bytes, 80) == mesh.faces.size());
+  std::size_t at = 84, flat = 0;
+  for (const Face& face : mesh.faces) {
+    Vec3 v[4];
+    for (Vec3& p : v) {
+      for (int axis = 0; axis < 3; ++axis, at += 4) p[axis] = number_at<float>(bytes, at);
+    }
+    CHECK(number_at<std::uint16_t>(bytes, at) == 0);
+    at += 2;
+    for (int i = 0; i < 3; ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        CHECK(v[i + 1][axis] == static_cast<float>(mesh.points[face.v[i]][axis]));
+      }
+    }
+    const Vec3 n =
+        area_normal(mesh.points[face.v[0]], mesh.points[face.v[1]], mesh.points[face.v[2]]);
+    if (length(n) == 0) {
+      ++flat;
+      CHECK(v[0] == Vec3{});
+    } else {
+      CHECK(distance(v[0], n / length(n)) < 1e-6);
+    }
+  }
+  CHECK(flat >= 1);
+}
+
+TEST_CASE("VTP: the arrays lie where the XML says, each behind its size") {
+  for (const bool single : {false, true}) {
+    const TriMesh mesh = random_sphere(9);
+    const std::string bytes =
+        written(mesh, {.format = MeshFormat::vtp, .single_precision = single});
+    CHECK(attribute(bytes, "NumberOfPoints") == mesh.points.size());
+    CHECK(attribute(bytes, "NumberOfPolys") == mesh.faces.size());
+    CHECK(bytes.find(single ? "Float32" : "Float64") != std::string::npos);
+    const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+    const std::size_t data = bytes.find(mark) + mark.size();
+    std::size_t at = data + attribute(bytes, "offset", bytes.find("\"Points\""));
+    CHECK(number_at<std::uint64_t>(bytes, at) == mesh.points.size() * 3 * (single ? 4 : 8));
+    at += 8;
+    for (const Vec3& p : mesh.points) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (single)
+          CHECK(number_at<float>(bytes, at) == static_cast<float>(p[axis]));
+        else
+          CHECK(number_at<double>(bytes, at) == p[axis]);
+        at += single ? 4 : 8;
+      }
+    }
+    CHECK(at == data + attribute(bytes, "offset", bytes.find("\"connectivity\"")));
+    CHECK(number_at<std::uint64_t>(bytes, at) == mesh.faces.size() * 24);
+    at += 8;
+    for (const Face& face : mesh.faces) {
+      for (const VertexId v : face.v) {
+        CHECK(number_at<std::int64_t>(bytes, at) == v);
+        at += 8;
+      }
+    }
+    CHECK(at == data + attribute(bytes, "offset", bytes.find("\"offsets\"")));
+    CHECK(number_at<std::uint64_t>(bytes, at) == mesh.faces.size() * 8);
+    at += 8;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f, at += 8) {
+      CHECK(number_at<std::int64_t>(bytes, at) == static_cast<std::int64_t>(3 * (f + 1)));
+    }
+    CHECK(bytes.substr(at) == "\n  </AppendedData>\n</VTKFile>\n");
+  }
+}
+
+TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and changes no more") {
+  const TriMesh mesh = random_sphere(3);
+  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
+      {MeshFormat::ply, {"comment DelIso", "comment DelIso SPACE=LPS"}},
+      {MeshFormat::obj, {"# DelIso", "# DelIso SPACE=LPS"}},
+      {MeshFormat::stl, {"DelIso          ", "DelIso SPACE=LPS"}},
+      {MeshFormat::vtp,
+       {"<PolyData>\n",
+        "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
+        "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n"}},
+      {MeshFormat::off, {"OFF", "OFF"}}};
+  for (const auto& [format, change] : heads) {
+    const std::string& now = change.second;
+    CAPTURE(now);
+    MeshWriteOptions options{.format = format};
+    std::string expected = written(mesh, options);
+    const std::size_t at = expected.find(change.first);
+    REQUIRE(at != std::string::npos);
+    expected.replace(at, change.first.size(), change.second);
+    TriMesh placed = mesh;
+    placed.frame.space = AnatomicalSpace::lps;
+    CHECK(written(placed, options) == expected);
+  }
+}
+
+TEST_CASE("a comment is a line of its own in the head, and changes no more") {
+  TriMesh mesh = random_sphere(4);
+  mesh.frame.space = AnatomicalSpace::ras;
+  const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
+  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
+      {MeshFormat::ply,
+       {"comment DelIso SPACE=RAS\n", "comment DelIso SPACE=RAS\ncomment " + comment + "\n"}},
+      {MeshFormat::obj, {"# DelIso SPACE=RAS\n", "# DelIso SPACE=RAS\n# " + comment + "\n"}},
+      {MeshFormat::off, {"OFF\n", "OFF\n# " + comment + "\n"}},
+      {MeshFormat::vtp,
+       {"<?xml version=\"1.0\"?>\n", "<?xml version=\"1.0\"?>\n<!-- " + comment + " -->\n"}}};
+  for (const auto& [format, change] : heads) {
+    const std::string& now = change.second;
+    CAPTURE(now);
+    MeshWriteOptions options{.format = format};
+    std::string expected = written(mesh, options);
+    const std::size_t at = expected.find(change.first);
+    REQUIRE(at != std::string::npos);
+    expected.replace(at, change.first.size(), change.second);
+    options.comment = comment;
+    CHECK(written(mesh, options) == expected);
+  }
+}
+
+TEST_CASE("STL has a comment where the header has room for all of it") {
+  TriMesh mesh = random_sphere(4);
+  const std::string plain = written(mesh, {.format = MeshFormat::stl});
+  for (std::size_t size = 1; size < 100; ++size) {
+    for (const bool space : {false, true}) {
+      MeshWriteOptions options{.format = MeshFormat::stl};
+      mesh.frame.space = space ? AnatomicalSpace::lps : AnatomicalSpace::unknown;
+      options.comment = std::string(size, 'x');
+      const std::string bytes = written(mesh, options);
+      CHECK(bytes.size() == plain.size());
+      CHECK(bytes.substr(80) == plain.substr(80));
+      std::string head = space ? "binary STL by DelIso SPACE=LPS" : "binary STL by DelIso";
+      if (head.size() + 1 + size <= 80) head += " " + options.comment;
+      head.resize(80, ' ');
+      CHECK(bytes.substr(0, 80) == head);
+    }
+  }
+}
+
+TEST_CASE("bytes that cannot stand in a comment of every format are written as question marks") {
+  const std::pair<std::string, std::string> comments[] = {
+      {"two\nlines\r\tand\x01 more", "two?lines??and? more"},
+      {std::string("a\0b", 3), "a?b"},
+      {"gr\xc3\xbc\xc3\x9f", "gr????"},
+      {"the end -->", "the end -?>"},
+      {"-----", "-?-?-"},
+      {"on the next line \\", "on the next line ?"},
+      {"1e-05 r-min a - b", "1e-05 r-min a - b"}};
+  for (const auto& [given, expected] : comments) {
+    for (const MeshFormat format : kFormats) {
+      const std::string& now = expected;
+      CAPTURE(now);
+      const TriMesh mesh = triangle();
+      CHECK(written(mesh, {.format = format, .comment = given}) ==
+            written(mesh, {.format = format, .comment = expected}));
+    }
+    CHECK(written(triangle(), {.format = MeshFormat::obj, .comment = given})
+              .starts_with("# DelIso\n# " + expected + "\nv "));
+  }
+}
+
+TEST_CASE("an empty mesh is a valid file of every format") {
+  for (const MeshFormat format : kFormats) {
+    const std::string bytes = written(TriMesh{}, {.format = format});
+    CHECK(bytes.size() > 8);
+  }
+}
+
+TEST_CASE("the locale changes nothing") {
+  struct Commas : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const TriMesh mesh = random_sphere(3);
+  for (const MeshFormat format : kFormats) {
+    const std::string plain = written(mesh, {.format = format, .ascii = true});
+    const std::locale before = std::locale::global(std::locale(std::locale(), new Commas));
+    std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is installed
+    const std::string german = written(mesh, {.format = format, .ascii = true});
+    std::setlocale(LC_ALL, "C");
+    std::locale::global(before);
+    CHECK(plain == german);
+  }
+}
+
+TEST_CASE("the world frame moves points, and a mirroring one turns triangles round") {
+  const TriMesh mesh = random_sphere(5);
+  const auto volume = [](const std::string& obj) {
+    std::vector<Vec3> points;
+    double six = 0;
+    char* at = const_cast<char*>(obj.c_str());
+    while ((at = std::strpbrk(at, "vf")) != nullptr) {
+      const bool vertex = *at++ == 'v';
+      Vec3 p;
+      for (int axis = 0; axis < 3; ++axis) p[axis] = std::strtod(at, &at);
+      if (vertex)
+        points.push_back(p);
+      else
+        six += dot(points[static_cast<std::size_t>(p.x) - 1],
+                   cross(points[static_cast<std::size_t>(p.y) - 1],
+                         points[static_cast<std::size_t>(p.z) - 1]));
+    }
+    return six;
+  };
+  // A reflection keeps the enclosed volume once the triangles are turned round; so does a rotation.
+  Frame mirror{{3, 4, 5}, {Vec3{-1, 0, 0}, Vec3{0, 0.6, 0.8}, Vec3{0, -0.8, 0.6}}};
+  Frame turn{{3, 4, 5}, {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}};
+  CHECK(mirror.left_handed());
+  CHECK_FALSE(turn.left_handed());
+  std::string plain = written(mesh, {.format = MeshFormat::obj});
+  plain = plain.substr(plain.find('\n'));
+  for (const Frame& frame : {mirror, turn}) {
+    TriMesh placed = mesh;
+    placed.frame = frame;
+    std::string moved = written(placed, {.format = MeshFormat::obj});
+    moved = moved.substr(moved.find('\n'));
+    CHECK(volume(moved) == doctest::Approx(volume(plain)).epsilon(1e-9));
+    const Vec3 p = frame.to_world(mesh.points[0]);
+    Vec3 q;
+    CHECK(std::sscanf(moved.c_str(), "\nv %lf %lf %lf", &q.x, &q.y, &q.z) == 3);
+    CHECK(p == q);
+  }
+  CHECK(turn.to_world({1, 2, 3}) == Vec3{6, 5, 7});
+}
+
+TEST_CASE("the points as written are those that are read back") {
+  TriMesh mesh = random_sphere(6);
+  mesh.frame = {{30, -4, 5.5}, {Vec3{0, 0.6, 0.8}, Vec3{1, 0, 0}, Vec3{0, -0.8, 0.6}}};
+  for (const bool single : {false, true}) {
+    const MeshWriteOptions options{.format = MeshFormat::ply, .single_precision = single};
+    const TriMesh read = parse_mesh(written(mesh, options), MeshFormat::ply, "m");
+    CHECK(read.points == written_points(mesh, options));
+  }
+  const MeshWriteOptions stl{.format = MeshFormat::stl};
+  const TriMesh read = parse_mesh(written(mesh, stl), MeshFormat::stl, "m");
+  for (const Vec3& p : written_points(mesh, stl)) {
+    CHECK(std::find(read.points.begin(), read.points.end(), p) != read.points.end());
+  }
+}
+
+TEST_CASE("the ending names the format") {
+  CHECK(mesh_format_of("a.ply") == MeshFormat::ply);
+  CHECK(mesh_format_of("dir.off/a.OBJ") == MeshFormat::obj);
+  CHECK(mesh_format_of("a.ply.Vtp") == MeshFormat::vtp);
+  CHECK(mesh_format_of("a.stl") == MeshFormat::stl);
+  CHECK(mesh_format_of("a.off") == MeshFormat::off);
+  const TemporaryFolder folder;
+  for (const std::string name : {"mesh.plyx", "mesh", "ply", ".ply", "mesh.gz", ""}) {
+    CHECK(error_of(name) ==
+          "'" + name + "' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
+  }
+}
+
+TEST_CASE(
+    "every fault of the file system, in every format: one line, nothing left, old file kept") {
+  const TemporaryFolder folder;
+  for (const std::string ending : {".ply", ".off", ".obj", ".stl", ".vtp"}) {
+    CHECK(error_of(folder / ("absent/mesh" + ending)) ==
+          "cannot write '" + (folder / ("absent/mesh" + ending)) + "': No such file or directory");
+    std::filesystem::create_directory(folder / ("folder" + ending));
+    CHECK(error_of(folder / ("folder" + ending)) ==
+          "cannot write '" + (folder / ("folder" + ending)) + "': Is a directory");
+    std::filesystem::create_symlink("/dev/full", folder / ("full" + ending));
+    CHECK(error_of(folder / ("full" + ending)) ==
+          "cannot write '" + (folder / ("full" + ending)) + "': No space left on device");
+  }
+  CHECK(folder.file_count() == 10);
+}

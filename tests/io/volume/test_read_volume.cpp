@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "io/volume/read_volume.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "io/volume/builtin_volume.h"
+#include "volume_files.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+std::string write_all(const TemporaryFolder& folder, const StoredVolume& stored) {
+  for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
+  for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
+  return folder.path(stored.files.front().name);
+}
+
+std::string samples_of(const Volume& volume) {
+  return volume.visit([&](const auto* samples) {
+    return std::string(reinterpret_cast<const char*>(samples),
+                       volume.sample_count() * sizeof *samples);
+  });
+}
+
+double difference(const Vec3& a, const Vec3& b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+// NIfTI-1 holds float32, so its geometry is good to 1e-6 of a coordinate.
+void check_same(const Volume& volume, const Truth& truth, bool has_axes, double tolerance) {
+  REQUIRE(volume.dims() == truth.dims);
+  REQUIRE(volume.type() == truth.type);
+  CHECK(samples_of(volume) == truth.bytes);
+  CHECK(difference(volume.spacing(), truth.spacing) <= tolerance);
+  if (!has_axes) return;
+  CHECK(difference(volume.frame().origin, truth.origin) <= 30 * tolerance);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(difference(volume.frame().axes[axis], truth.axes[axis]) <= tolerance);
+}
+
+// Axes of many kinds: along the world's, permuted, mirrored, turned any way.
+std::array<Vec3, 3> axes_of_kind(int kind, Random& random) {
+  if (kind == 0) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  if (kind == 1) return {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
+  if (kind == 2) return {Vec3{-1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}};  // a half turn
+  if (kind == 3) return {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}};   // left-handed
+  const auto direction = [&] {
+    return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  };
+  std::array<Vec3, 3> axes;
+  do {  // near a half turn NIfTI's quaternion of three float32 is imprecise by its nature
+    const Vec3 a = direction(), b = cross(a, direction());
+    axes[0] = a / length(a);
+    axes[1] = b / length(b);
+    axes[2] = cross(axes[0], axes[1]);
+  } while (1 + axes[0].x + axes[1].y + axes[2].z < 0.4);
+  if (kind % 2 == 0) axes[2] = -axes[2];
+  return axes;
+}
+
+}  // namespace
+
+TEST_CASE("every format, encoding, type and byte order reads back what was written") {
+  const TemporaryFolder folder;
+  int volumes = 0;
+  for (SampleType type : kAllTypes) {
+    for (int kind = 0; kind < 6; ++kind) {
+      const std::uint64_t seed =
+          100 * static_cast<std::uint64_t>(type) + static_cast<unsigned>(kind);
+      Random random(seed);
+      Truth truth = random_truth(type, {2 + kind, 7, 5}, seed);
+      truth.spacing = {0.5, 1.25, 3};
+      truth.origin = {10, -20.25, 30.5};
+      truth.axes = axes_of_kind(kind, random);
+      for (const StoredVolume& stored : all_forms(truth)) {
+        CAPTURE(stored.label);
+        CAPTURE(stored.files.front().name);
+        CAPTURE(seed);
+        ReadLog log;
+        const Volume volume = read_volume(write_all(folder, stored), stored.options, &log);
+        const double tolerance = stored.label.starts_with("nifti") ? 1e-6 : 1e-12;
+        check_same(volume, truth, stored.has_axes, tolerance);
+        CHECK(volume.frame().left_handed() == (stored.has_axes && (kind == 3 || kind == 4)));
+        // The .vti files have a second array.
+        CHECK(log.notes.size() == (stored.label.starts_with("vti") ? 1 : 0));
+        ++volumes;
+      }
+    }
+  }
+  CHECK(volumes > 3000);
+}
+
+TEST_CASE("where a file sits in the body is kept") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
+  const auto space = [&](const std::vector<NamedFile>& files) {
+    return read_volume(folder.write(files.front().name, files.front().content)).frame().space;
+  };
+  CHECK(space(nrrd(truth, std::endian::little, "raw", NrrdForm::attached)) == AnatomicalSpace::lps);
+  CHECK(space(metaimage(truth, std::endian::little, "raw", MetaForm::local)) ==
+        AnatomicalSpace::lps);
+  CHECK(space(nifti(truth, {})) == AnatomicalSpace::ras);
+  CHECK(space(vtk(truth, true, false)) == AnatomicalSpace::unknown);
+  std::vector<NamedFile> ras = nrrd(truth, std::endian::little, "raw", NrrdForm::attached);
+  std::string& text = ras.front().content;
+  text.replace(text.find("left-posterior-superior"), 23, "right-anterior-superior");
+  CHECK(space(ras) == AnatomicalSpace::ras);
+}
+
+TEST_CASE("a region is the same part of every format") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
+  truth.spacing = {0.5, 1.25, 3};
+  truth.origin = {10, -20, 30};
+  truth.axes = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}};
+  const Roi regions[] = {{{0, 0, 0}, {6, 7, 8}},
+                         {{0, 0, 3}, {6, 7, 5}},
+                         {{1, 2, 3}, {4, 7, 8}},
+                         {{4, 0, 6}, {6, 2, 8}}};
+  for (const StoredVolume& stored : all_forms(truth)) {
+    const std::string path = write_all(folder, stored);
+    const Volume whole = read_volume(path, stored.options);
+    for (const Roi& roi : regions) {
+      CAPTURE(stored.label);
+      ReadOptions options = stored.options;
+      options.roi = roi;
+      const Volume part = read_volume(path, options);
+      REQUIRE(part.dims() ==
+              Index3{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k});
+      int different = 0;
+      for (int k = 0; k < part.dims().k; ++k)
+        for (int j = 0; j < part.dims().j; ++j)
+          for (int i = 0; i < part.dims().i; ++i)
+            different += part.sample(i, j, k) !=
+                         whole.sample(i + roi.begin.i, j + roi.begin.j, k + roi.begin.k);
+      CHECK(different == 0);
+      // The same sample is at the same place in the world.
+      const Vec3 there = whole.frame().to_world(whole.position(roi.begin));
+      CHECK(difference(part.frame().to_world({0, 0, 0}), there) <= 1e-9);
+    }
+  }
+}
+
+TEST_CASE("blocks are regions that know where they lie, and have every voxel once") {
+  const Volume whole = make_builtin_volume("builtin:noise:23");
+  const Index3 of{3, 2, 4};
+  std::vector<int> seen(whole.sample_count());  // voxels, by their first samples
+  int different = 0;
+  for (int n = 0; n < 24; ++n) {
+    const BlockChoice choice{{n % 3, n / 3 % 2, n / 6}, of};
+    const Volume block =
+        make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = choice});
+    CHECK(block.is_block());
+    CHECK(block.whole_dims() == whole.dims());
+    CHECK(block.frame() == whole.frame());
+    const Index3 first = block.first(), dims = block.dims();
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(((block.inner_faces() >> (2 * axis)) & 1) == (choice.at[axis] > 0));
+      CHECK(((block.inner_faces() >> (2 * axis + 1)) & 1) == (choice.at[axis] + 1 < of[axis]));
+    }
+    for (int k = 0; k < dims.k; ++k) {
+      for (int j = 0; j < dims.j; ++j) {
+        for (int i = 0; i < dims.i; ++i) {
+          const Index3 at{first.i + i, first.j + j, first.k + k};
+          different += block.sample(i, j, k) != whole.sample(at.i, at.j, at.k) ||
+                       block.position({i, j, k}) != whole.position(at);
+          const bool is_voxel = i + 1 < dims.i && j + 1 < dims.j && k + 1 < dims.k;
+          seen[whole.index(at.i, at.j, at.k)] += is_voxel;
+        }
+      }
+    }
+    const Vec3 p = block.position({1, 1, 1}) + Vec3{0.25, 0.5, -0.125};
+    CHECK(block.value(p) == whole.value(p));
+    CHECK(block.gradient(p) == whole.gradient(p));
+    CHECK(block.voxel_at(p) == Index3{1, 1, 0});
+  }
+  CHECK(different == 0);
+  CHECK(std::ranges::count(seen, 1) == 22 * 22 * 22);
+  CHECK(std::ranges::count(seen, 0) == 23 * 23 * 23 - 22 * 22 * 22);
+  CHECK_FALSE(whole.is_block());
+  // One block is a block as well, at the isovalue of blocks.
+  const BlockChoice all{{}, {1, 1, 1}};
+  CHECK(make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = all}).is_block());
+  CHECK_THROWS_AS(make_builtin_volume("builtin:noise:23",
+                                      {.raw = {}, .roi = {}, .block = BlockChoice{{}, {23, 1, 1}}}),
+                  InputError);
+}
+
+TEST_CASE("raw data in native order is mapped, not copied") {
+  // A volume that refers to its file sees what is written into the file; a copy would not.
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {8, 8, 8}, 5);
+  const auto files = nrrd(truth, std::endian::native, "raw", NrrdForm::detached);
+  folder.write(files[1].name, files[1].content);
+  const Volume volume = read_volume(folder.write(files[0].name, files[0].content));
+  const double before = volume.sample(7, 7, 7);
+  {
+    std::fstream file(folder.path(files[1].name), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(511);
+    file.put(static_cast<char>(static_cast<int>(before) ^ 1));
+  }
+  CHECK(volume.sample(7, 7, 7) == static_cast<double>(static_cast<int>(before) ^ 1));
+}
+
+TEST_CASE("NIfTI scaling is applied and said") {
+  const TemporaryFolder folder;
+  for (SampleType type : kAllTypes) {
+    const Truth truth = random_truth(type, {3, 4, 5}, 11);
+    NiftiForm form;
+    const auto read = [&](double slope, double intercept, ReadLog& log) {
+      form.slope = slope;
+      form.intercept = intercept;
+      const auto files = nifti(truth, form);
+      return read_volume(folder.write(files[0].name, files[0].content), {}, &log);
+    };
+    ReadLog log;
+    for (const auto& [slope, intercept] : {std::pair{0.0, 5.0}, {1.0, 0.0}}) {
+      CHECK(samples_of(read(slope, intercept, log)) == truth.bytes);
+      CHECK(log.notes.empty());
+    }
+    CHECK(samples_of(read(NAN, 0, log)) == truth.bytes);
+    CHECK(log.notes.size() == 1);
+    log.notes.clear();
+
+    const Volume plain = read(0, 0, log), scaled = read(0.5, -3, log);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].find("samples are scaled") != std::string::npos);
+    const bool wide = type == SampleType::u32 || type == SampleType::i32 || type == SampleType::f64;
+    REQUIRE(scaled.type() == (wide ? SampleType::f64 : SampleType::f32));
+    for (int k = 0; k < 5; ++k) {
+      const double expected = 0.5 * plain.sample(2, 3, k) - 3;
+      CHECK(scaled.sample(2, 3, k) ==
+            (wide ? expected : static_cast<double>(static_cast<float>(expected))));
+    }
+    CHECK_THROWS_AS(read(2, INFINITY, log), InputError);
+  }
+}
+
+TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes of size 1") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& fields) {
+    return read_volume(folder.write("v.nrrd", "NRRD0001\r\ntype: uchar\r\nencoding: raw\r\n" +
+                                                  fields + "\r\n\r\n" + std::string(24, 'x')));
+  };
+  const std::string three = "dimension: 3\r\nsizes: 2 3 4\r\n";
+  CHECK(read(three + "spacings: 0.5 2 3").spacing() == Vec3{0.5, 2, 3});
+  Volume volume = read(three + "axis mins: 0 10 20\r\naxis maxs: 1 14 32");
+  CHECK(volume.spacing() == Vec3{1, 2, 4});
+  CHECK(volume.frame().origin == Vec3{0, 10, 20});
+  volume = read(three + "axis mins: 0 10 20\r\naxismaxs: 1 16 28\r\ncenters: cell cell cell");
+  CHECK(volume.spacing() == Vec3{0.5, 2, 2});
+  CHECK(volume.frame().origin == Vec3{0.25, 11, 21});
+  volume = read("dimension: 4\r\nsizes: 2 1 3 4\r\nspacings: 5 nan 6 7");
+  CHECK(volume.dims() == Index3{2, 3, 4});
+  CHECK(volume.spacing() == Vec3{5, 6, 7});
+  volume = read(
+      "dimension: 4\r\nsizes: 1 2 3 4\r\nspace: LAS\r\nspace directions: none (0,2,0) (1,0,0) "
+      "(0,0,3)");
+  CHECK(volume.spacing() == Vec3{2, 1, 3});
+  CHECK(volume.frame().axes[0] == Vec3{0, 1, 0});
+  CHECK(volume.frame().left_handed());
+  CHECK(read(three + "spacings: 1 1 1\r\nbyte skip: 0").sample(1, 2, 3) == 'x');
+}
+
+TEST_CASE("data files are found beside their header, wherever that is") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("deep/er"));
+  const Truth truth = random_truth(SampleType::u16, {4, 5, 6}, 9);
+  folder.write("deep/er/v.data", truth.in_order(std::endian::little));
+  const auto files = nrrd(truth, std::endian::little, "raw", NrrdForm::detached);
+  CHECK(samples_of(read_volume(folder.write("deep/er/v.nhdr", files[0].content))) == truth.bytes);
+  std::string text = files[0].content;
+  text.replace(text.rfind("v.data"), 6, "deep/er/v.data");
+  CHECK(samples_of(read_volume(folder.write("v.nhdr", text))) == truth.bytes);
+  text.replace(text.rfind("deep/er/v.data"), 14, folder.path("deep/er/v.data"));
+  CHECK(samples_of(read_volume(folder.write("absolute.nhdr", text))) == truth.bytes);
+}
+
+TEST_CASE("VTK's nameless bytes are COLOR_SCALARS") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u8, {4, 5, 6}, 9);
+  std::string file = vtk(truth, true, false).front().content;
+  const std::string usual = "SCALARS values unsigned_char 1\nLOOKUP_TABLE default\n";
+  file.replace(file.find(usual), usual.size(), "COLOR_SCALARS scalars 1\n");
+  CHECK(samples_of(read_volume(folder.write("v.vtk", file))) == truth.bytes);
+  file.replace(file.find("BINARY"), 6, "ASCII");
+  CHECK_THROWS_AS(read_volume(folder.write("v.vtk", file)), InputError);
+}
+
+TEST_CASE("standard input is recognised by its content") {
+  const Truth truth = random_truth(SampleType::i16, {4, 5, 6}, 9);
+  for (const StoredVolume& stored : all_forms(truth)) {
+    if (stored.files.size() > 1) continue;
+    const std::string& content = stored.files.front().content;
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    REQUIRE(::write(ends[1], content.data(), content.size()) ==
+            static_cast<ssize_t>(content.size()));
+    ::close(ends[1]);
+    const int saved = ::dup(STDIN_FILENO);
+    ::dup2(ends[0], STDIN_FILENO);
+    ::close(ends[0]);
+    CAPTURE(stored.label);
+    CHECK(samples_of(read_volume("-", stored.options)) == truth.bytes);
+    ::dup2(saved, STDIN_FILENO);
+    ::close(saved);
+  }
+}
+
+TEST_CASE("command-line spellings") {
+  const Roi roi = parse_roi("0:64,3:10,5:7");
+  CHECK(roi.begin == Index3{0, 3, 5});
+  CHECK(roi.end == Index3{64, 10, 7});
+  CHECK(parse_dims("256x256x128") == Index3{256, 256, 128});
+  for (SampleType type : kAllTypes) CHECK(parse_sample_type(name_of(type)) == type);
+  CHECK(parse_sample_type("unsigned short") == SampleType::u16);
+  CHECK(parse_sample_type("unsigned_char") == SampleType::u8);
+  for (const char* text : {"", "0:64", "0:64,0:64", "0:64,0:64,0:64,0:64", "5:5,0:2,0:2",
+                           "a:b,0:2,0:2", "-1:5,0:2,0:2", "0:99999999999,0:2,0:2", "0:2:3,0:2,0:2"})
+    CHECK_THROWS_AS(parse_roi(text), InputError);
+  for (const char* text : {"", "256", "256x256", "1x2x3x4", "ax2x3", "-1x2x3", "1x2x99999999999"})
+    CHECK_THROWS_AS(parse_dims(text), InputError);
+  for (const char* text : {"", "int64", "uint128", "complex", "uint8 x"})
+    CHECK_THROWS_AS(parse_sample_type(text), InputError);
+}

@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: MIT
+// Volumes written in every format and encoding that the readers know, byte by byte after the
+// formats' descriptions, so that what is read back can be held against what was written.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "io/files/deflate_writer.h"
+#include "io/files/vtk_array.h"
+#include "io/volume/read_volume.h"
+
+namespace deliso::test {
+
+// A folder that is gone when the test is over.
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("deliso-test-" + std::to_string(::getpid()) + "-" + std::to_string(count()++))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string path(const std::string& name) const { return (path_ / name).string(); }
+  // Replaces the file instead of overwriting it: somebody may have the old one mapped.
+  std::string write(const std::string& name, const std::string& content) const {
+    std::filesystem::remove(path_ / name);
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return path(name);
+  }
+
+ private:
+  static int& count() {
+    static int folders = 0;
+    return folders;
+  }
+  std::filesystem::path path_;
+};
+
+struct NamedFile {
+  std::string name, content;
+};
+
+// What a volume is, independent of any format.
+struct Truth {
+  Index3 dims;
+  SampleType type;
+  Vec3 spacing{1, 1, 1};
+  Vec3 origin{0, 0, 0};
+  std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  std::string bytes{};  // native order
+  std::uint64_t seed = 0;
+
+  std::size_t count() const { return bytes.size() / size_of(type); }
+  Vec3 step(std::size_t axis) const { return spacing[static_cast<int>(axis)] * axes[axis]; }
+  std::string in_order(std::endian order) const {
+    std::string result = bytes;
+    if (order != std::endian::native)
+      for (std::size_t n = 0; n < result.size(); n += size_of(type))
+        std::reverse(result.begin() + static_cast<std::ptrdiff_t>(n),
+                     result.begin() + static_cast<std::ptrdiff_t>(n + size_of(type)));
+    return result;
+  }
+};
+
+template <class F>
+void visit_type(SampleType type, F f) {
+  switch (type) {
+    case SampleType::u8:
+      return f(std::uint8_t{});
+    case SampleType::i8:
+      return f(std::int8_t{});
+    case SampleType::u16:
+      return f(std::uint16_t{});
+    case SampleType::i16:
+      return f(std::int16_t{});
+    case SampleType::u32:
+      return f(std::uint32_t{});
+    case SampleType::i32:
+      return f(std::int32_t{});
+    case SampleType::f32:
+      return f(float{});
+    case SampleType::f64:
+      return f(double{});
+  }
+}
+constexpr SampleType kAllTypes[] = {SampleType::u8,  SampleType::i8,  SampleType::u16,
+                                    SampleType::i16, SampleType::u32, SampleType::i32,
+                                    SampleType::f32, SampleType::f64};
+
+// Random samples over the whole range of the type.
+inline Truth random_truth(SampleType type, Index3 dims, std::uint64_t seed) {
+  Truth truth{dims, type};
+  truth.seed = seed;
+  Random random(seed);
+  const int count = dims.i * dims.j * dims.k;
+  visit_type(type, [&]<class T>(T) {
+    for (int n = 0; n < count; ++n) {
+      T value;
+      if constexpr (std::is_floating_point_v<T>) {
+        value = static_cast<T>(random.uniform(-1, 1) * static_cast<double>(1u << random.below(30)));
+      } else {
+        value = static_cast<T>(random.next());
+      }
+      char raw[sizeof(T)];
+      std::memcpy(raw, &value, sizeof(T));
+      truth.bytes.append(raw, sizeof(T));
+    }
+  });
+  return truth;
+}
+
+template <class T>
+std::string to_text(T value) {
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+inline std::string join(const Vec3& v, const char* separator = " ") {
+  return to_text(v.x) + separator + to_text(v.y) + separator + to_text(v.z);
+}
+inline std::string join(const Index3& n) {
+  return to_text(n.i) + " " + to_text(n.j) + " " + to_text(n.k);
+}
+inline std::string ascii_samples(const Truth& truth) {
+  std::string text;
+  visit_type(truth.type, [&]<class T>(T value) {
+    for (std::size_t n = 0; n < truth.count(); ++n) {
+      std::memcpy(&value, &truth.bytes[n * sizeof(T)], sizeof(T));
+      text += to_text(value) + (n % 7 == 6 ? "\n" : " ");
+    }
+  });
+  return text;
+}
+// ---- NRRD
+
+enum class NrrdForm { attached, detached, detached_skips, detached_at_end };
+
+inline std::vector<NamedFile> nrrd(const Truth& t, std::endian order, const std::string& encoding,
+                                   NrrdForm form) {
+  const char* const types[] = {"uchar", "int8",       "unsigned short", "int16_t",
+                               "uint",  "signed int", "float",          "double"};
+  std::string header = "NRRD0005\n# a comment: with colon\ntype: ";
+  header += types[static_cast<int>(t.type)];
+  header += "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + join(t.dims) +
+            "\nspace directions: ";
+  for (std::size_t a = 0; a < 3; ++a) header.append("(").append(join(t.step(a), ",")).append(") ");
+  header += "\nspace origin: (" + join(t.origin, ", ") + ")\nencoding: " + encoding + "\n";
+  if (encoding != "ascii" && size_of(t.type) > 1)
+    header += order == std::endian::little ? "endian: little\n" : "endian: big\n";
+  header += "My key:=my value: with colon\nkinds: domain domain domain\n";
+  std::string data = encoding == "ascii" ? ascii_samples(t) : t.in_order(order);
+  std::string front;
+  if (form == NrrdForm::detached_skips) {
+    header += "line skip: 2\nbyte skip: 5\n";
+    front = "one line\nanother line\n";
+    data = (encoding == "ascii" ? "   \n " : "12345") + data;
+  }
+  if (form == NrrdForm::detached_at_end) {
+    header += "byteskip: -1\n";
+    front = "something in front";
+  }
+  if (encoding == "gzip") data = gzipped(data, t.seed);
+  if (form == NrrdForm::attached) return {{"v.nrrd", header + "\n" + data}};
+  return {{"v.nhdr", header + "data file: v.data\n"}, {"v.data", front + data}};
+}
+
+// ---- MetaImage
+
+enum class MetaForm { local, detached, detached_header, detached_at_end };
+
+inline std::vector<NamedFile> metaimage(const Truth& t, std::endian order,
+                                        const std::string& encoding, MetaForm form) {
+  const char* const types[] = {"MET_UCHAR", "MET_CHAR", "MET_USHORT", "MET_SHORT",
+                               "MET_UINT",  "MET_INT",  "MET_FLOAT",  "MET_DOUBLE"};
+  std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = ";
+  header += encoding == "ascii" ? "False\n" : "True\n";
+  header += std::string("BinaryDataByteOrderMSB = ") +
+            (order == std::endian::big ? "True\n" : "False\n") +
+            "CompressedData = " + (encoding == "zlib" ? "True\n" : "False\n");
+  header += "TransformMatrix = " + join(t.axes[0]) + " " + join(t.axes[1]) + " " + join(t.axes[2]) +
+            "\nOffset = " + join(t.origin) + "\nCenterOfRotation = 0 0 0\n";
+  header += "ElementSpacing = " + join(t.spacing) + "\nDimSize = " + join(t.dims) + "\n";
+  std::string front;
+  if (form == MetaForm::detached_header) {
+    header += "HeaderSize = 7\n";
+    front = "7 bytes";
+  }
+  if (form == MetaForm::detached_at_end) {
+    header += "HeaderSize = -1\n";
+    front = "any number of bytes";
+  }
+  header +=
+      std::string("ElementType = ") + types[static_cast<int>(t.type)] + "\nElementDataFile = ";
+  std::string data = encoding == "ascii" ? ascii_samples(t) : t.in_order(order);
+  if (encoding == "zlib") data = zlibbed(data, t.seed);
+  if (form == MetaForm::local) return {{"v.mha", header + "LOCAL\n" + data}};
+  return {{"v.mhd", header + "v.data\n"}, {"v.data", front + data}};
+}
+
+// ---- NIfTI
+
+struct NiftiForm {
+  int version = 1;
+  std::endian order = std::endian::little;
+  bool pair = false;
+  bool compressed = false;
+  double slope = 0, intercept = 0;
+  enum class Placement { none, qform, sform } placement = Placement::sform;
+};
+
+inline std::string nifti_header(const Truth& t, const NiftiForm& form) {
+  const bool two = form.version == 2;
+  std::string h(two ? 540 : 348, '\0');
+  const auto put = [&](std::size_t at, std::uint64_t value, int bytes) {
+    h.replace(at, static_cast<std::size_t>(bytes), ordered(value, bytes, form.order));
+  };
+  const auto put_real = [&](std::size_t at, double value) {
+    if (two) return put(at, std::bit_cast<std::uint64_t>(value), 8);
+    put(at, std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4);
+  };
+  const std::size_t real = two ? 8 : 4;
+  constexpr int codes[] = {2, 256, 512, 4, 768, 8, 16, 64};
+  put(0, h.size(), 4);
+  const std::int64_t dim[] = {4, t.dims.i, t.dims.j, t.dims.k, 1, 1, 1, 1};
+  for (std::size_t n = 0; n < 8; ++n)
+    put(two ? 16 + 8 * n : 40 + 2 * n, static_cast<std::uint64_t>(dim[n]), two ? 8 : 2);
+  put(two ? 12 : 70, static_cast<std::uint64_t>(codes[static_cast<int>(t.type)]), 2);
+  put(two ? 14 : 72, 8 * size_of(t.type), 2);
+  const bool left = dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0;
+  put_real(two ? 104 : 76, left ? -1 : 1);
+  for (std::size_t n = 1; n <= 3; ++n)
+    put_real((two ? 104 : 76) + real * n, t.spacing[static_cast<int>(n) - 1]);
+  const std::size_t offset = form.pair ? 0 : two ? 560 : 368;  // 16 bytes of extension in between
+  if (two) {
+    put(168, offset, 8);
+  } else {
+    put_real(108, static_cast<double>(offset));
+  }
+  put_real(two ? 176 : 112, form.slope);
+  put_real(two ? 184 : 116, form.intercept);
+  const bool q = form.placement == NiftiForm::Placement::qform;
+  const bool s = form.placement == NiftiForm::Placement::sform;
+  put(two ? 344 : 252, q ? 1 : 0, two ? 4 : 2);
+  put(two ? 348 : 254, s ? 2 : 0, two ? 4 : 2);
+  if (q) {  // the quaternion of the rotation (the third axis turned round if left-handed)
+    const Vec3 x = t.axes[0], y = t.axes[1], z = left ? -t.axes[2] : t.axes[2];
+    const double a = 0.5 * std::sqrt(std::max(0.0, 1 + x.x + y.y + z.z));
+    double b, c, d;
+    if (a > 0.1) {
+      b = (y.z - z.y) / (4 * a), c = (z.x - x.z) / (4 * a), d = (x.y - y.x) / (4 * a);
+    } else {  // a half turn; the axis of rotation is the eigenvector
+      b = std::sqrt(std::max(0.0, (1 + x.x) / 2));
+      c = std::copysign(std::sqrt(std::max(0.0, (1 + y.y) / 2)), x.y);
+      d = std::copysign(std::sqrt(std::max(0.0, (1 + z.z) / 2)), x.z);
+    }
+    const double values[] = {b, c, d, t.origin.x, t.origin.y, t.origin.z};
+    for (std::size_t n = 0; n < 6; ++n) put_real((two ? 352 : 256) + real * n, values[n]);
+  }
+  if (s) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      const int r = static_cast<int>(row);
+      const double values[] = {t.step(0)[r], t.step(1)[r], t.step(2)[r], t.origin[r]};
+      for (std::size_t n = 0; n < 4; ++n)
+        put_real((two ? 400 : 280) + real * (4 * row + n), values[n]);
+    }
+  }
+  const std::string magic = std::string(form.pair ? "ni" : "n+") + (two ? '2' : '1');
+  h.replace(two ? 4 : 344, 3, magic);
+  if (two) h.replace(8, 4, std::string("\r\n\x1a\n", 4));
+  return h;
+}
+
+inline std::vector<NamedFile> nifti(const Truth& t, const NiftiForm& form) {
+  const std::string header = nifti_header(t, form), data = t.in_order(form.order);
+  if (form.pair) {
+    if (form.compressed) return {{"v.hdr", header}, {"v.img.gz", gzipped(data, t.seed)}};
+    return {{"v.hdr", header}, {"v.img", data}};
+  }
+  std::string file = header + std::string(20, '\0') + data;
+  if (form.compressed) return {{"v.nii.gz", gzipped(file, t.seed)}};
+  return {{"v.nii", file}};
+}
+
+// ---- VTK legacy (no axes)
+
+inline std::vector<NamedFile> vtk(const Truth& t, bool binary, bool field) {
+  const char* const types[] = {"unsigned_char", "char", "unsigned_short", "short",
+                               "unsigned_int",  "int",  "float",          "double"};
+  const std::string type = types[static_cast<int>(t.type)];
+  std::string file = "# vtk DataFile Version 3.0\nany title\n";
+  file += binary ? "BINARY\n" : "ASCII\n";
+  file += "DATASET STRUCTURED_POINTS\nDIMENSIONS " + join(t.dims) + "\nSPACING " + join(t.spacing) +
+          "\nORIGIN " + join(t.origin) + "\nPOINT_DATA " + to_text(t.count()) + "\n";
+  if (field) {
+    file += "FIELD FieldData 1\nvalues 1 " + to_text(t.count()) + " " + type + "\n";
+  } else {
+    file += "SCALARS values " + type + " 1\nLOOKUP_TABLE default\n";
+  }
+  file += binary ? t.in_order(std::endian::big) : ascii_samples(t);
+  return {{"v.vtk", file + "\nMETADATA\nINFORMATION 0\n"}};
+}
+
+// Big-endian values, or words.
+inline std::string vtk_values(bool binary, int count, int bytes, int from) {
+  std::string all;
+  for (int n = 0; n < count; ++n) {
+    all += binary ? big(static_cast<std::uint64_t>(from + n), bytes) : to_text(from + n) + " ";
+  }
+  return all + "\n";
+}
+
+// Everything that may stand in a legacy file, with two scalar arrays of 2 x 3 x 4 points, density
+// (10 to 33) and pressure (1000 to 1023), behind the rest.
+inline std::string vtk_of_many(bool binary, const std::string& end = "") {
+  constexpr int points = 24;
+  const auto v = [&](int count, int bytes, int from = 0) {
+    return vtk_values(binary, count, bytes, from);
+  };
+  const std::string metadata =
+      "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n";
+  return "# vtk DataFile Version 4.2\ntitle\n" + std::string(binary ? "BINARY" : "ASCII") +
+         "\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\nSPACING 1 1 1\nORIGIN 0 0 0\n" +
+         "FIELD FieldData 1\nTIME 1 1 double\n" + v(1, 8) + metadata +
+         "CELL_DATA 6\nSCALARS of_cells int 1\nLOOKUP_TABLE default\n" + v(6, 4) +
+         "POINT_DATA 24\nVECTORS velocity float\n" + v(3 * points, 4) + metadata +
+         "NORMALS normals double\n" + v(3 * points, 8) + "TENSORS stress float\n" +
+         v(9 * points, 4) + "TEXTURE_COORDINATES uv 2 float\n" + v(2 * points, 4) +
+         "LOOKUP_TABLE colors 3\n" + v(4 * 3, 1) + "SCALARS wide unsigned_short 2\n" +
+         "LOOKUP_TABLE colors\n" + v(2 * points, 2) + "SCALARS ids vtktypeint64\n" +
+         "LOOKUP_TABLE default\n" + v(points, 8) + "SCALARS density unsigned_char\n" +
+         "LOOKUP_TABLE default\n" + v(points, 1, 10) + metadata +
+         "FIELD FieldData 3\nNULL_ARRAY\nshort 1 5 int\n" + v(5, 4) + metadata +
+         "pressure 1 24 int\n" + v(points, 4, 1000) + end;
+}
+
+// ---- VTK XML
+
+inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
+  const char* const types[] = {"UInt8",  "Int8",  "UInt16",  "Int16",
+                               "UInt32", "Int32", "Float32", "Float64"};
+  const std::string block = vtk_array(t.in_order(form.order), form, t.seed);
+  // The extent starts at (2,-1,0), so the file's origin lies before the first sample.
+  const Vec3 origin = t.origin - 2 * t.step(0) + t.step(1);
+  std::string direction;
+  for (int row = 0; row < 3; ++row)
+    direction += join(Vec3{t.axes[0][row], t.axes[1][row], t.axes[2][row]}) + " ";
+  const std::string extent =
+      "2 " + to_text(t.dims.i + 1) + " -1 " + to_text(t.dims.j - 2) + " 0 " + to_text(t.dims.k - 1);
+  std::string file =
+      "<?xml version=\"1.0\"?>\n<!-- <Piece> -->\n<VTKFile type=\"ImageData\" version=\"1.0\" "
+      "byte_order=\"";
+  file += form.order == std::endian::little ? "LittleEndian\"" : "BigEndian\"";
+  if (form.header_size == 8) file += " header_type=\"UInt64\"";
+  if (form.block > 0) file += " compressor=\"vtkZLibDataCompressor\"";
+  file += ">\n<ImageData WholeExtent=\"" + extent + "\" Origin=\"" + join(origin) +
+          "\" Spacing=\"" + join(t.spacing) + "\" Direction=\"" + direction +
+          "\">\n<Piece Extent=\"" + extent +
+          "\">\n<PointData Scalars=\"values\">\n<DataArray type=\"Float32\" Name=\"other\" "
+          "NumberOfComponents=\"3\" format=\"ascii\">1 2 3</DataArray>\n<DataArray type=\"" +
+          std::string(types[static_cast<int>(t.type)]) + "\" Name='values' format=\"" +
+          form.format + "\"";
+  if (form.format == "appended") file += " offset=\"4\"/>\n";
+  if (form.format == "binary") file += ">\n   " + block + "\n</DataArray>\n";
+  if (form.format == "ascii") file += ">\n" + ascii_samples(t) + "\n</DataArray>\n";
+  file += "</PointData>\n<CellData>\n</CellData>\n</Piece>\n</ImageData>\n";
+  if (form.format == "appended")
+    file += "<AppendedData encoding=\"" + form.encoding + "\">\n   _AAAA" + block +
+            "\n</AppendedData>\n";
+  return {{"v.vti", file + "</VTKFile>\n"}};
+}
+
+// ---- all of them
+
+struct StoredVolume {
+  std::string label;
+  std::vector<NamedFile> files;  // the first is the one to read
+  bool has_axes = true;
+  ReadOptions options{};
+};
+
+inline std::vector<StoredVolume> all_forms(const Truth& t) {
+  std::vector<StoredVolume> all;
+  const auto name = [](std::endian order) { return order == std::endian::little ? " le" : " be"; };
+  for (std::endian order : {std::endian::little, std::endian::big}) {
+    for (const char* encoding : {"raw", "gzip", "ascii"}) {
+      for (NrrdForm form : {NrrdForm::attached, NrrdForm::detached, NrrdForm::detached_skips})
+        all.push_back(
+            {std::string("nrrd ") + encoding + name(order), nrrd(t, order, encoding, form)});
+    }
+    all.push_back({std::string("nrrd at end") + name(order),
+                   nrrd(t, order, "raw", NrrdForm::detached_at_end)});
+    for (const char* encoding : {"raw", "zlib", "ascii"})
+      for (MetaForm form : {MetaForm::local, MetaForm::detached, MetaForm::detached_header})
+        all.push_back({std::string("metaimage ") + encoding + name(order),
+                       metaimage(t, order, encoding, form)});
+    all.push_back({std::string("metaimage at end") + name(order),
+                   metaimage(t, order, "raw", MetaForm::detached_at_end)});
+    for (int version : {1, 2}) {
+      for (bool pair : {false, true}) {
+        for (bool compressed : {false, true}) {
+          for (auto placement : {NiftiForm::Placement::qform, NiftiForm::Placement::sform}) {
+            NiftiForm form{version, order, pair, compressed};
+            form.placement = placement;
+            const char* way = placement == NiftiForm::Placement::qform ? " qform" : " sform";
+            all.push_back({"nifti " + to_text(version) + name(order) + way, nifti(t, form)});
+          }
+        }
+      }
+    }
+    for (int header : {4, 8}) {
+      for (std::size_t block : {0, 64, 1000}) {
+        for (const char* encoding : {"raw", "base64"})
+          all.push_back({std::string("vti appended ") + encoding + name(order),
+                         vti(t, {"appended", encoding, order, header, block})});
+        all.push_back({std::string("vti binary") + name(order),
+                       vti(t, {"binary", "", order, header, block})});
+      }
+    }
+    StoredVolume raw{
+        std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
+    raw.options.raw = RawLayout{t.dims, t.type, t.spacing, order, 4};
+    all.push_back(raw);
+  }
+  all.push_back({"vti ascii", vti(t, {"ascii", "", std::endian::little, 4, 0})});
+  for (bool binary : {false, true})
+    for (bool field : {false, true}) all.push_back({"vtk", vtk(t, binary, field), false, {}});
+  return all;
+}
+
+}  // namespace deliso::test

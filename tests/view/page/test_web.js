@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+// Tests of what the scripts of view/page/web compute, without a browser: run by scripts.sh, which puts
+// the sources and then this file into one context. Each case is an oracle: brute force, another
+// formula, or the same state reached another way.
+'use strict';
+
+// Numerical Recipes' linear congruence; cases come from numbered seeds.
+function random_from(seed) {
+  let state = seed >>> 0;
+  const next = () => {
+    state = Math.imul(state, 1664525) + 1013904223 >>> 0;
+    return state / 2 ** 32;
+  };
+  next();
+  return { real: next, below: (n) => Math.floor(next() * n) };
+}
+
+test('base64: every length, against the system', () => {
+  const random = random_from(1);
+  for (let size = 0; size < 400; ++size) {
+    const bytes = Uint8Array.from({ length: size }, () => random.below(256));
+    const decoded = decode_base64(Buffer.from(bytes).toString('base64'));
+    assert.deepEqual(Array.from(decoded), Array.from(bytes));
+  }
+});
+
+test('arrays of data that were cut off are as long as what is there', () => {
+  const bytes = new Uint8Array(22);
+  const arrays = arrays_of({ a: { type: 'u32', offset: 0, length: 3 },
+                             b: { type: 'f32', offset: 12, length: 5 },
+                             c: { type: 'u8', offset: 40, length: 7 } }, bytes);
+  assert.deepEqual([arrays.a.length, arrays.b.length, arrays.c.length], [3, 2, 0]);
+});
+
+test('data that end early are read as far as they go', async () => {
+  const bytes = Uint8Array.from({ length: 300000 }, (_, n) => n * n >> 5);
+  const packed = zlib.deflateSync(bytes);
+  assert.deepEqual(Buffer.from(await inflate(packed)), Buffer.from(bytes));
+  const part = await inflate(packed.subarray(0, packed.length >> 1));
+  assert.ok(part.length > 0 && part.length < bytes.length);
+  assert.deepEqual(Buffer.from(part), Buffer.from(bytes.subarray(0, part.length)));
+});
+
+test('measures of triangles, against angles and sides', () => {
+  const random = random_from(2);
+  for (let n = 0; n < 2000; ++n) {
+    const size = 10 ** (6 * random.real() - 3);
+    const points = Float32Array.from({ length: 9 }, () => size * (random.real() - 0.5));
+    const [a, b, c] = [0, 1, 2].map((v) => point_at(points, v));
+    const angle_at = (p, q, r) => {
+      const u = subtract(q, p), v = subtract(r, p);
+      return Math.atan2(length_of(cross(u, v)), dot(u, v));
+    };
+    const least = Math.min(angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b));
+    const radius = length_of(subtract(c, b)) / (2 * Math.sin(angle_at(a, b, c)));
+    const shortest = Math.min(...[[a, b], [b, c], [c, a]].map(([p, q]) => length_of(subtract(p, q))));
+    const measured = measure_triangles(points, Uint32Array.of(0, 1, 2));
+    const near = (x, y) => assert.ok(Math.abs(x - y) <= 1e-3 * Math.abs(y) + 1e-9, `${x} ${y}`);
+    if (least < 1e-3) continue;
+    near(measured.angle[0], least * 180 / Math.PI);
+    near(measured.radius[0], radius);
+    near(measured.r_over_l[0], radius / shortest);
+  }
+  const flat = measure_triangles(Float32Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0), Uint32Array.of(0, 1, 2));
+  assert.deepEqual([flat.angle[0], flat.radius[0], flat.r_over_l[0]], [0, Infinity, Infinity]);
+});
+
+test('bins hold every value once, and round_up gives the next round number', () => {
+  const values = Float32Array.of(-1, 0, 0.5, 0.999, 1, 7, Infinity, NaN);
+  const counts = count_bins(values, 0, 1, 4);
+  assert.deepEqual(Array.from(counts), [2, 0, 1, 5]);
+  assert.deepEqual([0, 0.9, 1, 1.01, 23, 0.081, -1].map(round_up), [1, 1, 1, 1.2, 25, 0.1, 1]);
+  assert.equal(quantile([Float32Array.of(3, NaN, 1), Float32Array.of(2, Infinity)], 0.5), 2);
+  assert.equal(quantile([new Float32Array(0)], 0.5), 0);
+});
+
+function random_volume(random) {
+  const dims = [0, 1, 2].map(() => 2 + random.below(20));
+  const rare = random.below(3);
+  const samples = Uint8Array.from({ length: dims[0] * dims[1] * dims[2] }, () =>
+    rare > 0 && random.below(80) > 0 ? 10 : random.below(256));
+  return { dims, samples };
+}
+
+test('the kd-tree: ranges and leaves, by looking at everything', () => {
+  for (let seed = 0; seed < 40; ++seed) {
+    const { dims, samples } = random_volume(random_from(seed));
+    const tree = new VoxelTree(samples, dims);
+    let voxels = 0;
+    const visit = (node, level, lo, hi) => {
+      let least = 256, most = -1;
+      for (let k = lo[2]; k <= hi[2]; ++k)
+        for (let j = lo[1]; j <= hi[1]; ++j)
+          for (let i = lo[0]; i <= hi[0]; ++i) {
+            const value = samples[(k * dims[1] + j) * dims[0] + i];
+            least = Math.min(least, value);
+            most = Math.max(most, value);
+          }
+      assert.deepEqual([tree.min[node], tree.max[node]], [least, most], `seed ${seed}`);
+      const size = (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
+      if (level === tree.depth) {
+        assert.ok(size >= 1 && (size <= kLeafVoxels || Math.min(...tree.voxels) < 2));
+        voxels += size;
+        return;
+      }
+      const axis = tree.axis[level], middle = VoxelTree.middle(lo[axis], hi[axis]);
+      const lower = [...hi], upper = [...lo];
+      lower[axis] = upper[axis] = middle;
+      visit(2 * node, level + 1, lo, lower);
+      visit(2 * node + 1, level + 1, upper, hi);
+    };
+    visit(1, 0, [0, 0, 0], tree.voxels);
+    assert.equal(voxels, tree.voxels.reduce((a, b) => a * b));
+  }
+});
+
+test('what a ray finds by the kd-tree is what it finds among all voxels', () => {
+  let found = 0, pruned = 0;
+  for (let seed = 0; seed < 400; ++seed) {
+    const random = random_from(1000 + seed);
+    const { dims, samples } = random_volume(random);
+    const tree = new VoxelTree(samples, dims);
+    // Some rays run along axes, through lattice points, or in planes of them.
+    const end = () => dims.map((n) => random.below(2) ? random.below(n + 2) - 1
+                                                      : random.real() * (n + 1) - 1);
+    const from = end(), to = end();
+    for (const axis of [0, 1, 2]) if (random.below(4) === 0) to[axis] = from[axis];
+    const kappa = 1 + random.below(255);
+    const line = new LatticeLine(from, subtract(to, from), tree.voxels);
+    const { nodes, voxels } = tree.walk(line, kappa);
+
+    const expected = [];
+    const range = line.clip(0, 1);
+    for (let k = 0; range && k < tree.voxels[2]; ++k)
+      for (let j = 0; j < tree.voxels[1]; ++j)
+        for (let i = 0; i < tree.voxels[0]; ++i) {
+          const part = line.part_in([i, j, k], [i + 1, j + 1, k + 1], range.t0, range.t1);
+          if (part && tree.voxel_is_active(i, j, k, kappa)) expected.push({ voxel: [i, j, k], ...part });
+        }
+    expected.sort((a, b) => a.t0 - b.t0);
+    assert.deepEqual(voxels, expected, `seed ${seed}`);
+    found += expected.length;
+    for (const node of nodes) {
+      assert.ok(line.part_in(node.lo, node.hi, 0, 1), `seed ${seed}: a node off the ray`);
+      pruned += !node.active;
+    }
+  }
+  assert.ok(found > 500 && pruned > 100, `${found} ${pruned}`);
+});
+
+test('curves of a cell lie on its bilinear interpolant, and part its corners', () => {
+  let saddles = 0;
+  for (let seed = 0; seed < 3000; ++seed) {
+    const random = random_from(seed);
+    const [f00, f10, f01, f11] = [0, 1, 2, 3].map(() => random.real() - 0.5);
+    const value = ([x, y]) => (1 - y) * ((1 - x) * f00 + x * f10) + y * ((1 - x) * f01 + x * f11);
+    const curves = cell_curves(f00, f10, f01, f11);
+    for (const curve of curves) {
+      for (const p of curve) assert.ok(Math.abs(value(p)) < 1e-9, `seed ${seed}`);
+      for (const p of [curve[0], curve.at(-1)]) {
+        assert.ok(p.some((x) => x === 0 || x === 1), `seed ${seed}: an end within the cell`);
+      }
+    }
+    const signs = [f00, f10, f11, f01].map((f) => f >= 0);
+    const changes = signs.filter((s, n) => s !== signs[(n + 1) % 4]).length;
+    assert.equal(2 * curves.length, changes);
+    if (changes < 4) continue;
+    // Where the saddle has the sign of (0,0), no branch cuts off that corner.
+    ++saddles;
+    const middle = (f00 - f01) / (f00 - f10 - f01 + f11);
+    const saddle = value([middle, (f00 - f10) / (f00 - f10 - f01 + f11)]);
+    const cuts_off = curves.some((curve) => curve[0][0] === 0 && curve.at(-1)[1] === 0);
+    assert.equal(cuts_off, (saddle >= 0) !== (f00 >= 0), `seed ${seed}`);
+  }
+  assert.ok(saddles > 100);
+});
+
+// A trace in which events take facets away, at random and rotated, and put others there; the same
+// triangle may be there more than once.
+function random_trace(random, events) {
+  const lists = { removed: [], added: [], relabel: [] };
+  const begins = { removed: [0], added: [0], relabel: [0] };
+  const states = [[]], labels = [new Array(9).fill(0)];
+  for (let e = 0; e < events; ++e) {
+    const state = [...states[e]], label = [...labels[e]];
+    for (let n = random.below(4); n > 0 && state.length > 0; --n) {
+      const [[a, b, c]] = state.splice(random.below(state.length), 1);
+      lists.removed.push(...[[a, b, c], [b, c, a], [c, a, b]][random.below(3)]);
+    }
+    for (let n = random.below(6); n > 0; --n) {
+      const a = random.below(7), b = 7 + random.below(7), c = 14 + random.below(7);
+      const facet = random.below(2) ? [a, b, c] : [b, a, c];
+      state.push(facet);
+      lists.added.push(...facet);
+    }
+    for (let n = random.below(3); n > 0; --n) {
+      const v = random.below(9);
+      label[v] = random.below(5);
+      lists.relabel.push(v, label[v]);
+    }
+    begins.removed.push(lists.removed.length / 3);
+    begins.added.push(lists.added.length / 3);
+    begins.relabel.push(lists.relabel.length / 2);
+    states.push(state);
+    labels.push(label);
+  }
+  const arrays = { event_routine: new Uint8Array(events) };
+  for (const name of Object.keys(lists)) {
+    arrays[name] = Uint32Array.from(lists[name]);
+    arrays[name + '_begin'] = Uint32Array.from(begins[name]);
+  }
+  return { arrays, states, labels };
+}
+
+const canonical = ([a, b, c]) => (a < b && a < c ? [a, b, c] : b < c ? [b, c, a] : [c, a, b]).join(' ');
+
+test('a trace replayed: any step from any other, forwards and back, step by step or at once', () => {
+  for (let seed = 0; seed < 30; ++seed) {
+    const random = random_from(seed);
+    // Long ones are gathered when the way is long.
+    const { arrays, states } = random_trace(random, seed < 4 ? 3000 : 60);
+    const trace = new Trace({ header: { routines: [{ name: 'x', stage: 1 }] }, arrays });
+    const history = new FacetHistory(trace);
+    assert.equal(history.unknown, 0);
+    const slots = [];
+    const live = new LiveFacets(trace, history, (slot, id) => { slots[slot] = id; });
+    for (let jump = 0; jump < 60; ++jump) {
+      const near = clamp(live.step + random.below(7) - 3, 0, trace.count);
+      const step = random.below(2) ? near : random.below(trace.count + 1);
+      live.go_to(step);
+      const there = slots.slice(0, live.count)
+        .map((id) => canonical(Array.from(history.corners.subarray(3 * id, 3 * id + 3))));
+      assert.deepEqual(there.sort(), states[step].map(canonical).sort(), `seed ${seed} step ${step}`);
+      for (let slot = 0; slot < live.count; ++slot) assert.equal(live.slot[slots[slot]], slot);
+    }
+  }
+});
+
+test('labels of the contour are taken back as they were', () => {
+  for (let seed = 0; seed < 20; ++seed) {
+    const random = random_from(seed);
+    const { arrays, labels } = random_trace(random, 80);
+    arrays.contour_points = new Float32Array(27);
+    arrays.contour_triangles = Uint32Array.of(0, 1, 2);
+    arrays.contour_label = new Uint32Array(9);
+    const trace = new Trace({ header: {}, arrays });
+    const regions = new Regions(trace);
+    for (let jump = 0; jump < 50; ++jump) {
+      const step = random.below(trace.count + 1);
+      regions.go_to(step);
+      assert.deepEqual(Array.from(regions.labels), labels[step], `seed ${seed} step ${step}`);
+    }
+  }
+});
+
+test('tetrahedra inside a surface of their facets, and those outside', () => {
+  // Cubes of six tetrahedra each; the surface is the boundary of some of the cubes.
+  const size = 4;
+  const vertex = (i, j, k) => (k * size + j) * size + i;
+  const points = new Float32Array(3 * size ** 3);
+  for (let n = 0; n < size ** 3; ++n) {
+    points.set([n % size, Math.floor(n / size) % size, Math.floor(n / size ** 2)], 3 * n);
+  }
+  for (let seed = 0; seed < 20; ++seed) {
+    const random = random_from(seed);
+    const tetrahedra = [], chosen = [];
+    for (let k = 0; k < size - 1; ++k)
+      for (let j = 0; j < size - 1; ++j)
+        for (let i = 0; i < size - 1; ++i) {
+          const inside = seed === 0 ? i === 1 && j === 1 && k === 1 : random.below(3) === 0;
+          for (const way of [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]]) {
+            const at = [i, j, k], corners = [vertex(...at)];
+            for (const axis of way) {
+              ++at[axis];
+              corners.push(vertex(...at));
+            }
+            tetrahedra.push(...corners);
+            chosen.push(inside);
+          }
+        }
+    const facets = new Map();
+    chosen.forEach((inside, n) => {
+      if (!inside) return;
+      add_shrunk(tetrahedra.slice(4 * n, 4 * n + 4), (v) => point_at(points, v), 1,
+                 (corners) => {
+        const facet = corners.map((p) => vertex(...p.map(Math.round)));
+        const name = [...facet].sort((a, b) => a - b).join(' ');
+        if (facets.has(name)) facets.delete(name);
+        else facets.set(name, facet);
+      });
+    });
+    const side = inside_of(Uint32Array.from(tetrahedra), [...facets.values()], points);
+    if (facets.size === 0) continue;
+    assert.deepEqual(Array.from(side, (s) => s > 0), chosen, `seed ${seed}`);
+  }
+});
+
+test('a trace that was cut off ends with its last whole event', () => {
+  const { arrays } = random_trace(random_from(5), 50);
+  const whole = new Trace({ header: {}, arrays });
+  assert.equal(whole.count, 50);
+  const added = arrays.added.subarray(0, arrays.added.length >> 1);
+  const cut = new Trace({ header: {}, arrays: { ...arrays, added } });
+  assert.ok(cut.count > 0 && cut.count < 50);
+  assert.ok(3 * cut.begin('added', cut.count) <= added.length);
+  assert.ok(3 * cut.begin('added', cut.count + 1) > added.length);
+  assert.equal(new Trace({ header: {}, arrays: {} }).count, 0);
+});
+
+test('an event is told with who asked for it, why and what came of it', () => {
+  const header = {
+    routines: [{ name: 'refine', figure: '9', stage: 2, text: 'a facet is refined' }],
+    outcomes: ['done', 'refused: turned'], outcome_texts: ['done', 'an edge would be too sharp'],
+    reasons: [{ name: 'r/l', text: 'radius over edge; value: times the limit' }] };
+  const none = kNone;
+  const arrays = { event_routine: Uint8Array.of(0, 0), event_outcome: Uint8Array.of(0, 1),
+                   event_reason: Uint8Array.of(0, 0), event_value: Float32Array.of(1.25, 3),
+                   event_vertex: Uint32Array.of(7, none), event_caller: Uint32Array.of(1, 2, 3, 4, none, none),
+                   event_place: Float32Array.of(1, 2, 3, NaN, NaN, NaN) };
+  const trace = new Trace({ header, arrays });
+  const told = [0, 1].map((e) => tell_event(trace, e));
+  const text = told.map(({ lines }) => lines.map(([, words, heading = '']) => heading + words).join(' '));
+  assert.match(text[0], /r\/l of facet \(1, 2, 3\): radius over edge; times the limit: 1\.25\./);
+  assert.match(text[0], /Vertex 7 comes in at \(1, 2, 3\)/);
+  assert.match(text[1], /vertex 4/);
+  assert.match(text[1], /Refused by the gate .turned.: an edge would be too sharp\. Nothing is changed/);
+  assert.equal(told[1].where, 'Stage 2, Figure 9');
+});
+
+test('the rim of a disk is what one triangle alone has', () => {
+  const rim = rim_of([0, 1, 2, 0, 2, 3]).map((edge) => edge.join(' ')).sort();
+  assert.deepEqual(rim, ['0 1', '1 2', '2 3', '3 0']);
+});
+
+test('triangles that name points beyond the last are left out', () => {
+  const triangles = Uint32Array.of(0, 1, 2, 2, 1, 3, 0, 1, 9, 0, 1, 2);
+  assert.equal(complete_triangles(triangles, 4).length, 6);
+  assert.equal(complete_triangles(triangles, 10).length, 12);
+  assert.equal(complete_triangles(new Uint32Array(0), 0).length, 0);
+});
+
+test('a camera that fits a box sees its corners', () => {
+  for (let seed = 0; seed < 200; ++seed) {
+    const random = random_from(seed);
+    const lo = [0, 1, 2].map(() => 100 * random.real() - 50);
+    const box = { lo, hi: lo.map((x) => x + 0.1 + 30 * random.real()) };
+    const aspect = 0.3 + 2 * random.real();
+    const camera = new Camera();
+    camera.turn(360 * random.real(), 180 * random.real() - 90);
+    camera.set_scene(box);
+    camera.target = camera.middle;
+    camera.distance = camera.distance_for(box, aspect);
+    const project = new Float64Array(16);
+    camera.project(project, aspect);
+    let most = 0;
+    for (let n = 0; n < 8; ++n) {
+      const p = [0, 1, 2].map((axis) => n >> axis & 1 ? box.hi[axis] : box.lo[axis]);
+      const at = [0, 1, 2, 3].map((row) => project[row] * p[0] + project[4 + row] * p[1] +
+                                           project[8 + row] * p[2] + project[12 + row]);
+      const [x, y, z] = at.map((value) => value / at[3]);
+      assert.ok(Math.abs(x) <= 1 && Math.abs(y) <= 1 && Math.abs(z) <= 1, `seed ${seed}`);
+      most = Math.max(most, Math.abs(x), Math.abs(y));
+    }
+    assert.ok(most > 0.7, `seed ${seed}: too far away`);
+  }
+});

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "view/render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/box3.h"
+#include "base/check.h"
+
+namespace deliso {
+namespace {
+
+constexpr double kMargin = 0.03;  // of the picture, on each side
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Camera look_from(const View& view) {
+  Camera camera;
+  camera.back = direction_to(view);
+  camera.right = {-std::sin(view.azimuth * kDegree), std::cos(view.azimuth * kDegree), 0};
+  camera.up = cross(camera.back, camera.right);
+  return camera;
+}
+
+// A point in coordinates along the camera's axes.
+Vec3 along_axes(const Camera& camera, const Vec3& p) {
+  return {dot(camera.right, p), dot(camera.up, p), dot(camera.back, p)};
+}
+
+// The box, along the camera's axes, of what is drawn.
+Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  for (const Subject& subject : subjects) {
+    for (const Face& face : subject.mesh->faces) {
+      for (const VertexId v : face.v) {
+        const Vec3& p = subject.mesh->points[v];
+        if (subject.clip && subject.clip->height(p) > 0) continue;
+        const Vec3 q = along_axes(camera, p);
+        for (int axis = 0; axis < 3; ++axis) {
+          box.lo[axis] = std::min(box.lo[axis], q[axis]);
+          box.hi[axis] = std::max(box.hi[axis], q[axis]);
+        }
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Vec3 direction_to(const View& view) {
+  const double ca = std::cos(view.azimuth * kDegree), sa = std::sin(view.azimuth * kDegree);
+  const double ce = std::cos(view.elevation * kDegree), se = std::sin(view.elevation * kDegree);
+  return {ce * ca, ce * sa, se};
+}
+
+Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
+                  PictureSize size) {
+  Camera camera = look_from(view);
+  camera.size = size;
+  const Box3 box = seen_box(subjects, camera);
+  if (!(box.lo.x <= box.hi.x)) {
+    const bool empty = std::all_of(subjects.begin(), subjects.end(),
+                                   [](const Subject& s) { return s.mesh->faces.empty(); });
+    throw InputError(empty ? "there is nothing to draw: the mesh has no facets"
+                           : "there is nothing to draw: all is clipped");
+  }
+  const Vec3 middle = 0.5 * (box.lo + box.hi), sides = box.size();
+  camera.center = middle.x * camera.right + middle.y * camera.up + middle.z * camera.back;
+  const double room = 1 - 2 * kMargin;
+  const double units_per_pixel =
+      std::max(sides.x / (room * size.width), sides.y / (room * size.height));
+  camera.scale = units_per_pixel > 0 ? aim.zoom / units_per_pixel : aim.zoom;
+  if (!std::isfinite(length2(sides)) || !std::isfinite(length2(camera.center)) ||
+      !std::isfinite(camera.scale)) {
+    throw InputError("the mesh is too large or too small to draw");
+  }
+  if (aim.look_at) {
+    const Vec3 target = along_axes(camera, *aim.look_at);
+    // Farther away, coordinates in the picture could outgrow rasterize.h's bound.
+    if (target.x < box.lo.x || target.x > box.hi.x || target.y < box.lo.y || target.y > box.hi.y) {
+      throw InputError("the point to look at is beside all that is drawn");
+    }
+    camera.center = *aim.look_at;
+  }
+  return camera;
+}
+
+}  // namespace deliso

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A camera infinitely far away (parallel projection), upright: +z is up in the picture.
+//
+//   C1  right, up and back are orthonormal and right-handed; back points to the eye;
+//   C2  picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left
+//   corner; C3  depth is in the mesh's units, larger is nearer to the eye.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "mesh/tri_mesh.h"
+#include "view/render/image.h"
+#include "view/render/layout.h"
+
+namespace deliso {
+
+// Where the eye is, in degrees: azimuth from +x towards +y, elevation above the xy plane.
+struct View {
+  double azimuth = 0, elevation = 0;
+  friend constexpr bool operator==(const View&, const View&) = default;
+};
+
+Vec3 direction_to(const View& view);  // of unit length
+
+// Only what has dot(normal, p) <= offset is drawn.
+struct ClipPlane {
+  Vec3 normal;
+  double offset = 0;
+
+  double height(const Vec3& p) const { return dot(normal, p) - offset; }
+};
+
+// A mesh, the part of it to be drawn, and the colors of its facets, the palette's where there are
+// none. Keeps a pointer to the mesh and a view of the colors.
+struct Subject {
+  const TriMesh* mesh;
+  std::optional<ClipPlane> clip;
+  std::span<const Rgb> colors = {};
+};
+
+struct Camera {
+  Vec3 right, up, back;
+  Vec3 center;       // is seen in the middle of the picture
+  double scale = 1;  // pixels per unit of length
+  PictureSize size;
+
+  struct Projected {
+    double x, y, depth;
+  };
+  Projected project(const Vec3& p) const {
+    const Vec3 d = p - center;
+    return {0.5 * size.width + scale * dot(right, d), 0.5 * size.height - scale * dot(up, d),
+            dot(back, d)};
+  }
+};
+
+// How a camera is aimed.
+struct Aim {
+  double zoom = 1;              // 1: what is seen fills the picture
+  std::optional<Vec3> look_at;  // in the middle of the picture; absent: the middle of what is seen
+};
+
+// The camera that sees all corners of the subjects' facets that are not clipped, as large as a
+// narrow margin allows, and is then aimed. Throws InputError where nothing is left to see of any of
+// them, they are too large for the arithmetic, or look_at is beside all that is seen.
+Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
+                  PictureSize size);
+
+}  // namespace deliso

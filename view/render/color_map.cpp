@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "view/render/color_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace deliso {
+namespace {
+
+// Even steps through OKLCH (Ottosson 2020): lightness 0.40 to 0.95, hue 292 to 105 degrees, chroma
+// 0.17 or what sRGB has of it.
+constexpr std::array<Rgb, 9> kSequence = {{{78, 41, 153},
+                                           {52, 78, 184},
+                                           {0, 115, 183},
+                                           {11, 144, 177},
+                                           {6, 172, 177},
+                                           {1, 200, 167},
+                                           {92, 224, 137},
+                                           {182, 237, 106},
+                                           {255, 244, 101}}};
+
+constexpr std::array<Rgb, kCategories> kKinds = {{{92, 140, 214},
+                                                  {238, 150, 62},
+                                                  {104, 178, 100},
+                                                  {214, 96, 92},
+                                                  {158, 122, 204},
+                                                  {84, 190, 200},
+                                                  {226, 142, 190},
+                                                  {184, 182, 72},
+                                                  {160, 122, 94},
+                                                  {150, 158, 170}}};
+
+}  // namespace
+
+Rgb sequential_color(double share) {
+  constexpr std::size_t kLast = kSequence.size() - 1;
+  if (!(share < 1)) return kSequence[kLast];
+  const double place = std::max(0.0, share) * kLast;
+  const auto n = static_cast<std::size_t>(place);
+  return mixed(kSequence[n], kSequence[n + 1], place - static_cast<double>(n));
+}
+
+Rgb category_color(std::size_t number) {
+  return kKinds[number % kCategories];
+}
+
+}  // namespace deliso

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A small font of strokes, for the captions and scales of pictures: the printable characters of
+// ASCII, drawn by a pen with a round tip, at any size, with smooth edges.
+#pragma once
+
+#include <string_view>
+
+#include "view/render/image.h"
+
+namespace deliso {
+
+inline constexpr char kFirstGlyph = ' ', kLastGlyph = '~';
+
+// Whether every character has a glyph.
+bool is_drawable(std::string_view text);
+
+// From the left edge of the first glyph to the right edge of the last, in pixels. `height` is that
+// of capital letters; a third of it is needed below the baseline. pre: is_drawable(text).
+double text_width(std::string_view text, double height);
+
+// Draws over what is there, glyphs standing on the line y = baseline from x = left on; what is
+// beside the image is left out. pre: is_drawable(text).
+void draw_text(Image& image, std::string_view text, double left, double baseline, double height,
+               Rgb color);
+
+}  // namespace deliso

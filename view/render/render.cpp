@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "view/render/render.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/check.h"
+#include "base/triangle.h"
+#include "view/render/rasterize.h"
+
+namespace deliso {
+namespace {
+
+constexpr int kSamplesPerSide = 3;                // of a pixel
+constexpr double kMostInk = 0.2;                  // share of the surface that edges cover at most
+constexpr double kThinnestEdge = 0.4;             // pixels; thinner lines are no longer told apart
+constexpr double kLargestZoom = 64;               // where the picture's size allows it
+constexpr double kLargestSpan = 0x1p21;           // samples; of rasterize.h
+constexpr std::size_t kSamplesAtOnce = 1u << 22;  // bounds the memory
+
+// Length of the edges per area of the surface, in the mesh's units.
+double edge_density(const TriMesh& mesh) {
+  double lines = 0, area = 0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    lines += 0.5 * (distance(a, b) + distance(b, c) + distance(c, a));  // two facets share an edge
+    area += 0.5 * length(area_normal(a, b, c));
+  }
+  return lines / area;
+}
+
+// One width for all panels, in pixels; 0: no edges. Lines are thinner where triangles are so small
+// that little would be left of the surface otherwise.
+double edge_width(std::span<const Subject> subjects, const RenderOptions& options,
+                  const Camera& camera, double widest) {
+  if (options.edges == Edges::hidden) return 0;
+  double density = 0;
+  for (const Subject& subject : subjects) {
+    density = std::max(density, edge_density(*subject.mesh) / camera.scale);
+  }
+  const double width = std::min(widest, kMostInk / density);
+  return options.edges == Edges::drawn || width >= kThinnestEdge ? width : 0;
+}
+
+std::uint8_t to_byte(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::floor(255 * value + 0.5), 0.0, 255.0));
+}
+
+// The mean of a pixel's samples.
+Rgb pixel_color(const Shader& shader, const Vec3& background, std::span<const FaceId> faces,
+                int columns, int first_row, int x, int y) {
+  Vec3 sum;
+  for (int row = y * kSamplesPerSide; row < (y + 1) * kSamplesPerSide; ++row) {
+    for (int column = x * kSamplesPerSide; column < (x + 1) * kSamplesPerSide; ++column) {
+      const FaceId face =
+          faces[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
+                static_cast<std::size_t>(column)];
+      sum = sum + (face == kNoId ? background : shader.color(face, column, row));
+    }
+  }
+  const Vec3 mean = sum / (kSamplesPerSide * kSamplesPerSide);
+  return {to_byte(mean.x), to_byte(mean.y), to_byte(mean.z)};
+}
+
+// Area of the surface seen, in the mesh's units; what is seen at an angle counts less, by the root
+// of the cosine: halfway between how large it is and how large it looks.
+double area_seen(const Subject& subject, const Camera& camera) {
+  const TriMesh& mesh = *subject.mesh;
+  const ProjectedMesh projected = project(mesh, camera, 1, subject.clip);
+  double area = 0;
+  for (const FaceId f : visible_faces(mesh, projected, 0, projected.rows)) {
+    if (f == kNoId) continue;
+    const Triangle& t = mesh.faces[f].v;
+    const Vec3 normal = area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    const double cosine = std::abs(dot(normal, camera.back)) / length(normal);
+    if (cosine > 0) area += 1 / std::sqrt(cosine);
+  }
+  return area / (camera.scale * camera.scale);
+}
+
+// Draws into the part of the image that begins at (left, top) and has the camera's size.
+void draw_panel(const Subject& subject, const Camera& camera, const RenderOptions& options,
+                double width_of_edges, Image& image, int left, int top) {
+  const TriMesh& mesh = *subject.mesh;
+  const ProjectedMesh projected = project(mesh, camera, kSamplesPerSide, subject.clip);
+  const Shader shader(subject, projected, camera, options.shading, width_of_edges * kSamplesPerSide,
+                      options.palette);
+
+  const std::size_t samples_per_line =
+      static_cast<std::size_t>(projected.columns) * kSamplesPerSide;
+  const int lines_at_once =
+      static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / samples_per_line));
+  for (int begin = 0; begin < camera.size.height; begin += lines_at_once) {
+    const int end = std::min(camera.size.height, begin + lines_at_once);
+    const std::vector<FaceId> faces =
+        visible_faces(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide);
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < camera.size.width; ++x) {
+        image.at(left + x, top + y) = pixel_color(shader, options.palette.background, faces,
+                                                  projected.columns, begin * kSamplesPerSide, x, y);
+      }
+    }
+  }
+}
+
+// How much a view looks into the cuts: the cosine between it and the normal of the plane that faces
+// it least; 1 without planes.
+double facing(std::span<const Subject> subjects, const View& view) {
+  double least = 1;
+  for (const Subject& subject : subjects) {
+    if (!subject.clip) continue;
+    const Vec3& normal = subject.clip->normal;
+    least = std::min(least, dot(normal, direction_to(view)) / length(normal));
+  }
+  return least;
+}
+
+}  // namespace
+
+double largest_zoom(PictureSize size) {
+  return std::min(kLargestZoom,
+                  kLargestSpan / (kSamplesPerSide * (1 + std::max(size.width, size.height))));
+}
+
+Layout layout_of(const RenderOptions& options, std::size_t panels) {
+  return lay_out(options.size, panels, !options.captions.empty(), options.bar.has_value());
+}
+
+View best_view(std::span<const Subject> subjects, PictureSize panel) {
+  constexpr double kPixels = 25000;
+  constexpr double kIntoCut = 0.5;  // 60 degrees
+  const double shrink = std::sqrt(kPixels / (static_cast<double>(panel.width) * panel.height));
+  const PictureSize small{std::max(1, static_cast<int>(shrink * panel.width)),
+                          std::max(1, static_cast<int>(shrink * panel.height))};
+  std::optional<View> best;
+  double most = -1;
+  const auto choose_from = [&](double elevation, double least_facing) {
+    for (int azimuth = 30; azimuth < 360; azimuth += 30) {
+      if (azimuth % 90 == 0) continue;  // along an axis much of a volume lies edge on
+      const View view{static_cast<double>(azimuth), elevation};
+      if (facing(subjects, view) < least_facing) continue;
+      const Camera camera = fit_camera(subjects, view, {}, small);
+      double area = 0;
+      for (const Subject& subject : subjects) area += area_seen(subject, camera);
+      if (area > most) {
+        most = area;
+        best = view;
+      }
+    }
+  };
+  for (const double elevation : {25.0, 50.0, -25.0, -50.0}) {
+    if (!best) choose_from(elevation, kIntoCut);
+  }
+  if (!best) choose_from(25, -1);
+  return *best;
+}
+
+Image render(std::span<const Subject> subjects, const RenderOptions& options) {
+  const PictureSize size = options.size;
+  DELISO_CHECK(!subjects.empty());
+  DELISO_CHECK(1 <= std::min(size.width, size.height));
+  DELISO_CHECK(std::max(size.width, size.height) <= kLargestSide);
+  DELISO_CHECK(0 < options.aim.zoom && options.aim.zoom <= largest_zoom(size));
+  DELISO_CHECK(options.captions.empty() || options.captions.size() == subjects.size());
+
+  const Layout layout = layout_of(options, subjects.size());
+  const View view = options.view ? *options.view : best_view(subjects, layout.panel);
+  const Camera camera = fit_camera(subjects, view, options.aim, layout.panel);
+  const double width_of_edges = edge_width(subjects, options, camera, layout.line);
+
+  const Vec3& b = options.palette.background;
+  const Rgb background{to_byte(b.x), to_byte(b.y), to_byte(b.z)}, ink = ink_on(background);
+  Image image(size.width, size.height, background);
+  for (std::size_t n = 0; n < subjects.size(); ++n) {
+    draw_panel(subjects[n], camera, options, width_of_edges, image, layout.left(n),
+               layout.captions);
+    if (!options.captions.empty()) draw_caption(image, layout, n, options.captions[n], ink);
+  }
+  draw_rules(image, layout, subjects.size(), mixed(background, ink, 0.25));
+  if (options.bar) draw_color_bar(image, layout, *options.bar, ink);
+  return image;
+}
+
+}  // namespace deliso

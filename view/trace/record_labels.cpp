@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Of the certified way: why a vertex of T becomes a site, the vertices of T that it takes, and the
+// facets of K, the dual of the labels, that go and come with that.
+#include <cmath>
+
+#include "view/trace/recorder.h"
+
+namespace deliso {
+namespace {
+
+// Three regions meet there.
+bool is_dual(const Triangle& labels) {
+  return labels[0] != kNoId && labels[0] != labels[1] && labels[1] != labels[2] &&
+         labels[2] != labels[0];
+}
+
+Routine routine_of(Reason reason) {
+  switch (reason) {
+    case Reason::protrusion:
+      return Routine::find_protrusions;
+    case Reason::crossing:
+      return Routine::part_crossings;
+    case Reason::reversed:
+      return Routine::turn_out;
+    default:
+      return Routine::certify;
+  }
+}
+
+}  // namespace
+
+void TraceRecorder::labels_ready(const LabelState& state) {
+  labels_.emplace(state);
+  label_.assign(state.labels.all().begin(), state.labels.all().end());
+  number_vertices();
+  const ContourMesh& contour = state.contour;
+  TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
+  for (const Triangle& t : contour.triangles) {
+    const Triangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
+    if (is_dual(sites)) event.added.push_back(number(sites));
+  }
+  event.value = static_cast<double>(event.added.size());
+  record(TraceOutcome::done);
+  if (!shows_contour()) return;
+  TraceArrays& arrays = trace_.arrays();
+  for (const Vec3& p : contour.points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      arrays.contour_points.push_back(static_cast<float>(p[axis]));
+    }
+  }
+  for (const Triangle& t : contour.triangles) {
+    arrays.contour_triangles.insert(arrays.contour_triangles.end(), t.begin(), t.end());
+  }
+  for (const VertexId s : label_) {
+    arrays.contour_label.push_back(s == kNoId ? kNoId : numbers_[s]);
+  }
+}
+
+void TraceRecorder::site_asked(Reason reason, VertexId asker, VertexId v) {
+  const double value = v == kNoId ? 0 : std::sqrt(labels_->labels.distance2_to_site(v));
+  TraceEvent& event = asks(routine_of(reason), reason, value);
+  if (asker != kNoId) event.caller[0] = numbers_[asker];
+}
+
+void TraceRecorder::site_added(VertexId site) {
+  if (trace_.is_full()) return record(TraceOutcome::done);
+  const Labels& labels = labels_->labels;
+  const ContourGraph& graph = labels_->graph;
+  number_vertices();
+  TraceEvent& event = trace_.event();
+  event.vertex = numbers_[site];
+  const auto is_taken = [&](VertexId v) { return labels.label(v) == site && label_[v] != site; };
+  // Every triangle of T with vertices that are taken, at the first of these.
+  for (const VertexId v : labels.region(site)) {
+    const std::span<const VertexId> ring = graph.ring(v);
+    const std::size_t triangles = ring.size() - (graph.chain_next(v) != kNoId);
+    for (std::size_t n = 0; n < triangles; ++n) {
+      const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+      if ((u < v && is_taken(u)) || (w < v && is_taken(w))) continue;
+      const Triangle before{label_[v], label_[u], label_[w]};
+      const Triangle after{site, labels.label(u), labels.label(w)};
+      if (is_dual(before)) event.removed.push_back(number(before));
+      if (is_dual(after)) event.added.push_back(number(after));
+    }
+  }
+  for (const VertexId v : labels.region(site)) {
+    if (shows_contour()) event.relabel.push_back({v, event.vertex});
+    label_[v] = site;
+  }
+  record(TraceOutcome::done);
+}
+
+}  // namespace deliso

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "view/trace/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refine/refinement.h"
+
+namespace deliso {
+
+void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
+                                std::vector<Triangle>& out) const {
+  out.clear();
+  for (Triangle t : facets) {
+    for (VertexId& v : t) v = v == new_vertex ? kNoId : trace_.of_mesh()[v];
+    out.push_back(t);
+  }
+}
+
+void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
+  trace_.switch_to(s.mesh);
+}
+
+void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) {
+  if (!trace_.follows_mesh() || trace_.is_full()) return;
+  TraceEvent& event = trace_.asks(trace_code(Routine::count_), trace_code(reason), value);
+  for (std::size_t i = 0; i < 3; ++i) event.caller[i] = trace_.of_mesh()[s.mesh.faces[f].v[i]];
+  const Dual& dual = s.duals[f];
+  if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
+}
+
+void TraceRecorder::operation_tried(Rung rung, const Change& change,
+                                    std::optional<Refusal> refusal) {
+  if (!trace_.follows_mesh()) return;
+  TraceEvent& event = trace_.event();
+  if (!trace_.is_full()) {
+    const bool has_vertex = change.what != Change::Vertex::none;
+    if (has_vertex) event.place = change.place;
+    if (refusal) {
+      number_mesh(change.was.facets, kNoId, event.star);
+      number_mesh(change.in.facets, has_vertex ? change.vertex : kNoId, event.cone);
+    } else {
+      number_mesh(change.was.facets, kNoId, event.removed);
+      if (has_vertex) {
+        event.vertex = trace_.add_vertex(change.place);
+        std::vector<VertexId>& numbers = trace_.of_mesh();
+        numbers.resize(std::max<std::size_t>(numbers.size(), change.vertex + 1));
+        numbers[change.vertex] = event.vertex;
+      }
+      number_mesh(change.in.facets, kNoId, event.added);
+    }
+  }
+  event.routine = trace_code(rung);
+  trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,
+               report_.searches_recover.computations + report_.searches_refine.computations);
+  trace_.record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));
+}
+
+}  // namespace deliso

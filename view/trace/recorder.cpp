@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "view/trace/recorder.h"
+
+#include <algorithm>
+
+#include "stage1/first_sample.h"
+
+namespace deliso {
+
+void TraceRecorder::number_vertices() {
+  const Triangulation& t = triangulation();
+  const Box3 box = labels_ ? labels_->box : restricted_->surface().volume().box();
+  if (numbers_.empty()) numbers_.push_back(kNoId);  // the infinite vertex
+  for (auto v = static_cast<VertexId>(numbers_.size()); v < t.vertex_capacity(); ++v) {
+    numbers_.push_back(is_auxiliary(t.point(v), box) ? kNoId : trace_.add_vertex(t.point(v)));
+  }
+}
+
+bool TraceRecorder::is_told(CellId c) const {
+  const auto& v = triangulation().vertices(c);
+  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return numbers_[q] == kNoId; });
+}
+
+TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
+  outcome_ = TraceOutcome::done;
+  return trace_.asks(trace_code(routine), trace_code(reason), value);
+}
+
+void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
+  if (trace_.is_full()) return;
+  TraceEvent& event = trace_.event();
+  event.place = p;
+  for (const CellId c : zone.cells) {
+    if (!is_told(c)) continue;
+    const auto& v = triangulation().vertices(c);
+    event.zone.push_back({numbers_[v[0]], numbers_[v[1]], numbers_[v[2]], numbers_[v[3]]});
+  }
+}
+
+void TraceRecorder::record(TraceOutcome outcome) {
+  trace_.count(report_.searches_recover.searches, report_.searches_recover.computations);
+  trace_.record(outcome);
+}
+
+void TraceRecorder::recovery_finished() {
+  if (trace_.is_full()) return;
+  const Triangulation& t = triangulation();
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    if (!t.is_live(c) || !is_told(c)) continue;
+    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(numbers_[v]);
+  }
+}
+
+}  // namespace deliso

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Fills a trace from outside, by what the stages tell: vertices, cells and facets by the trace's
+// own numbers, and who asked for an insertion and why.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "paper/restricted.h"
+#include "recover/labels.h"
+#include "surface/observer.h"
+#include "surface/report.h"
+#include "view/trace/trace.h"
+
+namespace deliso {
+
+class TraceRecorder : public Observer {
+ public:
+  // Keeps references. `report`: of the run. `also`: is told of the stages too; may be null.
+  TraceRecorder(Trace& trace, const Report& report, Observer* also = nullptr)
+      : trace_(trace), report_(report), also_(also) {}
+
+  void stage_begins(const char* stage) override {
+    if (also_) also_->stage_begins(stage);
+  }
+  void steps_done(std::size_t done, std::size_t queued) override {
+    if (also_) also_->steps_done(done, queued);
+  }
+  void share_done(double share) override {
+    if (also_) also_->share_done(share);
+  }
+  bool follows_insertions() const override { return true; }
+
+  // Both ways of Stage 1.
+  void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
+  void recovery_finished() override;
+
+  // Certified, record_labels.cpp.
+  void labels_ready(const LabelState& state) override;
+  void site_asked(Reason reason, VertexId asker, VertexId v) override;
+  void site_added(VertexId site) override;
+
+  // As published, record_restricted.cpp.
+  void restricted_ready(const RestrictedDelaunay& restricted) override;
+  void edge_asked(VertexId from, VertexId to) override;
+  void star_asked(VertexId q, bool on_boundary, RecordId furthest) override;
+  void record_asked(RecordId r, Reason reason, double value) override;
+  void record_gone(RecordId r) override;
+  void point_inserted(VertexId v) override;
+  void edge_split(VertexId from, VertexId to) override;
+  void attempt_ended(Attempt attempt, const Vec3& x) override;
+
+  // Stage 2, record_mesh.cpp: every operation with the cavity, what takes its place, and the test
+  // that refused it; nothing before the mesh is handed over or after it is finished.
+  void mesh_handed_over(const SurfaceMesh& s) override;
+  void facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) override;
+  void operation_tried(Rung rung, const Change& change, std::optional<Refusal> refusal) override;
+  void mesh_finished() override { trace_.end_mesh(); }
+
+ private:
+  // T of more triangles is not shown.
+  static constexpr std::size_t kMostTriangles = 400'000;
+
+  const Triangulation& triangulation() const {
+    return labels_ ? labels_->triangulation : restricted_->triangulation();
+  }
+  // All vertices that are new; auxiliary ones have no number.
+  void number_vertices();
+  Triangle number(const Triangle& v) const {
+    return {numbers_[v[0]], numbers_[v[1]], numbers_[v[2]]};
+  }
+  bool is_told(CellId c) const;
+  // Facets of the mesh; `new_vertex`, of a try, has no number.
+  void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
+                   std::vector<Triangle>& out) const;
+  TraceEvent& asks(Routine routine, Reason reason, double value);
+  // Ends the event.
+  void record(TraceOutcome outcome);
+  bool shows_contour() const { return labels_->contour.triangles.size() <= kMostTriangles; }
+  void show(RecordId r);
+  void tell_facet(RecordId r, TraceEvent& event) const;
+
+  Trace& trace_;
+  const Report& report_;
+  Observer* also_;
+  std::vector<VertexId> numbers_;  // the trace's, per vertex of Del S
+
+  std::optional<LabelState> labels_;
+  std::vector<VertexId> label_;  // of every vertex of T, before the site that is being added
+
+  const RestrictedDelaunay* restricted_ = nullptr;
+  std::vector<Triangle> shown_;  // per record; kNoId: not in the complex
+  TraceOutcome outcome_ = TraceOutcome::done;
+};
+
+}  // namespace deliso

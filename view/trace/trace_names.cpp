@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "view/trace/trace_names.h"
+
+namespace deliso {
+
+RoutineName name_of(Routine routine) {
+  constexpr RoutineName names[] = {
+      {"init_triangulation", "4", 1,
+       "InitTriangulation: the first sample, its Delaunay triangulation, and the facets of this "
+       "that are told to be the surface's"},
+      {"protect_boundary", "", 1,
+       "edges along the box are split until no vertex is in their diametral balls (section 5)"},
+      {"multi_intersect", "5", 1,
+       "MultiIntersect: where a Voronoi edge meets the surface more than once, the furthest of "
+       "these points is inserted"},
+      {"extract_manifold", "5", 1,
+       "ExtractManifold: where the facets at a vertex q, D_q, are no disk, the furthest of their "
+       "surface points is inserted"},
+      {"approximate_geom", "5", 1,
+       "ApproximateGeom: a facet that does not follow the surface roughly has its surface point "
+       "inserted"},
+      {"certify", "", 1,
+       "a site whose region on the exact contour T breaks one of the closed-ball conditions has "
+       "the vertex of T inserted that is furthest from it there"},
+      {"find_protrusions", "", 1,
+       "a vertex of T that is too far from the facets at its site is inserted: a thin branch "
+       "within one region is a disk too"},
+      {"part_crossings", "", 1, "where two facets of K cross, a vertex of T between is inserted"},
+      {"turn_out", "", 1, "a component of K that is inside out gets one vertex of T more"},
+      {"build_tri_mesh", "4", 2,
+       "BuildTriMesh: the switch. The tetrahedra are left behind, a plain mesh of triangles takes "
+       "the place of the facets"}};
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Routine::count_));
+  return names[static_cast<std::size_t>(routine)];
+}
+
+ReasonName name_of(Reason reason) {
+  constexpr ReasonName names[] = {
+      {"beginning", "the stage begins; value: facets"},
+      {"several hits", "the Voronoi edge meets the surface more than once; value: how often"},
+      {"no facet", "a vertex without facets of the surface; value: facets in D_q"},
+      {"half disk", "an inner vertex whose facets are a half disk; value: facets in D_q"},
+      {"no disk", "a vertex whose facets are no disk; value: facets in D_q"},
+      {"off the box",
+       "a vertex on the box whose facets are no half disk that ends on the boundary; value: facets "
+       "in D_q"},
+      {"encroached", "a boundary edge has a vertex in its diametral ball; value: its length"},
+      {"region",
+       "C1: the site's region on T is no disk; value: distance of the vertex inserted "
+       "from its site"},
+      {"interface",
+       "C2: two regions do not meet in one arc; value: distance of the vertex inserted from its "
+       "site"},
+      {"triple",
+       "C3: three regions meet more than once; value: distance of the vertex inserted from its "
+       "site"},
+      {"boundary",
+       "C4: the region does not end on the box in one arc; value: distance of the vertex inserted "
+       "from its site"},
+      {"protrusion",
+       "a vertex of T is too far from the facets at its site; value: distance of the vertex "
+       "inserted from its site"},
+      {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
+      {"inside out",
+       "a component bounds what is outside; value: distance of the vertex inserted from its site"},
+      {"not Delaunay", "a vertex is in the facet's surface ball; value: radius of the ball"},
+      {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
+      {"off its curve", "a boundary edge leaves its curve; value: its length"},
+      {"far point", "a point of the surface is too far from the mesh; value: times the limit"}};
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Reason::count_));
+  return names[static_cast<std::size_t>(reason)];
+}
+
+std::string_view name_of(TraceOutcome outcome) {
+  constexpr std::string_view names[] = {"done", "split", "forgotten", "refused"};
+  static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(TraceOutcome::count_));
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+}  // namespace deliso

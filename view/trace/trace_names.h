@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the numbers of a trace's events mean, in words for its viewer.
+#pragma once
+
+#include <string_view>
+
+#include "view/trace/trace.h"
+
+namespace deliso {
+
+struct RoutineName {
+  std::string_view name, figure;  // of the paper; empty: it has none
+  int stage;
+  std::string_view text;
+};
+RoutineName name_of(Routine routine);
+
+struct ReasonName {
+  std::string_view name, text;  // what an event's value is, too
+};
+ReasonName name_of(Reason reason);
+
+std::string_view name_of(TraceOutcome outcome);
+
+}  // namespace deliso
