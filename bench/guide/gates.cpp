@@ -12,7 +12,7 @@
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/handed.h"
-#include "refine/replace_disk.h"
+#include "refine/refinement.h"
 
 namespace deliso::guide {
 namespace {
@@ -62,7 +62,8 @@ class Search {
   explicit Search(Handed& handed)
       : h_(handed),
         mesh_(handed.recovered.mesh.mesh),
-        replacer_(handed.recovered.mesh, handed.surface, handed.parameters, handed.report) {}
+        refinement_(handed.recovered.mesh, handed.surface, handed.recovered.curves,
+                    handed.parameters, handed.report) {}
 
   // Of all points of T put in wherever a ball holds them, the one that is refused so and is seen
   // best in a plane.
@@ -82,15 +83,14 @@ class Search {
  private:
   void consider(FaceId f, const Vec3& p, Refusal wanted, Found& best, double& most) {
     Change change;
-    change.out = encroached(h_.recovered.mesh, f, p);
-    if (!replacer_.mark_old(change) || change.was.inner_vertices() > 0) return;
+    change.cavity = encroached(h_.recovered.mesh, f, p);
+    if (refinement_.open_cavity(change) || change.was.inner_vertices() > 0) return;
     const auto is_there = [&p](const Vec3& q) { return distance2(p, q) < 1e-6; };
     if (std::any_of(mesh_.points.begin(), mesh_.points.end(), is_there)) return;
-    const auto v = static_cast<VertexId>(mesh_.points.size());
-    for (const Patch::RimEdge& edge : change.was.rim) {
+    for (const Disk::BoundaryEdge& edge : change.was.boundary) {
       if (distance2(mesh_.points[edge.from], p) < kApart * kApart) return;
-      change.in.facets.push_back({edge.from, edge.to, v});
     }
+    refinement_.set_cone(change, p);
     Found clearest;
     double score = most;
     for (int n = 0; n < kDirections; ++n) {
@@ -101,12 +101,9 @@ class Search {
       clearest = std::move(found);
     }
     if (score <= most) return;
-    change.what = Change::Vertex::comes;
-    change.vertex = v;
-    change.place = p;
-    change.least_cosine = wanted == Refusal::turned ? kSharpest : -1;
-    // Nothing is done: what passes the gates before is refused as G4 would.
-    const auto refusal = replacer_.replace(change, [] { return false; });
+    change.least_cosine = wanted == Refusal::turned ? kSharpestFold : -1;
+    // Nothing is done: what passes the tests before G4 is refused as G4 would.
+    const auto refusal = refinement_.replace(change, [] { return false; });
     const bool is_wanted = wanted == Refusal::crossing
                                ? refusal == Refusal::no_gain && crosses(change, p)
                                : refusal == wanted;
@@ -119,7 +116,7 @@ class Search {
     std::vector<Vec3> points = mesh_.points;
     points.push_back(p);
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (std::find(change.out.begin(), change.out.end(), f) != change.out.end()) continue;
+      if (std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end()) continue;
       for (const Triangle& t : change.in.facets) {
         if (distance2(points[mesh_.faces[f].v[0]], p) < 100 &&
             triangles_intersect(points, mesh_.faces[f].v, t))
@@ -139,7 +136,7 @@ class Search {
       const Triangle& t = mesh_.faces[f].v;
       const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
       if (!piece) continue;
-      const bool goes = std::find(change.out.begin(), change.out.end(), f) != change.out.end();
+      const bool goes = std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end();
       (goes ? found.old : found.kept).push_back(*piece);
     }
     for (const Triangle& t : change.in.facets) {
@@ -183,7 +180,7 @@ class Search {
 
   Handed& h_;
   const TriMesh& mesh_;
-  DiskReplacer replacer_;
+  Refinement refinement_;
 };
 
 void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,

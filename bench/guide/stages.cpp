@@ -17,9 +17,8 @@
 #include "guide/handed.h"
 #include "guide/slice.h"
 #include "io/volume/builtin_volume.h"
-#include "refine/insert.h"
+#include "refine/operations.h"
 #include "refine/refine.h"
-#include "refine/replace_disk.h"
 #include "stage1/first_sample.h"
 
 namespace deliso::guide {
@@ -104,14 +103,13 @@ void draw_insert(const std::string& folder) {
   out.dot(plan.at(p), ink::kRed, 5);
   out.frame(plan.panel, "E: whose balls hold p");
 
-  DiskReplacer replacer(s, h.surface, h.parameters, h.report);
-  Inserter inserter(s, replacer, h.recovered.curves, h.parameters, h.report);
-  DELISO_CHECK(inserter.insert(Rung::surface_point, start, p));
+  Refinement r(s, h.surface, h.recovered.curves, h.parameters, h.report);
+  DELISO_CHECK(!insert_point(r, Rung::surface_point, start, p));
   plan.panel = panel(514);
   out.clip_to(plan.panel);
-  draw_facets(out, plan, s, {inserter.created().begin(), inserter.created().end()}, ink::kAbove);
+  draw_facets(out, plan, s, {r.created().begin(), r.created().end()}, ink::kAbove);
   out.dot(plan.at(p), ink::kRed, 5);
-  out.frame(plan.panel, "D: the cone over E's rim");
+  out.frame(plan.panel, "D: the cone over E's boundary");
   out.write(folder, "insert");
 }
 
@@ -121,18 +119,19 @@ void draw_rungs(const std::string& folder) {
   Options options;
   options.threads = 1;
   mesh_isosurface(volume, find_builtin_field("builtin:noise")->isovalue, options, report);
-  constexpr Rung kLadder[] = {Rung::collapse,       Rung::surface_point, Rung::foot,
-                              Rung::boundary_split, Rung::flip,          Rung::far_point,
-                              Rung::patch,          Rung::move};
+  constexpr Rung kOperations[] = {Rung::collapse,       Rung::surface_point, Rung::foot,
+                                  Rung::boundary_split, Rung::flip,          Rung::far_point,
+                                  Rung::move};
   constexpr std::array<const char*, kRefusals> kColors = {"#0072b2", "#004b75", "#e69f00",
                                                           "#cc79a7", "#8c8c00", "#56b4e9",
-                                                          "#999999", "#c62828", "#cfd3d9"};
-  Drawing out(760, 356);
+                                                          "#999999", "#6a3d9a", "#c62828",
+                                                          "#cfd3d9"};
+  Drawing out(760, 325);
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
-  out.text({kLeft, 26}, "builtin:noise: what was tried, rung by rung, as shares", Anchor::start, 13,
+  out.text({kLeft, 26}, "builtin:noise: what was tried, by operation, as shares", Anchor::start, 13,
            ink::kText, true);
-  for (std::size_t row = 0; row < std::size(kLadder); ++row) {
-    const RungCounts& n = report[kLadder[row]];
+  for (std::size_t row = 0; row < std::size(kOperations); ++row) {
+    const RungCounts& n = report[kOperations[row]];
     std::uint64_t all = n.done;
     for (const std::uint64_t refused : n.refused) all += refused;
     const double y = kTop + kRow * static_cast<double>(row);
@@ -145,14 +144,14 @@ void draw_rungs(const std::string& folder) {
     };
     bar(n.done, ink::kGreen);
     for (std::size_t r = 0; r < kRefusals; ++r) bar(n.refused[r], kColors[r]);
-    out.text({kLeft - 8, y + 16}, name_of(kLadder[row]), Anchor::end);
+    out.text({kLeft - 8, y + 16}, name_of(kOperations[row]), Anchor::end);
     std::string counts;
     append_format(counts, "%llu of %llu", static_cast<unsigned long long>(n.done),
                   static_cast<unsigned long long>(all));
     out.text({kLeft + kWidth + 8, y + 16}, counts);
   }
   double x = 16;
-  double y = kTop + kRow * static_cast<double>(std::size(kLadder)) + 18;
+  double y = kTop + kRow * static_cast<double>(std::size(kOperations)) + 18;
   const auto key = [&](std::string_view name, const char* color) {
     if (x > 640) {
       x = 16;
