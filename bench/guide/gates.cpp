@@ -136,7 +136,8 @@ class Search {
       const Triangle& t = mesh_.faces[f].v;
       const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
       if (!piece) continue;
-      const bool goes = std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end();
+      const bool goes =
+          std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end();
       (goes ? found.old : found.kept).push_back(*piece);
     }
     for (const Triangle& t : change.in.facets) {

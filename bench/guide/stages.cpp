@@ -119,13 +119,12 @@ void draw_rungs(const std::string& folder) {
   Options options;
   options.threads = 1;
   mesh_isosurface(volume, find_builtin_field("builtin:noise")->isovalue, options, report);
-  constexpr Rung kOperations[] = {Rung::collapse,       Rung::surface_point, Rung::foot,
-                                  Rung::boundary_split, Rung::flip,          Rung::far_point,
-                                  Rung::move};
-  constexpr std::array<const char*, kRefusals> kColors = {"#0072b2", "#004b75", "#e69f00",
-                                                          "#cc79a7", "#8c8c00", "#56b4e9",
-                                                          "#999999", "#6a3d9a", "#c62828",
-                                                          "#cfd3d9"};
+  constexpr Rung kOperations[] = {
+      Rung::collapse, Rung::surface_point, Rung::foot, Rung::boundary_split,
+      Rung::flip,     Rung::far_point,     Rung::move};
+  constexpr std::array<const char*, kRefusals> kColors = {
+      "#0072b2", "#004b75", "#e69f00", "#cc79a7", "#8c8c00",
+      "#56b4e9", "#999999", "#6a3d9a", "#c62828", "#cfd3d9"};
   Drawing out(760, 325);
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
   out.text({kLeft, 26}, "builtin:noise: what was tried, by operation, as shares", Anchor::start, 13,
