@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 2's insertion, gates and all (refine/insert.h), on a sphere: points are inserted at the
+// Stage 2's insertion, gates and all (refine/operations.h), on a sphere: points are inserted at the
 // centers of surface balls, facet after facet in the order of a queue, as RefineGeom does it; in a
 // second pass at random facets, so that no insertion finds the mesh around it in the cache. At last
 // every edge is looked at for a flip.
@@ -21,8 +21,7 @@
 #include "deliso/options.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
-#include "refine/flip.h"
-#include "refine/insert.h"
+#include "refine/operations.h"
 
 using namespace deliso;
 
@@ -51,9 +50,7 @@ class Insertion {
         recovered_(delaunay_mesh(surface, ContourMesh(contour), Options{.stop_after_recover = true},
                                  parameters_, report_)),
         mesh_(recovered_.mesh.mesh),
-        replacer_(recovered_.mesh, surface, parameters_, report_),
-        inserter_(recovered_.mesh, replacer_, recovered_.curves, parameters_, report_),
-        flipper_(recovered_.mesh, replacer_),
+        refinement_(recovered_.mesh, surface, recovered_.curves, parameters_, report_),
         count_(count) {}
 
   void run() {
@@ -63,8 +60,8 @@ class Insertion {
       if (queue.empty() || mesh_.points.size() >= count_) return false;
       const FaceId f = queue.front();
       queue.pop_front();
-      if (insert(f))
-        queue.insert(queue.end(), inserter_.created().begin(), inserter_.created().end());
+      if (!insert(f)) return true;
+      queue.insert(queue.end(), refinement_.created().begin(), refinement_.created().end());
       return true;
     });
     Random random(1);
@@ -85,7 +82,7 @@ class Insertion {
   bool insert(FaceId f) {
     if (is_dead(mesh_.faces[f]) || !recovered_.mesh.duals[f].on_surface) return false;
     const Vec3 p = recovered_.mesh.duals[f].center;
-    return inserter_.insert(Rung::surface_point, f, p);
+    return !insert_point(refinement_, Rung::surface_point, f, p);
   }
 
   // step() is run until it says that it is done.
@@ -112,7 +109,7 @@ class Insertion {
     const double start = seconds();
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
       for (int i = 0; i < 3 && !is_dead(mesh_.faces[f]); ++i) {
-        flipper_.flip_if_not_delaunay(f, i);
+        flip_if_not_delaunay(refinement_, f, i);
         ++asked;
       }
     }
@@ -125,9 +122,7 @@ class Insertion {
   Parameters parameters_;
   DelaunayMesh recovered_;
   const TriMesh& mesh_;
-  DiskReplacer replacer_;
-  Inserter inserter_;
-  Flipper flipper_;
+  Refinement refinement_;
   std::size_t count_;
 };
 

@@ -73,7 +73,7 @@ class Search {
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
       const Dual& ball = h_.recovered.mesh.duals[f];
       if (!ball.on_surface) continue;
-      for (const Vec3& p : h_.recovered.witnesses) {
+      for (const Vec3& p : h_.recovered.samples) {
         if (ball.holds(p)) consider(f, p, wanted, best, most);
       }
     }

@@ -10,6 +10,7 @@
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/figures.h"
+#include "guide/handed.h"
 #include "io/volume/builtin_volume.h"
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"

@@ -192,21 +192,13 @@ holds "in the JSON too" grep -q '"what": ' faults.json
 holds "an empty mesh on request" grep -q -x '0 0 0' empty.off
 "$deliso" mesh --help >help
 holds "--help" grep -q -e '--lambda X' help
-# The paper's tests on samples that alternate: fans and edges of four facets, and once exit 0.
-for k in 0 1 2; do
-  for row in 0 1 2; do
-    for i in 0 1 2; do
-      [ $(((i + row + k) % 2)) -eq 0 ] && printf '\000' || printf '\377'
-    done
-  done
-done >checkerboard.raw
+# What the published tests lose where the surface leaves the box, the report tells.
 for quiet in '' --quiet; do
   status=0
   # shellcheck disable=SC2086
-  "$deliso" checkerboard.raw --dims 3x3x3 --type uint8 --iso 127.6 --recover paper $quiet \
-    >report || status=$?
+  "$deliso" builtin:gyroid:32 --paper $quiet >report || status=$?
   holds "a mesh that breaks a rule is exit 1" [ "$status" -eq 1 ]
-  [ -n "$quiet" ] || holds "and the report says which" grep -q '^fault     I[45]: ' report
+  [ -n "$quiet" ] || holds "and the report says which" grep -q '^fault  *facet .* inside the box' report
 done
 "$deliso" --version >version
 holds "--version" grep -q -x 'deliso [0-9.]*' version
@@ -296,7 +288,7 @@ holds "and check finds the same" [ "$status" -eq 0 ]
     for (n = 0; n < 512; ++n) { x = (x * 16807) % 2147483647; printf "\\%03o", x % 256 }
   }')"
 } >far.nrrd
-crossing='single precision makes 2 pairs of triangles cross; .ply, .off, .obj and .vtp keep doubles'
+formats='\.ply, \.off, \.obj and \.vtp keep doubles'
 for cap in '' --cap; do
   for out in far.stl "far.ply --float"; do
     status=0
@@ -304,8 +296,9 @@ for cap in '' --cap; do
     "$deliso" far.nrrd --iso 100 --rmin 0.05vox --max-distance 0.01vox $cap -o $out \
       --json far.json >report || status=$?
     holds "pairs that rounding made in $out $cap are a fault" [ "$status" -eq 1 ]
-    holds "which one line tells" grep -q "^rounding  FAULT: $crossing" report
-    holds "and the JSON" grep -q '"crossings_by_rounding": 2' far.json
+    pairs=$(sed -n "s/^rounding  FAULT: single precision makes \([1-9][0-9]*\) pairs of triangles cross; $formats.*/\1/p" report)
+    holds "which one line tells" [ "${pairs:-0}" -gt 0 ]
+    holds "and the JSON" grep -q "\"crossings_by_rounding\": $pairs\b" far.json
   done
   # shellcheck disable=SC2086
   "$deliso" far.nrrd --iso 100 --rmin 0.05vox --max-distance 0.01vox $cap -o doubles.ply >report
@@ -313,7 +306,7 @@ for cap in '' --cap; do
 done
 status=0
 "$deliso" check far.stl far.nrrd --iso 100 --cap --restricted 0 >report || status=$?
-holds "check finds them in the file" grep -q '^FAULT     self-intersections: 2$' report
+holds "check finds them in the file" grep -q "^FAULT     self-intersections: $pairs\$" report
 holds "and says why" grep -q 'single precision, which may be why .* keep doubles' report
 
 # One block is meshed, joined and checked at one isovalue, also where samples equal it.
