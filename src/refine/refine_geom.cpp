@@ -27,10 +27,9 @@ constexpr double kFinestDistance = 2e-3;
 constexpr double kSmallForDelaunay = 0.5;
 
 // How often all facets are looked at for that, since what is inserted for some is in the balls of
-// others, and to what share their number must fall each time: between sheets that all but touch it
-// would grow.
-constexpr int kMaxDelaunayRounds = 3;
-constexpr double kMinFallOfRound = 0.5;
+// others. One round takes 9 % less time, and leaves .05 to .2 points less of the restricted share
+// on TOOTH, ANEURISM and Marschner-Lobb's field; a third changes nothing.
+constexpr int kDelaunayRounds = 2;
 
 class RefineGeom {
  public:
@@ -249,11 +248,8 @@ std::vector<FaceId> RefineGeom::not_delaunay() const {
 }
 
 void RefineGeom::make_delaunay() {
-  double allowed = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < kMaxDelaunayRounds && !is_full_; ++n) {
+  for (int n = 0; n < kDelaunayRounds && !is_full_; ++n) {
     const std::vector<FaceId> found = not_delaunay();
-    if (found.empty() || static_cast<double>(found.size()) > allowed) return;
-    allowed = kMinFallOfRound * static_cast<double>(found.size());
     for (const FaceId f : found) {
       // An earlier one may have mended it, or taken it away.
       if (is_dead(mesh_.faces[f]) || r_.is_delaunay(f)) continue;
