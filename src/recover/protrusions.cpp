@@ -9,12 +9,19 @@
 namespace deliso {
 namespace {
 
-// In voxels: as near to the mesh a vertex of T may be that no facet faces. Points that the final
-// mesh misses fall to a third or a tenth with it, and so does the furthest.
-constexpr double kNear = 0.2;
+// How far from the mesh a vertex of T may be that no facet faces: in voxels, and as Stage 2 allows
+// it, in bounds on the distance. Points that the final mesh misses fall to a third or a tenth with
+// it, and so does the furthest.
+constexpr double kNearVoxels = 0.2, kNearDistances = 2;
 
 // Cosine of the angle between normals up to which a facet faces a vertex: 45 degrees.
 constexpr double kFacing = 0.7;
+
+double near_limit(const Parameters& p) {
+  const double allowed = kNearDistances * p.refinement[Criterion::distance];
+  if (!std::isfinite(p.fingers)) return p.fingers;  // the search is off
+  return std::min(p.fingers, std::max(kNearVoxels * p.voxel, std::isfinite(allowed) ? allowed : 0));
+}
 
 }  // namespace
 
@@ -26,9 +33,7 @@ ProtrusionSearch::ProtrusionSearch(const ContourMesh& contour, const Labels& lab
       triangulation_(triangulation),
       surface_(surface),
       limit2_(parameters.fingers * parameters.fingers),
-      near2_(std::isfinite(limit2_)
-                 ? std::min(limit2_, kNear * kNear * parameters.voxel * parameters.voxel)
-                 : limit2_) {}
+      near2_(near_limit(parameters) * near_limit(parameters)) {}
 
 VertexId ProtrusionSearch::find(VertexId s, std::span<const DualFacet> facets) {
   const Vec3 site = triangulation_.point(s);

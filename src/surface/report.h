@@ -56,7 +56,7 @@ inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
     "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
-// What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/replace_disk.h).
+// What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/refinement.h).
 enum class Rung : std::uint8_t {
   surface_point,
   foot,
