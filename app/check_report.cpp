@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/criterion_words.h"
 #include "app/solid.h"
 #include "app/text.h"
 #include "app/topology.h"
@@ -59,11 +60,10 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
 std::string limits_text(const Criteria& limits, double voxel) {
   std::string line;
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    const CriterionRow& row = kCriterionTable[n];
     const double limit = limits.limits.values[n];
     if (!(limit < kNotAsked)) continue;
-    line += text(line.empty() ? "" : ", ", row.measured, " <= ");
-    line += row.is_length ? text(rounded(limit / voxel), " voxels") : text(limit);
+    line += text(line.empty() ? "" : ", ", kCriterionWords[n].measured, " <= ");
+    line += kCriterionTable[n].is_length ? text(rounded(limit / voxel), " voxels") : text(limit);
   }
   return line + text("; r_min = ", rounded(limits.r_min / voxel), " voxels");
 }
@@ -73,9 +73,9 @@ std::string over_text(const Verification& v, double voxel) {
                           share_text(v.over_a_limit, v.triangles), " over a limit");
   std::string_view before = ": ";
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    const CriterionRow& row = kCriterionTable[n];
     if (!(v.limits.limits.values[n] < kNotAsked)) continue;
-    line += text(std::exchange(before, ", "), v.over.values[n], " in ", row.measured);
+    line += text(std::exchange(before, ", "), v.over.values[n], " in ");
+    line += kCriterionWords[n].measured;
   }
   return line + text("\n          ", v.triangles_above_r_min, " are above r_min; largest h ",
                      rounded(v.max_h_above_r_min / voxel), " voxels, largest h/r ",
@@ -164,7 +164,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
     // As on the way to a mesh, h/r turns the distance off.
     const bool is_given =
         given.limits[c] || (c == Criterion::distance && given.limits[Criterion::h_over_r]);
-    if (kCriterionTable[n].check_help.empty()) {
+    if (kCriterionWords[n].check_help.empty()) {
       options.limits[c] = kNotAsked;
     } else if (by_file && !is_given) {
       options.limits[c] = (*noted)[c] * (kCriterionTable[n].is_length ? voxel : 1);
@@ -241,12 +241,13 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   add_distances(json, "surface_to_mesh_voxels", v.from_surface, voxel);
   json.open("criteria");
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    const CriterionRow& row = kCriterionTable[n];
-    if (row.check_help.empty()) continue;
+    const CriterionWords& words = kCriterionWords[n];
+    if (words.check_help.empty()) continue;
     const double limit = v.limits.limits.values[n];
-    json.add(text("max_", row.key, row.is_length ? "_voxels" : ""),
-             row.is_length ? limit / voxel : limit);
-    json.add(text("over_", row.key), v.over.values[n]);
+    const bool is_length = kCriterionTable[n].is_length;
+    json.add(text("max_", words.key, is_length ? "_voxels" : ""),
+             is_length ? limit / voxel : limit);
+    json.add(text("over_", words.key), v.over.values[n]);
   }
   json.add("r_min_voxels", v.limits.r_min / voxel);
   json.add("over_a_limit", v.over_a_limit);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/criterion_words.h"
 #include "app/option_table.h"
 #include "base/check.h"
 #include "io/files/text_scan.h"
@@ -261,7 +262,7 @@ void take_paper(Options& options, bool everything, const Given& given) {
   if (everything) {
     if (!given("--recover")) options.recover = paper.recover;
     for (const Criterion c : {Criterion::h_over_r, Criterion::r_over_pole}) {
-      if (!given(row_of(c).option)) options.limits[c] = paper.limits[c];
+      if (!given(words_of(c).option)) options.limits[c] = paper.limits[c];
     }
     if (!given("--rmin")) options.r_min = paper.r_min;
   }
@@ -337,7 +338,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   take_paper(line.options, line.paper, given);
   check_counts(line.options, line.paper, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    line.given.limits.values[n] = given(kCriterionTable[n].option);
+    line.given.limits.values[n] = given(kCriterionWords[n].option);
   }
   line.given.r_min = given("--rmin");
   if (given("--float") && given("--double")) {

@@ -26,8 +26,7 @@ std::string_view take_word(std::string_view& line) {
 // Where in `criteria` a word of that name says its number; null: it is not known.
 double* place_of(Criteria& criteria, std::string_view name) {
   if (name == kRMin) return &criteria.r_min;
-  const auto row =
-      std::ranges::find(kCriterionTable, name, [](const CriterionRow& r) { return name_of(r); });
+  const auto row = std::ranges::find(kCriterionTable, name, &CriterionRow::name);
   if (row == kCriterionTable.end()) return nullptr;
   return &criteria.limits.values[static_cast<std::size_t>(row - kCriterionTable.begin())];
 }
@@ -59,7 +58,7 @@ std::string criteria_note(const Criteria& criteria) {
   std::string line = text(kProgram, " ", kVersion, " ", kRMin, "=", criteria.r_min);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const double limit = criteria.limits.values[n];
-    if (limit < kNotAsked) line += text(" ", name_of(kCriterionTable[n]), "=", limit);
+    if (limit < kNotAsked) line += text(" ", kCriterionTable[n].name, "=", limit);
   }
   return line;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "app/criterion_words.h"
 #include "app/parse_value.h"
 #include "base/check.h"
 #include "base/text.h"
@@ -68,21 +69,21 @@ using Line = CommandLine;
 using Text = std::string_view;
 
 void set_limit(Line& line, Text option, Text value) {
-  const auto row = std::ranges::find(kCriterionTable, option, &CriterionRow::option);
-  const auto n = static_cast<std::size_t>(row - kCriterionTable.begin());
+  const auto words = std::ranges::find(kCriterionWords, option, &CriterionWords::option);
+  const auto n = static_cast<std::size_t>(words - kCriterionWords.begin());
+  const CriterionRow& row = kCriterionTable[n];
   Length& limit = line.options.limits.values[n];
-  limit = row->is_length ? parse_length(option, value, Length::Unit::world)
-                         : Length{parse_positive(option, value)};
-  if (limit.value < row->least) {
+  limit = row.is_length ? parse_length(option, value, Length::Unit::world)
+                        : Length{parse_positive(option, value)};
+  if (limit.value < row.least) {
     throw InputError(
-        text(option, " must be at least ", row->least, ", or refinement would not end"));
+        text(option, " must be at least ", row.least, ", or refinement would not end"));
   }
 }
 
-constexpr OptionSpec option_of(const CriterionRow& row) {
-  return {
-      row.option, 0,         row.argument,  row.check_help.empty() ? kMeshAndTrace : kAllMeshing,
-      row.help,   set_limit, row.check_help};
+constexpr OptionSpec option_of(const CriterionWords& words) {
+  const Commands commands = words.check_help.empty() ? kMeshAndTrace : kAllMeshing;
+  return {words.option, 0, words.argument, commands, words.help, set_limit, words.check_help};
 }
 
 constexpr OptionSpec kInputAndOutput[] = {
@@ -298,7 +299,7 @@ constexpr auto kOptions = [] {
   const auto criteria =
       std::copy(std::begin(kInputAndOutput), std::end(kInputAndOutput), all.begin());
   const auto rest =
-      std::transform(kCriterionTable.begin(), kCriterionTable.end(), criteria, option_of);
+      std::transform(kCriterionWords.begin(), kCriterionWords.end(), criteria, option_of);
   std::copy(std::begin(kRest), std::end(kRest), rest);
   return all;
 }();

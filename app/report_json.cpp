@@ -32,7 +32,7 @@ void add_options(JsonWriter& json, const Options& options) {
   add_length(json, "fingers", options.fingers);
   json.add("eps", options.epsilon);
   for (std::size_t n = 0; n < kCriteria; ++n) {
-    std::string key(name_of(kCriterionTable[n]));
+    std::string key(kCriterionTable[n].name);
     std::ranges::replace(key, '-', '_');
     if (kCriterionTable[n].is_length) {
       add_length(json, key, options.limits.values[n]);

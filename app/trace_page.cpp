@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "app/criterion_words.h"
 #include "app/json.h"
 #include "base/text.h"
 #include "view/trace/trace.h"
@@ -69,9 +70,9 @@ void add_reasons(JsonWriter& json) {
     const ReasonName reason = name_of(static_cast<Reason>(n));
     add(reason.name, reason.text);
   }
-  for (const CriterionRow& row : kCriterionTable) {
-    add(row.measured,
-        text("over its limit, in Stage 2 that of ", row.option, "; value: times the limit"));
+  for (const CriterionWords& words : kCriterionWords) {
+    add(words.measured,
+        text("over its limit, in Stage 2 that of ", words.option, "; value: times the limit"));
   }
   json.close();
 }

@@ -67,9 +67,7 @@ Measured measure(const TriMesh& mesh, const Volume& volume, double isovalue, con
   asked.threads = threads;
   asked.limits = resolve(options, volume).refinement;
   asked.limits.shape_floor = 0;
-  for (std::size_t n = 0; n < kCriteria; ++n) {
-    if (kCriterionTable[n].check_help.empty()) asked.limits.limits.values[n] = kNotAsked;
-  }
+  asked.limits[Criterion::r_over_pole] = kNotAsked;  // the check knows no poles
   const Verification v = verify(mesh, volume, settled_isovalue(volume, isovalue, threads), asked);
 
   const Vec3 spacing = volume.spacing();

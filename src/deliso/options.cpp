@@ -47,7 +47,7 @@ void require_limits(const Options& o, const Volume& volume) {
     const CriterionRow& row = kCriterionTable[n];
     if (!(o.limits.values[n].value >= row.least)) {
       throw InputError(
-          text(row.option, " must be at least ", row.least, ", or refinement would not end"));
+          text("--", row.name, " must be at least ", row.least, ", or refinement would not end"));
     }
   }
   if (o.samples > kMostSamples) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // When a facet is to be refined: the conditions of paper §3.1 (ApproximateGeom) and §3.2
 // (RefineGeom), and bounds on distance and size, as pure functions of measured numbers. All lengths
-// in the scaled frame.
-//
-// A criterion is a row of kCriterionTable: its option, the help, the note in the mesh's file, the
-// reports and the check follow from that.
+// in the scaled frame. A criterion is a row of kCriterionTable; what users read of it is the
+// program's (app/criterion_words.h).
 #pragma once
 
 #include <array>
@@ -41,53 +39,31 @@ inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::cou
 enum class Floor : std::uint8_t { r_min, shape };
 
 struct CriterionRow {
-  std::string_view option;
-  std::string_view measured;  // what is, as the reports say it
-  std::string_view key;       // in the JSON of a check
-  bool is_length;             // else a plain number
-  double usual;               // the limit where none is given; a length's in voxels
-  double least;               // with a smaller limit refinement would not end
+  std::string_view name;  // of its option, less the hyphens, and in notes in files
+  bool is_length;         // else a plain number
+  double usual;           // the limit where none is given; a length's in voxels
+  double least;           // with a smaller limit refinement would not end
   Floor floor;
   // What is measured as a share of its limit: the facet is bad when it is over 1.
   double (*share)(const FacetShape& s, double limit);
-  std::string_view argument, help;
-  std::string_view check_help;  // empty: the check does not know what is measured
 };
 
 // In the order of Criterion.
 inline constexpr std::array<CriterionRow, kCriteria> kCriterionTable{{
-    {"--max-distance", "h", "distance", true, 0.1, 0, Floor::r_min,
-     [](const FacetShape& s, double limit) { return s.h / limit; }, "D|Dvox",
-     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
-     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
-     "0.1vox)",
-     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
-     "says, and no exit 1 for it): world units, or voxels"},
-    {"--lambda", "r/l", "lambda", false, 2, 1, Floor::shape,
-     [](const FacetShape& s, double limit) { return s.r / (s.l * limit); }, "X",
-     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
-     "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
-     "2)"},
-    {"--eps1", "h/r", "h_over_r", false, kNotAsked, 0, Floor::r_min,
-     [](const FacetShape& s, double limit) { return s.h / (s.r * limit); }, "X",
-     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
-     "h/r that is counted as too large (default: what the mesh's file says, or none)"},
-    {"--eps2", "r/pole", "r_over_pole", false, kNotAsked, 0, Floor::r_min,
-     [](const FacetShape& s, double limit) { return s.r / (s.pole * limit); }, "X",
-     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
-     ""},
-    {"--max-radius", "r", "radius", true, kNotAsked, 0, Floor::r_min,
-     [](const FacetShape& s, double limit) { return s.r / limit; }, "R|Rvox",
-     "largest r: world units, or voxels (default: none)",
-     "r that is counted as too large (default: what the mesh's file says, or none)"},
+    {"max-distance", true, 0.1, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.h / limit; }},
+    {"lambda", false, 2, 1, Floor::shape,
+     [](const FacetShape& s, double limit) { return s.r / (s.l * limit); }},
+    {"eps1", false, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.h / (s.r * limit); }},
+    {"eps2", false, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.r / (s.pole * limit); }},
+    {"max-radius", true, kNotAsked, 0, Floor::r_min,
+     [](const FacetShape& s, double limit) { return s.r / limit; }},
 }};
 
 constexpr const CriterionRow& row_of(Criterion c) {
   return kCriterionTable[static_cast<std::size_t>(c)];
-}
-// As notes in files name it.
-constexpr std::string_view name_of(const CriterionRow& row) {
-  return row.option.substr(2);
 }
 
 template <class T>

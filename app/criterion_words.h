@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The criteria of surface/criteria.h in the words of options, help texts, reports and traces. Who
+// adds a row there adds one here.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "surface/criteria.h"
+
+namespace deliso {
+
+struct CriterionWords {
+  std::string_view option;    // two hyphens and the criterion's name
+  std::string_view measured;  // what is, as the reports say it
+  std::string_view key;       // in the JSON of a check
+  std::string_view argument, help;
+  std::string_view check_help;  // empty: the check does not know what is measured
+};
+
+inline constexpr std::array<CriterionWords, kCriteria> kCriterionWords{{
+    {"--max-distance", "h", "distance", "D|Dvox",
+     "no triangle further than D from the surface at its circumcenter, and no point of the surface "
+     "further than 2 D from the mesh, as far as --rmin allows: world units, or voxels (default "
+     "0.1vox)",
+     "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
+     "says, and no exit 1 for it): world units, or voxels"},
+    {"--lambda", "r/l", "lambda", "X",
+     "largest r over shortest edge, at every size (default 2: no angle below 14.5 degrees)",
+     "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
+     "2)"},
+    {"--eps1", "h/r", "h_over_r", "X",
+     "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
+     "h/r that is counted as too large (default: what the mesh's file says, or none)"},
+    {"--eps2", "r/pole", "r_over_pole", "X",
+     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
+     ""},
+    {"--max-radius", "r", "radius", "R|Rvox", "largest r: world units, or voxels (default: none)",
+     "r that is counted as too large (default: what the mesh's file says, or none)"},
+}};
+// All of them, in the order of Criterion.
+static_assert(std::ranges::equal(
+    kCriterionWords, kCriterionTable, {},
+    [](const CriterionWords& words) { return words.option.substr(2); }, &CriterionRow::name));
+
+constexpr const CriterionWords& words_of(Criterion c) {
+  return kCriterionWords[static_cast<std::size_t>(c)];
+}
+
+}  // namespace deliso
