@@ -35,8 +35,8 @@ void add_routines(JsonWriter& json) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(Routine::count_); ++n) {
     add_routine(json, name_of(static_cast<Routine>(n)));
   }
-  for (const Words& rung : kRungTable) {
-    add_routine(json, {rung.name, rung.figure, 2, rung.meaning});
+  for (std::size_t n = 0; n < kRungs; ++n) {
+    add_routine(json, routine_of(static_cast<Rung>(n)));
   }
   json.close();
 }
@@ -50,9 +50,10 @@ void add_outcomes(JsonWriter& json) {
   texts = {"done", "a boundary edge was split in its place",
            "the hit was the work of a garbage Voronoi edge, and is forgotten",
            "the ball is too small, or the boundary edge to be split too short"};
-  for (const Words& refusal : kRefusalTable) {
-    names.push_back("refused: " + std::string(refusal.name));
-    texts.emplace_back(refusal.meaning);
+  for (std::size_t n = 0; n < kRefusals; ++n) {
+    const auto refusal = static_cast<Refusal>(n);
+    names.push_back("refused: " + std::string(name_of(refusal)));
+    texts.emplace_back(text_of(refusal));
   }
   json.add("outcomes", names);
   json.add("outcome_texts", texts);

@@ -82,44 +82,21 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
-struct Words {
-  std::string_view name, meaning;
-  std::string_view figure = {};  // of the paper; empty: it has none
-};
-inline constexpr std::array<Words, kRungs> kRungTable{{
-    {"surface_point",
-     "RefineGeom: the facet's surface point is inserted; the facets whose balls hold it, the disk "
-     "E, give way to the cone D",
-     "9"},
-    {"foot", "another point of the surface near the facet is inserted"},
-    {"boundary_split", "an edge on the box is split at the middle of its arc", "9"},
-    {"flip", "an edge gives way to the other diagonal of its two facets"},
-    {"collapse", "a short edge is collapsed, or a corner merged into a neighbour"},
-    {"move", "a vertex moves along the surface"},
-    {"far_point", "a point of the surface that is too far from the mesh is inserted"},
-}};
-inline constexpr std::array<Words, kRefusals> kRefusalTable{{
-    {"not_a_disk", "E or what takes its place is no disk (G1)"},
-    {"swallows_vertex", "E has a vertex inside, which would go (G1)"},
-    {"no_surface_point", "a new facet's dual line misses the surface (G3)"},
-    {"too_close", "the point is too near to a vertex of the rim"},
-    {"boundary", "a boundary edge encroached upon that cannot be split"},
-    {"turned", "an edge would be too sharp, or a component inside out (G2)"},
-    {"no_gain", "nothing would be better (G4)"},
-    {"uncovers", "a vertex would go that is too far from the new facets (G4)"},
-    {"crossing", "a new facet would cross another (G5)"},
-    {"frozen", "it would change facets of another region, and is tried again later (G0)"},
-}};
-static_assert(!kRungTable.back().name.empty() && !kRefusalTable.back().name.empty());
+inline constexpr std::array<std::string_view, kRungs> kRungNames{
+    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point"};
+inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
+    "not_a_disk", "swallows_vertex", "no_surface_point", "too_close", "boundary",
+    "turned",     "no_gain",         "uncovers",         "crossing",  "frozen"};
+static_assert(!kRungNames.back().empty() && !kRefusalNames.back().empty());
 
 constexpr std::string_view name_of(Counter counter) {
   return kCounterNames[static_cast<std::size_t>(counter)];
 }
 constexpr std::string_view name_of(Rung rung) {
-  return kRungTable[static_cast<std::size_t>(rung)].name;
+  return kRungNames[static_cast<std::size_t>(rung)];
 }
 constexpr std::string_view name_of(Refusal refusal) {
-  return kRefusalTable[static_cast<std::size_t>(refusal)].name;
+  return kRefusalNames[static_cast<std::size_t>(refusal)];
 }
 
 struct RungCounts {

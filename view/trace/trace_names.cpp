@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "view/trace/trace_names.h"
 
+#include <array>
+
 namespace deliso {
 
 RoutineName name_of(Routine routine) {
@@ -32,6 +34,26 @@ RoutineName name_of(Routine routine) {
        "the place of the facets"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Routine::count_));
   return names[static_cast<std::size_t>(routine)];
+}
+
+RoutineName routine_of(Rung rung) {
+  struct Words {
+    std::string_view text, figure = {};
+  };
+  // In the order of Rung. A test asks for all of them: an operation can be tried without.
+  constexpr std::array<Words, kRungs> kWords{{
+      {"RefineGeom: the facet's surface point is inserted; the facets whose balls hold it, the "
+       "disk E, give way to the cone D",
+       "9"},
+      {"another point of the surface near the facet is inserted"},
+      {"an edge on the box is split at the middle of its arc", "9"},
+      {"an edge gives way to the other diagonal of its two facets"},
+      {"a short edge is collapsed, or a corner merged into a neighbour"},
+      {"a vertex moves along the surface"},
+      {"a point of the surface that is too far from the mesh is inserted"},
+  }};
+  const Words& words = kWords[static_cast<std::size_t>(rung)];
+  return {name_of(rung), words.figure, 2, words.text};
 }
 
 ReasonName name_of(Reason reason) {
@@ -75,6 +97,22 @@ std::string_view name_of(TraceOutcome outcome) {
   constexpr std::string_view names[] = {"done", "split", "forgotten", "refused"};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(TraceOutcome::count_));
   return names[static_cast<std::size_t>(outcome)];
+}
+
+std::string_view text_of(Refusal refusal) {
+  constexpr std::string_view texts[] = {
+      "E or what takes its place is no disk (G1)",
+      "E has a vertex inside, which would go (G1)",
+      "a new facet's dual line misses the surface (G3)",
+      "the point is too near to a vertex of the rim",
+      "a boundary edge encroached upon that cannot be split",
+      "an edge would be too sharp, or a component inside out (G2)",
+      "nothing would be better (G4)",
+      "a vertex would go that is too far from the new facets (G4)",
+      "a new facet would cross another (G5)",
+      "it would change facets of another region, and is tried again later (G0)"};
+  static_assert(sizeof(texts) / sizeof(texts[0]) == kRefusals);
+  return texts[static_cast<std::size_t>(refusal)];
 }
 
 }  // namespace deliso

@@ -14,6 +14,8 @@ struct RoutineName {
   std::string_view text;
 };
 RoutineName name_of(Routine routine);
+// A rung of Stage 2 as a routine, in whose numbers it follows the others.
+RoutineName routine_of(Rung rung);
 
 struct ReasonName {
   std::string_view name, text;  // what an event's value is, too
@@ -21,5 +23,6 @@ struct ReasonName {
 ReasonName name_of(Reason reason);
 
 std::string_view name_of(TraceOutcome outcome);
+std::string_view text_of(Refusal refusal);
 
 }  // namespace deliso

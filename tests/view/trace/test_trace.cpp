@@ -395,6 +395,11 @@ TEST_CASE("every number of an event has a name") {
     CHECK(!name.text.empty());
     names.insert(name.name);
   }
-  CHECK(names.size() ==
-        static_cast<std::size_t>(Routine::count_) + static_cast<std::size_t>(Reason::count_));
+  for (std::size_t n = 0; n < kRungs; ++n) {
+    const RoutineName name = routine_of(static_cast<Rung>(n));
+    CHECK(!name.text.empty());
+    names.insert(name.name);
+  }
+  CHECK(names.size() == static_cast<std::size_t>(Routine::count_) +
+                            static_cast<std::size_t>(Reason::count_) + kRungs);
 }
