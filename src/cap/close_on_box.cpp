@@ -10,6 +10,7 @@
 #include "cap/box_caps.h"
 #include "cap/leave_box.h"
 #include "mesh/split.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

@@ -11,6 +11,7 @@
 #include "contour/dissolve.h"
 #include "kdtree/voxel_tree.h"
 #include "surface/observer.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

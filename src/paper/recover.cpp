@@ -11,6 +11,7 @@
 #include "paper/build_tri_mesh.h"
 #include "stage1/poles.h"
 #include "surface/criteria.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

@@ -17,6 +17,7 @@
 #include "recover/protrusions.h"
 #include "stage1/poles.h"
 #include "surface/observer.h"
+#include "surface/step_timer.h"
 #include "surface/surface_point.h"
 
 namespace deliso {

@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "refine/refine_geom.h"
 #include "refine/regions.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

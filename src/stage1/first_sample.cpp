@@ -12,6 +12,7 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "surface/observer.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

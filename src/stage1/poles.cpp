@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "delaunay/voronoi.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 

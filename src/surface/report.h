@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -147,27 +146,5 @@ struct Report {
   RungCounts& operator[](Rung r) { return rungs[static_cast<std::size_t>(r)]; }
   const RungCounts& operator[](Rung r) const { return rungs[static_cast<std::size_t>(r)]; }
 };
-
-// Adds the seconds of its own life to a step of the report.
-class StepTimer {
- public:
-  explicit StepTimer(double& seconds) : seconds_(seconds) {}
-  StepTimer(const StepTimer&) = delete;
-  StepTimer& operator=(const StepTimer&) = delete;
-  ~StepTimer() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-// What make() returns, with its time added.
-template <class Make>
-auto timed(double& seconds, Make&& make) {
-  const StepTimer timer(seconds);
-  return make();
-}
 
 }  // namespace deliso
