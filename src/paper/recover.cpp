@@ -23,6 +23,10 @@ constexpr double kFloor = 0.01;
 // A hit is real only if no vertex lies deeper in its ball than rounding explains.
 constexpr double kBallTolerance = 0.999;
 
+// Boundary edges shorter than this share of a voxel are not split either: two curves a hair apart
+// encroach upon each other however short their edges are.
+constexpr double kShortestVoxelShare = 0.02;
+
 }  // namespace
 
 Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
@@ -33,7 +37,9 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
       parameters_(parameters),
       steps_(parameters.observer),
       report_(restricted.report()),
-      floor_(kFloor * parameters.r_min) {
+      floor_(kFloor * parameters.r_min),
+      shortest_edge_(std::max(kShortestBoundaryEdge * parameters.r_min,
+                              kShortestVoxelShare * parameters.voxel)) {
   for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v)) queue_vertex(v);
   }
@@ -133,7 +139,7 @@ bool Recovery::split_edge(VertexId a) {
     pending.pop_back();
     const Vec3 pa = t.point(from), pb = t.point(to);
     if (any && !edge_holds_a_vertex(from)) continue;
-    const auto middle = distance(pa, pb) < kShortestBoundaryEdge * parameters_.r_min
+    const auto middle = distance(pa, pb) < shortest_edge_
                             ? std::nullopt
                             : curves_.split(chain_.place(from), pa, chain_.place(to), pb);
     if (!middle) {

@@ -69,7 +69,8 @@ class Recovery {
   const Parameters& parameters_;
   Steps steps_;
   Report& report_;
-  double floor_;  // no ball smaller than this gets its point
+  double floor_;          // no ball smaller than this gets its point
+  double shortest_edge_;  // no shorter boundary edge is split
 
   // Whose D_q is to be looked at: what extract_manifold() leaves empty, later insertions fill.
   std::deque<VertexId> vertex_queue_;

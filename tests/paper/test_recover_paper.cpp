@@ -120,6 +120,24 @@ TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are sp
   CHECK(splits > 300);
 }
 
+// At the maximum of its samples a surface is slivers of 1e-9 voxels, on the box between two curves.
+TEST_CASE("curves a hair apart are not split down to r_min for each other") {
+  constexpr int kSize = 6, kMaximum = 3;
+  Random random(1);
+  std::vector<float> samples;
+  for (int n = 0; n < kSize * kSize * kSize; ++n) {
+    samples.push_back(static_cast<float>(random.below(kMaximum + 1)));
+  }
+  const Scene scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples),
+                    kMaximum - 1e-9);
+  Begun begun(scene, Options::paper());
+  begun.recovery.recover();
+  const std::uint64_t splits = begun.report[Counter::boundary_splits_recover];
+  CAPTURE(splits);
+  CHECK(splits > 0);
+  CHECK(splits < 10'000);
+}
+
 TEST_CASE("a speck smaller than r_min has sites and no facet: it is lost, and that is counted") {
   constexpr int kSize = 24;
   std::vector<float> samples;
