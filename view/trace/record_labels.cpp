@@ -52,14 +52,14 @@ void TraceRecorder::labels_ready(const LabelState& state) {
     arrays.contour_triangles.insert(arrays.contour_triangles.end(), t.begin(), t.end());
   }
   for (const VertexId s : label_) {
-    arrays.contour_label.push_back(s == kNoId ? kNoId : numbers_[s]);
+    arrays.contour_label.push_back(s == kNoId ? kNoId : number(s));
   }
 }
 
 void TraceRecorder::site_asked(Reason reason, VertexId asker, VertexId v) {
   const double value = v == kNoId ? 0 : std::sqrt(labels_->labels.distance2_to_site(v));
   TraceEvent& event = asks(routine_of(reason), reason, value);
-  if (asker != kNoId) event.caller[0] = numbers_[asker];
+  if (asker != kNoId) event.caller[0] = number(asker);
 }
 
 void TraceRecorder::site_added(VertexId site) {
@@ -68,7 +68,7 @@ void TraceRecorder::site_added(VertexId site) {
   const ContourGraph& graph = labels_->graph;
   number_vertices();
   TraceEvent& event = trace_.event();
-  event.vertex = numbers_[site];
+  event.vertex = number(site);
   const auto is_taken = [&](VertexId v) { return labels.label(v) == site && label_[v] != site; };
   // Every triangle of T with vertices that are taken, at the first of these.
   for (const VertexId v : labels.region(site)) {

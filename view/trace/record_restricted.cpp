@@ -31,7 +31,7 @@ void TraceRecorder::edge_asked(VertexId from, VertexId to) {
   const Triangulation& t = restricted_->triangulation();
   TraceEvent& event =
       asks(Routine::protect_boundary, Reason::encroached, distance(t.point(from), t.point(to)));
-  event.caller = {numbers_[from], numbers_[to], kNoId};
+  event.caller = {number(from), number(to), kNoId};
 }
 
 void TraceRecorder::star_asked(VertexId q, bool on_boundary, RecordId furthest) {
@@ -52,7 +52,7 @@ void TraceRecorder::star_asked(VertexId q, bool on_boundary, RecordId furthest) 
     return Reason::star_singular;
   }();
   TraceEvent& event = asks(Routine::extract_manifold, reason, static_cast<double>(facets.size()));
-  event.caller[0] = numbers_[q];
+  event.caller[0] = number(q);
   for (const Triangle& facet : facets) event.star.push_back(number(facet));
   if (furthest != kNoId) tell_facet(furthest, event);
 }
@@ -97,7 +97,7 @@ void TraceRecorder::show(RecordId r) {
 
 void TraceRecorder::point_inserted(VertexId v) {
   number_vertices();
-  trace_.event().vertex = numbers_[v];
+  trace_.event().vertex = number(v);
   for (const RecordId r : restricted_->created()) show(r);
   record(outcome_);
 }
@@ -105,7 +105,7 @@ void TraceRecorder::point_inserted(VertexId v) {
 void TraceRecorder::edge_split(VertexId from, VertexId to) {
   TraceEvent& event = trace_.event();
   if (event.routine == trace_code(Routine::protect_boundary)) {
-    event.caller = {numbers_[from], numbers_[to], kNoId};
+    event.caller = {number(from), number(to), kNoId};
   } else {
     outcome_ = TraceOutcome::split;
   }

@@ -18,7 +18,7 @@ void TraceRecorder::number_vertices() {
 
 bool TraceRecorder::is_told(CellId c) const {
   const auto& v = triangulation().vertices(c);
-  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return numbers_[q] == kNoId; });
+  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return number(q) == kNoId; });
 }
 
 TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
@@ -33,7 +33,7 @@ void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
   for (const CellId c : zone.cells) {
     if (!is_told(c)) continue;
     const auto& v = triangulation().vertices(c);
-    event.zone.push_back({numbers_[v[0]], numbers_[v[1]], numbers_[v[2]], numbers_[v[3]]});
+    event.zone.push_back({number(v[0]), number(v[1]), number(v[2]), number(v[3])});
   }
 }
 
@@ -47,7 +47,7 @@ void TraceRecorder::recovery_finished() {
   const Triangulation& t = triangulation();
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c) || !is_told(c)) continue;
-    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(numbers_[v]);
+    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(number(v));
   }
 }
 

@@ -66,9 +66,10 @@ class TraceRecorder : public Observer {
   }
   // All vertices that are new; auxiliary ones have no number.
   void number_vertices();
-  Triangle number(const Triangle& v) const {
-    return {numbers_[v[0]], numbers_[v[1]], numbers_[v[2]]};
-  }
+  // Returns kNoId for a vertex that has no number: an auxiliary one, or one that came after the
+  // trace was full. Every look-up goes through here, so that no caller need ask whether it is.
+  VertexId number(VertexId v) const { return v < numbers_.size() ? numbers_[v] : kNoId; }
+  Triangle number(const Triangle& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }
   bool is_told(CellId c) const;
   // Facets of the mesh; `new_vertex`, of a try, has no number.
   void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
