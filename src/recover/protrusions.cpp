@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/triangle.h"
+#include "delaunay/predicates.h"
 
 namespace deliso {
 namespace {
@@ -39,8 +40,10 @@ VertexId ProtrusionSearch::find(VertexId s, std::span<const DualFacet> facets) {
   const Vec3 site = triangulation_.point(s);
   frames_.clear();
   for (const DualFacet& facet : facets) {
-    const Vec3 b = triangulation_.point(facet.sites[1]) - site;
-    const Vec3 c = triangulation_.point(facet.sites[2]) - site;
+    const Vec3 &p = triangulation_.point(facet.sites[1]), &q = triangulation_.point(facet.sites[2]);
+    // Beside the box, where the boundary of T runs straight on; T itself has no such triangle.
+    if (collinear(site, p, q)) return labels_.furthest(labels_.region(s));
+    const Vec3 b = p - site, c = q - site;
     const Vec3 normal = cross(b, c);
     const double scale = 1 / length2(normal);
     frames_.push_back(

@@ -25,7 +25,8 @@ class ProtrusionSearch {
                    const Parameters& parameters);
 
   // The vertex of T, of those at `site`, that is furthest from these facets, of those that are too
-  // far; kNoId: none is. pre: each facet begins with the site.
+  // far; where a facet has no area, that furthest from the site. kNoId: none is. pre: each facet
+  // begins with the site.
   VertexId find(VertexId site, std::span<const DualFacet> facets);
 
  private:

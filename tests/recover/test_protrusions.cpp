@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "base/triangle.h"
+#include "delaunay/predicates.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
+#include "stress/tiny_volume.h"
 
 using namespace deliso;
 
@@ -67,6 +69,22 @@ Seen look(const Scene& scene, double fingers, double near) {
 }
 
 }  // namespace
+
+// Three sites along the straight boundary of a plateau, and no vertex of T that is far from them.
+TEST_CASE("no facet of K has its corners on one line") {
+  for (const std::uint64_t seed : {72, 261, 765, 1255, 1411, 2907, 5113, 6922}) {
+    CAPTURE(seed);
+    const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
+    Report report;
+    const Scene scene(tiny.volume, tiny.isovalue);
+    const DelaunayMesh k = delaunay_mesh(scene.surface, ContourMesh(scene.contour), stage1_only(),
+                                         resolve(Options(), scene.volume), report);
+    for (const Face& face : k.mesh.mesh.faces) {
+      const auto at = [&](std::size_t i) { return k.mesh.mesh.points[face.v[i]]; };
+      CHECK_FALSE(collinear(at(0), at(1), at(2)));
+    }
+  }
+}
 
 TEST_CASE(
     "no vertex of T is further from K than the limit, or than a fifth of a voxel where none "
