@@ -35,7 +35,7 @@ std::string name_of_routine(std::size_t number) {
 std::string_view name_of_reason(std::size_t number) {
   constexpr auto count = static_cast<std::size_t>(deliso::Reason::count_);
   return number < count ? name_of(static_cast<deliso::Reason>(number)).name
-                        : deliso::kCriterionTable[number - count].measured;
+                        : deliso::kCriterionTable[number - count].name;
 }
 
 void watch(const std::string& input, double isovalue) {
