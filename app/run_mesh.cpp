@@ -32,8 +32,9 @@
 namespace deliso {
 namespace {
 
-// Vertices that are worth a word, and more than 32-bit ids of their facets can name.
-constexpr double kMany = 1e7, kTooMany = 2e9;
+// Vertices that are worth a word; and for which 32-bit ids cannot name the triangles of the exact
+// contour: it has about eight vertices for one of the mesh.
+constexpr double kMany = 1e7, kTooMany = 2.5e8;
 
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
