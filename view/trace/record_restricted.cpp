@@ -38,6 +38,7 @@ void TraceRecorder::star_asked(VertexId q, bool on_boundary, RecordId furthest) 
   std::vector<RecordId> star;
   restricted_->star(q, star);
   std::vector<Triangle> facets;
+  facets.reserve(star.size());
   for (const RecordId r : star) facets.push_back(restricted_->triangle(r));
   const auto reason = [&] {
     switch (classify_star(q, facets)) {
