@@ -56,9 +56,9 @@ class Progress : public Observer {
   void stage_begins(const char* stage) override { show(stage, 0); }
   // A queue grows while it is worked on, and others may follow: a guess.
   void steps_done(std::size_t done, std::size_t queued) override {
-    share_done(static_cast<double>(done) / static_cast<double>(done + queued));
+    const auto steps = static_cast<double>(done);
+    show(std::string(stage_), steps / (steps + static_cast<double>(queued)));
   }
-  void share_done(double share) override { show(std::string(stage_), share); }
 
   // `share` of the stage is done, in [0, 1]. Cheap to call often: draws when a stage begins, and
   // ten times a second.

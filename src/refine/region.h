@@ -16,7 +16,6 @@ struct Region {
   FaceId first_free = 0;
   Vec3 lo{-kFar, -kFar, -kFar}, hi{kFar, kFar, kFar};
 
-  bool is_whole() const { return lo == Region{}.lo && hi == Region{}.hi; }
   bool holds(const Vec3& p) const {
     return lo.x <= p.x && p.x < hi.x && lo.y <= p.y && p.y < hi.y && lo.z <= p.z && p.z < hi.z;
   }

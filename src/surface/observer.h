@@ -61,9 +61,8 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void stage_begins(const char* /*stage*/) {}
-  // Of the stage, `done` steps are done and `queued` more are known; or a share of it, in [0, 1].
+  // Of the stage, `done` steps are done and `queued` more are known.
   virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
-  virtual void share_done(double /*share*/) {}
 
   // Whether the events below are wanted. Stage 2 then refines the mesh in one region, in the order
   // of Figure 9.

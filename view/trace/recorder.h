@@ -26,9 +26,6 @@ class TraceRecorder : public Observer {
   void steps_done(std::size_t done, std::size_t queued) override {
     if (also_) also_->steps_done(done, queued);
   }
-  void share_done(double share) override {
-    if (also_) also_->share_done(share);
-  }
   bool follows_insertions() const override { return true; }
 
   // Both ways of Stage 1.
