@@ -65,7 +65,7 @@ void warn_of_size(double vertices, bool quiet) {
 // The facets from number `begin` to `end`, over the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   std::vector<Triangle> triangles;
-  for (std::size_t f = begin; f < end; ++f) triangles.push_back(mesh.faces[f].v);
+  for (FaceId f(begin); f < end; ++f) triangles.push_back(mesh.faces[f].v);
   return make_tri_mesh(mesh.points, triangles);
 }
 
@@ -111,7 +111,8 @@ void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   const bool is_single = is_written && writes_single_precision(line.write);
   if (!run.has_solid() && !is_single) return;
   const auto count = [&](const MeshWriteOptions& how) {
-    const std::vector<Vec3> points = is_written ? written_points(mesh, how) : mesh.points;
+    const std::vector<Vec3> points =
+        is_written ? written_points(mesh, how) : std::vector<Vec3>(mesh.points);
     return count_crossings(points, mesh.faces, line.options.threads);
   };
   run.crossings = run.crossings_in_double = count(line.write);

@@ -74,7 +74,7 @@ constexpr const char* kKinds[] = {"cube", "sphere", "grid", "cospherical", "plan
 void measure(const std::string& name, const std::vector<Vec3>& points, int repeat) {
   double best = 1e300;
   Triangulation t;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   for (int run = 0; run < repeat; ++run) {
     const std::clock_t start = std::clock();
     t.build(points, ids);

@@ -69,7 +69,7 @@ class Insertion {
     std::size_t left = 4 * count_;
     measure("at random facets", [&] {
       if (mesh_.points.size() >= wanted || left-- == 0) return false;
-      insert(random.below(static_cast<std::uint32_t>(mesh_.faces.size())));
+      insert(FaceId(random.below(static_cast<std::uint32_t>(mesh_.faces.size()))));
       return true;
     });
     flip();

@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   for (deliso::Vec3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
 
   deliso::Triangulation triangulation;
-  std::vector<deliso::VertexId> vertex_of;
+  std::vector<deliso::SiteId> vertex_of;
   if (!triangulation.build(points, vertex_of)) {
     std::cerr << "all points lie in one plane\n";
     return 1;
@@ -37,14 +37,14 @@ int main(int argc, char** argv) {
   // it than the cell's own four.
   std::size_t cells = 0;
   deliso::Circumsphere loneliest;
-  std::vector<std::set<deliso::VertexId>> neighbors(triangulation.vertex_capacity());
+  std::vector<std::set<deliso::SiteId>> neighbors(triangulation.vertex_capacity());
   for (deliso::CellId c = 0; c < triangulation.cell_capacity(); ++c) {
     if (!triangulation.is_live(c) || triangulation.is_infinite(c)) continue;
     ++cells;
     const deliso::Circumsphere sphere = deliso::circumsphere(triangulation, c);
     if (well_inside(sphere.center) && sphere.radius > loneliest.radius) loneliest = sphere;
-    for (const deliso::VertexId v : triangulation.vertices(c)) {
-      for (const deliso::VertexId w : triangulation.vertices(c)) {
+    for (const deliso::SiteId v : triangulation.vertices(c)) {
+      for (const deliso::SiteId w : triangulation.vertices(c)) {
         if (v != w) neighbors[v].insert(w);
       }
     }

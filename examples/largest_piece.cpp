@@ -22,9 +22,9 @@ deliso::TriMesh piece_of(const deliso::TriMesh& mesh, const std::vector<std::uin
                          std::uint32_t number) {
   std::vector<deliso::VertexId> new_id(mesh.points.size(), deliso::kNoId);
   std::vector<deliso::Vec3> points;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+  for (deliso::VertexId v = 0; v < mesh.points.size(); ++v) {
     if (component[v] != number) continue;
-    new_id[v] = static_cast<deliso::VertexId>(points.size());
+    new_id[v] = deliso::VertexId(points.size());
     points.push_back(mesh.points[v]);
   }
   std::vector<deliso::Triangle> triangles;

@@ -101,7 +101,7 @@ void draw_certified(const std::string& folder) {
     }
     append_format(p.caption, "%zu sites, %zu break a condition", count, broken);
     for (const Triangle& t : contour.triangles) {
-      const VertexId a = labels.label(t[0]);
+      const SiteId a = labels.label(t[0]);
       const bool is_one = labels.label(t[1]) == a && labels.label(t[2]) == a;
       p.colors.push_back(is_one ? category_color(a) : Rgb{245, 245, 245});
     }
@@ -123,7 +123,7 @@ void draw_certified(const std::string& folder) {
     for (std::size_t n = 0; n < kSites; ++n) {
       points.push_back(contour.points[(2 * n + 1) * contour.points.size() / (2 * kSites)]);
     }
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     sites.build(points, ids);
     panels.push_back(labelled(sites, kSites));
   }
@@ -131,7 +131,7 @@ void draw_certified(const std::string& folder) {
       delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report);
   {
     Triangulation sites;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     sites.build(recovered.mesh.mesh.points, ids);
     panels.push_back(labelled(sites, recovered.mesh.mesh.points.size()));
   }

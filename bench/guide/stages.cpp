@@ -191,9 +191,9 @@ void draw_boundary(const std::string& folder) {
       }
     }
   };
-  const auto draw_chain = [&](const Panel& panel, const BoundaryChain& chain,
-                              const std::vector<Vec3>& points, bool with_balls) {
-    for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
+  const auto draw_chain = [&]<class Vertex>(const Panel& panel, const Chain<Vertex>& chain,
+                                            const std::vector<Vec3>& points, bool with_balls) {
+    for (Vertex v = 0; v < chain.vertex_capacity(); ++v) {
       if (!chain.is_boundary(v) || v >= points.size()) continue;
       const Vec3 &a = points[v], &b = points[chain.next(v)];
       if (a.z != 0 || b.z != 0) continue;
@@ -213,7 +213,7 @@ void draw_boundary(const std::string& folder) {
     const FirstSample sites =
         init_triangulation(h.contour, curves, h.volume, h.parameters, h.report);
     std::vector<Vec3> points;
-    for (VertexId v = 0; v < sites.triangulation.vertex_capacity(); ++v) {
+    for (SiteId v = 0; v < sites.triangulation.vertex_capacity(); ++v) {
       points.push_back(v == Triangulation::kInfinite ? Vec3{} : sites.triangulation.point(v));
     }
     draw_chain(coarse, sites.chain, points, true);

@@ -20,7 +20,7 @@ Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
   SurfacePointFinder finder(surface);
   SearchCounters counters;
   Examined out;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& v = mesh.faces[f].v;
     const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]];
     const Dual dual = finder.dual(a, b, c, counters);

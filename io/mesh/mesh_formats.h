@@ -25,7 +25,7 @@ class WorldMesh {
 
   std::size_t vertex_count() const { return mesh_.points.size(); }
   std::size_t face_count() const { return mesh_.faces.size(); }
-  Vec3 point(std::size_t v) const { return mesh_.frame.to_world(mesh_.points[v]); }
+  Vec3 point(std::size_t v) const { return mesh_.frame.to_world(mesh_.points[VertexId(v)]); }
   std::string_view space() const { return short_name_of(mesh_.frame.space); }
   // The comment as a line between these, or nothing where there is none.
   std::string comment_line(std::string_view before, std::string_view after) const {
@@ -34,7 +34,7 @@ class WorldMesh {
   // To go behind the program's name; empty where the space is not known.
   std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
   Triangle triangle(std::size_t f) const {
-    const Triangle& v = mesh_.faces[f].v;
+    const Triangle& v = mesh_.faces[FaceId(f)].v;
     return mirrored_ ? Triangle{v[0], v[2], v[1]} : v;
   }
 

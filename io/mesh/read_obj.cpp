@@ -61,12 +61,12 @@ VertexId corner_in(std::string_view word, std::uint64_t vertices, const Lines& l
     if (back > vertices) {
       lines.fail(text("corner ", quote(word), " lies before the first of ", vertices, " vertices"));
     }
-    return static_cast<VertexId>(vertices - back);
+    return VertexId(vertices - back);
   }
   const auto v = static_cast<std::uint64_t>(*index) - 1;
   if (v > kMostVertices) lines.fail(text("a facet's corner is ", quote(word)));
   if (v >= vertices && v >= forward.index) forward = {v, lines.number()};
-  return static_cast<VertexId>(v);
+  return VertexId(v);
 }
 
 }  // namespace

@@ -277,7 +277,7 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
           source.fail(text("corner ", c, " of facet ", f, " is ", corner, ", not one of ", vertices,
                            " vertices"));
         }
-        corners.push_back(static_cast<VertexId>(corner));
+        corners.push_back(VertexId(static_cast<std::uint32_t>(corner)));
       }
       mesh.add_polygon(corners);
     }
@@ -299,7 +299,7 @@ void read_seam(Source& source, const Element& element, std::uint64_t vertices, M
       }
       row[i] = static_cast<std::int32_t>(value);
     }
-    mesh.seam.push_back({static_cast<VertexId>(row[0]), {row[1], {row[2], row[3], row[4]}}});
+    mesh.seam.push_back({VertexId(row[0]), {row[1], {row[2], row[3], row[4]}}});
   }
 }
 

@@ -36,7 +36,7 @@ void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
     if (vertex[c] < c) {
       vertex[c] = vertex[vertex[c]];
     } else {
-      vertex[c] = static_cast<VertexId>(mesh.points.size());
+      vertex[c] = VertexId(mesh.points.size());
       mesh.points.push_back(corners[c]);
     }
   }

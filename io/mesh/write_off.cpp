@@ -14,7 +14,7 @@ void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle t = mesh.triangle(f);
     out.write("3 ");
-    for (int i = 0; i < 3; ++i) put_text(out, t[i], i == 2 ? '\n' : ' ');
+    for (int i = 0; i < 3; ++i) put_text(out, t[i].number(), i == 2 ? '\n' : ' ');
   }
 }
 

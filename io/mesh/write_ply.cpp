@@ -37,10 +37,10 @@ void PlyWriter::vertex(const Vec3& p) {
 void PlyWriter::facet(const Triangle& t) {
   if (header_.ascii) {
     out_.write("3 ");
-    for (int i = 0; i < 3; ++i) put_text(out_, t[i], i == 2 ? '\n' : ' ');
+    for (int i = 0; i < 3; ++i) put_text(out_, t[i].number(), i == 2 ? '\n' : ' ');
   } else {
     put_binary(out_, std::uint8_t{3});
-    for (const VertexId v : t) put_binary(out_, v);
+    for (const VertexId v : t) put_binary(out_, v.number());
   }
 }
 

@@ -270,7 +270,7 @@ Joined Joiner::run(const std::string& output, bool single_precision, bool ascii)
   }
   for (std::uint32_t p = 0; p < parts_.size(); ++p) {
     for (Triangle t : read(p).triangles) {
-      for (VertexId& v : t) v = static_cast<VertexId>(numbers_[p].of(v).in_whole);
+      for (VertexId& v : t) v = VertexId(numbers_[p].of(v).in_whole);
       writer.facet(t);
     }
   }

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/ids.h"
+
 namespace deliso {
 
 inline void append_text(std::string& text, std::string_view part) {
@@ -19,6 +21,11 @@ requires std::integral<T> || std::floating_point<T>
 void append_text(std::string& text, T number) {
   char digits[32];  // the longest double, -2.2250738585072014e-308, takes 24
   text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
+template <class Tag>
+void append_text(std::string& text, Id<Tag> id) {
+  append_text(text, id.number());
 }
 
 // text("facet ", 7, " of ", 9.5) == "facet 7 of 9.5".

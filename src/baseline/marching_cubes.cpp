@@ -57,7 +57,7 @@ class TableSink {
            static_cast<double>(sample.k)};
     p[axis] += c0 / (c0 - c1);
     points_.push_back({p.x * spacing_.x, p.y * spacing_.y, p.z * spacing_.z});
-    return static_cast<VertexId>(points_.size() - 1);
+    return VertexId(points_.size() - 1);
   }
 
   void voxel(const VoxelPieces& pieces) {

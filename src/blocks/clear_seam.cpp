@@ -75,7 +75,7 @@ bool remove_boundary_vertex(Refinement& r, VertexId v, Effort effort) {
   const auto at_v =
       std::ranges::find_if(r.mesh.faces, [&](const Face& face) { return has_corner(face.v, v); });
   if (at_v == r.mesh.faces.end()) return false;
-  const auto f = static_cast<FaceId>(at_v - r.mesh.faces.begin());
+  const auto f = FaceId(at_v - r.mesh.faces.begin());
   if (cut_ear(r, f, v)) return true;
   return effort == Effort::lift ? lift(r, f, v)
                                 : merge(r, f, v, effort == Effort::merge_at_any_cost);

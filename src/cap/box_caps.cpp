@@ -146,7 +146,7 @@ void BoxCaps::number_corners() {
       if (v == 1 || v == 2) corner |= 1u << cap.u;
       if (v == 2 || v == 3) corner |= 1u << cap.v;
       if (id[corner] == kNoId) {
-        id[corner] = static_cast<VertexId>(mesh_.points.size() + new_points_.size());
+        id[corner] = VertexId(mesh_.points.size() + new_points_.size());
         Vec3 p = box_.lo;
         for (int axis = 0; axis < 3; ++axis) {
           if ((corner >> axis & 1) != 0) p[axis] = box_.hi[axis];
@@ -205,7 +205,7 @@ void BoxCaps::split_side(FaceCap& cap, VertexId a, VertexId b) {
     other->refiner->refuse_side(b2, a2);
     return;
   }
-  const auto v = static_cast<VertexId>(mesh_.points.size() + new_points_.size());
+  const auto v = VertexId(mesh_.points.size() + new_points_.size());
   new_points_.push_back(middle);
   for (const auto& [at, from, to] : {std::tuple{&cap, a1, b1}, std::tuple{other, b2, a2}}) {
     const PlaneEdge e = at->plane->find_edge(from, to);
@@ -225,13 +225,13 @@ void BoxCaps::refine(double lambda) {
     for (FaceCap& cap : caps_) {
       std::vector<std::pair<VertexId, VertexId>> sides;
       cap.refiner->run(sides);
-      for (auto v = static_cast<VertexId>(cap.global.size()); v < cap.plane->points().size(); ++v) {
+      for (auto v = VertexId(cap.global.size()); v < cap.plane->points().size(); ++v) {
         const Vec2& p = cap.plane->point(v);
         Vec3 q;
         q[cap.across] = cap.number % 2 == 0 ? box_.lo[cap.across] : box_.hi[cap.across];
         q[cap.u] = p.x;
         q[cap.v] = p.y;
-        cap.global.push_back(static_cast<VertexId>(mesh_.points.size() + new_points_.size()));
+        cap.global.push_back(VertexId(mesh_.points.size() + new_points_.size()));
         new_points_.push_back(q);
       }
       for (const auto& [a, b] : sides) split_side(cap, cap.global[a], cap.global[b]);

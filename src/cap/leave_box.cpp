@@ -160,7 +160,7 @@ std::size_t BoxLeaver::run() {
 bool BoxLeaver::lies_in_face(FaceId f, int i) const {
   const Face& face = mesh_.faces[f];
   if (i < 3) return face.n[i] != kNoId && faces_at_edge(f, i) != 0;
-  return face.n == std::array{kNoId, kNoId, kNoId} &&
+  return face.n == std::array<FaceId, 3>{kNoId, kNoId, kNoId} &&
          (faces_at_edge(f, 0) & faces_at(face.v[0])) != 0;
 }
 

@@ -48,7 +48,7 @@ class MeshTriangulation {
       source.push_back(v);
     }
     add_auxiliary(box, points);
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     if (!cells_.build(points, ids, kMostCells)) return false;
     vertex_of_.assign(cells_.vertex_capacity(), kNoId);
     for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
@@ -58,8 +58,8 @@ class MeshTriangulation {
   const Triangulation& cells() const { return cells_; }
   // Ascending; kNoId in place of auxiliary vertices.
   Triangle corners(const Facet& f) const {
-    Triangle corners = facet_vertices(cells_, f);
-    for (VertexId& v : corners) v = vertex_of_[v];
+    const SiteTriangle sites = facet_vertices(cells_, f);
+    Triangle corners{vertex_of_[sites[0]], vertex_of_[sites[1]], vertex_of_[sites[2]]};
     std::sort(corners.begin(), corners.end());
     return corners;
   }
@@ -95,7 +95,7 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
       threads, cells, kCellsAtOnce, [&](std::size_t run, std::size_t begin, std::size_t end) {
         SearchCounters counters;
         std::vector<Hit> hits;
-        for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+        for (auto c = CellId(begin); c < end; ++c) {
           if (!t.cells().is_live(c)) continue;
           for (int i = 0; i < 4; ++i) {
             const Facet f{c, i};

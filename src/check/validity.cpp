@@ -159,7 +159,7 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
   const std::vector<VertexId> first =
       faults.count(FaultKind::not_finite) == 0 ? weld(mesh.points, faults) : [&] {
         std::vector<VertexId> same(mesh.points.size());
-        std::iota(same.begin(), same.end(), VertexId{0});
+        std::iota(same.begin(), same.end(), VertexId(0));
         return same;
       }();
   report_unused(mesh, first, faults);

@@ -55,14 +55,14 @@ void order_by_blocks(ContourMesh& contour, const Volume& volume, int threads) {
     for (; n < end; ++n) {
       std::array<VertexId, 3>& triangle = contour.triangles[n];
       triangle_block[n] = block[triangle[0]];
-      for (VertexId& v : triangle) v = place[v];
+      for (VertexId& v : triangle) v = VertexId(place[v]);
     }
   });
   move_to(contour.triangles, places(triangle_block, block_count), threads);
   move_to(contour.points, place, threads);
   move_to(contour.component, place, threads);
   move_to(contour.box_faces, place, threads);
-  for (VertexId& v : contour.boundary.vertices) v = place[v];
+  for (VertexId& v : contour.boundary.vertices) v = VertexId(place[v]);
 }
 
 }  // namespace deliso

@@ -158,7 +158,7 @@ class PieceMesher {
     mesh_.points.push_back(p);
     mesh_.box_faces.push_back(box_faces);
     mesh_.component.push_back(label);
-    return static_cast<VertexId>(mesh_.points.size() - 1);
+    return VertexId(mesh_.points.size() - 1);
   }
 
   VertexId add_inner(const CellFrame& cell, const Vec3& u, std::uint32_t label) {

@@ -12,7 +12,7 @@ std::vector<SlabNumbers> weld(std::vector<SlabWalk>& walks,
                               const std::vector<std::size_t>& vertices) {
   std::vector<SlabNumbers> numbers(walks.size());
   SlabWalk& all = walks[0];
-  numbers[0].end = static_cast<VertexId>(vertices[0]);
+  numbers[0].end = VertexId(vertices[0]);
   std::vector<SharedCrossing> above = std::move(all.above);
   for (std::size_t n = 1; n < walks.size(); ++n) {
     SlabWalk& walk = walks[n];
@@ -30,7 +30,7 @@ std::vector<SlabNumbers> weld(std::vector<SlabWalk>& walks,
     const std::size_t own = vertices[n] - now.shared.size();
     if (own >= kNoId - before.end) throw InputError("the contour has 2^32 vertices or more");
     now.first = before.end;
-    now.end = now.first + static_cast<VertexId>(own);
+    now.end = VertexId(now.first + own);
     for (const BoundarySegment& s : walk.boundary) {
       all.boundary.push_back({now.of(s.from), now.of(s.to), now.raised + s.component, s.face});
     }

@@ -40,7 +40,7 @@ struct SlabNumbers {
   std::uint32_t raised = 0;      // by how much labels are raised
 
   VertexId of(VertexId v) const {
-    return v < shared.size() ? shared[v] : first + (v - static_cast<VertexId>(shared.size()));
+    return v < shared.size() ? shared[v] : VertexId(first + (v - shared.size()));
   }
 };
 

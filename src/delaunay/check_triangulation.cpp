@@ -19,7 +19,7 @@ std::string describe(const Triangulation& t, CellId c) {
   out.precision(17);
   out << "cell " << c << " (";
   for (int i = 0; i < 4; ++i) {
-    const VertexId v = t.vertex(c, i);
+    const SiteId v = t.vertex(c, i);
     out << (i ? ", " : "") << v;
     if (v == Triangulation::kInfinite) {
       out << " at infinity";
@@ -49,7 +49,7 @@ int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
 // Whether p is strictly inside the circumcircle of the finite facet (c, i) in whose plane it lies:
 // strictly inside the sphere through the facet and any vertex off that plane.
 bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
-  for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
+  for (SiteId v = 1; v < t.vertex_capacity(); ++v) {
     const int s = side(t, c, i, t.point(v));
     if (s == 0) continue;
     std::array<Vec3, 4> corner;
@@ -62,26 +62,25 @@ bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
 }  // namespace
 
 std::string check_triangulation(const Triangulation& t) {
-  std::map<std::array<VertexId, 3>, std::vector<Facet>> facets;
-  std::set<std::array<VertexId, 2>> edges;
+  std::map<std::array<SiteId, 3>, std::vector<Facet>> facets;
+  std::set<std::array<SiteId, 2>> edges;
   std::vector<bool> used(t.vertex_capacity(), false);
   std::ptrdiff_t cell_count = 0;
 
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
     ++cell_count;
-    std::array<VertexId, 4> v = t.vertices(c);
+    std::array<SiteId, 4> v = t.vertices(c);
     std::sort(v.begin(), v.end());
     if (v[3] >= t.vertex_capacity() || std::adjacent_find(v.begin(), v.end()) != v.end())
       return sentence("I1: ", describe(t, c), " has a repeated or unknown vertex");
     if (v[0] == Triangulation::kInfinite && !t.is_infinite(c))
       return sentence("I5: in ", describe(t, c), " the infinite vertex is not the first");
-    for (VertexId w : v) used[w] = true;
+    for (SiteId w : v) used[w] = true;
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) edges.insert({v[i], v[j]});
-      std::array<VertexId, 3> key;
-      std::copy_if(v.begin(), v.end(), key.begin(),
-                   [&](VertexId w) { return w != t.vertex(c, i); });
+      std::array<SiteId, 3> key;
+      std::copy_if(v.begin(), v.end(), key.begin(), [&](SiteId w) { return w != t.vertex(c, i); });
       facets[key].push_back({c, i});
     }
   }
@@ -115,7 +114,7 @@ std::string check_triangulation(const Triangulation& t) {
   }
 
   std::ptrdiff_t vertex_count = 0;
-  for (VertexId v = 0; v < t.vertex_capacity(); ++v) {
+  for (SiteId v = 0; v < t.vertex_capacity(); ++v) {
     if (!used[v]) return sentence("I4: vertex ", v, " is in no cell");
     ++vertex_count;
     const CellId c = t.incident_cell(v);
@@ -139,7 +138,7 @@ std::string check_delaunay(const Triangulation& t) {
     if (!t.is_live(c)) continue;
     const auto& w = t.vertices(c);
     const int i = t.infinite_index(c);
-    for (VertexId v = 1; v < t.vertex_capacity(); ++v) {
+    for (SiteId v = 1; v < t.vertex_capacity(); ++v) {
       if (std::find(w.begin(), w.end(), v) != w.end()) continue;
       const Vec3& p = t.point(v);
       bool conflict;

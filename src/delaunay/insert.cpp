@@ -29,7 +29,7 @@ CellId Triangulation::locate(const Vec3& p, CellId hint, std::size_t& walked) co
       corner[i] = apex;
     }
     if (next == kNoId) return c;
-    c = next >> 2;
+    c = CellId(next >> 2);
     ++walked;
     if (is_infinite(c)) return c;
     entered = static_cast<int>(next & 3);
@@ -84,7 +84,7 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
   zone.duplicate = kNoId;
   zone.walked = 0;
   const CellId start = locate(p, hint, zone.walked);
-  for (VertexId v : cells_[start].vertices) {
+  for (SiteId v : cells_[start].vertices) {
     if (v != kInfinite && points_[v] == p) {
       zone.duplicate = v;
       return;
@@ -102,11 +102,12 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
     CellId *from = &zone.cells[begin], *const last = &zone.cells[end], *to = last;
     for (; from != last; ++from) {
       for (Link l : cells_[*from].links) {
-        std::uint32_t& mark = marks[l >> 2];
+        const CellId c(l >> 2);
+        std::uint32_t& mark = marks[c];
         const bool is_new = mark < in_conflict;
         mark = is_new ? in_conflict + 1 : mark;
-        __builtin_prefetch(&cells_[l >> 2]);
-        *to = l >> 2;
+        __builtin_prefetch(&cells_[c]);
+        *to = c;
         to += is_new;
       }
     }
@@ -133,7 +134,7 @@ void Triangulation::take_cells(std::size_t count, std::vector<CellId>& taken) {
   free_.resize(free_.size() - reused);
   DELISO_CHECK(cells_.size() + (count - reused) <= (1u << 30));
   while (taken.size() < count) {
-    taken.push_back(static_cast<CellId>(cells_.size()));
+    taken.push_back(CellId(cells_.size()));
     cells_.emplace_back();
     marks_.push_back(0);
   }
@@ -189,22 +190,22 @@ Triangulation::Link Triangulation::turn_through_zone(Facet f, int over) const {
   // In each cell passed the edge joins the vertices other than f.index and `over`.
   while (true) {
     const Link crossed = cells_[f.cell].links[over];
-    const Cell& next = cells_[crossed >> 2];
+    const Cell& next = cells_[facet(crossed).cell];
     if (marks_[crossed >> 2] != in_conflict_) {
-      const CellId new_neighbor = next.links[crossed & 3] >> 2;
+      const CellId new_neighbor(next.links[crossed & 3] >> 2);
       return link({new_neighbor, f.index});
     }
-    const VertexId behind = cells_[f.cell].vertices[f.index];
+    const SiteId behind = cells_[f.cell].vertices[f.index];
     f = facet(crossed);
     const auto& v = next.vertices;
     over = v[0] == behind ? 0 : v[1] == behind ? 1 : v[2] == behind ? 2 : 3;
   }
 }
 
-VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
-                                       std::vector<CellId>& created) {
+SiteId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
+                                     std::vector<CellId>& created) {
   DELISO_ASSERT(zone.duplicate == kNoId && !zone.cells.empty());
-  const VertexId v = static_cast<VertexId>(points_.size());
+  const SiteId v = SiteId(points_.size());
   points_.push_back(p);
   incident_.push_back(kNoId);
   ranks_.push_back(0);
@@ -218,7 +219,7 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
     cell.vertices = cells_[f.cell].vertices;
     cell.vertices[f.index] = v;
     connect(link({c, f.index}), cells_[f.cell].links[f.index]);
-    for (VertexId w : cell.vertices) incident_[w] = c;
+    for (SiteId w : cell.vertices) incident_[w] = c;
   }
 
   if (created.size() <= std::size_t{2} * (kTableVertices - 2)) {
@@ -232,7 +233,7 @@ VertexId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   return v;
 }
 
-VertexId Triangulation::insert(const Vec3& p, CellId hint) {
+SiteId Triangulation::insert(const Vec3& p, CellId hint) {
   find_conflicts(p, hint, scratch_zone_);
   if (scratch_zone_.duplicate != kNoId) return scratch_zone_.duplicate;
   return insert_in_zone(p, scratch_zone_, scratch_created_);

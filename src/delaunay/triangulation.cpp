@@ -47,7 +47,7 @@ void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
   cells_.push_back({{1, 2, 3, 4}, {}});
   for (int i = 0; i < 4; ++i) {
     const auto& f = kFacetVertices[i];
-    const auto id = [](int k) { return static_cast<VertexId>(1 + k); };
+    const auto id = [](int k) { return SiteId(1 + k); };
     cells_.push_back({{kInfinite, id(f[0]), id(f[2]), id(f[1])}, {}});
   }
   marks_.assign(5, 0);
@@ -55,21 +55,21 @@ void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
   last_created_ = 0;
 
   // Any two of these five cells share the one facet that leaves out a vertex of each.
-  const auto vertex_missing_in = [](CellId c) { return c == 0 ? kInfinite : VertexId{c}; };
-  const auto index_of = [&](CellId c, VertexId v) {
+  const auto vertex_missing_in = [](std::uint32_t c) { return SiteId(c); };
+  const auto index_of = [&](CellId c, SiteId v) {
     int i = 0;
     while (cells_[c].vertices[i] != v) ++i;
     return i;
   };
   for (CellId a = 0; a < 5; ++a) {
-    for (CellId b = a + 1; b < 5; ++b) {
+    for (CellId b(a + 1); b < 5; ++b) {
       connect(link({a, index_of(a, vertex_missing_in(b))}),
               link({b, index_of(b, vertex_missing_in(a))}));
     }
   }
 }
 
-bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& ids,
+bool Triangulation::build(std::span<const Vec3> points, std::vector<SiteId>& ids,
                           std::size_t most_cells) {
   clear();
   ids.assign(points.size(), kNoId);
@@ -87,7 +87,7 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<VertexId>& i
 
   const auto& f = *first;
   create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
-  for (int k = 0; k < 4; ++k) ids[f[k]] = static_cast<VertexId>(1 + k);
+  for (int k = 0; k < 4; ++k) ids[f[k]] = SiteId(1 + k);
   // The order jumps about in memory where the points do not.
   constexpr std::size_t kAhead = 8;
   std::size_t work = 0;

@@ -44,12 +44,20 @@ struct Facet {
   friend bool operator==(const Facet&, const Facet&) = default;
 };
 
+// Three sites, as a facet's vertices.
+using SiteTriangle = std::array<SiteId, 3>;
+
+// The same three as corners in a mesh whose vertices have the sites' numbers.
+inline std::array<VertexId, 3> as_mesh_triangle(const SiteTriangle& t) {
+  return {VertexId(t[0].number()), VertexId(t[1].number()), VertexId(t[2].number())};
+}
+
 // What inserting a point would destroy: the cells whose circumspheres hold it, a star-shaped region
 // around it. Reused from insertion to insertion to save allocations.
 struct ConflictZone {
   std::vector<CellId> cells;
   std::vector<Facet> boundary;  // facets of conflict cells whose other cell stays
-  VertexId duplicate = kNoId;   // the vertex at this very position; then nothing is in conflict
+  SiteId duplicate = kNoId;     // the vertex at this very position; then nothing is in conflict
   std::size_t walked = 0;       // cells on the way to it
 };
 
@@ -57,28 +65,28 @@ struct ConflictZone {
 // Const functions may run in several threads at once, except find_conflicts (it marks cells).
 class Triangulation {
  public:
-  static constexpr VertexId kInfinite = 0;  // finite vertices are 1, 2, ...
+  static constexpr SiteId kInfinite = 0;  // finite vertices are 1, 2, ...
 
   // Inserts all points in a biased randomised Hilbert order (Amenta, Choi and Rote 2003) that
   // depends on nothing but the points and their order. ids[i] is the vertex of points[i];
   // duplicates share one. Returns false, and stays empty, when all points lie in one plane, or when
   // it would make or walk through more than `most_cells` cells for each point, those counted that
   // are gone again.
-  bool build(std::span<const Vec3> points, std::vector<VertexId>& ids,
+  bool build(std::span<const Vec3> points, std::vector<SiteId>& ids,
              std::size_t most_cells = kNoId);
 
   std::size_t vertex_capacity() const { return points_.size(); }  // ids are below; 0 is infinite
   std::size_t cell_capacity() const { return cells_.size(); }     // ids are below; some are free
   bool is_live(CellId c) const { return cells_[c].vertices[0] != kNoId; }
 
-  const Vec3& point(VertexId v) const { return points_[v]; }
-  VertexId vertex(CellId c, int i) const { return cells_[c].vertices[i]; }
-  CellId neighbor(CellId c, int i) const { return cells_[c].links[i] >> 2; }
-  const std::array<VertexId, 4>& vertices(CellId c) const { return cells_[c].vertices; }
+  const Vec3& point(SiteId v) const { return points_[v]; }
+  SiteId vertex(CellId c, int i) const { return cells_[c].vertices[i]; }
+  CellId neighbor(CellId c, int i) const { return facet(cells_[c].links[i]).cell; }
+  const std::array<SiteId, 4>& vertices(CellId c) const { return cells_[c].vertices; }
   bool is_infinite(CellId c) const { return cells_[c].vertices[0] == kInfinite; }
   // Which vertex of c is the infinite one (I5); -1 when c is finite.
   int infinite_index(CellId c) const { return is_infinite(c) ? 0 : -1; }
-  CellId incident_cell(VertexId v) const { return incident_[v]; }
+  CellId incident_cell(SiteId v) const { return incident_[v]; }
   // The same facet seen from its other cell.
   Facet mirror(Facet f) const { return facet(cells_[f.cell].links[f.index]); }
 
@@ -92,9 +100,9 @@ class Triangulation {
   // vertices of c with p in place of number i, so that the surviving facet keeps its index.
   // Ids of the zone's cells become free; `created` uses ids freed earlier, or new ones.
   // pre: find_conflicts(p) gave this zone, nothing inserted since, no duplicate.
-  VertexId insert_in_zone(const Vec3& p, const ConflictZone& zone, std::vector<CellId>& created);
+  SiteId insert_in_zone(const Vec3& p, const ConflictZone& zone, std::vector<CellId>& created);
   // locate + find_conflicts + insert_in_zone; returns the existing vertex for a duplicate.
-  VertexId insert(const Vec3& p, CellId hint = kNoId);
+  SiteId insert(const Vec3& p, CellId hint = kNoId);
 
  private:
   friend class TriangulationVandal;  // breaks invariants, to test the checkers
@@ -103,16 +111,16 @@ class Triangulation {
   // as the neighbour sees it, so that walking needs no search. One cell is half a cache line.
   using Link = std::uint32_t;
   struct alignas(32) Cell {
-    std::array<VertexId, 4> vertices;  // vertices[0] == kNoId: free
+    std::array<SiteId, 4> vertices;  // vertices[0] == kNoId: free
     std::array<Link, 4> links;
   };
   static Link link(Facet f) { return 4 * f.cell + static_cast<Link>(f.index); }
-  static Facet facet(Link l) { return {l >> 2, static_cast<int>(l & 3)}; }
+  static Facet facet(Link l) { return {CellId(l >> 2), static_cast<int>(l & 3)}; }
 
   void clear();
   void connect(Link a, Link b) {
-    cells_[a >> 2].links[a & 3] = b;
-    cells_[b >> 2].links[b & 3] = a;
+    cells_[facet(a).cell].links[a & 3] = b;
+    cells_[facet(b).cell].links[b & 3] = a;
   }
   std::array<const Vec3*, 4> corners(CellId c) const {
     const auto& v = cells_[c].vertices;
@@ -133,9 +141,9 @@ class Triangulation {
   void link_by_table(const ConflictZone& zone, const std::vector<CellId>& created);
   void link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created);
 
-  std::vector<Vec3> points_;
-  std::vector<CellId> incident_;
-  std::vector<Cell> cells_;
+  IdArray<SiteId, Vec3> points_;
+  IdArray<SiteId, CellId> incident_;
+  IdArray<CellId, Cell> cells_;
   std::vector<CellId> free_;
   CellId last_created_ = kNoId;
 
@@ -154,7 +162,7 @@ class Triangulation {
 };
 
 // The vertices of f, counter-clockwise seen from outside f.cell.
-inline std::array<VertexId, 3> facet_vertices(const Triangulation& t, Facet f) {
+inline SiteTriangle facet_vertices(const Triangulation& t, Facet f) {
   const auto& v = t.vertices(f.cell);
   const auto& index = kFacetVertices[f.index];
   return {v[index[0]], v[index[1]], v[index[2]]};

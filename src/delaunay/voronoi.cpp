@@ -67,17 +67,17 @@ double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 FacetDual facet_dual(const Triangulation& t, Facet f) {
   const auto corner = [&](int k) { return t.vertex(f.cell, kFacetVertices[f.index][k]); };
-  const VertexId x = corner(0), y = corner(1), z = corner(2);
+  const SiteId x = corner(0), y = corner(1), z = corner(2);
   // Sorted by id. This turns the normal, which began by pointing out of f.cell, when the number of
   // inversions is odd. (Ids come in no order: sorting by branches would mispredict half of them.)
-  const VertexId low = std::min(std::min(x, y), z), high = std::max(std::max(x, y), z);
-  const VertexId middle = x ^ y ^ z ^ low ^ high;
+  const SiteId low = std::min(std::min(x, y), z), high = std::max(std::max(x, y), z);
+  const SiteId middle(x ^ y ^ z ^ low ^ high);
   const bool outwards = !((x > y) ^ (y > z) ^ (x > z));
   const Vec3 &a = t.point(low), &b = t.point(middle), &c = t.point(high);
   const FacetLine line = facet_line(a, b, c);
 
   const auto end = [&](Facet g, double at_infinity) {
-    const VertexId apex = t.vertex(g.cell, g.index);
+    const SiteId apex = t.vertex(g.cell, g.index);
     if (apex == Triangulation::kInfinite) return at_infinity;
     return equidistant_parameter(a, b, c, t.point(apex), line);
   };

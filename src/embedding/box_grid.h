@@ -44,8 +44,9 @@ class BoxGrid {
   void add(Id id, const Box& box);
   void remove(Id id);
 
-  // Whether pred(id, its box) holds for anything whose box meets this one; it may be asked twice.
-  template <class Predicate>
+  // Whether pred(Element(id), its box) holds for anything whose box meets this one; it may be asked
+  // twice.
+  template <class Element = FaceId, class Predicate>
   bool any(const Box& query, Predicate&& pred) const;
 
   static bool meet(const Box& a, const Box& b) {
@@ -116,7 +117,7 @@ class BoxGrid {
 // Cells for these triangles: twice the mean of their longest edges.
 double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
 
-template <class Predicate>
+template <class Element, class Predicate>
 bool BoxGrid::any(const Box& query, Predicate&& pred) const {
   std::array<Four, 3> lo, hi;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -132,7 +133,7 @@ bool BoxGrid::any(const Box& query, Predicate&& pred) const {
       const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(overlaps);
       if ((halves[0] | halves[1]) == 0) continue;
       for (std::size_t i = 0; i < kWide; ++i) {
-        if (overlaps[i] != 0 && pred(block.id[i], block.box(i))) return true;
+        if (overlaps[i] != 0 && pred(Element(block.id[i]), block.box(i))) return true;
       }
     }
     return false;

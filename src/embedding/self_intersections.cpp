@@ -81,7 +81,7 @@ class Search {
     for (FaceId k = 0; k < groups.size(); ++k) {
       const Box3& box = groups[k].tree.box();
       ends.insert(ends.end(), {box.lo, box.hi});
-      boxes.push_back({2 * k, 2 * k + 1, 2 * k + 1});
+      boxes.push_back({VertexId(2 * k), VertexId(2 * k + 1), VertexId(2 * k + 1)});
       if (k + 1 == groups.size()) break;
       for (const FaceId f : groups[k].ids) items.emplace_back(k, f);
     }
@@ -239,9 +239,9 @@ std::vector<Triangle> arcs_around(VertexId center, const std::vector<Vec3>& poin
   for (const Triangle& t : triangles) {
     const int i = t[0] == center ? 0 : t[1] == center ? 1 : 2;
     const Vec3 b = direction(t[(i + 1) % 3]), c = direction(t[(i + 2) % 3]);
-    const auto first = static_cast<VertexId>(directions.size());
+    const auto first = VertexId(directions.size());
     directions.insert(directions.end(), {b, c, (b + c) / std::max(1 + dot(b, c), kArcRounding)});
-    arcs.push_back({first, first + 1, first + 2});
+    arcs.push_back({first, VertexId(first + 1), VertexId(first + 2)});
   }
   return arcs;
 }

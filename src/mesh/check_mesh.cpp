@@ -99,7 +99,7 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
       return false;
     }
     for (std::size_t i = 0; i < edge.size(); ++i) {
-      const FaceId expected = edge.size() == 2 ? edge[1 - i].triangle : kNoId;
+      const FaceId expected = edge.size() == 2 ? edge[1 - i].triangle : FaceId(kNoId);
       const FaceId stored = mesh.faces[edge[i].triangle].n[edge[i].side];
       if (stored == expected) continue;
       const auto name = [&](FaceId f) { return f == kNoId ? "no facet" : describe_face(mesh, f); };
@@ -122,7 +122,7 @@ std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triang
     const bool covered = link.fans == 1 && link.closed && link.vertices < 3;
     if (link.fans <= 1 && !covered) continue;
     std::string opening = text("I5: at ", describe_vertex(mesh, v), " the facets");
-    for (const FaceId f : at) opening += text(" ", f);
+    for (const std::uint32_t f : at) opening += text(" ", f);
     return opening + (covered ? " cover each other" : text(" form ", link.fans, " separate fans"));
   }
   return {};
@@ -195,7 +195,7 @@ std::vector<std::uint32_t> vertex_components(std::size_t vertices,
   std::uint32_t count = 0;
   for (VertexId v = 0; v < vertices; ++v) {
     if (!used[v]) continue;
-    const VertexId root = connected.find(v);
+    const std::uint32_t root = connected.find(v);
     component[v] = root == v ? count++ : component[root];
   }
   return component;

@@ -36,7 +36,7 @@ bool is_ring(VertexId v, std::span<const std::uint32_t> at, std::span<const Tria
 std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles) {
   std::vector<std::size_t> next(vertices + 1, 0);
   const auto for_each_side = [&](auto&& visit) {
-    for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+    for (FaceId n = 0; n < triangles.size(); ++n) {
       for (std::uint8_t i = 0; i < 3; ++i) {
         const VertexId from = triangles[n][(i + 1) % 3], to = triangles[n][(i + 2) % 3];
         visit(EdgeUse{std::min(from, to), std::max(from, to), n, i, from < to});
@@ -63,7 +63,7 @@ TrianglesAtVertices::TrianglesAtVertices(std::size_t vertices, std::span<const T
     for (const VertexId v : t) ++begin_[v + 2];
   }
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+  for (FaceId n = 0; n < triangles.size(); ++n) {
     for (const VertexId v : triangles[n]) triangles_[begin_[v + 1]++] = n;
   }
 }
@@ -72,7 +72,7 @@ TrianglesByCorners::TrianglesByCorners(std::size_t vertices, std::span<const Tri
     : begin_(vertices + 2, 0), entries_(triangles.size()) {
   for (const Triangle& t : triangles) ++begin_[std::min({t[0], t[1], t[2]}) + 2];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+  for (FaceId n = 0; n < triangles.size(); ++n) {
     Triangle t = triangles[n];
     std::sort(t.begin(), t.end());
     entries_[begin_[t[0] + 1]++] = {t, n};
@@ -107,8 +107,7 @@ VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
   around = ends;
   sort_out(around);
   for (VertexId& end : ends) {
-    end =
-        static_cast<VertexId>(std::lower_bound(around.begin(), around.end(), end) - around.begin());
+    end = VertexId(std::lower_bound(around.begin(), around.end(), end) - around.begin());
   }
   DisjointSets pieces(around.size());
   std::vector<std::uint8_t> uses(around.size(), 0);

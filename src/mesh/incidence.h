@@ -17,7 +17,7 @@ namespace deliso {
 // Triangle `triangle` runs along the edge between lo < hi, from lo to hi when `forward`.
 struct EdgeUse {
   VertexId lo, hi;
-  std::uint32_t triangle;
+  FaceId triangle;
   std::uint8_t side;  // index of the corner opposite
   bool forward;
 };

@@ -6,7 +6,7 @@ namespace {
 
 VertexId add_point(TriMesh& mesh, const Vec3& p) {
   mesh.points.push_back(p);
-  return static_cast<VertexId>(mesh.points.size() - 1);
+  return VertexId(mesh.points.size() - 1);
 }
 
 // Facet g, where there is one, has `now` for a neighbour where it had `was`.
@@ -21,8 +21,8 @@ VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p) {
   const Face near = mesh.faces[f];
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const VertexId a = near.v[i], b = near.v[j], c = near.v[k];
-  const FaceId g = near.n[i], f1 = static_cast<FaceId>(mesh.faces.size());
-  const FaceId g1 = g == kNoId ? kNoId : f1 + 1;
+  const FaceId g = near.n[i], f1 = FaceId(mesh.faces.size());
+  const FaceId g1 = g == kNoId ? FaceId(kNoId) : FaceId(f1 + 1);
   mesh.faces[f] = {{a, b, m}, {g, f1, near.n[k]}};
   mesh.faces.push_back({{a, m, c}, {g1, near.n[j], f}});
   replace_neighbor(mesh, near.n[j], f, f1);
@@ -40,7 +40,7 @@ VertexId split_face(TriMesh& mesh, FaceId f, const Vec3& p) {
   const VertexId m = add_point(mesh, p);
   const Face old = mesh.faces[f];
   const auto [a, b, c] = old.v;
-  const FaceId f1 = static_cast<FaceId>(mesh.faces.size()), f2 = f1 + 1;
+  const FaceId f1 = FaceId(mesh.faces.size()), f2(f1 + 1);
   mesh.faces[f] = {{a, b, m}, {f1, f2, old.n[2]}};
   mesh.faces.push_back({{b, c, m}, {f2, f, old.n[0]}});
   mesh.faces.push_back({{c, a, m}, {f, f1, old.n[1]}});

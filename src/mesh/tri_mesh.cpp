@@ -26,15 +26,15 @@ void link_edge(TriMesh& mesh, std::span<const std::uint64_t> edge, LinkResult& r
     return;
   }
   const std::uint32_t a = half_edge(edge[0]), b = half_edge(edge[1]);
-  Face& f = mesh.faces[a / 3];
-  Face& g = mesh.faces[b / 3];
+  Face& f = mesh.faces[FaceId(a / 3)];
+  Face& g = mesh.faces[FaceId(b / 3)];
   const Side fs = side_of(f, a % 3), gs = side_of(g, b % 3);
   if (edge.size() > 2 || fs.from != gs.to || fs.from == fs.to || a / 3 == b / 3) {
     ++result.non_manifold_edges;
     return;
   }
-  f.n[a % 3] = b / 3;
-  g.n[b % 3] = a / 3;
+  f.n[a % 3] = FaceId(b / 3);
+  g.n[b % 3] = FaceId(a / 3);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ LinkResult link_faces(TriMesh& mesh) {
   // of an edge together, in the order of their ids.
   std::vector<std::uint64_t> keys(half_edges);
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     mesh.faces[f].n = {kNoId, kNoId, kNoId};
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Side side = side_of(mesh.faces[f], i);

@@ -30,9 +30,14 @@ struct Face {
 
 using Triangle = std::array<VertexId, 3>;
 
+// That of the vertices with these numbers.
+constexpr Triangle triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return {VertexId(a), VertexId(b), VertexId(c)};
+}
+
 struct TriMesh {
-  std::vector<Vec3> points;
-  std::vector<Face> faces;
+  IdArray<VertexId, Vec3> points;
+  IdArray<FaceId, Face> faces;
   Frame frame;  // from the points to the world
 };
 

@@ -84,7 +84,7 @@ void orient(const std::vector<Vec3>& points, const std::vector<Dual>& duals,
 
 }  // namespace
 
-SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain& chain,
+SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const SiteChain& chain,
                            const std::vector<double>& poles) {
   const RestrictedDelaunay restricted = std::move(handed_over);
   const Triangulation& t = restricted.triangulation();
@@ -93,18 +93,16 @@ SurfaceMesh build_tri_mesh(RestrictedDelaunay&& handed_over, const BoundaryChain
   std::vector<Triangle> triangles;
   for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
     if (!restricted.is_live(r) || !restricted.is_restricted(r)) continue;
-    Triangle v = restricted.triangle(r);
+    const SiteTriangle v = restricted.triangle(r);
     out.duals.push_back(
         dual_at(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted.surface_point(r)));
-    for (VertexId& q : v) {
-      if (new_id[q] == kNoId) {
-        new_id[q] = static_cast<VertexId>(out.mesh.points.size());
-        out.mesh.points.push_back(t.point(q));
-        if (!poles.empty()) out.pole_heights.push_back(poles[q]);
-      }
-      q = new_id[q];
+    for (const SiteId q : v) {
+      if (new_id[q] != kNoId) continue;
+      new_id[q] = VertexId(out.mesh.points.size());
+      out.mesh.points.push_back(t.point(q));
+      if (!poles.empty()) out.pole_heights.push_back(poles[q]);
     }
-    triangles.push_back(v);
+    triangles.push_back({new_id[v[0]], new_id[v[1]], new_id[v[2]]});
   }
   orient(out.mesh.points, out.duals, restricted.surface(), triangles);
   out.mesh = make_tri_mesh(std::move(out.mesh.points), triangles);

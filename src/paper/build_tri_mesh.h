@@ -12,7 +12,7 @@ namespace deliso {
 // `poles` are per vertex of the triangulation, or none. Facets are turned so that normals run
 // against the gradient, component by component. The move says what happens to Del S: it is gone
 // when this returns.
-SurfaceMesh build_tri_mesh(RestrictedDelaunay&& restricted, const BoundaryChain& chain,
+SurfaceMesh build_tri_mesh(RestrictedDelaunay&& restricted, const SiteChain& chain,
                            const std::vector<double>& poles);
 
 }  // namespace deliso

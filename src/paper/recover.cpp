@@ -29,8 +29,8 @@ constexpr double kShortestVoxelShare = 0.02;
 
 }  // namespace
 
-Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
-                   BoundaryChain& chain, const Parameters& parameters)
+Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, SiteChain& chain,
+                   const Parameters& parameters)
     : restricted_(restricted),
       curves_(curves),
       chain_(chain),
@@ -40,7 +40,7 @@ Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves,
       floor_(kFloor * parameters.r_min),
       shortest_edge_(std::max(kShortestBoundaryEdge * parameters.r_min,
                               kShortestVoxelShare * parameters.voxel)) {
-  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
+  for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v)) queue_vertex(v);
   }
 }
@@ -57,7 +57,7 @@ void Recovery::recover() {
   extract_manifold();
 }
 
-void Recovery::queue_vertex(VertexId v) {
+void Recovery::queue_vertex(SiteId v) {
   if (v >= vertex_queued_.size()) vertex_queued_.resize(v + 1, 0);
   if (vertex_queued_[v]) return;
   vertex_queued_[v] = 1;
@@ -65,7 +65,7 @@ void Recovery::queue_vertex(VertexId v) {
 }
 
 void Recovery::after_insertion() {
-  for (const VertexId v : restricted_.touched()) queue_vertex(v);
+  for (const SiteId v : restricted_.touched()) queue_vertex(v);
   created_.insert(created_.end(), restricted_.created().begin(), restricted_.created().end());
   check_room();
 }
@@ -77,12 +77,12 @@ void Recovery::check_room() const {
   }
 }
 
-std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
-                                                  std::span<const CellId> cells) const {
+std::optional<SiteId> Recovery::encroached_edge(const Vec3& p,
+                                                std::span<const CellId> cells) const {
   const Triangulation& t = restricted_.triangulation();
-  std::optional<VertexId> worst;
+  std::optional<SiteId> worst;
   double worst_length2 = 0;
-  const auto consider = [&](VertexId a) {
+  const auto consider = [&](SiteId a) {
     const Vec3 &pa = t.point(a), &pb = t.point(chain_.next(a));
     const double length2 = distance2(pa, pb);
     const bool longer =
@@ -93,7 +93,7 @@ std::optional<VertexId> Recovery::encroached_edge(const Vec3& p,
     }
   };
   for (const CellId c : cells) {
-    for (const VertexId v : t.vertices(c)) {
+    for (const SiteId v : t.vertices(c)) {
       if (!chain_.is_boundary(v)) continue;
       consider(v);
       consider(chain_.previous(v));
@@ -118,7 +118,7 @@ Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
   }
   const ConflictZone& zone = restricted_.prepare(x, restricted_.facet(r).cell);
   if (zone.duplicate != kNoId || restricted_.distance_to_vertices(x) < kBallTolerance * radius) {
-    for (const VertexId v : restricted_.triangle(r)) queue_vertex(v);
+    for (const SiteId v : restricted_.triangle(r)) queue_vertex(v);
     restricted_.forget(r);
     return Attempt::forgotten;
   }
@@ -130,12 +130,12 @@ Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
   return Attempt::inserted;
 }
 
-bool Recovery::split_edge(VertexId a) {
+bool Recovery::split_edge(SiteId a) {
   const Triangulation& t = restricted_.triangulation();
   bool any = false;
-  std::vector<VertexId> pending{a};
+  std::vector<SiteId> pending{a};
   while (!pending.empty()) {
-    const VertexId from = pending.back(), to = chain_.next(from);
+    const SiteId from = pending.back(), to = chain_.next(from);
     pending.pop_back();
     const Vec3 pa = t.point(from), pb = t.point(to);
     if (any && !edge_holds_a_vertex(from)) continue;
@@ -151,14 +151,14 @@ bool Recovery::split_edge(VertexId a) {
       ++report_[Counter::refused_splits];
       continue;
     }
-    std::vector<VertexId> near;
+    std::vector<SiteId> near;
     for (const CellId c : zone.cells) {
-      for (const VertexId v : t.vertices(c)) {
+      for (const SiteId v : t.vertices(c)) {
         if (chain_.is_boundary(v)) near.push_back(v);
       }
     }
     if (restricted_.follower()) restricted_.follower()->edge_split(from, to);
-    const VertexId v = restricted_.insert_prepared(middle->point);
+    const SiteId v = restricted_.insert_prepared(middle->point);
     chain_.insert_after(from, v, middle->place);
     queue_vertex(from);
     queue_vertex(to);
@@ -167,8 +167,8 @@ bool Recovery::split_edge(VertexId a) {
     any = true;
     // The two halves may hold older vertices; edges near by may hold the new one.
     sort_out(near);
-    for (const VertexId w : near) {
-      for (const VertexId b : {w, chain_.previous(w)}) {
+    for (const SiteId w : near) {
+      for (const SiteId b : {w, chain_.previous(w)}) {
         if (in_diametral_ball(t.point(b), t.point(chain_.next(b)), middle->point)) {
           pending.push_back(b);
         }
@@ -180,14 +180,14 @@ bool Recovery::split_edge(VertexId a) {
   return any;
 }
 
-bool Recovery::edge_holds_a_vertex(VertexId a) {
+bool Recovery::edge_holds_a_vertex(SiteId a) {
   const Triangulation& t = restricted_.triangulation();
-  const VertexId b = chain_.next(a);
+  const SiteId b = chain_.next(a);
   // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end; so does that
   // of an edge which is not Delaunay.
   // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
   // ball however short the edges are; the edge is Delaunay all the same.
-  for (const VertexId v : restricted_.neighbors(a)) {
+  for (const SiteId v : restricted_.neighbors(a)) {
     if (v == b || v == chain_.next(b) || v == chain_.previous(a)) continue;
     if (in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
   }
@@ -197,7 +197,7 @@ bool Recovery::edge_holds_a_vertex(VertexId a) {
 
 void Recovery::protect_boundary() {
   const std::size_t count = restricted_.triangulation().vertex_capacity();
-  for (VertexId v = 1; v < count; ++v) {
+  for (SiteId v = 1; v < count; ++v) {
     while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
       if (restricted_.follower()) restricted_.follower()->edge_asked(v, chain_.next(v));
       if (!split_edge(v)) break;
@@ -235,18 +235,16 @@ void Recovery::multi_intersect() {
   }
 }
 
-bool Recovery::is_manifold_at(VertexId q) {
+bool Recovery::is_manifold_at(SiteId q) {
   restricted_.star(q, star_);
   triangles_.clear();
-  for (const RecordId r : star_) triangles_.push_back(restricted_.triangle(r));
-  const Star star = classify_star(q, triangles_);
+  for (const RecordId r : star_) triangles_.push_back(as_mesh_triangle(restricted_.triangle(r)));
+  const Star star = classify_star(VertexId(q.number()), triangles_);
   if (!chain_.is_boundary(q)) return star == Star::disk;
   if (star != Star::half_disk) return false;
   // The fan must end on the chain: an end's vertex lies on one triangle of the star only.
-  for (const VertexId end : {chain_.next(q), chain_.previous(q)}) {
-    const auto holds = [end](const Triangle& v) {
-      return v[0] == end || v[1] == end || v[2] == end;
-    };
+  for (const SiteId end : {chain_.next(q), chain_.previous(q)}) {
+    const auto holds = [end](const Triangle& v) { return has_corner(v, VertexId(end.number())); };
     if (std::count_if(triangles_.begin(), triangles_.end(), holds) != 1) return false;
   }
   return true;
@@ -257,7 +255,7 @@ void Recovery::extract_manifold() {
   Observer* const follower = restricted_.follower();
   while (!vertex_queue_.empty()) {
     steps_.step(vertex_queue_.size());
-    const VertexId q = vertex_queue_.front();
+    const SiteId q = vertex_queue_.front();
     vertex_queue_.pop_front();
     vertex_queued_[q] = 0;
     bool is_manifold = false;
@@ -284,7 +282,7 @@ void Recovery::extract_manifold() {
     if (furthest != kNoId) {
       if (insert(furthest, x) != Attempt::refused) queue_vertex(q);
     } else if (chain_.is_boundary(q)) {
-      const VertexId before = chain_.previous(q), after = chain_.next(q);
+      const SiteId before = chain_.previous(q), after = chain_.next(q);
       const bool longer =
           distance2(t.point(before), t.point(q)) > distance2(t.point(q), t.point(after));
       split_edge(longer ? before : q);
@@ -305,7 +303,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
   const Triangulation& t = restricted_.triangulation();
   std::priority_queue<Item> queue;
   const auto shape_of = [&](RecordId r) {
-    const Triangle v = restricted_.triangle(r);
+    const SiteTriangle v = restricted_.triangle(r);
     FacetShape shape =
         measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
     if (!poles.empty()) shape.pole = (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
@@ -331,7 +329,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     }
     const Attempt attempt = insert(r, restricted_.surface_point(r));
     if (!poles.empty()) {
-      for (VertexId v = static_cast<VertexId>(before); v < t.vertex_capacity(); ++v) {
+      for (SiteId v = SiteId(before); v < t.vertex_capacity(); ++v) {
         estimate_pole(v, poles);
       }
     }
@@ -342,12 +340,12 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
   }
 }
 
-void Recovery::estimate_pole(VertexId v, std::vector<double>& poles) {
+void Recovery::estimate_pole(SiteId v, std::vector<double>& poles) {
   restricted_.star(v, star_);
   double sum = 0;
   std::size_t count = 0;
   for (const RecordId r : star_) {
-    for (const VertexId w : restricted_.triangle(r)) {
+    for (const SiteId w : restricted_.triangle(r)) {
       if (w >= v) continue;
       sum += poles[w];
       ++count;
@@ -363,7 +361,7 @@ void Recovery::count_unresolved() {
     report_[Counter::cancelled_pairs] += restricted_.cancelled_pairs(r);
     if (restricted_.effective_hits(r).size() > 1) ++report_[Counter::unresolved_facets];
   }
-  for (VertexId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
+  for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
   }
 }

@@ -22,7 +22,7 @@ namespace deliso {
 class Recovery {
  public:
   // `chain` names vertices of `restricted`.
-  Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, BoundaryChain& chain,
+  Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, SiteChain& chain,
            const Parameters& parameters);
 
   // Figure 5.
@@ -51,21 +51,21 @@ class Recovery {
   Attempt insert(RecordId r, const Vec3& x);
   Attempt try_insert(RecordId r, const Vec3& x);
   // Splits the chain's edge from a to its next; then those that the new vertex encroaches upon.
-  bool split_edge(VertexId a);
+  bool split_edge(SiteId a);
   // The longest edge of the chain, by its first vertex, whose ball holds p. The zone of p must be
   // the prepared one.
-  std::optional<VertexId> encroached_edge(const Vec3& p, std::span<const CellId> cells) const;
-  bool edge_holds_a_vertex(VertexId a);
+  std::optional<SiteId> encroached_edge(const Vec3& p, std::span<const CellId> cells) const;
+  bool edge_holds_a_vertex(SiteId a);
   void after_insertion();
-  bool is_manifold_at(VertexId q);
+  bool is_manifold_at(SiteId q);
   // The mean pole height over v's neighbours in Del S|Sigma, appended to poles.
-  void estimate_pole(VertexId v, std::vector<double>& poles);
-  void queue_vertex(VertexId v);
+  void estimate_pole(SiteId v, std::vector<double>& poles);
+  void queue_vertex(SiteId v);
   void check_room() const;
 
   RestrictedDelaunay& restricted_;
   const BoundaryCurves& curves_;
-  BoundaryChain& chain_;
+  SiteChain& chain_;
   const Parameters& parameters_;
   Steps steps_;
   Report& report_;
@@ -73,7 +73,7 @@ class Recovery {
   double shortest_edge_;  // no shorter boundary edge is split
 
   // Whose D_q is to be looked at: what extract_manifold() leaves empty, later insertions fill.
-  std::deque<VertexId> vertex_queue_;
+  std::deque<SiteId> vertex_queue_;
   std::vector<std::uint8_t> vertex_queued_;
   std::vector<RecordId> created_;  // by what insert() last did, of all vertices that it took
   std::vector<RecordId> star_;

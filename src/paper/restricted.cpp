@@ -31,7 +31,7 @@ RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation 
   if (follower_) follower_->restricted_ready(*this);
 }
 
-Triangle RestrictedDelaunay::triangle(RecordId r) const {
+SiteTriangle RestrictedDelaunay::triangle(RecordId r) const {
   const Facet f = records_[r].facet;
   return facet_vertices(triangulation_, f);
 }
@@ -94,7 +94,7 @@ std::span<const Vec3> RestrictedDelaunay::effective_hits(RecordId r) const {
 Vec3 RestrictedDelaunay::surface_point(RecordId r) const {
   const std::span<const Vec3> hits = effective_hits(r);
   if (hits.size() == 1) return hits[0];
-  const Triangle v = triangle(r);
+  const SiteTriangle v = triangle(r);
   // Along the Voronoi edge the distance to a vertex grows with that to the circumcenter.
   const Vec3& a = triangulation_.point(v[0]);
   return *std::min_element(hits.begin(), hits.end(), [&](const Vec3& x, const Vec3& y) {
@@ -102,7 +102,7 @@ Vec3 RestrictedDelaunay::surface_point(RecordId r) const {
   });
 }
 
-void RestrictedDelaunay::gather_cells(VertexId q) const {
+void RestrictedDelaunay::gather_cells(SiteId q) const {
   const Triangulation& t = triangulation_;
   cell_stamp_.resize(t.cell_capacity(), 0);
   ++around_stamp_;
@@ -119,7 +119,7 @@ void RestrictedDelaunay::gather_cells(VertexId q) const {
   }
 }
 
-void RestrictedDelaunay::star(VertexId q, std::vector<RecordId>& star) const {
+void RestrictedDelaunay::star(SiteId q, std::vector<RecordId>& star) const {
   const Triangulation& t = triangulation_;
   star.clear();
   gather_cells(q);
@@ -132,11 +132,11 @@ void RestrictedDelaunay::star(VertexId q, std::vector<RecordId>& star) const {
   }
 }
 
-std::span<const VertexId> RestrictedDelaunay::neighbors(VertexId q) const {
+std::span<const SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
   gather_cells(q);
   neighbors_.clear();
   for (const CellId c : around_) {
-    for (const VertexId v : triangulation_.vertices(c)) {
+    for (const SiteId v : triangulation_.vertices(c)) {
       if (v != q && v != Triangulation::kInfinite) neighbors_.push_back(v);
     }
   }
@@ -154,7 +154,7 @@ const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
 double RestrictedDelaunay::distance_to_vertices(const Vec3& p) {
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const CellId c : zone_.cells) {
-    for (const VertexId v : triangulation_.vertices(c)) {
+    for (const SiteId v : triangulation_.vertices(c)) {
       if (v == Triangulation::kInfinite) continue;
       nearest2 = std::min(nearest2, distance2(p, triangulation_.point(v)));
     }
@@ -162,7 +162,7 @@ double RestrictedDelaunay::distance_to_vertices(const Vec3& p) {
   return std::sqrt(nearest2);
 }
 
-void RestrictedDelaunay::touch(VertexId v) {
+void RestrictedDelaunay::touch(SiteId v) {
   if (v >= vertex_stamp_.size()) vertex_stamp_.resize(v + 1, 0);
   if (vertex_stamp_[v] == stamp_) return;
   vertex_stamp_[v] = stamp_;
@@ -170,10 +170,10 @@ void RestrictedDelaunay::touch(VertexId v) {
 }
 
 void RestrictedDelaunay::touch_facet(Facet f) {
-  for (const VertexId v : facet_vertices(triangulation_, f)) touch(v);
+  for (const SiteId v : facet_vertices(triangulation_, f)) touch(v);
 }
 
-VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
+SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
   DELISO_ASSERT(!zone_.cells.empty());
   Triangulation& t = triangulation_;
   ++stamp_;
@@ -193,20 +193,20 @@ VertexId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     for (int i = 0; i < 4; ++i) {
       const RecordId r = record_slot({c, i});
       if (r == kNoId) continue;
-      for (const VertexId v : facet_vertices(t, {c, i})) gone_.push_back(v);
+      for (const SiteId v : facet_vertices(t, {c, i})) gone_.push_back(v);
       record_slot(t.mirror({c, i})) = kNoId;
       record_slot({c, i}) = kNoId;
       release(r);
     }
   }
 
-  VertexId v = kNoId;
+  SiteId v = kNoId;
   {
     const Working working(follower_, Activity::triangulation, report_.searches_recover);
     v = t.insert_in_zone(p, zone_, created_cells_);
   }
   touch(v);
-  for (const VertexId w : gone_) touch(w);
+  for (const SiteId w : gone_) touch(w);
   record_of_.resize(4 * t.cell_capacity(), kNoId);
 
   for (std::size_t k = 0; k < created_cells_.size(); ++k) {

@@ -40,17 +40,15 @@ class RestrictedDelaunay {
   Report& report() const { return report_; }
   Observer* follower() const { return follower_; }
 
-  bool is_auxiliary(VertexId v) const {
-    return deliso::is_auxiliary(triangulation_.point(v), box_);
-  }
+  bool is_auxiliary(SiteId v) const { return deliso::is_auxiliary(triangulation_.point(v), box_); }
 
   std::size_t record_capacity() const { return records_.size(); }
   bool is_live(RecordId r) const { return !records_[r].hits.empty(); }
   // Changes whenever the record starts to stand for another facet.
   std::uint32_t generation(RecordId r) const { return records_[r].generation; }
   Facet facet(RecordId r) const { return records_[r].facet; }
-  RecordId record(Facet f) const { return record_of_[4 * f.cell + static_cast<CellId>(f.index)]; }
-  Triangle triangle(RecordId r) const;
+  RecordId record(Facet f) const { return record_of_[4 * f.cell + CellId(f.index)]; }
+  SiteTriangle triangle(RecordId r) const;
 
   // The surface points left when close pairs have cancelled, in order along the Voronoi edge.
   // Valid until the next call.
@@ -65,20 +63,20 @@ class RestrictedDelaunay {
   Vec3 surface_point(RecordId r) const;
 
   // D_q: the records of the restricted facets at q.
-  void star(VertexId q, std::vector<RecordId>& star) const;
+  void star(SiteId q, std::vector<RecordId>& star) const;
 
   // The Delaunay neighbours of q, finite ones only, each once. Valid until the next call.
-  std::span<const VertexId> neighbors(VertexId q) const;
+  std::span<const SiteId> neighbors(SiteId q) const;
 
   // Before p is inserted: the conflict zone, to be looked at. The next insertion must use it.
   const ConflictZone& prepare(const Vec3& p, CellId hint);
   // Distance from p to the nearest vertex of the prepared zone, which is its nearest vertex of all.
   double distance_to_vertices(const Vec3& p);
   // Inserts p into the prepared zone. pre: the zone has cells.
-  VertexId insert_prepared(const Vec3& p);
+  SiteId insert_prepared(const Vec3& p);
   // What the last insertion touched: vertices of facets that came, went, or lost hits (each once),
   // the new vertex first; and the records that came, or lost hits.
-  std::span<const VertexId> touched() const { return touched_; }
+  std::span<const SiteId> touched() const { return touched_; }
   std::span<const RecordId> created() const { return created_records_; }
 
   // The facet's hits are the work of a garbage Voronoi edge (an almost flat cell): forget them.
@@ -91,11 +89,11 @@ class RestrictedDelaunay {
     std::vector<Vec3> hits;
   };
 
-  RecordId& record_slot(Facet f) { return record_of_[4 * f.cell + static_cast<CellId>(f.index)]; }
-  void gather_cells(VertexId q) const;
+  RecordId& record_slot(Facet f) { return record_of_[4 * f.cell + CellId(f.index)]; }
+  void gather_cells(SiteId q) const;
   void search(Facet f);
   void release(RecordId r);
-  void touch(VertexId v);
+  void touch(SiteId v);
   void touch_facet(Facet f);
 
   const Isosurface& surface_;
@@ -109,7 +107,7 @@ class RestrictedDelaunay {
   std::vector<Record> records_;
   std::vector<RecordId> free_records_;
 
-  std::vector<VertexId> touched_;
+  std::vector<SiteId> touched_;
   std::vector<RecordId> created_records_;
   std::vector<std::uint32_t> vertex_stamp_;
   std::uint32_t stamp_ = 0;
@@ -117,13 +115,13 @@ class RestrictedDelaunay {
   ConflictZone zone_;
   std::vector<CellId> created_cells_;
   std::vector<RecordId> surviving_;
-  std::vector<VertexId> gone_;
+  std::vector<SiteId> gone_;
   std::vector<Hit> found_;
   mutable std::vector<Vec3> effective_;
   mutable std::vector<CellId> around_;
   mutable std::vector<std::uint32_t> cell_stamp_;
   mutable std::uint32_t around_stamp_ = 0;
-  mutable std::vector<VertexId> neighbors_;
+  mutable std::vector<SiteId> neighbors_;
 };
 
 }  // namespace deliso

@@ -68,7 +68,7 @@ VertexId ConstrainedTriangulation::insert_in(FaceId t, const Vec2& p) {
       return split_edge({t, i}, p);
     }
   }
-  const auto v = static_cast<VertexId>(points_.size());
+  const auto v = VertexId(points_.size());
   points_.push_back(p);
   around_.push_back(t);
   split_triangle(t, v);
@@ -77,7 +77,7 @@ VertexId ConstrainedTriangulation::insert_in(FaceId t, const Vec2& p) {
 }
 
 VertexId ConstrainedTriangulation::split_edge(PlaneEdge edge, const Vec2& p) {
-  const auto v = static_cast<VertexId>(points_.size());
+  const auto v = VertexId(points_.size());
   points_.push_back(p);
   around_.push_back(edge.t);
   split_at(edge, v);
@@ -98,7 +98,7 @@ void ConstrainedTriangulation::link(FaceId t, int i, FaceId g, FaceId g_was) {
 
 void ConstrainedTriangulation::split_triangle(FaceId t, VertexId v) {
   const PlaneTriangle old = triangles_[t];
-  const auto t1 = static_cast<FaceId>(triangles_.size()), t2 = t1 + 1;
+  const auto t1 = FaceId(triangles_.size()), t2 = FaceId(t1 + 1);
   const auto [a, b, c] = old.v;
   triangles_.resize(triangles_.size() + 2);
   triangles_[t] = {{v, b, c}, {kNoId, t1, t2}, {old.side[0], Side::none, Side::none}, old.inside};
@@ -117,8 +117,8 @@ void ConstrainedTriangulation::split_at(PlaneEdge edge, VertexId v) {
   const PlaneTriangle old = triangles_[t];
   const VertexId a = old.v[i], b = old.v[j], c = old.v[k];
   const FaceId g = old.n[i];
-  const auto t1 = static_cast<FaceId>(triangles_.size());
-  const FaceId g1 = g == kNoId ? kNoId : t1 + 1;
+  const auto t1 = FaceId(triangles_.size());
+  const FaceId g1 = g == kNoId ? FaceId(kNoId) : FaceId(t1 + 1);
   triangles_.resize(triangles_.size() + (g == kNoId ? 1 : 2));
   triangles_[t] = {{v, a, b}, {kNoId, g, t1}, {old.side[k], old.side[i], Side::none}, old.inside};
   triangles_[t1] = {{v, c, a}, {kNoId, t, g1}, {old.side[j], Side::none, old.side[i]}, old.inside};

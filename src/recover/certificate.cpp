@@ -5,12 +5,12 @@
 
 namespace deliso {
 
-Certificate::Scratch::Interface& Certificate::Scratch::interface_with(VertexId site) {
+Certificate::Scratch::Interface& Certificate::Scratch::interface_with(SiteId site) {
   const auto found = std::ranges::find(interfaces_, site, &Interface::site);
   return found != interfaces_.end() ? *found : interfaces_.emplace_back(Interface{site});
 }
 
-VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
+VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   VertexId furthest = kNoId;
   for (const VertexId v : labels_.region(a)) {
     for (const VertexId u : graph_.ring(v)) {
@@ -21,7 +21,7 @@ VertexId Certificate::furthest_between(VertexId a, VertexId b) const {
   return furthest;
 }
 
-Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
+Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
                            std::vector<DualFacet>& facets) {
   scratch.interfaces_.clear();
   facets.clear();
@@ -31,10 +31,10 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
   // One pass over what is connected to the site's own vertex. Every neighbour is written behind
   // what is reached, and stays there when it is of the region and new.
   const std::span<const VertexId> region = labels_.region(a);
-  const std::span<const VertexId> label = labels_.all();
+  const IdArray<VertexId, SiteId>& label = labels_.all();
   scratch.reached_.resize(std::max(scratch.reached_.size(), region.size() + 1));
   const std::span<VertexId> reached = scratch.reached_;
-  const std::span<std::uint32_t> visited = visited_;
+  IdArray<VertexId, std::uint32_t>& visited = visited_;
   const std::uint32_t round = round_;
   reached[0] = at;
   visited[at] = round;
@@ -58,7 +58,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
     } else {
       for (std::size_t n = 0; n < triangles; ++n) {
         const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
-        const VertexId x = label[u], y = label[w];
+        const SiteId x = label[u], y = label[w];
         // The directed edge v -> u: an inner edge turns up from both its ends. The triangle: seen
         // once from each of its vertices labelled a.
         if (x == a) {
@@ -80,7 +80,7 @@ Verdict Certificate::check(VertexId a, VertexId at, Scratch& scratch,
     if (next == kNoId) continue;
     ++boundary_vertices;
     // A boundary edge runs one way only, from the vertex before.
-    const VertexId before = label[graph_.chain_previous(v)];
+    const SiteId before = label[graph_.chain_previous(v)];
     if (before == a) {
       ++boundary_edges;
     } else {

@@ -30,7 +30,7 @@ struct Verdict {
 // A facet of the dual: three sites as the triangle of T runs on which their labels meet, beginning
 // with the smallest, and that triangle.
 struct DualFacet {
-  std::array<VertexId, 3> sites;
+  SiteTriangle sites;
   std::array<VertexId, 3> witness;
 };
 
@@ -48,10 +48,10 @@ class Certificate {
     friend class Certificate;
     // What the region shares with one neighbour.
     struct Interface {
-      VertexId site;
+      SiteId site;
       long edges = 0, twice_faces = 0, boundary_edges = 0;
     };
-    Interface& interface_with(VertexId site);
+    Interface& interface_with(SiteId site);
 
     std::vector<VertexId> reached_;  // as long as it ever had to be
     std::vector<Interface> interfaces_;
@@ -59,15 +59,15 @@ class Certificate {
 
   // Tests C1-C4 at `site`, whose own vertex of T is `at`. `facets` become those of the dual there:
   // each starts with that site. Cost: the triangles at L.
-  Verdict check(VertexId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
+  Verdict check(SiteId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
 
  private:
   // Of the vertices of T on both sides where two regions meet.
-  VertexId furthest_between(VertexId a, VertexId b) const;
+  VertexId furthest_between(SiteId a, SiteId b) const;
 
   const ContourGraph& graph_;
   const Labels& labels_;
-  std::vector<std::uint32_t> visited_;  // the round in which a check reached it
+  IdArray<VertexId, std::uint32_t> visited_;  // the round in which a check reached it
   std::uint32_t round_ = 1;
 };
 

@@ -32,7 +32,7 @@ std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& label
   std::vector<std::vector<VertexId>> parts(runs_of(k.triangles.size(), kRun));
   for_each_run(threads, k.triangles.size(), kRun,
                [&](std::size_t run, std::size_t f, std::size_t end) {
-                 for (; f < end; ++f) add_crossings_of(static_cast<FaceId>(f), parts[run]);
+                 for (; f < end; ++f) add_crossings_of(FaceId(f), parts[run]);
                });
   std::vector<VertexId> all;
   for (const std::vector<VertexId>& part : parts) all.insert(all.end(), part.begin(), part.end());

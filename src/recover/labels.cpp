@@ -18,17 +18,17 @@ constexpr double kTwice2 = 4 * (1 + 1e-12);
 constexpr std::size_t kRun = 4096;
 
 // Delaunay neighbours of every finite vertex.
-std::vector<std::vector<VertexId>> neighbors_of_all(const Triangulation& t) {
-  std::vector<std::vector<VertexId>> all(t.vertex_capacity());
+std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
+  std::vector<std::vector<SiteId>> all(t.vertex_capacity());
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
-    for (const VertexId v : t.vertices(c)) {
-      for (const VertexId n : t.vertices(c)) {
+    for (const SiteId v : t.vertices(c)) {
+      for (const SiteId n : t.vertices(c)) {
         if (n != v && n != Triangulation::kInfinite) all[v].push_back(n);
       }
     }
   }
-  for (std::vector<VertexId>& neighbors : all) sort_out(neighbors);
+  for (std::vector<SiteId>& neighbors : all) sort_out(neighbors);
   return all;
 }
 
@@ -64,7 +64,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
   }
   rings_.resize(first_.back());
   for_each_run(threads, contour.points.size(), kRun, [&](std::size_t begin, std::size_t stop) {
-    for (std::size_t v = begin; v < stop; ++v) {
+    for (VertexId v(begin); v < stop; ++v) {
       const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
       VertexId* ring = rings_.data() + first_[v];
       VertexId next = slot_[v] == kNoId ? at[0].next : next_[slot_[v]];
@@ -87,16 +87,16 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
       reach2_(t.vertex_capacity(), 0) {
-  const std::vector<std::vector<VertexId>> neighbors = neighbors_of_all(t);
+  const std::vector<std::vector<SiteId>> neighbors = neighbors_of_all(t);
   for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
-    VertexId site = 1;
-    for (std::size_t v = begin; v < end; ++v) {
+    SiteId site = 1;
+    for (VertexId v(begin); v < end; ++v) {
       if (!kept[contour.component[v]]) continue;
       const Vec3& p = contour.points[v];
       double best2 = distance2(p, t.point(site));
-      for (VertexId from = kNoId; from != site;) {
+      for (SiteId from = kNoId; from != site;) {
         from = site;
-        for (const VertexId n : neighbors[from]) {
+        for (const SiteId n : neighbors[from]) {
           const double d2 = distance2(p, t.point(n));
           if (d2 >= best2) continue;
           best2 = d2;
@@ -108,21 +108,21 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
     }
   });
   for (VertexId v = 0; v < label_.size(); ++v) {
-    const VertexId s = label_[v];
+    const SiteId s = label_[v];
     if (s == kNoId) continue;
     regions_[s].push_back(v);
     reach2_[s] = std::max(reach2_[s], distance2_[v]);
   }
 }
 
-void Labels::add_site(VertexId site, const Triangulation& t, std::span<const VertexId> neighbors,
-                      std::vector<VertexId>& changed) {
+void Labels::add_site(SiteId site, const Triangulation& t, std::span<const SiteId> neighbors,
+                      std::vector<SiteId>& changed) {
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));
   reach2_.resize(regions_.size(), 0);
   const Vec3 point = t.point(site);
   std::vector<VertexId> taken;
   double reach2 = 0;
-  for (const VertexId n : neighbors) {
+  for (const SiteId n : neighbors) {
     if (distance2(point, t.point(n)) > kTwice2 * reach2_[n]) continue;
     std::vector<VertexId>& region = regions_[n];
     const auto kept = std::remove_if(region.begin(), region.end(), [&](VertexId v) {

@@ -26,17 +26,19 @@ class ContourGraph {
     return std::span(rings_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
   // Along the boundary chain, as the triangles run; kNoId for inner vertices.
-  VertexId chain_next(VertexId v) const { return slot_[v] == kNoId ? kNoId : next_[slot_[v]]; }
-  VertexId chain_previous(VertexId v) const {
-    return slot_[v] == kNoId ? kNoId : previous_[slot_[v]];
-  }
+  VertexId chain_next(VertexId v) const { return along(next_, v); }
+  VertexId chain_previous(VertexId v) const { return along(previous_, v); }
   // pre: v lies on a boundary chain.
   CurvePlace chain_place(VertexId v) const { return place_[slot_[v]]; }
 
  private:
+  VertexId along(const std::vector<VertexId>& others, VertexId v) const {
+    return slot_[v] == kNoId ? VertexId(kNoId) : others[slot_[v]];
+  }
+
   std::vector<std::uint32_t> first_;
   std::vector<VertexId> rings_;
-  std::vector<std::uint32_t> slot_;  // per vertex, into the next three; kNoId for inner ones
+  IdArray<VertexId, std::uint32_t> slot_;  // per vertex, into the next three; kNoId for inner ones
   std::vector<VertexId> next_, previous_;
   std::vector<CurvePlace> place_;
 };
@@ -50,8 +52,8 @@ class Labels {
   Labels(const ContourMesh& contour, const Triangulation& triangulation,
          std::span<const std::uint8_t> kept, int threads);
 
-  VertexId label(VertexId v) const { return label_[v]; }
-  std::span<const VertexId> all() const { return label_; }
+  SiteId label(VertexId v) const { return label_[v]; }
+  const IdArray<VertexId, SiteId>& all() const { return label_; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
   // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
   // never win. kNoId: none.
@@ -66,19 +68,19 @@ class Labels {
     return best;
   }
   // The vertices of T nearest to `site`.
-  std::span<const VertexId> region(VertexId site) const { return regions_[site]; }
+  std::span<const VertexId> region(SiteId site) const { return regions_[site]; }
 
   // Takes what belongs to the new `site` from its Delaunay neighbours; appends those that lost
   // vertices to `changed`.
-  void add_site(VertexId site, const Triangulation& triangulation,
-                std::span<const VertexId> neighbors, std::vector<VertexId>& changed);
+  void add_site(SiteId site, const Triangulation& triangulation, std::span<const SiteId> neighbors,
+                std::vector<SiteId>& changed);
 
  private:
   const ContourMesh& contour_;
-  std::vector<VertexId> label_;
-  std::vector<double> distance2_;
-  std::vector<std::vector<VertexId>> regions_;
-  std::vector<double> reach2_;  // per site, squared: nothing in its region is further from it
+  IdArray<VertexId, SiteId> label_;
+  IdArray<VertexId, double> distance2_;
+  IdArray<SiteId, std::vector<VertexId>> regions_;
+  IdArray<SiteId, double> reach2_;  // per site, squared: nothing in its region is further from it
 };
 
 // What an observer sees of the certified way.

@@ -36,7 +36,7 @@ ProtrusionSearch::ProtrusionSearch(const ContourMesh& contour, const Labels& lab
       limit2_(parameters.fingers * parameters.fingers),
       near2_(near_limit(parameters) * near_limit(parameters)) {}
 
-VertexId ProtrusionSearch::find(VertexId s, std::span<const DualFacet> facets) {
+VertexId ProtrusionSearch::find(SiteId s, std::span<const DualFacet> facets) {
   const Vec3 site = triangulation_.point(s);
   frames_.clear();
   for (const DualFacet& facet : facets) {

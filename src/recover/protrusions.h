@@ -27,7 +27,7 @@ class ProtrusionSearch {
   // The vertex of T, of those at `site`, that is furthest from these facets, of those that are too
   // far; where a facet has no area, that furthest from the site. kNoId: none is. pre: each facet
   // begins with the site.
-  VertexId find(VertexId site, std::span<const DualFacet> facets);
+  VertexId find(SiteId site, std::span<const DualFacet> facets);
 
  private:
   // A facet seen from the site; its other corners are b and c. What lies over it has coordinates

@@ -57,12 +57,12 @@ class CertifiedRecovery {
         origins_(component_origins(contour, surface.volume().box())),
         bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_,
                                  parameters.threads)) {
-    for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
+    for (SiteId s = 1; s < contour_vertex_.size(); ++s) {
       if (contour_vertex_[s] != kNoId) site_[contour_vertex_[s]] = s;
     }
     // The last one queued is looked at first, and T is ordered block by block.
-    for (auto v = static_cast<VertexId>(site_.size()); v-- > 0;) {
-      if (site_[v] != kNoId) queue_site(site_[v]);
+    for (auto s = site_.rbegin(); s != site_.rend(); ++s) {
+      if (*s != kNoId) queue_site(*s);
     }
     if (follower_) {
       follower_->labels_ready({contour, graph_, labels_, triangulation_, surface.volume().box()});
@@ -72,7 +72,7 @@ class CertifiedRecovery {
   SurfaceMesh run();
 
  private:
-  void queue_site(VertexId s);
+  void queue_site(SiteId s);
   // Makes the vertex v of T a site; false when it coincides with one.
   bool add_site(VertexId v);
   // Adds sites until every one holds the certificate and misses no protrusion.
@@ -93,9 +93,9 @@ class CertifiedRecovery {
   Steps steps_;
   Report& report_;
   Triangulation triangulation_;
-  BoundaryChain chain_;
-  std::vector<VertexId> contour_vertex_;  // of every site
-  std::vector<VertexId> site_;            // of every vertex of T; kNoId: it is none
+  SiteChain chain_;
+  IdArray<SiteId, VertexId> contour_vertex_;  // of every site
+  IdArray<VertexId, SiteId> site_;            // of every vertex of T; kNoId: it is none
   ContourGraph graph_;
   Labels labels_;
   Certificate certificate_;
@@ -104,18 +104,18 @@ class CertifiedRecovery {
   std::vector<double> bounded_;
 
   // Sites to be looked at in the next round, and those of the round at hand.
-  std::vector<VertexId> queue_, round_;
+  std::vector<SiteId> queue_, round_;
   std::vector<Verdict> verdicts_;  // one per site of the round
-  std::vector<std::uint8_t> queued_;
+  IdArray<SiteId, std::uint8_t> queued_;
   // Per site, whether its facets have not been tested for crossings since they changed, and whether
   // it broke the certificate with nothing left to insert when it was last looked at.
-  std::vector<std::uint8_t> is_new_, is_uncertified_;
+  IdArray<SiteId, std::uint8_t> is_new_, is_uncertified_;
   // K's facets at every site, begun there.
-  std::vector<std::vector<DualFacet>> facets_;
+  IdArray<SiteId, std::vector<DualFacet>> facets_;
 
   ConflictZone zone_;
   std::vector<CellId> created_;
-  std::vector<VertexId> neighbors_, changed_;
+  std::vector<SiteId> neighbors_, changed_;
 };
 
 SurfaceMesh CertifiedRecovery::run() {
@@ -133,14 +133,14 @@ SurfaceMesh CertifiedRecovery::dual() {
   std::vector<double> poles;
   if (parameters_.asks_for_poles()) poles = compute_poles(triangulation_, surface_, report_);
   SurfaceMesh out;
-  std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);
+  std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);  // by the site's number
   DualFacets k = all_facets();
   out.duals.resize(k.triangles.size());
   std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kFacetsPerTask));
   for_each_run(parameters_.threads, k.triangles.size(), kFacetsPerTask,
-               [&](std::size_t run, std::size_t f, std::size_t end) {
+               [&](std::size_t run, std::size_t begin, std::size_t end) {
                  SurfacePointFinder finder(surface_);
-                 for (; f < end; ++f) {
+                 for (FaceId f(begin); f < end; ++f) {
                    const Triangle& v = k.triangles[f];
                    out.duals[f] =
                        finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], searches[run]);
@@ -151,8 +151,8 @@ SurfaceMesh CertifiedRecovery::dual() {
   for (Triangle& v : k.triangles) {
     for (VertexId& q : v) {
       if (new_id[q] == kNoId) {
-        new_id[q] = static_cast<VertexId>(out.mesh.points.size());
-        out.mesh.points.push_back(triangulation_.point(q));
+        new_id[q] = VertexId(out.mesh.points.size());
+        out.mesh.points.push_back(k.points[q]);
         if (!poles.empty()) out.pole_heights.push_back(poles[q]);
       }
       q = new_id[q];
@@ -163,7 +163,7 @@ SurfaceMesh CertifiedRecovery::dual() {
   return out;
 }
 
-void CertifiedRecovery::queue_site(VertexId s) {
+void CertifiedRecovery::queue_site(SiteId s) {
   if (s >= queued_.size()) {
     queued_.resize(s + 1, 0);
     is_new_.resize(s + 1, 0);
@@ -180,7 +180,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   triangulation_.find_conflicts(p, triangulation_.incident_cell(labels_.label(v)), zone_);
   if (zone_.duplicate != kNoId) return false;
   if (follower_) follower_->insertion_begins(p, zone_);
-  const VertexId s = triangulation_.insert_in_zone(p, zone_, created_);
+  const SiteId s = triangulation_.insert_in_zone(p, zone_, created_);
   if (triangulation_.vertex_capacity() > parameters_.max_vertices) {
     throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
                      " vertices needed before the surface is recovered");
@@ -190,7 +190,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   DELISO_ASSERT(contour_vertex_.size() == s + 1);
   neighbors_.clear();
   for (const CellId c : created_) {
-    for (const VertexId n : triangulation_.vertices(c)) {
+    for (const SiteId n : triangulation_.vertices(c)) {
       if (n != s && n != Triangulation::kInfinite) neighbors_.push_back(n);
     }
   }
@@ -198,7 +198,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   changed_.clear();
   labels_.add_site(s, triangulation_, neighbors_, changed_);
   queue_site(s);
-  for (const VertexId n : changed_) queue_site(n);
+  for (const SiteId n : changed_) queue_site(n);
   // Whoever borders on what changed hands sees another neighbour there now.
   for (const VertexId u : labels_.region(s)) {
     for (const VertexId w : graph_.ring(u)) {
@@ -223,7 +223,7 @@ void CertifiedRecovery::settle() {
     const std::size_t size = std::min(queue_.size(), kSitesPerRound);
     round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
     queue_.resize(queue_.size() - size);
-    for (const VertexId s : round_) queued_[s] = 0;
+    for (const SiteId s : round_) queued_[s] = 0;
     verdicts_.resize(size);
     certificate_.begin_round();
     for_each_run(
@@ -231,7 +231,7 @@ void CertifiedRecovery::settle() {
           Certificate::Scratch scratch;
           ProtrusionSearch protrusions(contour_, labels_, triangulation_, surface_, parameters_);
           for (; n < end; ++n) {
-            const VertexId s = round_[n];
+            const SiteId s = round_[n];
             Verdict& verdict = verdicts_[n];
             verdict = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
             if (verdict.violation == Violation::none) {
@@ -243,7 +243,7 @@ void CertifiedRecovery::settle() {
         });
     for (std::size_t n = 0; n < round_.size(); ++n) {
       steps_.step(round_.size() - n + queue_.size());
-      const VertexId s = round_[n];
+      const SiteId s = round_[n];
       const Verdict verdict = verdicts_[n];
       if (queued_[s] || verdict.is_fine()) continue;
       if (follower_) follower_->site_asked(reason_of(verdict.violation), s, verdict.insert);
@@ -259,11 +259,11 @@ void CertifiedRecovery::settle() {
 DualFacets CertifiedRecovery::all_facets() const {
   DualFacets k;
   k.points.resize(facets_.size());
-  for (VertexId s = 1; s < facets_.size(); ++s) {
+  for (SiteId s = 1; s < facets_.size(); ++s) {
     k.points[s] = triangulation_.point(s);
     for (const DualFacet& facet : facets_[s]) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
-      k.triangles.push_back(facet.sites);
+      k.triangles.push_back(as_mesh_triangle(facet.sites));
       k.witnesses.push_back(facet.witness);
       k.is_new.push_back(is_new_[s]);
     }
@@ -274,7 +274,7 @@ DualFacets CertifiedRecovery::all_facets() const {
 std::size_t CertifiedRecovery::turn_out() {
   const DualFacets k = all_facets();
   std::vector<std::uint32_t> component(k.points.size(), kNoId);
-  for (VertexId s = 1; s < contour_vertex_.size(); ++s) {
+  for (SiteId s = 1; s < contour_vertex_.size(); ++s) {
     if (contour_vertex_[s] != kNoId) component[s] = contour_.component[contour_vertex_[s]];
   }
   const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins_);

@@ -50,7 +50,7 @@ class FacetQueue {
     while (!queue_.empty()) {
       const std::uint64_t key = queue_.top();
       queue_.pop();
-      const auto f = static_cast<FaceId>(key);
+      const auto f = FaceId(key);
       if (keys_[f] != key) continue;  // replaced since
       keys_[f] = kNone;
       --size_;

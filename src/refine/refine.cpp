@@ -100,7 +100,7 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
   std::vector<FaceId> open(mesh.mesh.faces.size());
-  std::iota(open.begin(), open.end(), 0);
+  std::iota(open.begin(), open.end(), FaceId(0));
   if (may_be_cut(parameters)) {
     begin_stage(parameters.observer, "regions");
     const Cut cut(mesh, largest_region);

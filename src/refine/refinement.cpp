@@ -90,7 +90,7 @@ std::optional<Refusal> Refinement::open_cavity(Change& c) {
 
 void Refinement::set_cone(Change& c, const Vec3& place, EdgeRef split) const {
   c.what = Change::Vertex::comes;
-  c.vertex = static_cast<VertexId>(mesh.points.size());
+  c.vertex = VertexId(mesh.points.size());
   c.place = place;
   c.in.facets.clear();
   for (const Disk::BoundaryEdge& edge : c.was.boundary) {
@@ -138,7 +138,7 @@ FaceId Refinement::new_facet() {
   mesh.faces.emplace_back();
   s.duals.emplace_back();
   marks_.push_back(0);
-  return static_cast<FaceId>(mesh.faces.size() - 1);
+  return FaceId(mesh.faces.size() - 1);
 }
 
 void Refinement::commit(Change& c) {
@@ -203,7 +203,7 @@ FacetShape Refinement::shape(const Triangle& v, const Dual& dual) const {
 
 bool Refinement::holds_vertex(const Triangle& v, const Dual& ball) const {
   const BoxGrid::Box box = vertices_.box_around(ball.center, std::sqrt(ball.radius2));
-  return vertices_.any(box, [&](VertexId q, const BoxGrid::Box&) {
+  return vertices_.any<VertexId>(box, [&](VertexId q, const BoxGrid::Box&) {
     return ball.holds(point(q)) && !has_corner(v, q);
   });
 }

@@ -16,7 +16,8 @@ Box3 box_of_facet(const TriMesh& mesh, FaceId f) {
 }
 
 // The place of an id in an ascending list; that behind the last where it has none.
-std::size_t place_in(std::span<const std::uint32_t> list, std::uint32_t id) {
+template <class Id>
+std::size_t place_in(const std::vector<Id>& list, Id id) {
   const auto at = std::lower_bound(list.begin(), list.end(), id);
   return at == list.end() || *at != id ? list.size() : static_cast<std::size_t>(at - list.begin());
 }
@@ -91,7 +92,7 @@ MeshRegion Cut::extract(const SurfaceMesh& whole, std::size_t n) const {
   const Leaf& leaf = leaves_[n];
   MeshRegion region;
   region.region = leaf.box;
-  region.region.first_free = static_cast<FaceId>(leaf.frozen.size());
+  region.region.first_free = FaceId(leaf.frozen.size());
   region.facets = leaf.frozen;
   region.facets.insert(region.facets.end(), leaf.facets.begin(), leaf.facets.end());
   for (const FaceId f : region.facets) {
@@ -101,10 +102,10 @@ MeshRegion Cut::extract(const SurfaceMesh& whole, std::size_t n) const {
   sort_out(region.vertices);
   const auto facet_here = [&](FaceId f) {
     if (const std::size_t at = place_in(leaf.frozen, f); at < leaf.frozen.size()) {
-      return static_cast<FaceId>(at);
+      return FaceId(at);
     }
     const std::size_t at = place_in(leaf.facets, f);
-    return at < leaf.facets.size() ? static_cast<FaceId>(leaf.frozen.size() + at) : kNoId;
+    return at < leaf.facets.size() ? FaceId(leaf.frozen.size() + at) : kNoId;
   };
   SurfaceMesh& s = region.surface;
   for (const VertexId v : region.vertices) {
@@ -113,7 +114,7 @@ MeshRegion Cut::extract(const SurfaceMesh& whole, std::size_t n) const {
   }
   for (const FaceId f : region.facets) {
     Face face = whole.mesh.faces[f];
-    for (VertexId& v : face.v) v = static_cast<VertexId>(place_in(region.vertices, v));
+    for (VertexId& v : face.v) v = VertexId(place_in(region.vertices, v));
     for (FaceId& g : face.n) g = g == kNoId ? kNoId : facet_here(g);
     s.mesh.faces.push_back(face);
     s.duals.push_back(whole.duals[f]);
@@ -125,13 +126,12 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region) {
   const SurfaceMesh& s = region.surface;
   const std::size_t facets = whole.mesh.faces.size(), vertices = whole.mesh.points.size();
   const auto vertex = [&](VertexId v) {
-    return v < region.vertices.size()
-               ? region.vertices[v]
-               : static_cast<VertexId>(vertices + v - region.vertices.size());
+    return v < region.vertices.size() ? region.vertices[v]
+                                      : VertexId(vertices + v - region.vertices.size());
   };
   std::vector<FaceId> facet = region.facets;
   while (facet.size() < s.mesh.faces.size()) {
-    facet.push_back(static_cast<FaceId>(facets + facet.size() - region.facets.size()));
+    facet.push_back(FaceId(facets + facet.size() - region.facets.size()));
   }
   whole.mesh.points.resize(vertices + s.mesh.points.size() - region.vertices.size());
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) {

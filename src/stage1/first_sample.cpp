@@ -59,7 +59,7 @@ void choose_block_seeds(const ContourMesh& contour, const Volume& volume, const 
 constexpr double kAuxiliaryDistance = 16;
 
 // The triangulation of the points, which come first in `ids`, and the auxiliary vertices.
-Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<VertexId>& ids) {
+Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<SiteId>& ids) {
   const Vec3 center = 0.5 * (box.lo + box.hi);
   const double d = kAuxiliaryDistance * length(box.size());
   for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
@@ -102,7 +102,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   choose_block_seeds(contour, volume, wanted, seeds);
   Random random(parameters.seed);
   for (std::size_t i = 0; i < parameters.samples && !contour.points.empty(); ++i) {
-    const VertexId v = random.below(static_cast<std::uint32_t>(contour.points.size()));
+    const VertexId v(random.below(static_cast<std::uint32_t>(contour.points.size())));
     if (wanted(v)) seeds.push_back(v);
   }
 
@@ -110,7 +110,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   points.reserve(seeds.size());
   for (const VertexId v : seeds) points.push_back(contour.points[v]);
   FirstSample out;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   out.triangulation = triangulate(std::move(points), volume.box(), ids);
   out.contour_vertex.assign(out.triangulation.vertex_capacity(), kNoId);
   for (std::size_t i = 0; i < seeds.size(); ++i) {

@@ -30,8 +30,8 @@ std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Para
 
 struct FirstSample {
   Triangulation triangulation;
-  BoundaryChain chain;                   // the coarse one
-  std::vector<VertexId> contour_vertex;  // of T, per vertex; kNoId: an auxiliary one
+  SiteChain chain;                           // the coarse one
+  IdArray<SiteId, VertexId> contour_vertex;  // of T, per vertex; kNoId: an auxiliary one
 };
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
                                const Volume& volume, const Parameters& parameters, Report& report);

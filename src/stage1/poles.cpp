@@ -15,21 +15,21 @@ std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surf
   const StepTimer timer(report.seconds_poles);
   const std::size_t count = t.vertex_capacity();
   std::vector<Vec3> gradient(count);
-  for (VertexId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));
+  for (SiteId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));
 
   // Squared distance to the furthest Voronoi vertex, on the side of falling and of rising g.
   std::vector<std::array<double, 2>> furthest2(count, {0, 0});
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c) || t.is_infinite(c)) continue;
     const Vec3 center = circumsphere(t, c).center;
-    for (const VertexId q : t.vertices(c)) {
+    for (const SiteId q : t.vertices(c)) {
       const Vec3 direction = center - t.point(q);
       double& furthest = furthest2[q][dot(direction, gradient[q]) > 0];
       furthest = std::max(furthest, length2(direction));
     }
   }
   std::vector<double> height(count);
-  for (VertexId q = 0; q < count; ++q) {
+  for (SiteId q = 0; q < count; ++q) {
     height[q] = std::sqrt(std::min(furthest2[q][0], furthest2[q][1]));
   }
   return height;

@@ -145,43 +145,4 @@ double BoundaryCurves::sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const
   return std::sqrt(worst2);
 }
 
-BoundaryChain::Link& BoundaryChain::link(VertexId v) {
-  if (v >= links_.size()) links_.resize(v + 1);
-  return links_[v];
-}
-
-void BoundaryChain::add_loop(std::span<const VertexId> vertices,
-                             std::span<const CurvePlace> places) {
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    link(vertices[i]) = {vertices[(i + 1) % n], vertices[(i + n - 1) % n], places[i]};
-  }
-}
-
-void BoundaryChain::insert_after(VertexId a, VertexId v, CurvePlace place) {
-  const VertexId b = links_[a].next;
-  link(v) = {b, a, place};
-  links_[a].next = v;
-  links_[b].previous = v;
-}
-
-void BoundaryChain::remove(VertexId v) {
-  const Link gone = links_[v];
-  links_[gone.previous].next = gone.next;
-  links_[gone.next].previous = gone.previous;
-  links_[v] = {};
-}
-
-BoundaryChain BoundaryChain::renumbered(std::span<const VertexId> new_id) const {
-  BoundaryChain chain;
-  for (VertexId v = 0; v < links_.size(); ++v) {
-    if (!is_boundary(v) || new_id[v] == kNoId) continue;
-    VertexId after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
-    while (new_id[after] == kNoId) after = links_[after].next;
-    while (new_id[before] == kNoId) before = links_[before].previous;
-    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
-  }
-  return chain;
-}
-
 }  // namespace deliso

@@ -86,35 +86,45 @@ class BoundaryCurves {
   std::vector<BoundaryLoop> loops_;
 };
 
-// The chain: which vertices lie on a curve, where, and who comes next.
-class BoundaryChain {
+// The chain: which vertices lie on a curve, where, and who comes next. In Stage 1 they are sites,
+// then vertices of the mesh.
+template <class Vertex>
+class Chain {
  public:
-  bool is_boundary(VertexId v) const { return v < links_.size() && links_[v].next != kNoId; }
-  VertexId next(VertexId v) const { return links_[v].next; }
-  VertexId previous(VertexId v) const { return links_[v].previous; }
-  CurvePlace place(VertexId v) const { return links_[v].place; }
-  bool is_edge(VertexId a, VertexId b) const {
+  bool is_boundary(Vertex v) const { return v < links_.size() && links_[v].next != kNoId; }
+  Vertex next(Vertex v) const { return links_[v].next; }
+  Vertex previous(Vertex v) const { return links_[v].previous; }
+  CurvePlace place(Vertex v) const { return links_[v].place; }
+  bool is_edge(Vertex a, Vertex b) const {
     return is_boundary(a) && (links_[a].next == b || links_[a].previous == b);
   }
 
-  void add_loop(std::span<const VertexId> vertices, std::span<const CurvePlace> places);
+  void add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places);
   // Puts v between a and its next.
-  void insert_after(VertexId a, VertexId v, CurvePlace place);
+  void insert_after(Vertex a, Vertex v, CurvePlace place);
   // Joins v's neighbours to each other. pre: the loop has more than three vertices.
-  void remove(VertexId v);
+  void remove(Vertex v);
   // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone, as happens where
   // the paper's tests lose facets; its neighbours are joined).
-  BoundaryChain renumbered(std::span<const VertexId> new_id) const;
+  template <class Other>
+  Chain<Other> renumbered(const std::vector<Other>& new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }
 
  private:
+  template <class Other>
+  friend class Chain;
   struct Link {
-    VertexId next = kNoId, previous = kNoId;
+    Vertex next = kNoId, previous = kNoId;
     CurvePlace place;
   };
-  Link& link(VertexId v);
+  Link& link(Vertex v) {
+    if (v >= links_.size()) links_.resize(v + 1);
+    return links_[v];
+  }
   std::vector<Link> links_;
 };
+using BoundaryChain = Chain<VertexId>;
+using SiteChain = Chain<SiteId>;
 
 // A boundary edge shorter than this share of r_min is not split, in either stage: where the curve
 // turns sharply at an edge of the box, its two sides would encroach upon each other for ever.
@@ -126,6 +136,44 @@ double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b);
 // p lies strictly inside the ball whose diameter is ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {
   return dot(a - p, b - p) < 0;
+}
+
+template <class Vertex>
+void Chain<Vertex>::add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    link(vertices[i]) = {vertices[(i + 1) % n], vertices[(i + n - 1) % n], places[i]};
+  }
+}
+
+template <class Vertex>
+void Chain<Vertex>::insert_after(Vertex a, Vertex v, CurvePlace place) {
+  const Vertex b = links_[a].next;
+  link(v) = {b, a, place};
+  links_[a].next = v;
+  links_[b].previous = v;
+}
+
+template <class Vertex>
+void Chain<Vertex>::remove(Vertex v) {
+  const Link gone = links_[v];
+  links_[gone.previous].next = gone.next;
+  links_[gone.next].previous = gone.previous;
+  links_[v] = {};
+}
+
+template <class Vertex>
+template <class Other>
+Chain<Other> Chain<Vertex>::renumbered(const std::vector<Other>& new_id) const {
+  Chain<Other> chain;
+  for (Vertex v{0}; v < links_.size(); ++v) {
+    if (!is_boundary(v) || new_id[v] == kNoId) continue;
+    Vertex after = links_[v].next, before = links_[v].previous;  // ends at v at the latest
+    while (new_id[after] == kNoId) after = links_[after].next;
+    while (new_id[before] == kNoId) before = links_[before].previous;
+    chain.link(new_id[v]) = {new_id[after], new_id[before], links_[v].place};
+  }
+  return chain;
 }
 
 }  // namespace deliso

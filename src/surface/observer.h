@@ -71,9 +71,9 @@ class Observer {
   // Stage 1. The first sites have their vertices of T.
   virtual void labels_ready(const LabelState&) {}
   // The vertex `v` of T is to be a site. `asker`: the site that says so; kNoId: a look at all of K.
-  virtual void site_asked(Reason, VertexId /*asker*/, VertexId /*v*/) {}
+  virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
   // It is one.
-  virtual void site_added(VertexId /*site*/) {}
+  virtual void site_added(SiteId /*site*/) {}
   // A point is inserted, and these cells go for it.
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
 
@@ -82,14 +82,14 @@ class Observer {
   // An insertion is asked for by an edge of the boundary, by a vertex q whose facets are no disk,
   // with the facet that has their furthest surface point (kNoId: none), or by a facet; `value`: how
   // far it violates what the reason names.
-  virtual void edge_asked(VertexId /*from*/, VertexId /*to*/) {}
-  virtual void star_asked(VertexId /*q*/, bool /*on_boundary*/, RecordId) {}
+  virtual void edge_asked(SiteId /*from*/, SiteId /*to*/) {}
+  virtual void star_asked(SiteId /*q*/, bool /*on_boundary*/, RecordId) {}
   virtual void record_asked(RecordId, Reason, double /*value*/) {}
   // The facet is about to be none of Del S|Sigma any more, if it was one.
   virtual void record_gone(RecordId) {}
   // The point came; for what it was asked, or splitting an edge of the boundary in its place.
-  virtual void point_inserted(VertexId /*v*/) {}
-  virtual void edge_split(VertexId /*from*/, VertexId /*to*/) {}
+  virtual void point_inserted(SiteId /*v*/) {}
+  virtual void edge_split(SiteId /*from*/, SiteId /*to*/) {}
   // What was asked for is done, in one insertion or several, or not.
   virtual void attempt_ended(Attempt, const Vec3&) {}
   // With the searches of the stage so far. An insertion that is given up does not end.

@@ -31,9 +31,9 @@ struct Dual {
 
 struct SurfaceMesh {
   TriMesh mesh;
-  std::vector<Dual> duals;
+  IdArray<FaceId, Dual> duals;
   BoundaryChain chain;
-  std::vector<double> pole_heights;
+  IdArray<VertexId, double> pole_heights;
 
   // h_sigma, the mean over the facet's corners; infinite without pole heights.
   double pole(const Triangle& v) const;

@@ -87,7 +87,7 @@ int misplaced_samples(const Solid& solid, const Volume& volume, double kappa) {
     const int across = f / 2, u = (across + 1) % 3, v = (across + 2) % 3;
     std::vector<std::array<Vec2, 3>> caps;
     for (std::size_t n = solid.report.cap.surface_triangles; n < solid.mesh.faces.size(); ++n) {
-      const Face& face = solid.mesh.faces[n];
+      const Face& face = solid.mesh.faces[FaceId(n)];
       if (face_of(solid.mesh, face, box) != f) continue;
       std::array<Vec2, 3> t;
       for (int i = 0; i < 3; ++i) {
@@ -379,7 +379,7 @@ TEST_CASE("boundary edges that cross are told, and so are meshes that do not par
                        std::vector<Triangle>& triangles) {
     points.insert(points.end(), {{x, 2, 0}, {x + 3, 2, 0}, {x + 1.5, 5, 0}, {x + 1.5, 3, 2}});
     for (VertexId n = 0; n < 3; ++n) {
-      triangles.push_back({first + n, first + (n + 1) % 3, first + 3});
+      triangles.push_back(triangle_of(first + n, first + (n + 1) % 3, first + 3));
     }
   };
   std::vector<Vec3> points;

@@ -20,7 +20,7 @@ struct Hostile {
 
   VertexId add(const Vec3& p) {
     points.push_back(p);
-    return static_cast<VertexId>(points.size() - 1);
+    return VertexId(points.size() - 1);
   }
 };
 
@@ -29,7 +29,7 @@ template <class Place>
 Hostile fan(std::string name, const Vec3& center, std::size_t n, const Place& place) {
   Hostile h{std::move(name), {center}, {}};
   for (std::size_t i = 0; i <= n; ++i) h.add(place(static_cast<double>(i)));
-  for (VertexId i = 1; i <= n; ++i) h.triangles.push_back({0, i, i + 1});
+  for (VertexId i = 1; i <= n; ++i) h.triangles.push_back(triangle_of(0, i, i + 1));
   return h;
 }
 
@@ -80,8 +80,8 @@ inline std::vector<Hostile> hostile_meshes(std::size_t n, double side) {
       const double u = random.uniform(0, side);
       line.add({u, u, u});
     }
-    point.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-    line.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    point.triangles.push_back(triangle_of(3 * i, 3 * i + 1, 3 * i + 2));
+    line.triangles.push_back(triangle_of(3 * i, 3 * i + 1, 3 * i + 2));
   }
   all.push_back(point);
   all.push_back(line);
@@ -112,13 +112,13 @@ inline std::vector<Hostile> hostile_meshes(std::size_t n, double side) {
   Hostile spindle{"two poles of a sphere", {}, {}};
   const VertexId north = spindle.add(middle + Vec3{0, 0, 0.4 * side});
   const VertexId south = spindle.add(middle - Vec3{0, 0, 0.4 * side});
-  const auto rim = static_cast<VertexId>(n / 2);
+  const auto rim = VertexId(n / 2);
   for (VertexId i = 0; i < rim; ++i) {
     const double u = 2 * 3.14159265358979 * i / rim;
     spindle.add(middle + 0.4 * side * Vec3{std::cos(u), std::sin(u), 0});
   }
   for (VertexId i = 0; i < rim; ++i) {
-    const VertexId here = 2 + i, next = 2 + (i + 1) % rim;
+    const VertexId here(2 + i), next(2 + (i + 1) % rim);
     spindle.triangles.push_back({north, here, next});
     spindle.triangles.push_back({south, next, here});
   }

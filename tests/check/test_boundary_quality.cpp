@@ -43,7 +43,7 @@ CleanMesh prism(const Isosurface& surface, int n) {
     }
   }
   for (VertexId k = 0; k < VertexId(n); ++k) {
-    const VertexId a = k, b = (k + 1) % VertexId(n), c = a + VertexId(n), d = b + VertexId(n);
+    const VertexId a(k), b((k + 1) % n), c(a + n), d(b + n);
     mesh.triangles.push_back({a, b, d});
     mesh.triangles.push_back({a, d, c});
   }

@@ -90,7 +90,7 @@ TEST_CASE("crossings of a few triangles are all found, of very many as many as a
       CAPTURE(n);
       std::vector<std::pair<FaceId, FaceId>> all;
       for (FaceId f = 0; f < mesh.triangles.size(); ++f) {
-        for (FaceId g = f + 1; g < mesh.triangles.size(); ++g) {
+        for (FaceId g(f + 1); g < mesh.triangles.size(); ++g) {
           if (triangles_intersect(mesh.points, mesh.triangles[f], mesh.triangles[g])) {
             all.emplace_back(f, g);
           }
@@ -128,7 +128,8 @@ Hostile stars(std::size_t vertices, std::size_t n) {
   std::set<Triangle> taken;
   while (taken.size() < n) {
     const auto any = [&] { return random.below(static_cast<std::uint32_t>(vertices)); };
-    const Triangle t{any(), any(), any()};
+    const std::uint32_t a = any(), b = any(), c = any();
+    const Triangle t = triangle_of(a, b, c);
     if (t[0] < t[1] && t[1] < t[2]) taken.insert(t);
   }
   mesh.triangles.assign(taken.begin(), taken.end());
@@ -140,7 +141,7 @@ TEST_CASE("crossings of triangles at many stars are all found, where they are fe
     const Hostile mesh = stars(vertices, 800);
     std::vector<std::pair<FaceId, FaceId>> all;
     for (FaceId f = 0; f < mesh.triangles.size(); ++f) {
-      for (FaceId g = f + 1; g < mesh.triangles.size(); ++g) {
+      for (FaceId g(f + 1); g < mesh.triangles.size(); ++g) {
         if (triangles_intersect(mesh.points, mesh.triangles[f], mesh.triangles[g])) {
           all.emplace_back(f, g);
         }
@@ -192,7 +193,7 @@ TEST_CASE("so is one whose cells all lie around a center") {
     const double u = random.uniform(0, 6.28);
     mesh.add({11.5 + 6 * std::cos(u), 11.5 + 6 * std::sin(u), 11.5 + random.uniform(-2e-3, 2e-3)});
   }
-  for (VertexId i = 1; i <= n; ++i) mesh.triangles.push_back({0, i, n + i});
+  for (VertexId i = 1; i <= n; ++i) mesh.triangles.push_back(triangle_of(0, i, n + i));
   CHECK_FALSE(ball.verify(mesh, 2).delaunay.measured);
 }
 

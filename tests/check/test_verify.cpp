@@ -75,7 +75,7 @@ void remove_unused(Parts& parts) {
   for (Triangle& t : parts.triangles) {
     for (VertexId& v : t) {
       if (id[v] == kNoId) {
-        id[v] = static_cast<VertexId>(kept.size());
+        id[v] = VertexId(kept.size());
         kept.push_back(parts.points[v]);
       }
       v = id[v];
@@ -106,7 +106,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     Parts p = sphere;
     VertexId& v = p.triangles[middle][0];
     p.points.push_back(p.points[v]);
-    v = static_cast<VertexId>(p.points.size() - 1);
+    v = VertexId(p.points.size() - 1);
     check_only(good.verify_parts(p), FaultKind::duplicate_vertices, 1);
   }
   SUBCASE("unused vertex") {
@@ -123,10 +123,10 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     Parts p = sphere;
     const Box3 box = good.volume.box();
     const Vec3 center = 0.5 * (box.lo + box.hi);
-    const auto first = static_cast<VertexId>(sphere.points.size());
+    const auto first = VertexId(sphere.points.size());
     for (const Vec3& x : sphere.points) p.points.push_back(center + 0.1 * (x - center));
     for (const Triangle& t : sphere.triangles) {
-      p.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      p.triangles.push_back(triangle_of(first + t[0], first + t[1], first + t[2]));
     }
     check_only(good.verify_parts(p), FaultKind::extra_components, 1);
   }
@@ -164,7 +164,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     const Vec3 center = 0.5 * (box.lo + box.hi);
     const Vec3 edge = 0.5 * (p.points[t[0]] + p.points[t[1]]);
     p.points.push_back(edge + 0.2 * (edge - center));
-    p.triangles.push_back({t[0], t[1], static_cast<VertexId>(p.points.size() - 1)});
+    p.triangles.push_back({t[0], t[1], VertexId(p.points.size() - 1)});
     const Verification v = good.verify_parts(p);
     CHECK(v.faults.count(FaultKind::non_manifold_edges) == 1);
     CHECK(v.faults.count(FaultKind::duplicate_triangles) == 0);
@@ -179,14 +179,14 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     const Vec3 side = cross(out, Vec3{0.3, 0.5, 0.7}), up = cross(out, side);
     const Vec3 base = p.points[tip] + 0.3 * out;
     const double small = 0.1 * length(out);
-    const auto first = static_cast<VertexId>(p.points.size());
+    const auto first = VertexId(p.points.size());
     p.points.push_back(base + (small / length(side)) * side);
     p.points.push_back(base + (small / length(up)) * up);
     p.points.push_back(base - (small / length(side)) * side - (small / length(up)) * up);
-    p.triangles.push_back({first, first + 1, first + 2});
-    p.triangles.push_back({first + 1, first, tip});
-    p.triangles.push_back({first + 2, first + 1, tip});
-    p.triangles.push_back({first, first + 2, tip});
+    p.triangles.push_back(triangle_of(first, first + 1, first + 2));
+    p.triangles.push_back(triangle_of(first + 1, first, tip));
+    p.triangles.push_back(triangle_of(first + 2, first + 1, tip));
+    p.triangles.push_back(triangle_of(first, first + 2, tip));
     const Verification v = good.verify_parts(p);
     CHECK(v.faults.count(FaultKind::non_manifold_vertices) == 1);
     CHECK(v.faults.count(FaultKind::non_manifold_edges) == 0);
@@ -234,7 +234,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
   SUBCASE("non-Delaunay flip") {
     TriMesh mesh = good.mesh;
     const Verification before = good.verify_parts(parts_of(mesh));
-    for (FaceId f = static_cast<FaceId>(middle);; ++f) {
+    for (FaceId f = FaceId(middle);; ++f) {
       REQUIRE(f < mesh.faces.size());
       const Quad quad = quad_at(mesh, f, 0);
       if (has_diagonal(mesh, quad)) continue;

@@ -19,10 +19,10 @@ class TriangulationVandal {
   void swap_vertices(CellId c, int i, int j) {
     std::swap(t_.cells_[c].vertices[i], t_.cells_[c].vertices[j]);
   }
-  void set_vertex(CellId c, int i, VertexId v) { t_.cells_[c].vertices[i] = v; }
+  void set_vertex(CellId c, int i, SiteId v) { t_.cells_[c].vertices[i] = v; }
   void remove(CellId c) { t_.cells_[c].vertices[0] = kNoId; }
-  void move(VertexId v, const Vec3& p) { t_.points_[v] = p; }
-  void set_incident(VertexId v, CellId c) { t_.incident_[v] = c; }
+  void move(SiteId v, const Vec3& p) { t_.points_[v] = p; }
+  void set_incident(SiteId v, CellId c) { t_.incident_[v] = c; }
   void add_point(const Vec3& p) {
     t_.points_.push_back(p);
     t_.incident_.push_back(0);
@@ -41,7 +41,7 @@ namespace {
 struct Fixture {
   Triangulation t;
   TriangulationVandal vandal{t};
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   CellId finite = 0, infinite = 0;
 
   Fixture() {
@@ -99,10 +99,10 @@ TEST_CASE_FIXTURE(Fixture, "I5: the infinite vertex not the first") {
 }
 
 TEST_CASE_FIXTURE(Fixture, "I4: an incident cell that does not hold its vertex") {
-  const VertexId v = t.vertex(finite, 0) == 0 ? t.vertex(finite, 1) : t.vertex(finite, 0);
+  const SiteId v = t.vertex(finite, 0) == 0 ? t.vertex(finite, 1) : t.vertex(finite, 0);
   CellId c = 0;
   const auto holds = [&](CellId cell) {
-    for (VertexId w : t.vertices(cell))
+    for (SiteId w : t.vertices(cell))
       if (w == v) return true;
     return false;
   };
@@ -119,6 +119,6 @@ TEST_CASE_FIXTURE(Fixture, "I4: a vertex in no cell") {
 TEST_CASE_FIXTURE(Fixture, "I3: a vertex inside a circumsphere, and one beyond the hull") {
   vandal.add_point({0.01, 0.02, 0.03});
   CHECK(check_delaunay(t).starts_with("I3"));
-  vandal.move(static_cast<VertexId>(t.vertex_capacity() - 1), {5, 5, 5});
+  vandal.move(SiteId(t.vertex_capacity() - 1), {5, 5, 5});
   CHECK(check_delaunay(t).starts_with("I3"));
 }

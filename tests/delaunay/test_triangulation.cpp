@@ -59,7 +59,7 @@ TEST_CASE("build: brute force finds nothing on 300 point sets") {
     const auto points =
         make_point_set(static_cast<PointSet>(trial % kKinds), 10 + trial % 97, trial);
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     check_all(t);
     CHECK(t.vertex_capacity() == 1 + count_distinct(points));
@@ -73,17 +73,17 @@ TEST_CASE("insert: every invariant after every insertion") {
     const auto points = make_point_set(static_cast<PointSet>(trial % kKinds), 40, 1000 + trial);
     // Start from as few points as span space, then go on in any order with any hint.
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     std::size_t start = 4;
     while (!t.build(std::span(points).first(start), ids)) ++start;
     Random random(trial);
     for (std::size_t i = start; i < points.size(); ++i) {
       CAPTURE(i);
-      const CellId hint = random.below(3) == 0
-                              ? kNoId
-                              : random.below(static_cast<std::uint32_t>(t.cell_capacity()));
+      const CellId hint(random.below(3) == 0
+                            ? kNoId
+                            : random.below(static_cast<std::uint32_t>(t.cell_capacity())));
       const std::size_t before = t.vertex_capacity();
-      const VertexId v = t.insert(points[i], hint);
+      const SiteId v = t.insert(points[i], hint);
       REQUIRE(t.point(v) == points[i]);
       const bool is_new = v >= before;
       REQUIRE(t.vertex_capacity() == before + is_new);
@@ -100,7 +100,7 @@ TEST_CASE("find_conflicts finds what the definition says; insert_in_zone keeps i
     const auto points = make_point_set(static_cast<PointSet>(trial % kKinds), 30, 2000 + trial);
     const std::size_t start = points.size() - 8;
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     if (!t.build(std::span(points).first(start), ids)) continue;
     ConflictZone zone;
     std::vector<CellId> created;
@@ -118,7 +118,7 @@ TEST_CASE("find_conflicts finds what the definition says; insert_in_zone keeps i
       REQUIRE(std::set(zone.cells.begin(), zone.cells.end()) == expected);
       REQUIRE(zone.cells.size() == expected.size());
 
-      std::vector<std::array<VertexId, 4>> old_vertices;
+      std::vector<std::array<SiteId, 4>> old_vertices;
       std::vector<Facet> outer;
       for (const Facet& f : zone.boundary) {
         REQUIRE(expected.contains(f.cell));
@@ -126,7 +126,7 @@ TEST_CASE("find_conflicts finds what the definition says; insert_in_zone keeps i
         old_vertices.push_back(t.vertices(f.cell));
         outer.push_back(t.mirror(f));
       }
-      const VertexId v = t.insert_in_zone(p, zone, created);
+      const SiteId v = t.insert_in_zone(p, zone, created);
       REQUIRE(created.size() == zone.boundary.size());
       for (std::size_t k = 0; k < created.size(); ++k) {
         old_vertices[k][zone.boundary[k].index] = v;
@@ -145,7 +145,7 @@ TEST_CASE("zones too large for the table of vertex pairs are linked as well") {
     CAPTURE(trial);
     auto points = make_point_set(PointSet::kOnSphere, 20 + 10 * trial, 6000 + trial);
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     ConflictZone zone;
     std::vector<CellId> created;
@@ -163,7 +163,7 @@ TEST_CASE("locate finds a cell that holds the point, from any hint") {
     CAPTURE(trial);
     const auto points = make_point_set(static_cast<PointSet>(trial % kKinds), 100, 3000 + trial);
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     Random random(trial);
     for (int query = 0; query < 200; ++query) {
@@ -176,8 +176,8 @@ TEST_CASE("locate finds a cell that holds the point, from any hint") {
       if (query % 4 == 2) p = p + 1.5 * (any() - any());
       if (query % 4 == 3) p = 100 * p;
       std::size_t walked = 0;
-      const CellId c =
-          t.locate(p, random.below(static_cast<std::uint32_t>(t.cell_capacity() + 1)), walked);
+      const CellId c = t.locate(
+          p, CellId(random.below(static_cast<std::uint32_t>(t.cell_capacity() + 1))), walked);
       REQUIRE(t.is_live(c));
       const int infinite = t.infinite_index(c);
       if (infinite >= 0) {
@@ -191,7 +191,7 @@ TEST_CASE("locate finds a cell that holds the point, from any hint") {
 
 TEST_CASE("point sets without volume are refused") {
   Triangulation t;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   std::vector<Vec3> points;
   CHECK(!t.build(points, ids));
   for (int i = 0; i < 50; ++i) points.push_back({0.1 * i, 0.2 * i, 0.4 * i});  // exactly a line
@@ -212,7 +212,7 @@ TEST_CASE("four points, and duplicates alone beside them") {
   const Vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const std::vector<Vec3> points{o, o, x, y, x, z, z, o};
   Triangulation t;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
   check_all(t);
   CHECK(t.vertex_capacity() == 5);
@@ -228,7 +228,7 @@ TEST_CASE("build does the same every time") {
     CAPTURE(kind);
     const auto points = make_point_set(static_cast<PointSet>(kind), 300, 17);
     Triangulation a, b;
-    std::vector<VertexId> ids_a, ids_b;
+    std::vector<SiteId> ids_a, ids_b;
     REQUIRE(a.build(points, ids_a));
     REQUIRE(b.build(make_point_set(PointSet::kRandom, 100, 3), ids_b));
     REQUIRE(b.build(points, ids_b));
@@ -248,13 +248,13 @@ TEST_CASE("points in general position have one Delaunay triangulation, whatever 
     auto points = make_point_set(PointSet::kRandom, 200, 4000 + trial);
     const auto cells_of = [](std::span<const Vec3> p) {
       Triangulation t;
-      std::vector<VertexId> ids;
+      std::vector<SiteId> ids;
       REQUIRE(t.build(p, ids));
       std::set<std::vector<double>> cells;  // a finite cell, by the x of its vertices
       for (CellId c = 0; c < t.cell_capacity(); ++c) {
         if (!t.is_live(c) || t.is_infinite(c)) continue;
         std::vector<double> xs;
-        for (VertexId v : t.vertices(c)) xs.push_back(t.point(v).x);
+        for (SiteId v : t.vertices(c)) xs.push_back(t.point(v).x);
         std::sort(xs.begin(), xs.end());
         cells.insert(xs);
       }

@@ -158,7 +158,7 @@ TEST_CASE("facet_dual: both ends, hull, sides and stability") {
         static_cast<oracle::PointSet>(trial % static_cast<int>(oracle::PointSet::kCount));
     const auto points = oracle::make_point_set(kind, 60, 5000 + trial);
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     int infinite_ends = 0;
     for (CellId c = 0; c < t.cell_capacity(); ++c) {
@@ -179,7 +179,7 @@ TEST_CASE("facet_dual: both ends, hull, sides and stability") {
 
         // The normal points away from the cell at the low end.
         const auto offset = [&](Facet h) {
-          const VertexId apex = t.vertex(h.cell, h.index);
+          const SiteId apex = t.vertex(h.cell, h.index);
           return apex == Triangulation::kInfinite ? 0
                                                   : dot(dual.normal, t.point(apex) - dual.center);
         };
@@ -209,7 +209,7 @@ TEST_CASE(
     "a facet that survives an insertion keeps its line, bit for bit, and a part of its edge") {
   const auto points = oracle::make_point_set(oracle::PointSet::kRandom, 120, 6);
   Triangulation t;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   REQUIRE(t.build(std::span(points).first(60), ids));
   ConflictZone zone;
   std::vector<CellId> created;

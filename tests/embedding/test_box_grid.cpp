@@ -137,7 +137,7 @@ TEST_CASE("what meets a query is found, whatever came and went, at sizes over fo
       const Box3 box{{-1, 2, 0}, Vec3{-1, 2, 0} + sides};
       Twin twin(box, cell * longest);
       for (int step = 0; step < 1200; ++step) {
-        const FaceId f = random.below(300);
+        const FaceId f(random.below(300));
         if (twin.present.contains(f)) {
           twin.remove(f);
         } else {

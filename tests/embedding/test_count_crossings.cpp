@@ -23,12 +23,12 @@ TEST_CASE("as many crossings as brute force finds among random triangles") {
     Random random(seed);
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
-    for (VertexId v = 0; v < 90; v += 3) {
+    for (std::uint32_t v = 0; v < 90; v += 3) {
       const Vec3 at{random.uniform(0, 3), random.uniform(0, 3), random.uniform(0, 3)};
       for (int n = 0; n < 3; ++n) {
         points.push_back(at + Vec3{random.uniform(), random.uniform(), random.uniform()});
       }
-      triangles.push_back({v, v + 1, v + 2});
+      triangles.push_back(triangle_of(v, v + 1, v + 2));
     }
     std::size_t expected = 0;
     for (std::size_t f = 0; f < triangles.size(); ++f) {

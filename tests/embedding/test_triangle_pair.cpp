@@ -88,7 +88,8 @@ Soup random_soup(std::uint64_t seed, int size, std::size_t count) {
   const auto all = static_cast<std::uint32_t>(soup.points.size());
   while (soup.triangles.size() < count) {
     const std::uint32_t within = random.below(3) == 0 ? layer : all;
-    const Triangle t{random.below(within), random.below(within), random.below(within)};
+    const std::uint32_t a = random.below(within), b = random.below(within);
+    const Triangle t = triangle_of(a, b, random.below(within));
     const auto& p = soup.points;
     if (!collinear(p[t[0]], p[t[1]], p[t[2]])) soup.triangles.push_back(t);
   }
@@ -144,7 +145,7 @@ TEST_CASE("the tree finds the pairs that all pairs give") {
     const Soup soup = random_soup(seed, 9, 150);
     std::vector<std::pair<FaceId, FaceId>> all;
     for (FaceId f = 0; f < soup.triangles.size(); ++f) {
-      for (FaceId g = f + 1; g < soup.triangles.size(); ++g) {
+      for (FaceId g(f + 1); g < soup.triangles.size(); ++g) {
         if (triangles_intersect(soup.points, soup.triangles[f], soup.triangles[g])) {
           all.emplace_back(f, g);
         }

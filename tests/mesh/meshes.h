@@ -40,27 +40,27 @@ inline Triangles octahedron() {
 }
 
 // n x m squares of two triangles, both directions closed: a torus for n, m >= 3.
-inline Triangles torus_grid(VertexId n, VertexId m) {
+inline Triangles torus_grid(std::uint32_t n, std::uint32_t m) {
   Triangles triangles;
-  const auto id = [=](VertexId i, VertexId j) { return (i % n) + n * (j % m); };
-  for (VertexId j = 0; j < m; ++j) {
-    for (VertexId i = 0; i < n; ++i) {
-      triangles.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
-      triangles.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+  const auto id = [=](std::uint32_t i, std::uint32_t j) { return (i % n) + n * (j % m); };
+  for (std::uint32_t j = 0; j < m; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      triangles.push_back(triangle_of(id(i, j), id(i + 1, j), id(i + 1, j + 1)));
+      triangles.push_back(triangle_of(id(i, j), id(i + 1, j + 1), id(i, j + 1)));
     }
   }
   return triangles;
 }
 
 // n triangles around vertex 0, closed (n >= 3).
-inline Triangles one_ring(VertexId n) {
+inline Triangles one_ring(std::uint32_t n) {
   Triangles triangles;
-  for (VertexId i = 0; i < n; ++i) triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  for (std::uint32_t i = 0; i < n; ++i) triangles.push_back(triangle_of(0, 1 + i, 1 + (i + 1) % n));
   return triangles;
 }
 
 // The triangles of one_ring(n) but the last: vertex 0 is on the boundary.
-inline Triangles fan(VertexId n) {
+inline Triangles fan(std::uint32_t n) {
   Triangles triangles = one_ring(n + 1);
   triangles.pop_back();
   return triangles;
@@ -81,7 +81,7 @@ inline Triangles annulus() {
 inline Triangles hourglass() {
   Triangles triangles = tetrahedron();
   for (Triangle t : tetrahedron()) {
-    for (VertexId& v : t) v = v == 0 ? 0 : v + 3;
+    for (VertexId& v : t) v = VertexId(v == 0 ? 0 : v + 3);
     triangles.push_back(t);
   }
   return triangles;
@@ -122,7 +122,7 @@ inline Triangles pillow() {
 inline Triangles two_spheres() {
   Triangles triangles = octahedron();
   for (Triangle t : octahedron()) {
-    for (VertexId& v : t) v += 6;
+    for (VertexId& v : t) v = VertexId(v + 6);
     triangles.push_back(t);
   }
   return triangles;
@@ -138,11 +138,11 @@ class RandomMesh {
   // flipped (unless the new edge is there already). Boundary edges are left alone.
   void change() {
     Triangles t = triangles();
-    const FaceId f = random_.below(static_cast<std::uint32_t>(t.size()));
+    const FaceId f(random_.below(static_cast<std::uint32_t>(t.size())));
     const int i = static_cast<int>(random_.below(3));
     const FaceId g = mesh_.faces[f].n[i];
     const VertexId a = t[f][i], b = t[f][(i + 1) % 3], c = t[f][(i + 2) % 3];
-    const VertexId p = static_cast<VertexId>(mesh_.points.size());
+    const VertexId p = VertexId(mesh_.points.size());
     switch (random_.below(3)) {
       case 0:
         t[f] = {p, a, b};

@@ -104,13 +104,13 @@ TEST_CASE("one fault put into random sound meshes") {
     const TriMesh& sound = source.mesh();
     REQUIRE(check_mesh(sound) == "");
     Random& random = source.random();
-    const FaceId f = random.below(static_cast<std::uint32_t>(sound.faces.size()));
+    const FaceId f(random.below(static_cast<std::uint32_t>(sound.faces.size())));
     const int i = static_cast<int>(random.below(3));
     const FaceId g = sound.faces[f].n[i];
     const int j = neighbor_index(sound.faces[g], f);
 
     TriMesh mesh = sound;
-    mesh.faces[f].v[i] = static_cast<VertexId>(mesh.points.size());
+    mesh.faces[f].v[i] = VertexId(mesh.points.size());
     CHECK(rule(mesh) == "I1");
     mesh = sound;
     mesh.faces[f].v[i] = mesh.faces[f].v[(i + 1) % 3];
@@ -121,7 +121,7 @@ TEST_CASE("one fault put into random sound meshes") {
     CHECK(rule(mesh) == "I2");
     CHECK(contains(check_mesh(mesh), "facet " + std::to_string(g) + " "));
     mesh = sound;
-    mesh.faces[f].n[i] = static_cast<FaceId>(mesh.faces.size());
+    mesh.faces[f].n[i] = FaceId(mesh.faces.size());
     CHECK(rule(mesh) == "I2");
     mesh = sound;
     mesh.faces[f].n[i] = f;
@@ -142,8 +142,7 @@ TEST_CASE("one fault put into random sound meshes") {
     CHECK(rule(mesh_of(triangles)) == "I4");
     CHECK(mesh_topology(mesh_of(triangles)).duplicate_faces == 1);
     triangles = source.triangles();  // a fin on an inner edge
-    triangles.push_back(
-        {sound.faces[f].v[0], sound.faces[f].v[1], static_cast<VertexId>(sound.points.size())});
+    triangles.push_back({sound.faces[f].v[0], sound.faces[f].v[1], VertexId(sound.points.size())});
     CHECK(rule(mesh_of(triangles)) == "I4");
 
     mesh = sound;
@@ -155,9 +154,8 @@ TEST_CASE("one fault put into random sound meshes") {
 
     // A tetrahedron hung on one vertex.
     triangles = source.triangles();
-    const VertexId q = sound.faces[f].v[i], n = static_cast<VertexId>(sound.points.size());
-    for (const Triangle& t :
-         Triangles{{q, n + 1, n}, {q, n, n + 2}, {n, n + 1, n + 2}, {n + 1, q, n + 2}}) {
+    const VertexId q = sound.faces[f].v[i], n(sound.points.size()), m(n + 1), k(n + 2);
+    for (const Triangle& t : Triangles{{q, m, n}, {q, n, k}, {n, m, k}, {m, q, k}}) {
       triangles.push_back(t);
     }
     CHECK(rule(mesh_of(triangles)) == "I5");
@@ -185,7 +183,7 @@ TEST_CASE("arbitrary soups: sound exactly when edges and stars say so") {
     const std::uint32_t vertices = 4 + random.below(4);
     Triangles triangles(1 + random.below(seed % 2 ? 4 : 9));
     for (Triangle& t : triangles) {
-      for (VertexId& v : t) v = random.below(vertices);
+      for (VertexId& v : t) v = VertexId(random.below(vertices));
     }
     // Half of the soups are parts of a sound mesh, else hardly one would be sound.
     if (seed % 2 == 0) {
@@ -226,10 +224,10 @@ TEST_CASE("arbitrary soups: the topology against sets and flood fills") {
     const std::uint32_t vertices = 5 + random.below(15);
     Triangles triangles(1 + random.below(12));
     for (Triangle& t : triangles) {
-      const VertexId a = random.below(vertices);
-      const VertexId b = (a + 1 + random.below(vertices - 1)) % vertices;
+      const VertexId a(random.below(vertices));
+      const VertexId b((a + 1 + random.below(vertices - 1)) % vertices);
       VertexId c = a;
-      while (c == a || c == b) c = random.below(vertices);
+      while (c == a || c == b) c = VertexId(random.below(vertices));
       t = {a, b, c};
     }
     const TriMesh mesh = make_tri_mesh(some_points(vertices), triangles);

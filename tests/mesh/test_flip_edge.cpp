@@ -26,7 +26,7 @@ void split_facet(TriMesh& mesh, FaceId f) {
   for (const Face& face : mesh.faces) triangles.push_back(face.v);
   const auto [a, b, c] = triangles[f];
   const Vec3 sum = mesh.points[a] + mesh.points[b] + mesh.points[c];
-  const VertexId v = static_cast<VertexId>(mesh.points.size());
+  const VertexId v = VertexId(mesh.points.size());
   mesh.points.push_back(sum / length(sum));
   triangles[f] = {a, b, v};
   triangles.push_back({b, c, v});
@@ -48,11 +48,11 @@ TEST_CASE("allowed flips at random keep the manifold; a second flip undoes the f
     Random random(seed);
     TriMesh mesh = octahedron();
     for (int n = 0; n < 20; ++n) {
-      split_facet(mesh, random.below(static_cast<std::uint32_t>(mesh.faces.size())));
+      split_facet(mesh, FaceId(random.below(static_cast<std::uint32_t>(mesh.faces.size()))));
     }
     int flips = 0, refused = 0;
     while (flips < 200) {
-      const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+      const FaceId f(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
       const Quad q = quad_at(mesh, f, static_cast<int>(random.below(3)));
       CHECK(q.f == f);
       if (has_diagonal(mesh, q)) {
@@ -76,7 +76,7 @@ TEST_CASE("flipping what is not convex ends in the convex hull") {
     Random random(seed);
     TriMesh mesh = octahedron();
     for (int n = 0; n < 60; ++n) {
-      split_facet(mesh, random.below(static_cast<std::uint32_t>(mesh.faces.size())));
+      split_facet(mesh, FaceId(random.below(static_cast<std::uint32_t>(mesh.faces.size()))));
     }
     for (bool flipped = true; flipped;) {
       flipped = false;

@@ -153,11 +153,11 @@ TEST_CASE("the volume within closed meshes, however small and far apart they are
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
     for (int copy = 0; copy < 20; ++copy) {
-      const auto first = static_cast<VertexId>(points.size());
+      const auto first = VertexId(points.size());
       const Vec3 at{1.0 * copy, 2.0 * copy, -3.0 * copy};
       for (const Vec3& p : unit.points) points.push_back(at + scale * p);
       for (const Face& f : unit.faces) {
-        triangles.push_back({first + f.v[0], first + f.v[1], first + f.v[2]});
+        triangles.push_back(triangle_of(first + f.v[0], first + f.v[1], first + f.v[2]));
       }
     }
     const double expected = 20 * size * scale * scale * scale;

@@ -18,7 +18,7 @@ TEST_CASE("random splits of edges and facets keep the mesh and its linking") {
     TriMesh mesh = mesh_of(triangles);
     const MeshTopology before = mesh_topology(mesh);
     for (int n = 0; n < 200; ++n) {
-      const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+      const FaceId f(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
       const int i = static_cast<int>(random.below(3));
       const Vec3 p{random.uniform(), random.uniform(), random.uniform()};
       const std::size_t faces = mesh.faces.size();

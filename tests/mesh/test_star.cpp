@@ -64,7 +64,7 @@ std::vector<VertexId> labels(std::size_t n, Random& random) {
   std::set<VertexId> drawn;
   std::vector<VertexId> all;
   while (all.size() < n) {
-    const VertexId v = static_cast<VertexId>(random.next());
+    const VertexId v = VertexId(random.next());
     if (v != kHub && drawn.insert(v).second) all.push_back(v);
   }
   return all;
@@ -94,7 +94,7 @@ TEST_CASE("every set of link edges over up to seven vertices") {
       for (int b = 1; b < n; ++b) {
         for (int a = 0; a < b; ++a) {
           if (mask >> links.edge(a, b) & 1) {
-            triangles.push_back({static_cast<VertexId>(a), static_cast<VertexId>(b), kHub});
+            triangles.push_back({VertexId(a), VertexId(b), kHub});
           }
         }
       }

@@ -41,7 +41,7 @@ Oracle link_by_brute_force(const Triangles& triangles) {
     if (same.empty() && opposite.empty()) {
       ++oracle.result.boundary_edges;
     } else if (same.empty() && opposite.size() == 1 && !loop && opposite[0] / 3 != h / 3) {
-      oracle.neighbors[h / 3][h % 3] = static_cast<FaceId>(opposite[0] / 3);
+      oracle.neighbors[h / 3][h % 3] = FaceId(opposite[0] / 3);
     } else {
       oracle.result.non_manifold_edges += first;
     }
@@ -55,7 +55,7 @@ void compare(const Triangles& triangles) {
   const Oracle oracle = link_by_brute_force(triangles);
   CHECK(result.boundary_edges == oracle.result.boundary_edges);
   CHECK(result.non_manifold_edges == oracle.result.non_manifold_edges);
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
+  for (FaceId f = 0; f < triangles.size(); ++f) {
     REQUIRE(mesh.faces[f].v == triangles[f]);
     REQUIRE(mesh.faces[f].n == oracle.neighbors[f]);
   }
@@ -95,7 +95,7 @@ TEST_CASE("arbitrary soups of triangles") {
     const std::uint32_t vertices = 3 + random.below(8);
     Triangles triangles(random.below(14));
     for (Triangle& t : triangles) {
-      for (VertexId& v : t) v = random.below(vertices);
+      for (VertexId& v : t) v = VertexId(random.below(vertices));
     }
     compare(triangles);
   }

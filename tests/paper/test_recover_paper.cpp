@@ -45,12 +45,12 @@ std::size_t vertices_without_disk(const RestrictedDelaunay& restricted) {
   std::size_t count = 0;
   std::vector<RecordId> star;
   std::vector<Triangle> triangles;
-  for (VertexId q = 1; q < restricted.triangulation().vertex_capacity(); ++q) {
+  for (SiteId q = 1; q < restricted.triangulation().vertex_capacity(); ++q) {
     if (restricted.is_auxiliary(q)) continue;
     restricted.star(q, star);
     triangles.clear();
-    for (const RecordId r : star) triangles.push_back(restricted.triangle(r));
-    count += classify_star(q, triangles) != Star::disk;
+    for (const RecordId r : star) triangles.push_back(as_mesh_triangle(restricted.triangle(r)));
+    count += classify_star(VertexId(q.number()), triangles) != Star::disk;
   }
   return count;
 }

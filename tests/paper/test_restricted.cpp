@@ -76,7 +76,7 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
       // A little off the lattice, so that no four points share a circle by construction.
       const Vec3 q = p + Vec3{random.uniform(0, 1e-3), random.uniform(0, 1e-3), 0};
       if (restricted.prepare(q, kNoId).duplicate != kNoId) continue;
-      const VertexId v = restricted.insert_prepared(q);
+      const SiteId v = restricted.insert_prepared(q);
       CHECK(restricted.touched()[0] == v);
       if (n % 10 == 9) check_against_search(restricted);
     }
@@ -94,7 +94,7 @@ TEST_CASE("pole heights are those of a brute-force search over Voronoi vertices"
                                                 resolve(options, scene.volume), report);
   const Triangulation& t = sample.triangulation;
   const std::vector<double> poles = compute_poles(t, scene.surface, report);
-  for (VertexId q = 1; q < t.vertex_capacity(); ++q) {
+  for (SiteId q = 1; q < t.vertex_capacity(); ++q) {
     const Vec3& p = t.point(q);
     if (is_auxiliary(p, scene.volume.box())) continue;
     const Vec3 gradient = scene.surface.gradient(p);

@@ -33,10 +33,8 @@ struct Drawing {
   bool is_sphere() const { return !poles.empty(); }
   int height() const { return static_cast<int>(rows.size()); }
   int width() const { return static_cast<int>(rows[0].size()); }
-  VertexId at(int row, int column) const {
-    return static_cast<VertexId>(row * width() + column % width());
-  }
-  VertexId pole(int n) const { return static_cast<VertexId>(height() * width() + n); }
+  VertexId at(int row, int column) const { return VertexId(row * width() + column % width()); }
+  VertexId pole(int n) const { return VertexId(height() * width() + n); }
   std::string letters() const {
     std::string all;
     for (const std::string& row : rows) all += row;
@@ -95,7 +93,7 @@ ContourMesh contour_of(const Drawing& d) {
     const std::size_t site = letters.find(name);
     REQUIRE(site != std::string::npos);
     const double n = name - 'A';
-    t.points.push_back(Vec3{10 * n, n * n, n * n * n} + offset(d, static_cast<VertexId>(site), v));
+    t.points.push_back(Vec3{10 * n, n * n, n * n * n} + offset(d, VertexId(site), v));
   }
   t.component.assign(t.points.size(), 0);
   t.box_faces.assign(t.points.size(), 0);
@@ -131,7 +129,7 @@ class Labelled {
     certificate_.begin_round();
     return certificate_.check(labels_.label(v), v, scratch_, facets_);
   }
-  Verdict check(char site) { return check(static_cast<VertexId>(drawing_.letters().find(site))); }
+  Verdict check(char site) { return check(VertexId(drawing_.letters().find(site))); }
 
   // The sites that break a condition.
   std::string broken() {
@@ -149,9 +147,9 @@ class Labelled {
     std::vector<CellId> created;
     triangulation_.find_conflicts(contour_.points[v], kNoId, zone);
     REQUIRE(zone.duplicate == kNoId);
-    const VertexId site = triangulation_.insert_in_zone(contour_.points[v], zone, created);
-    std::vector<VertexId> neighbors, changed;
-    for (VertexId s = 1; s < site; ++s) neighbors.push_back(s);
+    const SiteId site = triangulation_.insert_in_zone(contour_.points[v], zone, created);
+    std::vector<SiteId> neighbors, changed;
+    for (SiteId s = 1; s < site; ++s) neighbors.push_back(s);
     labels_.add_site(site, triangulation_, neighbors, changed);
     vertex_.push_back(v);
   }
@@ -180,7 +178,7 @@ class Labelled {
     std::map<std::pair<VertexId, VertexId>, int> edges;
     for (const VertexId v : vertex_) {
       if (v == kNoId) continue;
-      number[labels_.label(v)] = static_cast<VertexId>(dual.points.size());
+      number[labels_.label(v)] = VertexId(dual.points.size());
       dual.points.push_back(contour_.points[v]);
     }
     for (const VertexId v : vertex_) {
@@ -215,7 +213,7 @@ class Labelled {
       points.push_back(1e5 * corner);
     }
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     vertex_.assign(t.vertex_capacity(), kNoId);
     for (std::size_t n = 0; n < at.size(); ++n) vertex_[ids[n]] = at[n];

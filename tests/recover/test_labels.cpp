@@ -15,13 +15,13 @@ using namespace deliso;
 
 namespace {
 
-std::vector<VertexId> neighbors_of(const Triangulation& t, VertexId s) {
-  std::vector<VertexId> neighbors;
+std::vector<SiteId> neighbors_of(const Triangulation& t, SiteId s) {
+  std::vector<SiteId> neighbors;
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
     const auto& v = t.vertices(c);
     if (std::find(v.begin(), v.end(), s) == v.end()) continue;
-    for (const VertexId n : v) {
+    for (const SiteId n : v) {
       if (n != s && n != Triangulation::kInfinite) neighbors.push_back(n);
     }
   }
@@ -32,14 +32,14 @@ std::vector<VertexId> neighbors_of(const Triangulation& t, VertexId s) {
 
 void check_nearest(const ContourMesh& contour, const Labels& labels, const Triangulation& t) {
   std::size_t in_regions = 0;
-  for (VertexId s = 1; s < t.vertex_capacity(); ++s) {
+  for (SiteId s = 1; s < t.vertex_capacity(); ++s) {
     in_regions += labels.region(s).size();
     for (const VertexId v : labels.region(s)) REQUIRE(labels.label(v) == s);
   }
   CHECK(in_regions == contour.points.size());
   for (VertexId v = 0; v < contour.points.size(); ++v) {
     double nearest2 = std::numeric_limits<double>::infinity();
-    for (VertexId s = 1; s < t.vertex_capacity(); ++s) {
+    for (SiteId s = 1; s < t.vertex_capacity(); ++s) {
       nearest2 = std::min(nearest2, distance2(contour.points[v], t.point(s)));
     }
     REQUIRE(labels.distance2_to_site(v) == nearest2);
@@ -73,8 +73,8 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
               .points[random.below(static_cast<std::uint32_t>(scene.contour.points.size()))];
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
-      const VertexId s = t.insert_in_zone(p, zone, created);
-      std::vector<VertexId> changed;
+      const SiteId s = t.insert_in_zone(p, zone, created);
+      std::vector<SiteId> changed;
       labels.add_site(s, t, neighbors_of(t, s), changed);
     }
     check_nearest(scene.contour, labels, t);
@@ -93,7 +93,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
       points.push_back(1000 * corner);
     }
     Triangulation t;
-    std::vector<VertexId> ids;
+    std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
     const ContourGraph graph(contour, 1);
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
@@ -101,7 +101,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Certificate certificate(contour, graph, labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
-    std::vector<Triangle> dual;
+    std::vector<SiteTriangle> dual;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       const Verdict verdict = certificate.check(ids[v], v, scratch, facets);
       REQUIRE(verdict.violation == Violation::none);
@@ -121,7 +121,7 @@ TEST_CASE("a region that is all of a torus is told") {
     points.push_back(1000 * corner);
   }
   Triangulation t;
-  std::vector<VertexId> ids;
+  std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
   const ContourGraph graph(scene.contour, 1);
   const std::vector<std::uint8_t> kept(1, 1);

@@ -103,7 +103,7 @@ inline std::string crossing_in(const TriMesh& mesh) {
   }
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Box3& p = boxes[f];
-    for (FaceId g = f + 1; g < mesh.faces.size(); ++g) {
+    for (FaceId g(f + 1); g < mesh.faces.size(); ++g) {
       const Box3& q = boxes[g];
       const bool apart = (p.lo.x > q.hi.x) | (q.lo.x > p.hi.x) | (p.lo.y > q.hi.y) |
                          (q.lo.y > p.hi.y) | (p.lo.z > q.hi.z) | (q.lo.z > p.hi.z);
@@ -209,7 +209,7 @@ class Stage {
 
   FaceId random_facet(Random& random) const {
     while (true) {
-      const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+      const FaceId f(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
       if (!is_dead(mesh.faces[f])) return f;
     }
   }

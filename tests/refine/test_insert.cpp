@@ -46,7 +46,7 @@ void check_inserted(Stage& stage, const Stage::Snapshot& before, std::span<const
   REQUIRE(stage.fault() == "");
   REQUIRE(stage.fault_of(created) == "");
   REQUIRE(stage.mesh.points.size() == before.points.size() + 1);
-  const auto v = static_cast<VertexId>(before.points.size());
+  const auto v = VertexId(before.points.size());
   std::set<FaceId> is_new(created.begin(), created.end());
   REQUIRE(is_new.size() == created.size());
   for (const FaceId f : created) REQUIRE(has_corner(stage.mesh.faces[f].v, v));

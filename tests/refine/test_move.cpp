@@ -100,7 +100,7 @@ TEST_CASE("vertices pushed along the surface are moved to where facets are good 
       if (is_dead(stage.mesh.faces[f])) continue;
       for (const VertexId v : stage.mesh.faces[f].v) facet_of[v] = f;
     }
-    for (VertexId v = 0; v < facet_of.size(); v += 10) {
+    for (VertexId v = 0; v < facet_of.size(); v = VertexId(v + 10)) {
       if (facet_of[v] == kNoId || stage.surface_mesh.chain.is_boundary(v)) continue;
       const auto p = beside(stage, v, 0.5 * stage.parameters.r_min, random);
       if (p) push(stage, facet_of[v], v, *p);

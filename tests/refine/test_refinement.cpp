@@ -34,7 +34,7 @@ bool is_disk(const Triangles& facets) {
   std::map<VertexId, VertexId> id;
   Triangles used = facets;
   for (Triangle& t : used) {
-    for (VertexId& v : t) v = id.try_emplace(v, static_cast<VertexId>(id.size())).first->second;
+    for (VertexId& v : t) v = id.try_emplace(v, VertexId(id.size())).first->second;
   }
   const TriMesh mesh = make_tri_mesh(some_points(id.size()), used);
   if (!check_mesh(mesh).empty()) return false;
@@ -99,7 +99,7 @@ TEST_CASE("disks are told from all that are none") {
   Triangles with_handle = torus_grid(4, 4);  // a torus with a facet out, and a sphere beside it
   with_handle.pop_back();
   for (Triangle t : octahedron()) {
-    for (VertexId& v : t) v += 50;
+    for (VertexId& v : t) v = VertexId(v + 50);
     with_handle.push_back(t);
   }
   // An annulus pinched: its two rims share a vertex.
@@ -145,7 +145,7 @@ TEST_CASE("random pieces of meshes are disks exactly where a count says so") {
     const TriMesh& mesh = source.mesh();
     for (int trial = 0; trial < 10; ++trial) {
       // Grown over edges from a facet, with holes; now and then with a facet from anywhere.
-      std::set<FaceId> piece{random.below(static_cast<std::uint32_t>(mesh.faces.size()))};
+      std::set<FaceId> piece{FaceId(random.below(static_cast<std::uint32_t>(mesh.faces.size())))};
       const std::uint32_t steps = random.below(12);
       for (std::uint32_t n = 0; n < steps; ++n) {
         auto at = piece.begin();
@@ -154,7 +154,7 @@ TEST_CASE("random pieces of meshes are disks exactly where a count says so") {
         if (g != kNoId) piece.insert(g);
       }
       if (random.below(6) == 0) {
-        piece.insert(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
+        piece.insert(FaceId(random.below(static_cast<std::uint32_t>(mesh.faces.size()))));
       }
       Triangles facets;
       for (const FaceId f : piece) facets.push_back(mesh.faces[f].v);
@@ -225,7 +225,7 @@ std::vector<TriMesh> small_meshes() {
       Random random(seed);
       TriMesh mesh = mesh_of(triangles);
       for (std::uint64_t n = 0; n < 3 * (seed - 1); ++n) {
-        const FaceId f = random.below(static_cast<std::uint32_t>(mesh.faces.size()));
+        const FaceId f(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
         const Vec3 p{random.uniform(), random.uniform(), random.uniform()};
         if (n % 2 == 0) {
           split_face(mesh, f, p);
@@ -520,7 +520,7 @@ Change random_change(Stage& stage, Random& random) {
       change.cavity.push_back(g);
     }
     change.what = Change::Vertex::comes;
-    change.vertex = static_cast<VertexId>(mesh.points.size());
+    change.vertex = VertexId(mesh.points.size());
     const auto p = stage.point_near(f, random);
     change.place = p ? *p : stage.recovered.samples[0];
     Disk patch;

@@ -46,7 +46,7 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
         const bool is_seen = std::binary_search(seen.begin(), seen.end(), f);
         CHECK(is_seen == reaches_into(part.region, stage.mesh, stage.mesh.faces[f].v));
       }
-      for (std::size_t f = part.region.first_free; f < part.facets.size(); ++f) {
+      for (FaceId f(part.region.first_free); f < part.facets.size(); ++f) {
         CHECK(part_of[part.facets[f]] == -1);
         part_of[part.facets[f]] = static_cast<int>(k);
         const Face& whole = stage.mesh.faces[part.facets[f]];

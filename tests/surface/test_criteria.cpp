@@ -100,7 +100,7 @@ TEST_CASE(
     std::vector<double> violation(200, 0);
     std::vector<Vec3> place(200);
     for (int n = 0; n < 1000; ++n) {
-      const FaceId f = random.below(200);
+      const FaceId f(random.below(200));
       violation[f] = std::exp2(random.uniform(-2, 6));
       place[f] = {random.uniform(-1, 7), random.uniform(0, 4), 2};
       queue.set(f, violation[f], place[f]);

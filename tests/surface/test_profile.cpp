@@ -39,7 +39,7 @@ std::uint64_t total(const Bins& bins) {
 
 bool same(const TriMesh& a, const TriMesh& b) {
   if (a.points != b.points || a.faces.size() != b.faces.size()) return false;
-  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+  for (FaceId f = 0; f < a.faces.size(); ++f) {
     if (a.faces[f].v != b.faces[f].v) return false;
   }
   return true;

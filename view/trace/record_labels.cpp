@@ -9,7 +9,7 @@ namespace deliso {
 namespace {
 
 // Three regions meet there.
-bool is_dual(const Triangle& labels) {
+bool is_dual(const SiteTriangle& labels) {
   return labels[0] != kNoId && labels[0] != labels[1] && labels[1] != labels[2] &&
          labels[2] != labels[0];
 }
@@ -36,7 +36,7 @@ void TraceRecorder::labels_ready(const LabelState& state) {
   const ContourMesh& contour = state.contour;
   TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
   for (const Triangle& t : contour.triangles) {
-    const Triangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
+    const SiteTriangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
     if (is_dual(sites)) event.added.push_back(number(sites));
   }
   event.value = static_cast<double>(event.added.size());
@@ -51,18 +51,18 @@ void TraceRecorder::labels_ready(const LabelState& state) {
   for (const Triangle& t : contour.triangles) {
     arrays.contour_triangles.insert(arrays.contour_triangles.end(), t.begin(), t.end());
   }
-  for (const VertexId s : label_) {
-    arrays.contour_label.push_back(s == kNoId ? kNoId : number(s));
+  for (const SiteId s : label_) {
+    arrays.contour_label.push_back(number(s));
   }
 }
 
-void TraceRecorder::site_asked(Reason reason, VertexId asker, VertexId v) {
+void TraceRecorder::site_asked(Reason reason, SiteId asker, VertexId v) {
   const double value = v == kNoId ? 0 : std::sqrt(labels_->labels.distance2_to_site(v));
   TraceEvent& event = asks(routine_of(reason), reason, value);
   if (asker != kNoId) event.caller[0] = number(asker);
 }
 
-void TraceRecorder::site_added(VertexId site) {
+void TraceRecorder::site_added(SiteId site) {
   if (trace_.is_full()) return record(TraceOutcome::done);
   const Labels& labels = labels_->labels;
   const ContourGraph& graph = labels_->graph;
@@ -77,8 +77,8 @@ void TraceRecorder::site_added(VertexId site) {
     for (std::size_t n = 0; n < triangles; ++n) {
       const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
       if ((u < v && is_taken(u)) || (w < v && is_taken(w))) continue;
-      const Triangle before{label_[v], label_[u], label_[w]};
-      const Triangle after{site, labels.label(u), labels.label(w)};
+      const SiteTriangle before{label_[v], label_[u], label_[w]};
+      const SiteTriangle after{site, labels.label(u), labels.label(w)};
       if (is_dual(before)) event.removed.push_back(number(before));
       if (is_dual(after)) event.added.push_back(number(after));
     }

@@ -27,21 +27,21 @@ void TraceRecorder::tell_facet(RecordId r, TraceEvent& event) const {
   event.ball = {x, distance(x, a)};
 }
 
-void TraceRecorder::edge_asked(VertexId from, VertexId to) {
+void TraceRecorder::edge_asked(SiteId from, SiteId to) {
   const Triangulation& t = restricted_->triangulation();
   TraceEvent& event =
       asks(Routine::protect_boundary, Reason::encroached, distance(t.point(from), t.point(to)));
   event.caller = {number(from), number(to), kNoId};
 }
 
-void TraceRecorder::star_asked(VertexId q, bool on_boundary, RecordId furthest) {
+void TraceRecorder::star_asked(SiteId q, bool on_boundary, RecordId furthest) {
   std::vector<RecordId> star;
   restricted_->star(q, star);
   std::vector<Triangle> facets;
   facets.reserve(star.size());
-  for (const RecordId r : star) facets.push_back(restricted_->triangle(r));
+  for (const RecordId r : star) facets.push_back(as_mesh_triangle(restricted_->triangle(r)));
   const auto reason = [&] {
-    switch (classify_star(q, facets)) {
+    switch (classify_star(VertexId(q.number()), facets)) {
       case Star::empty:
         return Reason::star_empty;
       case Star::disk:
@@ -87,7 +87,7 @@ void TraceRecorder::show(RecordId r) {
   if (!is_in) return record_gone(r);
   if (shown_[r] != kNone) return;
   const Triangulation& t = restricted.triangulation();
-  const Triangle v = restricted.triangle(r);
+  const SiteTriangle v = restricted.triangle(r);
   const Vec3 normal = area_normal(t.point(v[0]), t.point(v[1]), t.point(v[2]));
   shown_[r] = number(v);
   if (dot(normal, restricted.surface().gradient(restricted.surface_point(r))) > 0) {
@@ -96,14 +96,14 @@ void TraceRecorder::show(RecordId r) {
   trace_.event().added.push_back(shown_[r]);
 }
 
-void TraceRecorder::point_inserted(VertexId v) {
+void TraceRecorder::point_inserted(SiteId v) {
   number_vertices();
   trace_.event().vertex = number(v);
   for (const RecordId r : restricted_->created()) show(r);
   record(outcome_);
 }
 
-void TraceRecorder::edge_split(VertexId from, VertexId to) {
+void TraceRecorder::edge_split(SiteId from, SiteId to) {
   TraceEvent& event = trace_.event();
   if (event.routine == trace_code(Routine::protect_boundary)) {
     event.caller = {number(from), number(to), kNoId};

@@ -11,14 +11,15 @@ void TraceRecorder::number_vertices() {
   const Triangulation& t = triangulation();
   const Box3 box = labels_ ? labels_->box : restricted_->surface().volume().box();
   if (numbers_.empty()) numbers_.push_back(kNoId);  // the infinite vertex
-  for (auto v = static_cast<VertexId>(numbers_.size()); v < t.vertex_capacity(); ++v) {
-    numbers_.push_back(is_auxiliary(t.point(v), box) ? kNoId : trace_.add_vertex(t.point(v)));
+  for (auto v = SiteId(numbers_.size()); v < t.vertex_capacity(); ++v) {
+    numbers_.push_back(is_auxiliary(t.point(v), box) ? VertexId(kNoId)
+                                                     : trace_.add_vertex(t.point(v)));
   }
 }
 
 bool TraceRecorder::is_told(CellId c) const {
   const auto& v = triangulation().vertices(c);
-  return std::none_of(v.begin(), v.end(), [&](VertexId q) { return number(q) == kNoId; });
+  return std::none_of(v.begin(), v.end(), [&](SiteId q) { return number(q) == kNoId; });
 }
 
 TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
@@ -47,7 +48,7 @@ void TraceRecorder::recovery_finished() {
   const Triangulation& t = triangulation();
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c) || !is_told(c)) continue;
-    for (const VertexId v : t.vertices(c)) trace_.arrays().tets.push_back(number(v));
+    for (const SiteId v : t.vertices(c)) trace_.arrays().tets.push_back(number(v));
   }
 }
 

@@ -34,17 +34,17 @@ class TraceRecorder : public Observer {
 
   // Certified, record_labels.cpp.
   void labels_ready(const LabelState& state) override;
-  void site_asked(Reason reason, VertexId asker, VertexId v) override;
-  void site_added(VertexId site) override;
+  void site_asked(Reason reason, SiteId asker, VertexId v) override;
+  void site_added(SiteId site) override;
 
   // As published, record_restricted.cpp.
   void restricted_ready(const RestrictedDelaunay& restricted) override;
-  void edge_asked(VertexId from, VertexId to) override;
-  void star_asked(VertexId q, bool on_boundary, RecordId furthest) override;
+  void edge_asked(SiteId from, SiteId to) override;
+  void star_asked(SiteId q, bool on_boundary, RecordId furthest) override;
   void record_asked(RecordId r, Reason reason, double value) override;
   void record_gone(RecordId r) override;
-  void point_inserted(VertexId v) override;
-  void edge_split(VertexId from, VertexId to) override;
+  void point_inserted(SiteId v) override;
+  void edge_split(SiteId from, SiteId to) override;
   void attempt_ended(Attempt attempt, const Vec3& x) override;
 
   // Stage 2, record_mesh.cpp: every operation with the cavity, what takes its place, and the test
@@ -65,8 +65,14 @@ class TraceRecorder : public Observer {
   void number_vertices();
   // Returns kNoId for a vertex that has no number: an auxiliary one, or one that came after the
   // trace was full. Every look-up goes through here, so that no caller need ask whether it is.
-  VertexId number(VertexId v) const { return v < numbers_.size() ? numbers_[v] : kNoId; }
-  Triangle number(const Triangle& v) const { return {number(v[0]), number(v[1]), number(v[2])}; }
+  template <class Tag>
+  VertexId number(Id<Tag> v) const {
+    return v < numbers_.size() ? numbers_[v] : VertexId(kNoId);
+  }
+  template <class Tag>
+  Triangle number(const std::array<Id<Tag>, 3>& v) const {
+    return {number(v[0]), number(v[1]), number(v[2])};
+  }
   bool is_told(CellId c) const;
   // Facets of the mesh; `new_vertex`, of a try, has no number.
   void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
@@ -81,10 +87,10 @@ class TraceRecorder : public Observer {
   Trace& trace_;
   const Report& report_;
   Observer* also_;
-  std::vector<VertexId> numbers_;  // the trace's, per vertex of Del S
+  std::vector<VertexId> numbers_;  // the trace's, per site, then per vertex of the mesh
 
   std::optional<LabelState> labels_;
-  std::vector<VertexId> label_;  // of every vertex of T, before the site that is being added
+  std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
 
   const RestrictedDelaunay* restricted_ = nullptr;
   std::vector<Triangle> shown_;  // per record; kNoId: not in the complex

@@ -16,9 +16,8 @@ void append(std::vector<float>& out, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) out.push_back(static_cast<float>(p[axis]));
 }
 
-template <std::size_t N>
-void append(TraceList<std::uint32_t>& list,
-            const std::vector<std::array<std::uint32_t, N>>& items) {
+template <class Number, std::size_t N>
+void append(TraceList<std::uint32_t>& list, const std::vector<std::array<Number, N>>& items) {
   for (const auto& item : items) list.values.insert(list.values.end(), item.begin(), item.end());
   list.begin.push_back(static_cast<std::uint32_t>(list.values.size() / N));
 }
@@ -36,7 +35,7 @@ Triangle rotated(const Triangle& t) {
 std::vector<Triangle> sorted_triangles(std::span<const std::uint32_t> values) {
   std::vector<Triangle> out;
   for (std::size_t k = 0; k < values.size(); k += 3) {
-    out.push_back(rotated({values[k], values[k + 1], values[k + 2]}));
+    out.push_back(rotated({VertexId(values[k]), VertexId(values[k + 1]), VertexId(values[k + 2])}));
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -56,7 +55,7 @@ VertexId Trace::add_vertex(const Vec3& p) {
   if (is_full()) return kNoId;
   points_.push_back(p);
   append(arrays_.points, p);
-  return static_cast<VertexId>(points_.size() - 1);
+  return VertexId(points_.size() - 1);
 }
 
 TraceEvent& Trace::asks(std::uint8_t routine, std::uint8_t reason, double value) {
@@ -127,7 +126,7 @@ void Trace::switch_to(const TriMesh& mesh) {
     return;
   }
   std::vector<VertexId> by_place(points_.size());
-  std::iota(by_place.begin(), by_place.end(), 0);
+  std::iota(by_place.begin(), by_place.end(), VertexId(0));
   std::sort(by_place.begin(), by_place.end(), [&](VertexId a, VertexId b) {
     return points_[a] == points_[b] ? a < b : is_before(points_[a], points_[b]);
   });

@@ -158,7 +158,7 @@ class Trace {
   // The complex after all events, T2: each triangle begins with its smallest vertex, ascending.
   std::vector<Triangle> complex() const;
   // Where vertex v is, as it was told.
-  const Vec3& point(VertexId v) const { return points_[v]; }
+  const Vec3& point(std::uint32_t v) const { return points_[v]; }
 
  private:
   using Clock = std::chrono::steady_clock;

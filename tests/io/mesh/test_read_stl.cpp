@@ -43,7 +43,7 @@ float as_float(double x) {
 // The triangles by the places of their corners.
 void check_same_places(const TriMesh& a, const TriMesh& b) {
   REQUIRE(a.faces.size() == b.faces.size());
-  for (std::size_t f = 0; f < a.faces.size(); ++f) {
+  for (FaceId f = 0; f < a.faces.size(); ++f) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 p = a.points[a.faces[f].v[i]], q = b.points[b.faces[f].v[i]];
       for (int axis = 0; axis < 3; ++axis) REQUIRE(as_float(p[axis]) == as_float(q[axis]));
@@ -77,7 +77,7 @@ TEST_CASE("both kinds give the triangles back, and as many vertices as there wer
       for (const Face& face : back.faces) {
         for (const VertexId v : face.v) {
           REQUIRE(v <= next);
-          next = std::max(next, v + 1);
+          next = std::max(next, VertexId(v + 1));
         }
       }
     }

@@ -46,7 +46,7 @@ TEST_CASE("polygons in every encoding, type and byte order") {
           parse_mesh(vtp(kPoints, kPolygons, form, wide), MeshFormat::vtp, "in", &comments);
       CHECK(mesh.points == kPoints);
       REQUIRE(mesh.faces.size() == kTriangles.size());
-      for (std::size_t f = 0; f < kTriangles.size(); ++f) CHECK(mesh.faces[f].v == kTriangles[f]);
+      for (FaceId f = 0; f < kTriangles.size(); ++f) CHECK(mesh.faces[f].v == kTriangles[f]);
       CHECK(comments == std::vector<std::string>{"made by hand"});
       // No polygons, nothing at all.
       CHECK(parse_mesh(vtp(kPoints, {}, form, wide), MeshFormat::vtp, "in").points == kPoints);

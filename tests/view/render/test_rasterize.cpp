@@ -60,7 +60,7 @@ TriMesh random_facets(Random& random, std::size_t count) {
   };
   for (VertexId v = 0; v < 3 * count; ++v) {
     points.push_back({coordinate(kSize.width), coordinate(kSize.height), random.uniform(-5, 5)});
-    if (v % 3 == 2) triangles.push_back({v - 2, v - 1, v});
+    if (v % 3 == 2) triangles.push_back(triangle_of(v - 2, v - 1, v));
   }
   return make_tri_mesh(points, triangles);
 }
@@ -146,13 +146,13 @@ TEST_CASE("very many facets over each sample, sorted from the front to the back"
     const ProjectedMesh before = project(mesh, flat_camera(), 2, clip);
     const std::vector<FaceId> seen = visible_faces(mesh, before, 0, before.rows);
     const std::size_t facets = mesh.faces.size();
-    for (std::size_t f = 0; f < facets; ++f) mesh.faces.push_back(mesh.faces[f]);
-    const auto behind = static_cast<VertexId>(mesh.points.size());
+    for (FaceId f = 0; f < facets; ++f) mesh.faces.push_back(mesh.faces[f]);
+    const auto behind = VertexId(mesh.points.size());
     for (const Vec3& p : {Vec3{-9, -9, -9}, Vec3{200, -9, -9}, Vec3{-9, 200, -9}}) {
       mesh.points.push_back(p);
     }
     // It is seen where nothing else is, as far as it is not clipped.
-    const Face back{{behind, behind + 1, behind + 2}, {kNoId, kNoId, kNoId}};
+    const Face back{triangle_of(behind, behind + 1, behind + 2), {kNoId, kNoId, kNoId}};
     mesh.faces.insert(mesh.faces.end(), 500, back);
     const ProjectedMesh after = project(mesh, flat_camera(), 2, clip);
     const std::vector<FaceId> again = visible_faces(mesh, after, 0, after.rows);
@@ -173,7 +173,7 @@ TEST_CASE("the one of the lower id at equal depth; bands of rows make up the who
     Random random(seed);
     TriMesh mesh = random_facets(random, 6);
     const std::size_t facets = mesh.faces.size();
-    for (std::size_t f = 0; f < facets; ++f) mesh.faces.push_back(mesh.faces[f]);
+    for (FaceId f = 0; f < facets; ++f) mesh.faces.push_back(mesh.faces[f]);
     const ProjectedMesh projected = project(mesh, flat_camera(), 2, {});
     const std::vector<FaceId> whole = visible_faces(mesh, projected, 0, projected.rows);
     for (const FaceId f : whole) CHECK((f == kNoId || f < facets));

@@ -34,8 +34,7 @@ TriMesh sphere(int levels) {
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<VertexId, VertexId>, VertexId> middles;
     const auto middle = [&](VertexId a, VertexId b) {
-      const auto [at, added] =
-          middles.try_emplace(std::minmax(a, b), static_cast<VertexId>(points.size()));
+      const auto [at, added] = middles.try_emplace(std::minmax(a, b), VertexId(points.size()));
       const Vec3 sum = points[a] + points[b];
       if (added) points.push_back(sum / length(sum));
       return at->second;
@@ -503,7 +502,8 @@ TEST_CASE("what is looked at is in the middle, at any zoom; what is beside all i
     const View view{random.uniform(-360, 360), random.uniform(-89, 89)};
     Aim aim;
     aim.zoom = random.uniform(0.1, largest_zoom({400, 300}));
-    aim.look_at = mesh.points[random.below(static_cast<std::uint32_t>(mesh.points.size()))];
+    aim.look_at =
+        mesh.points[VertexId(random.below(static_cast<std::uint32_t>(mesh.points.size())))];
     const std::array subject{Subject{&mesh, {}}};
     const Camera camera = fit_camera(subject, view, aim, {400, 300});
     CHECK(camera.project(*aim.look_at).x == doctest::Approx(200));

@@ -54,6 +54,12 @@ std::vector<std::array<T, N>> items(const TraceList<T>& list, std::size_t event)
   return out;
 }
 
+std::vector<Triangle> triangles_of(const TraceList<std::uint32_t>& list, std::size_t event) {
+  std::vector<Triangle> out;
+  for (const auto& t : items<3>(list, event)) out.push_back(triangle_of(t[0], t[1], t[2]));
+  return out;
+}
+
 Triangle rotated(Triangle t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
@@ -68,12 +74,12 @@ using Complex = std::map<Triangle, int>;
 
 // Does what event e says; every facet removed must be there.
 void replay(const Trace& trace, std::size_t e, Complex& complex) {
-  for (const Triangle& t : items<3>(trace.arrays().removed, e)) {
+  for (const Triangle& t : triangles_of(trace.arrays().removed, e)) {
     const auto at = complex.find(rotated(t));
     REQUIRE(at != complex.end());
     if (--at->second == 0) complex.erase(at);
   }
-  for (const Triangle& t : items<3>(trace.arrays().added, e)) {
+  for (const Triangle& t : triangles_of(trace.arrays().added, e)) {
     for (const VertexId v : t) REQUIRE(v < trace.arrays().points.size() / 3);
     ++complex[rotated(t)];
   }
@@ -133,14 +139,14 @@ void check_replay(const Traced& run) {
       replay(trace, e, complex);
       for (const auto& [t, count] : complex) after.insert(sorted(t));
       CHECK(before == after);
-      CHECK(items<3>(trace.arrays().removed, e).size() == before.size());
+      CHECK(triangles_of(trace.arrays().removed, e).size() == before.size());
     } else {
       replay(trace, e, complex);
     }
     if (!is_done(trace, e)) {
-      CHECK(items<3>(trace.arrays().removed, e).size() <=
+      CHECK(triangles_of(trace.arrays().removed, e).size() <=
             (trace.arrays().outcome[e] == trace_code(TraceOutcome::forgotten)));
-      CHECK(items<3>(trace.arrays().added, e).empty());
+      CHECK(triangles_of(trace.arrays().added, e).empty());
       CHECK(trace.arrays().vertex[e] == kNoId);
     }
   }
@@ -156,7 +162,7 @@ std::size_t check_zones(const Trace& trace) {
   std::size_t cells = 0;
   for (std::size_t e = 1; e < trace.size(); ++e) {
     const auto zone = items<4>(trace.arrays().zone, e);
-    const VertexId v = trace.arrays().vertex[e];
+    const std::uint32_t v = trace.arrays().vertex[e];
     const bool is_stage1 = routine_of(trace, e) < Routine::build_tri_mesh;
     CHECK((is_stage1 || zone.empty()));
     if (v == kNoId || !is_stage1) continue;
@@ -205,7 +211,7 @@ TEST_CASE("facets replayed are the mesh, and zones are in conflict, both ways") 
       if (run.report.insertions_recover > 0) CHECK(cells > run.report.insertions_recover);
       const auto inserted =
           std::count_if(run.trace.arrays().vertex.begin(), run.trace.arrays().vertex.end(),
-                        [](VertexId v) { return v != kNoId; });
+                        [](std::uint32_t v) { return v != kNoId; });
       CHECK(static_cast<std::size_t>(inserted) >= run.report.insertions_recover);
     }
   }
@@ -227,8 +233,9 @@ TEST_CASE("what calls for an insertion of the paper's is what the trace says") {
     const double size = length(scene.volume.box().size());
     for (std::size_t e = 0; e < trace.size(); ++e) {
       const auto hits = items<3>(a.hits, e);
-      const auto star = items<3>(a.star, e);
-      const Triangle caller{a.caller[3 * e], a.caller[3 * e + 1], a.caller[3 * e + 2]};
+      const auto star = triangles_of(a.star, e);
+      const Triangle caller =
+          triangle_of(a.caller[3 * e], a.caller[3 * e + 1], a.caller[3 * e + 2]);
       const Routine routine = routine_of(trace, e);
       ++asked[routine];
       if (routine == Routine::multi_intersect) {
@@ -277,7 +284,7 @@ TEST_CASE("labels replayed are those of the nearest site") {
     std::vector<std::uint32_t> label = a.contour_label;
     REQUIRE(label.size() == a.contour_points.size() / 3);
     REQUIRE(!label.empty());
-    std::set<VertexId> sites(label.begin(), label.end());
+    std::set<std::uint32_t> sites(label.begin(), label.end());
     for (std::size_t e = 0; e < trace.size(); ++e) {
       reasons.insert(reason_of(trace, e));
       for (const auto& [v, site] : items<2>(a.relabel, e)) {
@@ -290,7 +297,7 @@ TEST_CASE("labels replayed are those of the nearest site") {
       const Vec3 p{a.contour_points[3 * v], a.contour_points[3 * v + 1],
                    a.contour_points[3 * v + 2]};
       double nearest = std::numeric_limits<double>::infinity();
-      for (const VertexId s : sites) nearest = std::min(nearest, distance(p, trace.point(s)));
+      for (const std::uint32_t s : sites) nearest = std::min(nearest, distance(p, trace.point(s)));
       CHECK(distance(p, trace.point(label[v])) < nearest + 1e-5);
     }
   }
@@ -374,8 +381,8 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
       ++refused[refusal];
       outcomes.insert(a.outcome[e]);
       // E is in the mesh.
-      for (const Triangle& t : items<3>(a.star, e)) CHECK(complex.count(rotated(t)) == 1);
-      cones += items<3>(a.cone, e).size();
+      for (const Triangle& t : triangles_of(a.star, e)) CHECK(complex.count(rotated(t)) == 1);
+      cones += triangles_of(a.cone, e).size();
     }
     CHECK(refused == counted);
   }
