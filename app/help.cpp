@@ -7,7 +7,7 @@
 
 #include "app/command_line.h"
 #include "app/option_table.h"
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_fields.h"
 
 namespace deliso {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A built-in field (volume/builtin_fields.h) as an input that is named, like a file.
+// A built-in field (builtin_fields.h) as an input that is named, like a file.
 #pragma once
 
 #include <string_view>
 
+#include "io/volume/builtin_fields.h"
 #include "io/volume/read_volume.h"
-#include "volume/builtin_fields.h"
 #include "volume/volume.h"
 
 namespace deliso {

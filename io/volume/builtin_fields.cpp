@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "volume/builtin_fields.h"
+#include "io/volume/builtin_fields.h"
 
 #include <algorithm>
 #include <array>
