@@ -90,7 +90,7 @@ void draw_star(Drawing& out, const Vec2& center, std::span<const double> degrees
   out.dot(center, ink::kOrange, 6);
   const Star star = classify_star(0, triangles);
   out.text({center.x, 26}, name_of(star), Anchor::middle, 13,
-           is_disk_or_allowed_half_disk(star, true) ? ink::kText : ink::kRed, true);
+           star == Star::singular || star == Star::empty ? ink::kRed : ink::kText, true);
   out.text({center.x, 232}, subtitle, Anchor::middle);
 }
 

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "cap/box_caps.h"
 #include "cap/leave_box.h"
-#include "mesh/split.h"
+#include "mesh/tri_mesh.h"
 #include "surface/step_timer.h"
 
 namespace deliso {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/triangle.h"
-#include "mesh/flip.h"
+#include "mesh/tri_mesh.h"
 #include "refine/refinement.h"
 
 namespace deliso {

@@ -5,7 +5,7 @@
 // infinite vertex instead of a huge first tetrahedron, so every facet has two cells and the hull
 // needs no special case.
 //
-// Invariants (check_triangulation tests them by these numbers):
+// Invariants (tests/delaunay/check_triangulation.h tests them by these numbers):
 //   I1  neighbours are mutual and share the three other vertices;
 //   I2  finite cells are positively oriented: orient3d(v0, v1, v2, v3) > 0; in a cell at infinity,
 //       replacing the infinite vertex by a point beyond its hull facet gives a positive cell;

@@ -119,7 +119,7 @@ std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triang
     const std::span<const std::uint32_t> at = incident.at(v);
     const VertexLink link = link_of(v, at, triangles);
     // No edge is of more than two facets, or I4 would not hold.
-    const bool covered = link.fans == 1 && link.closed && link.vertices < 3;
+    const bool covered = link.fans == 1 && link.closed() && link.vertices < 3;
     if (link.fans <= 1 && !covered) continue;
     std::string opening = text("I5: at ", describe_vertex(mesh, v), " the facets");
     for (const std::uint32_t f : at) opening += text(" ", f);

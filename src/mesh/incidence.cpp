@@ -97,7 +97,7 @@ VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
                    std::span<const Triangle> triangles) {
   constexpr std::size_t kSmall = 16;
   if (at.empty()) return {};
-  if (at.size() <= kSmall && is_ring(v, at, triangles)) return {1, at.size(), true};
+  if (at.size() <= kSmall && is_ring(v, at, triangles)) return {1, at.size(), 0};
 
   std::vector<VertexId> ends, around;
   for (const std::uint32_t t : at) {
@@ -113,7 +113,8 @@ VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
   std::vector<std::uint8_t> uses(around.size(), 0);
   for (std::size_t n = 0; n < ends.size(); n += 2) pieces.unite(ends[n], ends[n + 1]);
   for (const VertexId end : ends) uses[end] = static_cast<std::uint8_t>(std::min(2, uses[end] + 1));
-  VertexLink link{0, around.size(), std::find(uses.begin(), uses.end(), 1) == uses.end()};
+  const auto loose_ends = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), 1));
+  VertexLink link{0, around.size(), loose_ends};
   for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
   return link;
 }

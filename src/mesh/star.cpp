@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "base/check.h"
+#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
@@ -63,45 +64,6 @@ Star walk_small_link(std::span<LinkEdge> edges) {
   return rest.empty() ? Star::half_disk : Star::singular;
 }
 
-// The same decision for long links. Each end of a link edge is an arc out of a vertex; in the
-// sorted list the two arcs of a vertex lie side by side.
-Star walk_large_link(std::span<const LinkEdge> edges) {
-  std::vector<std::pair<VertexId, std::uint32_t>> arcs;  // vertex, 2 * edge + end
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    arcs.emplace_back(edges[e].a, static_cast<std::uint32_t>(2 * e));
-    arcs.emplace_back(edges[e].b, static_cast<std::uint32_t>(2 * e + 1));
-  }
-  std::sort(arcs.begin(), arcs.end());
-
-  // mate[arc] is the other arc at the same vertex, the arc itself at the end of a path.
-  std::vector<std::uint32_t> mate(arcs.size());
-  std::uint32_t start = 0;
-  std::size_t loose_ends = 0;
-  for (std::size_t i = 0, j; i < arcs.size(); i = j) {
-    for (j = i + 1; j < arcs.size() && arcs[j].first == arcs[i].first;) ++j;
-    if (j - i > 2) return Star::singular;
-    if (j - i == 1) {
-      ++loose_ends;
-      start = arcs[i].second;
-    }
-    mate[arcs[i].second] = arcs[j - 1].second;
-    mate[arcs[j - 1].second] = arcs[i].second;
-  }
-
-  // With at most two arcs a vertex the link is a union of paths and cycles: one of them has to
-  // hold all edges. Arcs 2 e and 2 e + 1 are the ends of e.
-  std::uint32_t arc = start;
-  std::size_t walked = 0;
-  do {
-    ++walked;
-    const std::uint32_t far_end = arc ^ 1;
-    arc = mate[far_end];
-    if (arc == far_end) break;
-  } while (arc != start);
-  if (walked != edges.size()) return Star::singular;
-  return loose_ends == 0 ? Star::disk : Star::half_disk;
-}
-
 }  // namespace
 
 const char* name_of(Star star) {
@@ -111,16 +73,22 @@ const char* name_of(Star star) {
 
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {
   if (triangles.empty()) return Star::empty;
+  const std::size_t count = triangles.size();
   std::array<LinkEdge, kSmall> small;
-  std::vector<LinkEdge> large;
-  if (triangles.size() > kSmall) large.resize(triangles.size());
-  const std::span<LinkEdge> edges =
-      large.empty() ? std::span(small).first(triangles.size()) : std::span(large);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    edges[i] = link_edge(q, triangles[i]);
-    if (is_degenerate(q, edges[i])) return Star::singular;
+  for (std::size_t i = 0; i < count; ++i) {
+    const LinkEdge edge = link_edge(q, triangles[i]);
+    if (is_degenerate(q, edge)) return Star::singular;
+    if (count <= kSmall) small[i] = edge;
   }
-  return large.empty() ? walk_small_link(edges) : walk_large_link(edges);
+  if (count <= kSmall) return walk_small_link(std::span(small).first(count));
+  // Connected with as many vertices as edges, and none loose, it is a cycle; a tree with two loose
+  // ends is a path.
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0u);
+  const VertexLink link = link_of(q, all, triangles);
+  if (link.fans != 1) return Star::singular;
+  if (link.vertices == count && link.loose_ends == 0) return Star::disk;
+  return link.vertices == count + 1 && link.loose_ends == 2 ? Star::half_disk : Star::singular;
 }
 
 }  // namespace deliso

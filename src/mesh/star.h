@@ -26,13 +26,8 @@ enum class Star : std::uint8_t {
 
 const char* name_of(Star star);
 
-// Classifies the triangles around q. pre: each of them contains q. Allocates nothing and takes
-// about n^2 comparisons for up to 64 triangles; O(n log n) beyond.
+// Classifies the triangles around q. pre: each of them contains q. Up to 64 triangles: n^2
+// comparisons, nothing allocated; beyond: O(n log n).
 Star classify_star(VertexId q, std::span<const Triangle> triangles);
-
-// Paper §5: inner vertices must have disks, marked boundary points may have half disks instead.
-constexpr bool is_disk_or_allowed_half_disk(Star star, bool on_boundary) {
-  return star == Star::disk || (on_boundary && star == Star::half_disk);
-}
 
 }  // namespace deliso

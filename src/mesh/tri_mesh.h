@@ -55,6 +55,21 @@ inline bool has_corner(const Triangle& t, VertexId v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
+// The two facets at the edge of f opposite its corner i: a = that corner, edge from b to c as f
+// runs along it, d = the corner of the facet beyond.
+struct Quad {
+  FaceId f, g;
+  VertexId a, b, c, d;
+};
+
+// pre: f has a neighbour there.
+Quad quad_at(const TriMesh& mesh, FaceId f, int i);
+
+// Splits the edge of f opposite its corner i at p; its one or two facets become two or four. Facet
+// f keeps that corner and the edge's first end, as f runs along it. Returns the new vertex. Keeps
+// I1 to I5.
+VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p);
+
 // The facets at the corner v of facet f, walking from there over neighbours; f comes first.
 // pre: neighbours are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "mesh/flip.h"
+#include "mesh/tri_mesh.h"
 #include "refine/operations.h"
 
 namespace deliso {

@@ -14,7 +14,7 @@
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
-#include "mesh/flip.h"
+#include "mesh/tri_mesh.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
 
@@ -237,9 +237,11 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     for (FaceId f = FaceId(middle);; ++f) {
       REQUIRE(f < mesh.faces.size());
       const Quad quad = quad_at(mesh, f, 0);
-      if (has_diagonal(mesh, quad)) continue;
-      TriMesh flipped = mesh;
-      flip_edge(flipped, quad);
+      Parts parts = parts_of(mesh);
+      parts.triangles[f] = {quad.a, quad.b, quad.d};
+      parts.triangles[quad.g] = {quad.d, quad.c, quad.a};
+      const TriMesh flipped = make_tri_mesh(mesh.points, parts.triangles);
+      if (!check_mesh(flipped).empty()) continue;  // the diagonal is an edge already
       const Verification after = good.verify_parts(parts_of(flipped), before.delaunay.share());
       if (after.delaunay.restricted + 2 != before.delaunay.restricted) continue;
       CHECK_FALSE(good.verify_parts(parts_of(flipped), 0).faults.any());

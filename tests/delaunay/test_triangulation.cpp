@@ -28,7 +28,7 @@ std::size_t count_distinct(std::span<const Vec3> points) {
 }
 
 // The sign of orient3d by the oracle with p in place of vertex i.
-int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
+int exact_side(const Triangulation& t, CellId c, int i, const Vec3& p) {
   Vec3 corner[4];
   for (int k = 0; k < 4; ++k) corner[k] = k == i ? p : t.point(t.vertex(c, k));
   return oracle::orient3d(corner[0], corner[1], corner[2], corner[3]);
@@ -42,7 +42,7 @@ bool is_in_conflict(const Triangulation& t, CellId c, const Vec3& p) {
   };
   const int i = t.infinite_index(c);
   if (i < 0) return sphere(c);
-  const int s = side(t, c, i, p);
+  const int s = exact_side(t, c, i, p);
   return s > 0 || (s == 0 && sphere(t.neighbor(c, i)));
 }
 
@@ -181,9 +181,9 @@ TEST_CASE("locate finds a cell that holds the point, from any hint") {
       REQUIRE(t.is_live(c));
       const int infinite = t.infinite_index(c);
       if (infinite >= 0) {
-        REQUIRE(side(t, c, infinite, p) > 0);
+        REQUIRE(exact_side(t, c, infinite, p) > 0);
       } else {
-        for (int i = 0; i < 4; ++i) REQUIRE(side(t, c, i, p) >= 0);
+        for (int i = 0; i < 4; ++i) REQUIRE(exact_side(t, c, i, p) >= 0);
       }
     }
   }

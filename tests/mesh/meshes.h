@@ -195,4 +195,16 @@ class RandomMesh {
   Random random_;
 };
 
+// Puts three facets around a new vertex at p in place of facet f.
+inline void split_facet(TriMesh& mesh, FaceId f, const Vec3& p) {
+  Triangles triangles;
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  const auto [a, b, c] = triangles[f];
+  const auto v = VertexId(mesh.points.size());
+  triangles[f] = {a, b, v};
+  triangles.insert(triangles.end(), {{b, c, v}, {c, a, v}});
+  mesh.points.push_back(p);
+  mesh = make_tri_mesh(std::move(mesh.points), triangles);
+}
+
 }  // namespace deliso::test

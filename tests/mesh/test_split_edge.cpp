@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Splits keep closed and open meshes what they are: neighbours, orientation, Euler number.
-#include "mesh/split.h"
+#include "mesh/tri_mesh.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 using namespace deliso;
 using namespace deliso::test;
 
-TEST_CASE("random splits of edges and facets keep the mesh and its linking") {
+TEST_CASE("random splits of edges keep the mesh and its linking") {
   for (const Triangles& triangles :
        {tetrahedron(), octahedron(), torus_grid(5, 4), fan(7), annulus()}) {
     Random random(7);
@@ -24,13 +24,11 @@ TEST_CASE("random splits of edges and facets keep the mesh and its linking") {
       const std::size_t faces = mesh.faces.size();
       const bool inner = mesh.faces[f].n[i] != kNoId;
       const Triangle old = mesh.faces[f].v;
-      const VertexId v = n % 3 == 0 ? split_face(mesh, f, p) : split_edge(mesh, f, i, p);
+      const VertexId v = split_edge(mesh, f, i, p);
       CHECK(mesh.points[v] == p);
-      CHECK(mesh.faces.size() == faces + (n % 3 == 0 || inner ? 2 : 1));
-      if (n % 3 != 0) {
-        const Triangle kept{old[i], old[(i + 1) % 3], v};
-        CHECK(mesh.faces[f].v == kept);
-      }
+      CHECK(mesh.faces.size() == faces + (inner ? 2 : 1));
+      const Triangle kept{old[i], old[(i + 1) % 3], v};
+      CHECK(mesh.faces[f].v == kept);
     }
     CHECK(check_mesh(mesh) == "");
     TriMesh linked = mesh;

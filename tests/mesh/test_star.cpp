@@ -193,12 +193,3 @@ TEST_CASE("long links, whole and broken in each way") {
     REQUIRE(classify(pinched) == Star::singular);
   }
 }
-
-TEST_CASE("half disks are allowed at marked boundary points alone") {
-  for (const bool marked : {false, true}) {
-    CHECK(is_disk_or_allowed_half_disk(Star::disk, marked));
-    CHECK(is_disk_or_allowed_half_disk(Star::half_disk, marked) == marked);
-    CHECK_FALSE(is_disk_or_allowed_half_disk(Star::empty, marked));
-    CHECK_FALSE(is_disk_or_allowed_half_disk(Star::singular, marked));
-  }
-}

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "mesh/meshes.h"
-#include "mesh/split.h"
+#include "mesh/tri_mesh.h"
 #include "refine/stage.h"
 
 using namespace deliso;
@@ -228,7 +228,7 @@ std::vector<TriMesh> small_meshes() {
         const FaceId f(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
         const Vec3 p{random.uniform(), random.uniform(), random.uniform()};
         if (n % 2 == 0) {
-          split_face(mesh, f, p);
+          split_facet(mesh, f, p);
         } else {
           split_edge(mesh, f, static_cast<int>(random.below(3)), p);
         }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/files/checksum.h"
-#include "topology_oracle.h"
+#include "volume/topology_oracle.h"
 
 using namespace deliso;
 using test::CountedTopology;

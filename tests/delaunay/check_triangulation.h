@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Uses vertex ids and coordinates only through the public interface, and neither links nor walks
-// to find what should be where.
-#include "delaunay/check_triangulation.h"
+// Slow, independent checks of a triangulation against the invariants of triangulation.h. Each
+// returns the first broken rule as a sentence that names its number, ids and coordinates, or the
+// empty string.
+#pragma once
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string>
 
 #include "delaunay/predicates.h"
+#include "delaunay/triangulation.h"
 
 namespace deliso {
-namespace {
-
-std::string describe(const Triangulation& t, CellId c) {
+inline std::string describe(const Triangulation& t, CellId c) {
   std::ostringstream out;
   out.precision(17);
   out << "cell " << c << " (";
@@ -40,7 +41,7 @@ std::string sentence(const Parts&... parts) {
 }
 
 // The sign of orient3d with p in place of vertex i of c. pre: the three others are finite.
-int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
+inline int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
   std::array<Vec3, 4> corner;
   for (int k = 0; k < 4; ++k) corner[k] = k == i ? p : t.point(t.vertex(c, k));
   return orient3d(corner[0], corner[1], corner[2], corner[3]);
@@ -48,7 +49,7 @@ int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
 
 // Whether p is strictly inside the circumcircle of the finite facet (c, i) in whose plane it lies:
 // strictly inside the sphere through the facet and any vertex off that plane.
-bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
+inline bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
   for (SiteId v = 1; v < t.vertex_capacity(); ++v) {
     const int s = side(t, c, i, t.point(v));
     if (s == 0) continue;
@@ -59,9 +60,9 @@ bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
   return false;
 }
 
-}  // namespace
-
-std::string check_triangulation(const Triangulation& t) {
+// I1, I2, I4, and what follows from them for the whole: no facet in three cells, Euler's relation
+// (vertices - edges + facets - cells = 0 with the infinite vertex). O(cells log cells).
+inline std::string check_triangulation(const Triangulation& t) {
   std::map<std::array<SiteId, 3>, std::vector<Facet>> facets;
   std::set<std::array<SiteId, 2>> edges;
   std::vector<bool> used(t.vertex_capacity(), false);
@@ -133,7 +134,8 @@ std::string check_triangulation(const Triangulation& t) {
   return {};
 }
 
-std::string check_delaunay(const Triangulation& t) {
+// I3 by brute force: every cell against every vertex. O(cells * vertices).
+inline std::string check_delaunay(const Triangulation& t) {
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
     const auto& w = t.vertices(c);
