@@ -5,11 +5,6 @@
 
 namespace deliso {
 
-Certificate::Scratch::Interface& Certificate::Scratch::interface_with(SiteId site) {
-  const auto found = std::ranges::find(interfaces_, site, &Interface::site);
-  return found != interfaces_.end() ? *found : interfaces_.emplace_back(Interface{site});
-}
-
 VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   VertexId furthest = kNoId;
   for (const VertexId v : labels_.region(a)) {

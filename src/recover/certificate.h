@@ -51,7 +51,12 @@ class Certificate {
       SiteId site;
       long edges = 0, twice_faces = 0, boundary_edges = 0;
     };
-    Interface& interface_with(SiteId site);
+    Interface& interface_with(SiteId site) {
+      for (Interface& known : interfaces_) {
+        if (known.site == site) return known;
+      }
+      return interfaces_.emplace_back(Interface{site});
+    }
 
     std::vector<VertexId> reached_;  // as long as it ever had to be
     std::vector<Interface> interfaces_;
