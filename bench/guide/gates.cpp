@@ -103,7 +103,7 @@ class Search {
     if (score <= most) return;
     change.least_cosine = wanted == Refusal::turned ? kSharpestFold : -1;
     // Nothing is done: what passes the tests before G4 is refused as G4 would.
-    const auto refusal = refinement_.replace(change, [] { return false; });
+    const auto refusal = refinement_.replace(change, [&] { return !change.has_duals(); });
     const bool is_wanted = wanted == Refusal::crossing
                                ? refusal == Refusal::no_gain && crosses(change, p)
                                : refusal == wanted;

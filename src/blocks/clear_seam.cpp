@@ -92,7 +92,7 @@ std::size_t clear_seam(SurfaceMesh& s, const Isosurface& surface, const Boundary
     if (curves.is_on_seam(place) && !curves.is_kept(place)) left.push_back(v);
   }
   if (left.empty()) return 0;
-  Refinement r(s, surface, curves, parameters, report, s.mesh.points.size());
+  Refinement r(s, surface, curves, parameters, report);
   for (const Effort effort : {Effort::merge, Effort::merge_at_any_cost, Effort::lift}) {
     // One that goes may make way for another.
     for (std::size_t before = left.size() + 1; left.size() < before && !left.empty();) {

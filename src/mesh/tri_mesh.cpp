@@ -94,11 +94,10 @@ void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId
 
 LinkResult link_faces(TriMesh& mesh) {
   DELISO_CHECK(mesh.faces.size() <= kNoId / 3);
-  const std::size_t half_edges = 3 * mesh.faces.size();
-
   // Bucket the half-edges by the smaller end: a counting sort, linear in the mesh.
   std::vector<std::uint32_t> begin(mesh.points.size() + 1, 0);
   for (const Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Side side = side_of(face, i);
       DELISO_ASSERT(std::max(side.from, side.to) < mesh.points.size());
@@ -109,10 +108,11 @@ LinkResult link_faces(TriMesh& mesh) {
 
   // A key holds the larger end above the half-edge, so that sorting a bucket brings the half-edges
   // of an edge together, in the order of their ids.
-  std::vector<std::uint64_t> keys(half_edges);
+  std::vector<std::uint64_t> keys(begin.back());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     mesh.faces[f].n = {kNoId, kNoId, kNoId};
+    if (is_dead(mesh.faces[f])) continue;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Side side = side_of(mesh.faces[f], i);
       const std::uint64_t larger = std::max(side.from, side.to);

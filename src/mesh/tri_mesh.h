@@ -28,6 +28,11 @@ struct Face {
   std::array<FaceId, 3> n;    // n[i] shares the edge opposite v[i]; kNoId on the boundary
 };
 
+// Facets that Stage 2 takes out stay in place, dead, until remove_dead() (surface/surface_mesh.h).
+inline bool is_dead(const Face& face) {
+  return face.v[0] == kNoId;
+}
+
 using Triangle = std::array<VertexId, 3>;
 
 // That of the vertices with these numbers.
@@ -76,7 +81,8 @@ void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId
 
 // Fills the neighbours from the corners, in O(V + F) but for vertices of huge degree. An edge of
 // more than two facets, or of two that run along it in the same direction, is left without
-// neighbours on all of them and counted. pre: all corners are below the vertex count.
+// neighbours on all of them and counted. Dead facets have none. pre: all corners of the others are
+// below the vertex count.
 struct LinkResult {
   std::size_t non_manifold_edges = 0;
   std::size_t boundary_edges = 0;

@@ -9,10 +9,6 @@
 namespace deliso {
 namespace {
 
-// How much worse the worst facet there may become: where three vertices are close to each other,
-// the first of two collapses leaves a needle as bad as the one it takes.
-constexpr double kMaxWorsening = 2;
-
 // True if the mesh, and the chain, can do without v.
 bool may_go(const Refinement& r, VertexId v) {
   if (v >= r.removable) return false;
@@ -81,8 +77,9 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   }
   if (a == kNoId) return Refusal::no_gain;
   const auto is_better = [&] {
+    if (!r.change.duals.empty()) return true;  // asked before
     const double before = worst_ratio(r, r.change.was.facets);
-    return before > limit && worst_ratio(r, r.change.in.facets) <= kMaxWorsening * before;
+    return before > limit && worst_ratio(r, r.change.in.facets) <= before;
   };
   // Of an edge between the boundary and the inside, the inner end first.
   if (r.s.chain.is_boundary(a)) std::swap(a, b);

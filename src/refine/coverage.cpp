@@ -8,75 +8,60 @@
 #include "base/triangle.h"
 
 namespace deliso {
-namespace {
 
-double distance2_to_facet(const TriMesh& mesh, FaceId f, const Vec3& p) {
-  const Triangle& v = mesh.faces[f].v;
-  return distance2_to_triangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
-}
-
-// The nearest facet, looked for in balls that grow.
-FarSample nearest(const TriMesh& mesh, const BoxGrid& grid, std::uint32_t sample, const Vec3& p,
-                  double radius) {
-  FarSample best{sample, kNoId, 0};
-  for (int doublings = 0; best.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
-    best.distance2 = radius * radius;
-    grid.any(grid.box_around(p, radius), [&](FaceId f, const BoxGrid::Box&) {
-      const double d2 = distance2_to_facet(mesh, f, p);
-      if (d2 < best.distance2 || (d2 == best.distance2 && f < best.facet)) {
-        best.distance2 = d2;
-        best.facet = f;
-      }
-      return false;
-    });
-  }
-  return best;
-}
-
-}  // namespace
-
-void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples, double limit,
-              std::vector<std::uint32_t>& numbers) {
-  // The facets that were near to the last few, the last one first.
-  std::array<FaceId, 4> recent;
-  recent.fill(kNoId);
+std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
+                                std::span<const Vec3> samples, double limit,
+                                std::vector<std::uint32_t>& numbers) {
+  std::vector<FarSample> far;
+  // The facet that was near to the last sample in a cell, for cells that are wrapped round: most
+  // samples are near to the same.
+  constexpr std::size_t kCells = 8;
+  constexpr double kCellLimits = 8;  // the side of a cell
+  std::array<FaceId, kCells * kCells * kCells> guesses;
+  guesses.fill(kNoId);
+  FaceId last = kNoId;
   std::erase_if(numbers, [&](std::uint32_t n) {
     const Vec3& p = samples[n];
-    const auto is_near = [&](FaceId f) {
-      return f != kNoId && distance2_to_facet(mesh, f, p) <= limit * limit;
+    const auto distance2 = [&](FaceId f) {
+      const Triangle& v = mesh.faces[f].v;
+      return distance2_to_triangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
     };
-    const auto known = std::find_if(recent.begin(), recent.end(), is_near);
-    if (known != recent.end()) {
-      std::rotate(recent.begin(), known, known + 1);
+    const auto is_near = [&](FaceId f) {
+      if (f == kNoId || distance2(f) > limit * limit) return false;
+      last = f;
+      return true;
+    };
+    std::size_t cell = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      cell = kCells * cell + static_cast<std::size_t>(p[axis] / (kCellLimits * limit)) % kCells;
+    }
+    if (is_near(last) || is_near(guesses[cell]) ||
+        grid.any(grid.box_around(p, limit), [&](FaceId f, const auto&) { return is_near(f); })) {
+      guesses[cell] = last;
       return true;
     }
-    return grid.any(grid.box_around(p, limit), [&](FaceId f, const BoxGrid::Box&) {
-      if (!is_near(f)) return false;
-      std::rotate(recent.begin(), recent.end() - 1, recent.end());
-      recent.front() = f;
-      return true;
-    });
-  });
-}
-
-std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
-                                std::span<const Vec3> samples, double limit,
-                                std::span<const std::uint32_t> numbers) {
-  std::vector<FarSample> far;
-  for (const std::uint32_t n : numbers) {
-    const FarSample at = nearest(mesh, grid, n, samples[n], 2 * limit);
+    // The nearest facet, looked for in balls that grow.
+    FarSample at{n, kNoId, 0};
+    double radius = 2 * limit;
+    for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {
+      at.distance2 = radius * radius;
+      grid.any(grid.box_around(p, radius), [&](FaceId f, const auto&) {
+        const double d2 = distance2(f);
+        if (std::tie(d2, f) < std::tie(at.distance2, at.facet)) {
+          at.distance2 = d2;
+          at.facet = f;
+        }
+        return false;
+      });
+    }
     if (at.facet != kNoId) far.push_back(at);
-  }
-  const auto furthest_of_facet = [](const FarSample& a, const FarSample& b) {
-    return std::tie(a.facet, b.distance2, a.sample) < std::tie(b.facet, a.distance2, b.sample);
-  };
-  std::sort(far.begin(), far.end(), furthest_of_facet);
-  far.erase(std::unique(far.begin(), far.end(),
-                        [](const FarSample& a, const FarSample& b) { return a.facet == b.facet; }),
-            far.end());
-  std::sort(far.begin(), far.end(), [](const FarSample& a, const FarSample& b) {
-    return std::tie(b.distance2, a.sample) < std::tie(a.distance2, b.sample);
+    return false;
   });
+  std::ranges::sort(far, {},
+                    [](const FarSample& a) { return std::tuple(a.facet, -a.distance2, a.sample); });
+  const auto repeats = std::ranges::unique(far, {}, &FarSample::facet);
+  far.erase(repeats.begin(), repeats.end());
+  std::ranges::sort(far, {}, [](const FarSample& a) { return std::tuple(-a.distance2, a.sample); });
   return far;
 }
 

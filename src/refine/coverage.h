@@ -19,14 +19,10 @@ struct FarSample {
   double distance2;
 };
 
-// Leaves those samples in `numbers` that are further than `limit` from all facets. Quick where
-// one is near the sample before it.
-void keep_far(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples, double limit,
-              std::vector<std::uint32_t>& numbers);
-
-// Those, the furthest first; of several nearest to one facet only the furthest.
-std::vector<FarSample> furthest(const TriMesh& mesh, const BoxGrid& grid,
+// Leaves those samples in `numbers` that are further than `limit` from all facets, and returns
+// them, the furthest first; of several nearest to one facet only the furthest.
+std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
-                                std::span<const std::uint32_t> numbers);
+                                std::vector<std::uint32_t>& numbers);
 
 }  // namespace deliso

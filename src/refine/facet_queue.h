@@ -12,36 +12,30 @@
 #include <queue>
 #include <vector>
 
-#include "base/box3.h"
 #include "base/ids.h"
-#include "volume/volume.h"
+#include "base/vec3.h"
 
 namespace deliso {
 
 class FacetQueue {
  public:
   // `is_strict`: what is worst anywhere comes first, for a refinement that may end early.
-  FacetQueue(const Box3& box, double voxel, bool is_strict)
-      : low_(box.lo), fourths_(is_strict ? 1 : kBandFourths) {
-    const Vec3 size = box.size();
-    const double side = kBlockVoxels * voxel;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double wanted = std::clamp(size[axis] / side, 1.0, 64.0);
-      blocks_[axis] = static_cast<int>(wanted);
-      per_block_[axis] = size[axis] > 0 ? blocks_[axis] / size[axis] : 0;
-    }
-  }
+  FacetQueue(double voxel, bool is_strict)
+      : block_side_(kBlockVoxels * voxel), fourths_(is_strict ? 1 : kBandFourths) {}
 
   // Replaces what is queued for f, a facet at p. violation > 1: queue it; else: take it out.
   void set(FaceId f, double violation, const Vec3& p) {
     if (f >= keys_.size()) keys_.resize(f + 1, kNone);
-    size_ -= keys_[f] != kNone;
     keys_[f] = kNone;
     if (!(violation > 1)) return;
-    ++size_;
     const double fourth = violation * violation * violation * violation;
     const auto n = static_cast<std::uint64_t>(fourth < 0x1p63 ? std::ilogb(fourth) : 63);
-    keys_[f] = n / fourths_ << 57 | (kBlocks - block_of(p)) << 36 | n % fourths_ << 32 | f;
+    std::uint64_t block = 0;
+    for (const int axis : {2, 1, 0}) {
+      const double at = std::clamp(p[axis] / block_side_, 0.0, kLastBlock);
+      block = block << kBlockBits | static_cast<std::uint64_t>(at);
+    }
+    keys_[f] = n / fourths_ << 57 | (kBlocks - 1 - block) << 36 | n % fourths_ << 32 | f;
     queue_.push(keys_[f]);
   }
 
@@ -53,39 +47,30 @@ class FacetQueue {
       const auto f = FaceId(key);
       if (keys_[f] != key) continue;  // replaced since
       keys_[f] = kNone;
-      --size_;
       return f;
     }
     return kNoId;
   }
 
-  std::size_t size() const { return size_; }
+  // How many facets are queued, or more: those that were replaced are counted until they come up.
+  std::size_t size() const { return queue_.size(); }
 
  private:
   // A facet of such a block and its surroundings in mesh and volume stay in the cache.
   static constexpr double kBlockVoxels = 32;
+  // Blocks along an axis; the last one has no end.
+  static constexpr int kBlockBits = 7;
+  static constexpr double kLastBlock = (1 << kBlockBits) - 1;
+  static constexpr std::uint64_t kBlocks = std::uint64_t{1} << 3 * kBlockBits;
   // How wide bands are, in fourths of an octave.
   static constexpr unsigned kBandFourths = 8;
-  static constexpr std::uint64_t kNone = 0, kBlocks = std::uint64_t{1} << 20;
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
 
-  std::uint64_t block_of(const Vec3& p) const {
-    std::uint64_t block = 0;
-    for (const int axis : {2, 1, 0}) {
-      const auto at = static_cast<int>((p[axis] - low_[axis]) * per_block_[axis]);
-      const int last = blocks_[axis] - 1;
-      block = block * static_cast<std::uint64_t>(last + 1) +
-              static_cast<std::uint64_t>(std::clamp(at, 0, last));
-    }
-    return block;
-  }
-
-  Vec3 low_, per_block_;
-  Index3 blocks_;
+  double block_side_;
   std::uint64_t fourths_;
   // Band, block (the first ones largest), fourth of an octave, facet: the largest comes first.
   std::priority_queue<std::uint64_t> queue_;
   std::vector<std::uint64_t> keys_;  // per facet
-  std::size_t size_ = 0;
 };
 
 }  // namespace deliso

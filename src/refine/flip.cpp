@@ -22,6 +22,7 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   c.cavity = {q.f, q.g};
   c.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
   const auto is_delaunay = [&] {
+    if (!c.has_duals()) return true;
     const Dual &x = c.duals[0], &y = c.duals[1];
     return x.on_surface && y.on_surface && !x.holds(r.point(q.c)) && !y.holds(r.point(q.b)) &&
            std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinFall) * radii;

@@ -23,27 +23,21 @@ void collect_cavity(Refinement& r, FaceId start, const Vec3& p) {
   }
 }
 
-// The longest boundary edge of E or next to it whose diametral ball holds p.
+// The longest boundary edge of E whose diametral ball holds p.
 std::optional<EdgeRef> encroached_edge(const Refinement& r, const Vec3& p) {
-  std::optional<EdgeRef> worst;
-  double worst_length2 = 0;
-  const auto consider = [&](FaceId f) {
+  std::optional<EdgeRef> longest;
+  double length2 = 0;
+  for (const FaceId f : r.change.cavity) {
     const Face& face = r.mesh.faces[f];
     for (int i = 0; i < 3; ++i) {
       if (face.n[i] != kNoId) continue;
       const Vec3 &a = r.point(face.v[(i + 1) % 3]), &b = r.point(face.v[(i + 2) % 3]);
-      if (distance2(a, b) <= worst_length2 || !in_diametral_ball(a, b, p)) continue;
-      worst = {f, i};
-      worst_length2 = distance2(a, b);
-    }
-  };
-  for (const FaceId f : r.change.cavity) {
-    consider(f);
-    for (const FaceId g : r.mesh.faces[f].n) {
-      if (g != kNoId) consider(g);
+      if (distance2(a, b) <= length2 || !in_diametral_ball(a, b, p)) continue;
+      longest = {f, i};
+      length2 = distance2(a, b);
     }
   }
-  return worst;
+  return longest;
 }
 
 // D in E's place. `split`: the boundary edge that p splits, on which D has no facet.

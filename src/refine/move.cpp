@@ -25,33 +25,13 @@ constexpr std::uint8_t kMaxTries = 12;
 // What a facet costs that is not Delaunay; one over a limit costs 1 and how much it is over.
 constexpr double kNotDelaunay = 0.3;
 
-double cost_of_shape(double violation) {
-  return violation > 1 ? violation : 0;
+double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
+  return r.is_delaunay(v, dual) ? 0 : kNotDelaunay;
 }
 
 double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
-  const bool is_delaunay = dual.on_surface && !r.holds_vertex(v, dual);
-  return cost_of_shape(r.violation(v, dual)) + (is_delaunay ? 0 : kNotDelaunay);
-}
-
-// Of facets across the cavity's boundary: they stay, but a vertex may move into their balls.
-double cost_of_ball(const Refinement& r, FaceId f) {
-  return r.is_delaunay(f) ? 0 : kNotDelaunay;
-}
-
-// A lower bound on the cost of the star of the moving vertex were it at p, without a search: as if
-// every facet's surface point were its circumcenter.
-double least_cost(const Refinement& r, const Vec3& p) {
-  double sum = 0;
-  for (const Triangle& t : r.change.in.facets) {
-    const auto corner = [&](std::size_t i) -> const Vec3& {
-      return t[i] == r.change.vertex ? p : r.point(t[i]);
-    };
-    const Vec3 &a = corner(0), &b = corner(1), &c = corner(2);
-    const FacetShape shape = measure(a, b, c, circumcenter(a, b, c));
-    sum += cost_of_shape(violation(shape, r.parameters.refinement));
-  }
-  return sum;
+  const double violation = r.violation(v, dual);
+  return (violation > 1 ? violation : 0) + cost_of_ball(r, v, dual);
 }
 
 std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
@@ -65,18 +45,21 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
 
   Vec3 normal;
   double here = 0;
-  std::vector<FaceId> across;
   for (const FaceId g : c.cavity) {
     const Triangle& t = r.mesh.faces[g].v;
     normal = normal + area_normal(r.point(t[0]), r.point(t[1]), r.point(t[2]));
     here += cost(r, t, r.s.duals[g]);
   }
-  for (const Disk::BoundaryEdge& e : c.was.boundary) {
-    const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
-    if (g == kNoId) continue;
-    across.push_back(g);
-    here += cost_of_ball(r, g);
-  }
+  // Facets across the cavity's boundary stay, but the vertex may move into their balls.
+  const auto cost_across = [&] {
+    double sum = 0;
+    for (const Disk::BoundaryEdge& e : c.was.boundary) {
+      const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
+      if (g != kNoId) sum += cost_of_ball(r, r.mesh.faces[g].v, r.s.duals[g]);
+    }
+    return sum;
+  };
+  here += cost_across();
   const double size = length(normal);
   r.move_tries.resize(r.mesh.points.size(), 0);
   if (!(size > 0) || here == 0 || r.move_tries[v] == kMaxTries) return Refusal::no_gain;
@@ -86,34 +69,29 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   const Vec3 u = sideways / length(sideways), w = cross(normal, u);
 
   const Vec3 from = r.point(v);
-  double least = (1 - kMinFall) * here;
-  SearchCounters& searches = r.report.searches_refine;
+  double least = (1 - kMinFall) * here, there = 0;
   // Added up facet by facet, and given up as soon as it cannot be the least.
-  const auto cost_there = [&] {
-    double sum = 0;
-    for (std::size_t k = 0; k < across.size() && sum < least; ++k)
-      sum += cost_of_ball(r, across[k]);
-    c.duals.clear();
-    std::ptrdiff_t allowed = r.facets_without_point(c);
-    for (std::size_t k = 0; k < c.in.facets.size() && sum < least; ++k) {
-      if (!r.find_dual(c, k, allowed)) return least;
-      sum += cost(r, c.in.facets[k], c.duals[k]);
-    }
-    return sum;
+  const auto costs_less = [&] {
+    there = c.duals.empty() ? cost_across()
+                            : there + cost(r, c.in.facets[c.duals.size() - 1], c.duals.back());
+    return there < least;
   };
+  SearchCounters& searches = r.report.searches_refine;
   std::optional<Vec3> best;
   for (const double step : kSteps) {
     const double reach = step * r.parameters.r_min;
     for (int d = 0; d < kDirections && least > 0; ++d) {
       const double angle = 2 * std::numbers::pi * d / kDirections;
       const Vec3 to = from + (reach * std::cos(angle)) * u + (reach * std::sin(angle)) * w;
-      const auto there = r.finder.foot(to, normal, reach, searches);
-      if (!there || least_cost(r, *there) >= least) continue;
-      c.place = *there;
-      const std::optional<double> sum = r.cost_of_move(c, cost_there);
-      if (!sum || *sum >= least || !r.finder.on_one_sheet(from, *there, normal, searches)) continue;
-      least = *sum;
-      best = there;
+      const auto foot = r.finder.foot(to, normal, reach, searches);
+      if (!foot) continue;
+      c.place = *foot;
+      // Tried, and taken back in any case.
+      const auto refusal = r.replace(c, [&] { return costs_less() && !c.has_duals(); });
+      const bool is_less = refusal == Refusal::no_gain && there < least;
+      if (!is_less || !r.finder.on_one_sheet(from, *foot, normal, searches)) continue;
+      least = there;
+      best = foot;
     }
   }
   if (!best) return r.done(Rung::move, Refusal::no_gain);

@@ -29,9 +29,9 @@ bool leaves_curve(const Refinement& r, EdgeRef edge);
 std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 
 // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than
-// r_min, unless the worst r/l there would more than double. Stage 1 may hand over vertices very
-// close to each other, and no insertion mends what a short edge makes. Only vertices of Stage 1 go,
-// so this ends.
+// r_min, unless the worst r/l there would rise. Stage 1 may hand over vertices very close to each
+// other, and no insertion mends what a short edge makes. Only vertices go that were there from the
+// first, so this ends.
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f);
 
 // Proposes to merge `from`, a corner of f, into its neighbor `to`: sets r.change. Refused where the

@@ -10,23 +10,13 @@
 namespace deliso {
 namespace {
 
-// Cells of the spatial hashes are near the size of most facets: a few times what the criteria ask
-// for once all is done, unless most are as small from the first. A bound on h asks for no r below
-// the root of it, in voxels, but at creases; a small r_min asks for nothing by itself.
-constexpr double kCellsPerFacet = 12;
-constexpr double kGridCellVoxels = 0.2;
+// Cells of the spatial hashes, in r_min, and at least so many voxels: a few times the size of most
+// facets once all is done.
+constexpr double kCellRMins = 6;
+constexpr double kMinCellVoxels = 1.2;
 
-double grid_cell(const TriMesh& mesh, const Parameters& parameters) {
-  std::vector<Triangle> facets;
-  facets.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    if (!is_dead(face)) facets.push_back(face.v);
-  }
-  const Criteria& criteria = parameters.refinement;
-  const double asked = std::min({std::sqrt(criteria[Criterion::distance] * parameters.voxel),
-                                 criteria[Criterion::radius], kGridCellVoxels * parameters.voxel});
-  return std::min(kCellsPerFacet * std::max(parameters.r_min, asked),
-                  fitting_cell(mesh.points, facets));
+double grid_cell(const Parameters& p) {
+  return std::max(kCellRMins * p.r_min, kMinCellVoxels * p.voxel);
 }
 
 bool has(std::span<const VertexId> list, VertexId v) {
@@ -37,7 +27,7 @@ bool has(std::span<const VertexId> list, VertexId v) {
 
 Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
                        const BoundaryCurves& boundary_curves, const Parameters& given,
-                       Report& counts, std::size_t removable_vertices, const Region& where)
+                       Report& counts, const Region& where)
     : s(surface_mesh),
       mesh(surface_mesh.mesh),
       surface(isosurface),
@@ -46,19 +36,15 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       report(counts),
       observer(follower(given.observer)),
       region(where),
-      removable(removable_vertices),
+      removable(surface_mesh.mesh.points.size()),
       finder(isosurface),
-      facets_(isosurface.volume().box(), grid_cell(mesh, given)),
-      vertices_(isosurface.volume().box(), grid_cell(mesh, given)),
-      marks_(mesh.faces.size(), 0) {
+      facets_(isosurface.volume().box(), grid_cell(given)),
+      vertices_(isosurface.volume().box(), grid_cell(given)) {
   if (parameters.as_published) return;
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& v = mesh.faces[f].v;
-    if (is_dead(mesh.faces[f])) {
-      free_.push_back(f);
-      continue;
-    }
+    if (is_dead(mesh.faces[f])) continue;
     facets_.add(f, facets_.box_of(mesh.points, v));
     for (const VertexId q : v) is_used[q] = 1;
   }
@@ -78,8 +64,9 @@ Change& Refinement::begin_change(double least_cosine) {
 }
 
 std::optional<Refusal> Refinement::open_cavity(Change& c) {
-  ++stamp_;
   c.was.facets.clear();
+  marks_.resize(mesh.faces.size());
+  ++stamp_;
   for (const FaceId f : c.cavity) {
     marks_[f] = stamp_;
     c.was.facets.push_back(mesh.faces[f].v);
@@ -99,11 +86,9 @@ void Refinement::set_cone(Change& c, const Vec3& place, EdgeRef split) const {
   }
 }
 
-std::optional<Refusal> Refinement::leaves_region(const Change& c) const {
-  const bool leaves =
-      std::any_of(c.cavity.begin(), c.cavity.end(), [&](FaceId f) { return is_frozen(f); }) ||
-      (c.what != Change::Vertex::none && !region.holds(c.place));
-  return leaves ? std::optional(Refusal::frozen) : std::nullopt;
+bool Refinement::leaves_region(const Change& c) const {
+  return std::ranges::any_of(c.cavity, [&](FaceId f) { return is_frozen(f); }) ||
+         (c.what != Change::Vertex::none && !region.holds(c.place));
 }
 
 void Refinement::put_in_place(const Change& c) {
@@ -111,34 +96,20 @@ void Refinement::put_in_place(const Change& c) {
     DELISO_ASSERT(c.vertex == mesh.points.size());
     mesh.points.push_back(c.place);
   } else if (c.what == Change::Vertex::moves) {
-    moved_from_ = std::exchange(mesh.points[c.vertex], c.place);
-    relist(c.vertex);
+    moved_from_ = point(c.vertex);
+    move_to(c.vertex, c.place);
   }
 }
 
 void Refinement::take_back(const Change& c) {
   if (c.what == Change::Vertex::comes) mesh.points.pop_back();
-  if (c.what == Change::Vertex::moves) {
-    mesh.points[c.vertex] = moved_from_;
-    relist(c.vertex);
-  }
+  if (c.what == Change::Vertex::moves) move_to(c.vertex, moved_from_);
 }
 
-void Refinement::relist(VertexId v) {
+void Refinement::move_to(VertexId v, const Vec3& place) {
+  mesh.points[v] = place;
   vertices_.remove(v);
-  vertices_.add(v, vertices_.box_of(point(v)));
-}
-
-FaceId Refinement::new_facet() {
-  if (!free_.empty()) {
-    const FaceId f = free_.back();
-    free_.pop_back();
-    return f;
-  }
-  mesh.faces.emplace_back();
-  s.duals.emplace_back();
-  marks_.push_back(0);
-  return FaceId(mesh.faces.size() - 1);
+  vertices_.add(v, vertices_.box_of(place));
 }
 
 void Refinement::commit(Change& c) {
@@ -155,11 +126,12 @@ void Refinement::commit(Change& c) {
   }
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
-    c.created.push_back(k < c.cavity.size() ? c.cavity[k] : new_facet());
+    c.created.push_back(k < c.cavity.size() ? c.cavity[k] : FaceId(mesh.faces.size()));
+    if (k >= c.cavity.size()) mesh.faces.emplace_back();
   }
+  s.duals.resize(mesh.faces.size());
   for (std::size_t k = in.facets.size(); k < c.cavity.size(); ++k) {
     mesh.faces[c.cavity[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
-    free_.push_back(c.cavity[k]);
   }
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     Face& face = mesh.faces[c.created[k]];
@@ -201,10 +173,11 @@ FacetShape Refinement::shape(const Triangle& v, const Dual& dual) const {
   return shape;
 }
 
-bool Refinement::holds_vertex(const Triangle& v, const Dual& ball) const {
-  const BoxGrid::Box box = vertices_.box_around(ball.center, std::sqrt(ball.radius2));
-  return vertices_.any<VertexId>(box, [&](VertexId q, const BoxGrid::Box&) {
-    return ball.holds(point(q)) && !has_corner(v, q);
+bool Refinement::is_delaunay(const Triangle& v, const Dual& dual) const {
+  if (!dual.on_surface) return false;
+  const BoxGrid::Box box = vertices_.box_around(dual.center, std::sqrt(dual.radius2));
+  return !vertices_.any<VertexId>(box, [&](VertexId q, const BoxGrid::Box&) {
+    return dual.holds(point(q)) && !has_corner(v, q);
   });
 }
 

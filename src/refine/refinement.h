@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,7 +28,6 @@
 #include "embedding/box_grid.h"
 #include "embedding/disk_crossing.h"
 #include "mesh/disk.h"
-#include "refine/region.h"
 #include "surface/observer.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
@@ -40,6 +40,23 @@ namespace deliso {
 struct EdgeRef {
   FaceId face = kNoId;
   int index = 0;
+};
+
+// The facets that may be replaced: all from `first_free` on, by facets within the box, which is
+// half open. The others are frozen (refine/regions.h).
+struct Region {
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  FaceId first_free = 0;
+  Vec3 lo{-kFar, -kFar, -kFar}, hi{kFar, kFar, kFar};
+
+  bool holds(const Vec3& p) const {
+    return lo.x <= p.x && p.x < hi.x && lo.y <= p.y && p.y < hi.y && lo.z <= p.z && p.z < hi.z;
+  }
+  // True if the box holds all that is no further than `radius` from p.
+  bool holds(const Vec3& p, double radius) const {
+    const Vec3 r{radius, radius, radius};
+    return holds(p - r) && holds(p + r);
+  }
 };
 
 // The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
@@ -58,16 +75,16 @@ struct Change {
   // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 and G4 are not
   // asked, and a component flat in that face, which bounds nothing yet, may be turned either way.
   bool topology_only = false;
-  std::vector<Dual> duals;      // of `in`, by G3
+  std::vector<Dual> duals;  // of `in`, by G3
+  bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // of `in`, once it is done
 };
 
 class Refinement {
  public:
-  // Keeps references, but for `region`. Only the first `removable` vertices, Stage 1's, may go.
+  // Keeps references, but for `region`.
   Refinement(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
-             const Parameters& parameters, Report& report, std::size_t removable = 0,
-             const Region& region = {});
+             const Parameters& parameters, Report& report, const Region& region = {});
 
   SurfaceMesh& s;
   TriMesh& mesh;
@@ -77,7 +94,7 @@ class Refinement {
   Report& report;
   Observer* const observer;  // null unless it follows insertions
   const Region region;
-  const std::size_t removable;
+  const std::size_t removable;  // vertices that may go: those that were there from the first
   SurfacePointFinder finder;
   Change change;                         // the last one proposed
   std::vector<std::uint8_t> move_tries;  // per vertex; grows when it is asked for
@@ -90,35 +107,26 @@ class Refinement {
   // for the boundary edge that it splits. pre: open_cavity().
   void set_cone(Change& change, const Vec3& place, EdgeRef split = {}) const;
   // Does the change, or returns the test that it does not pass and leaves everything as it was.
-  // accept(): what the operation wants to fall falls; asked when the duals are known and the vertex
-  // is in its place. The boundary chain is the caller's. pre: open_cavity().
+  // accept(): whether what the operation wants to fall falls, or may yet; asked when the vertex is
+  // in its place, first without duals, then with each that is found. The boundary chain is the
+  // caller's. pre: open_cavity().
   template <class Accept>
   std::optional<Refusal> replace(Change& c, Accept&& accept) {
-    std::optional<Refusal> refusal = leaves_region(c);
-    if (refusal) return refusal;
+    if (leaves_region(c)) return Refusal::frozen;
     put_in_place(c);
-    refusal = test_shape(c);
-    if (!refusal) refusal = find_duals(c);
+    c.duals.clear();
+    std::optional<Refusal> refusal = test_shape(c);
     if (!refusal && !accept()) refusal = Refusal::no_gain;
+    for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {
+      refusal = !find_dual(c, allowed) ? std::optional(Refusal::no_surface_point)
+                : !accept()            ? std::optional(Refusal::no_gain)
+                                       : std::nullopt;
+    }
+    if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
     if (!refusal && crosses(c)) refusal = Refusal::crossing;
     refusal ? take_back(c) : commit(c);
     return refusal;
   }
-  // Its cost at change.place, for a vertex that moves; nothing is done. Nothing when G0 to G2
-  // refuse it. pre: open_cavity().
-  template <class Cost>
-  std::optional<double> cost_of_move(Change& c, Cost&& cost) {
-    if (leaves_region(c)) return std::nullopt;
-    put_in_place(c);
-    std::optional<double> sum;
-    if (!test_shape(c)) sum = cost();
-    take_back(c);
-    return sum;
-  }
-  // G3 for one facet of `in` after the other. False if one more lacks its surface point than may.
-  bool find_dual(Change& change, std::size_t f, std::ptrdiff_t& allowed);
-  // How many facets of `in` above r_min may lack one.
-  std::ptrdiff_t facets_without_point(const Change& change) const;
 
   // Counts what came of an operation, tells the observer, and gives it back.
   std::optional<Refusal> done(Rung rung, std::optional<Refusal> refusal);
@@ -131,48 +139,52 @@ class Refinement {
   double violation(const Triangle& v, const Dual& dual) const {
     return deliso::violation(shape(v, dual), parameters.refinement);
   }
-  // True if a vertex of the mesh but the corners of v lies in the ball.
-  bool holds_vertex(const Triangle& v, const Dual& ball) const;
-  // True if f has a surface ball, without vertices of the mesh.
-  bool is_delaunay(FaceId f) const {
-    return s.duals[f].on_surface && !holds_vertex(mesh.faces[f].v, s.duals[f]);
-  }
+  // True if the facet has a surface ball, without vertices of the mesh.
+  bool is_delaunay(const Triangle& v, const Dual& dual) const;
+  bool is_delaunay(FaceId f) const { return is_delaunay(mesh.faces[f].v, s.duals[f]); }
   bool is_frozen(FaceId f) const { return f < region.first_free; }
   const BoxGrid& facets() const { return facets_; }
   const Vec3& point(VertexId v) const { return mesh.points[v]; }
 
  private:
-  std::optional<Refusal> leaves_region(const Change& change) const;
+  bool leaves_region(const Change& change) const;
   void put_in_place(const Change& change);
   void take_back(const Change& change);
   void commit(Change& change);
-  void relist(VertexId v);  // in vertices_, where it is now
-  FaceId new_facet();
+  void move_to(VertexId v, const Vec3& place);
 
   // refine/gates.cpp
   std::optional<Refusal> test_shape(Change& change);  // G1 and G2
-  std::optional<Refusal> find_duals(Change& change);  // G3, and G4 for vertices that go
+  // G3 for the next facet of `in`. False if one more lacks its surface point than may.
+  bool find_dual(Change& change, std::ptrdiff_t& allowed);
+  // How many facets of `in` above r_min may lack one.
+  std::ptrdiff_t facets_without_point(const Change& change) const;
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
-  bool folds(const Change& change);
+  double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
+                       std::span<const FaceId> across) const;
+  bool folds(const Change& change) const;
   bool reverses(const Change& change);
-  bool uncovers(const Change& change) const;
+  bool uncovers(const Change& change) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool crosses(const Change& change);
+  Vec3 point_before(const Change& c, VertexId v) const {
+    return c.what == Change::Vertex::moves && v == c.vertex ? moved_from_ : point(v);
+  }
+  bool is_small(const Dual& dual) const {
+    return dual.radius2 <= parameters.r_min * parameters.r_min;
+  }
+
   bool is_out(FaceId f) const { return marks_[f] == stamp_; }
 
   BoxGrid facets_, vertices_;
-  std::vector<FaceId> free_;  // dead facets
 
   // Of the change at hand.
   std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is in the cavity
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
-  std::vector<FaceId> across_;       // per boundary edge of the new disk; kNoId on the mesh's
-  std::vector<std::uint8_t> kept_;   // and whether it was the cavity's too
-  std::vector<std::uint32_t> seen_;  // per facet, seen_stamp_ when it is in rest_
-  std::uint32_t seen_stamp_ = 0;
-  std::vector<FaceId> rest_;  // of a small component, but for the cavity
+  std::vector<FaceId> across_;  // per boundary edge of the new disk; kNoId on the mesh's
+  std::vector<FaceId> rest_;    // of a small component, but for the cavity
   std::vector<Vec3> normals_;
   DiskCrossing crossing_;
   std::vector<FaceId> star_;

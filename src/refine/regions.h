@@ -12,54 +12,35 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "refine/region.h"
-#include "surface/surface_mesh.h"
+#include "refine/refinement.h"
 
 namespace deliso {
 
-// A region with a mesh of its own: the frozen facets first, then its own, then what is new.
 struct MeshRegion {
-  Region region;
-  SurfaceMesh surface;  // without chain
-  // In the whole mesh, of the vertices and facets that are not new.
-  std::vector<VertexId> vertices;
+  Region box;
+  // In the whole mesh: the frozen facets, then the region's own, ascending each.
   std::vector<FaceId> facets;
+  std::vector<std::uint32_t> samples;  // the numbers of those that concern this region alone
+  // By extract(): a mesh of these facets, without chain, and its vertices' ids in the whole mesh.
+  std::vector<VertexId> vertices;
+  SurfaceMesh surface;
 };
 
-// The boxes, by number; fewer than two: the mesh is too small to be cut. Each has about `most`
-// facets or fewer.
-class Cut {
- public:
-  // pre: no facet is dead.
-  Cut(const SurfaceMesh& whole, std::size_t most);
+// Regions of about `most` facets or fewer; none where the mesh is too small to be cut. Of the
+// numbers in `samples` they take those of samples that lie further than `reach` from all cuts.
+// pre: no facet is dead.
+std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t most,
+                                         std::span<const Vec3> points, double reach,
+                                         std::vector<std::uint32_t>& samples);
 
-  std::size_t size() const { return leaves_.size(); }
-  // The region in box n.
-  MeshRegion extract(const SurfaceMesh& whole, std::size_t n) const;
-  // The box that holds p.
-  std::size_t box_at(const Vec3& p) const;
-  const Region& box(std::size_t n) const { return leaves_[n].box; }
-
- private:
-  struct Leaf {
-    Region box;
-    std::vector<FaceId> frozen, facets;  // that reach into it; that lie in it; ascending
-  };
-  struct Node {
-    int axis = -1;             // -1: a leaf
-    double plane = 0;          // the upper child begins there
-    std::size_t children = 0;  // the lower one, and the upper one behind it; of a leaf its number
-  };
-  void divide(const SurfaceMesh& whole, std::size_t node, Leaf&& leaf, std::size_t most);
-
-  std::vector<Node> nodes_;
-  std::vector<Leaf> leaves_;
-};
+void extract(const SurfaceMesh& whole, MeshRegion& region);
 
 // Puts a region back where it was taken from; what it has more is appended. Dead facets stay.
-// Returns the numbers in the whole mesh of the region's facets.
+// Returns the numbers in the whole mesh of the region's facets. Neighbors are the caller's to link,
+// once all regions are back.
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region);
 
 }  // namespace deliso

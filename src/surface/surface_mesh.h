@@ -39,11 +39,6 @@ struct SurfaceMesh {
   double pole(const Triangle& v) const;
 };
 
-// Facets that were taken out stay in place, dead, until remove_dead().
-inline bool is_dead(const Face& face) {
-  return face.v[0] == kNoId;
-}
-
 // The dual of a facet whose line meets Sigma at x, or misses it.
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
 Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -127,7 +127,7 @@ class Stage {
             delaunay_mesh(of.surface, ContourMesh(of.contour), stage1_only(), parameters, report)),
         surface_mesh(recovered.mesh),
         mesh(refined ? refined_mesh() : recovered.mesh.mesh),
-        r(recovered.mesh, of.surface, recovered.curves, parameters, report, mesh.points.size()),
+        r(recovered.mesh, of.surface, recovered.curves, parameters, report),
         kinds_(kinds_of(mesh)),
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
@@ -172,7 +172,7 @@ class Stage {
                     [&](FaceId g, const BoxGrid::Box&) { return g == f; })) {
         return "a facet that the grid does not have";
       }
-      if (said.on_surface && r.holds_vertex(v, said) == is_delaunay(f)) {
+      if (r.is_delaunay(f) != is_delaunay(f)) {
         return "a vertex in a ball that the grid does not see, or sees where there is none";
       }
     }

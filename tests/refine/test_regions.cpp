@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
 #include <optional>
 
 #include "base/sorted_list.h"
@@ -33,38 +34,56 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
     const Scene scene = some_scene(n);
     Stage stage(scene);
     const std::size_t most = 6 + 10 * static_cast<std::size_t>(n % 4);
-    const Cut parts(stage.surface_mesh, most);
+    std::vector<std::uint32_t> near(stage.recovered.samples.size());
+    std::iota(near.begin(), near.end(), 0);
+    const double reach = 0.3 * (n % 3);
+    std::vector<MeshRegion> parts =
+        cut_into_regions(stage.surface_mesh, most, stage.recovered.samples, reach, near);
     if (parts.size() < 2) continue;
     ++cut;
     std::vector<int> part_of(stage.mesh.faces.size(), -1);
+    std::vector<int> part_of_sample(stage.recovered.samples.size(), -1);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const MeshRegion part = parts.extract(stage.surface_mesh, k);
-      CHECK(part.facets.size() - part.region.first_free <= most);
+      MeshRegion& part = parts[k];
+      extract(stage.surface_mesh, part);
+      CHECK(part.facets.size() - part.box.first_free <= most);
       std::vector<FaceId> seen = part.facets;
       sort_out(seen);
       for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
         const bool is_seen = std::binary_search(seen.begin(), seen.end(), f);
-        CHECK(is_seen == reaches_into(part.region, stage.mesh, stage.mesh.faces[f].v));
+        CHECK(is_seen == reaches_into(part.box, stage.mesh, stage.mesh.faces[f].v));
       }
-      for (FaceId f(part.region.first_free); f < part.facets.size(); ++f) {
+      for (std::size_t f = part.box.first_free; f < part.facets.size(); ++f) {
         CHECK(part_of[part.facets[f]] == -1);
         part_of[part.facets[f]] = static_cast<int>(k);
         const Face& whole = stage.mesh.faces[part.facets[f]];
-        const Face& here = part.surface.mesh.faces[f];
+        const Face& here = part.surface.mesh.faces[FaceId(f)];
         for (std::size_t i = 0; i < 3; ++i) {
           CHECK(part.vertices[here.v[i]] == whole.v[i]);
-          CHECK(part.region.holds(stage.mesh.points[whole.v[i]]));
-          CHECK(parts.box_at(stage.mesh.points[whole.v[i]]) == k);
+          CHECK(part.box.holds(stage.mesh.points[whole.v[i]]));
           CHECK_FALSE(stage.surface_mesh.chain.is_boundary(whole.v[i]));
           REQUIRE(here.n[i] != kNoId);
           CHECK(part.facets[here.n[i]] == whole.n[i]);
         }
       }
+      for (const std::uint32_t m : part.samples) {
+        CHECK(part_of_sample[m] == -1);
+        part_of_sample[m] = static_cast<int>(k);
+      }
     }
+    std::size_t left = 0;
+    for (std::uint32_t m = 0; m < part_of_sample.size(); ++m) {
+      const auto at = std::ranges::find_if(parts, [&](const MeshRegion& part) {
+        return part.box.holds(stage.recovered.samples[m], reach);
+      });
+      CHECK(part_of_sample[m] == (at == parts.end() ? -1 : static_cast<int>(at - parts.begin())));
+      left += at == parts.end();
+    }
+    CHECK(left == near.size());
     const Stage::Snapshot before = stage.snapshot();
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      put_back(stage.surface_mesh, parts.extract(stage.surface_mesh, k));
-    }
+    for (const MeshRegion& part : parts) put_back(stage.surface_mesh, part);
+    for (Face& face : stage.surface_mesh.mesh.faces) face.n = {kNoId, kNoId, kNoId};
+    link_faces(stage.surface_mesh.mesh);
     CHECK(before == stage.snapshot());
   }
   CHECK(cut >= 20);

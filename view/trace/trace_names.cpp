@@ -85,10 +85,10 @@ ReasonName name_of(Reason reason) {
       {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
       {"inside out",
        "a component bounds what is outside; value: distance of the vertex inserted from its site"},
-      {"not Delaunay", "a vertex is in the facet's surface ball; value: radius of the ball"},
+      {"not Delaunay", "a vertex is in the facet's surface ball; value: circumradius"},
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
-      {"off its curve", "a boundary edge leaves its curve; value: its length"},
-      {"far point", "a point of the surface is too far from the mesh; value: times the limit"}};
+      {"off its curve", "a boundary edge leaves its curve; value: circumradius"},
+      {"far point", "a point of the surface is too far from this facet; value: circumradius"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Reason::count_));
   return names[static_cast<std::size_t>(reason)];
 }
