@@ -2,6 +2,7 @@
 // The tests G1 to G5 of refine/refinement.h.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/triangle.h"
@@ -40,10 +41,16 @@ std::optional<Refusal> Refinement::test_shape(Change& c) {
 // facets.
 bool Refinement::keeps_manifold(Change& c) {
   Disk& in = c.in;
-  if (!in.link()) return false;
   const auto facet_across = [&](const Disk::BoundaryEdge& e) {
     return mesh.faces[c.cavity[e.facet]].n[e.side];
   };
+  if (in.facets == c.was.facets) {  // a vertex moves, and nothing else changes
+    in = c.was;
+    across_.clear();
+    std::ranges::transform(in.boundary, std::back_inserter(across_), facet_across);
+    return true;
+  }
+  if (!in.link()) return false;
   const auto inner = [](FaceId f) { return f != kNoId; };
   across_.clear();
   for (const Disk::BoundaryEdge& e : in.boundary) {
