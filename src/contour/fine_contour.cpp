@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "base/sorted_list.h"
-#include "embedding/self_intersections.h"
+#include "delaunay/predicates.h"
+#include "embedding/triangle_pair.h"
+#include "embedding/triangle_tree.h"
 
 namespace deliso {
 namespace {
@@ -47,21 +49,49 @@ Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
   return divided(std::min(cell, coarsest));
 }
 
-// The voxels in which triangles of T cross.
-std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour) {
+// The voxels, of those that is_asked() holds for, in which triangles of T cross; ascending.
+// Triangles of two voxels do not: each lies in its own.
+template <class IsAsked>
+std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsAsked&& is_asked) {
+  std::vector<std::uint64_t> out;
   std::vector<Triangle> triangles;
-  std::vector<std::uint64_t> voxel_of;
+  std::vector<Box3> boxes;
   for (const ContourMesh::VoxelTriangles& crowd : contour.crowded) {
+    if (!is_asked(crowd.voxel)) continue;
+    triangles.clear();
+    boxes.clear();
     for (std::size_t t = crowd.first; t < crowd.end; ++t) {
-      triangles.push_back(contour.triangles[t]);
-      voxel_of.push_back(crowd.voxel);
+      const Triangle& v = contour.triangles[t];
+      const Vec3 &a = contour.points[v[0]], &b = contour.points[v[1]], &c = contour.points[v[2]];
+      if (collinear(a, b, c)) continue;
+      triangles.push_back(v);
+      boxes.push_back(box_of(a, b, c));
+    }
+    const auto meets_earlier = [&](std::size_t g) {
+      for (std::size_t f = 0; f < g; ++f) {
+        if (TriangleTree::meet(boxes[f], boxes[g]) &&
+            triangles_intersect(contour.points, triangles[f], triangles[g])) {
+          return true;
+        }
+      }
+      return false;
+    };
+    for (std::size_t g = 1; g < triangles.size(); ++g) {
+      if (!meets_earlier(g)) continue;
+      out.push_back(crowd.voxel);
+      break;
     }
   }
-  const TriangleTree tree(contour.points, triangles);
-  std::vector<std::uint64_t> out;
-  for (const auto& [f, g] : self_intersections(contour.points, triangles, tree)) {
-    out.push_back(voxel_of[f]);
-    out.push_back(voxel_of[g]);
+  return out;
+}
+
+// These voxels and those across their faces; ascending.
+std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxels, Index3 dims) {
+  std::vector<std::uint64_t> out = voxels;
+  for (const std::uint64_t voxel : voxels) {
+    for (int f = 0; f < 6; ++f) {
+      out.push_back(voxel_number(dims, beyond(numbered_voxel(dims, voxel), f)));
+    }
   }
   sort_out(out);
   return out;
@@ -116,7 +146,11 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
                             ? std::move(plain)
                             : build_contour(volume, kappa, split, threads);
   for (std::size_t part = 0; part < kParts.size();) {
-    const std::vector<std::uint64_t> crossed = crossed_voxels(contour);
+    // After the first look only what was cut, and what is beside it, has other triangles.
+    const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());
+    const std::vector<std::uint64_t> crossed = crossed_voxels(contour, [&](std::uint64_t voxel) {
+      return changed.empty() || std::binary_search(changed.begin(), changed.end(), voxel);
+    });
     if (crossed.empty()) break;
     std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
     if (voxels.size() == split.voxels.size() && ++part == kParts.size()) break;

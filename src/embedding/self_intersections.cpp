@@ -46,13 +46,8 @@ struct Group {
 
 class Search {
  public:
-  Search(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads,
-         bool bounded)
-      : points_(points),
-        triangles_(triangles),
-        threads_(threads),
-        bounded_(bounded),
-        flat_(triangles.size()) {
+  Search(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads)
+      : points_(points), triangles_(triangles), threads_(threads), flat_(triangles.size()) {
     for_each_run(threads, triangles.size(), 1u << 14, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         const Triangle& t = triangles[f];
@@ -122,8 +117,7 @@ class Search {
   };
 
   bool exhausted(const Work& work) const {
-    return bounded_ &&
-           (work.boxes > most_.boxes || work.tests > most_.tests || work.found > most_.found);
+    return work.boxes > most_.boxes || work.tests > most_.tests || work.found > most_.found;
   }
 
   void within_leaf(const NamedTree& named, std::size_t leaf, Work& work) const {
@@ -219,7 +213,6 @@ class Search {
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
   int threads_;
-  bool bounded_;
   Most most_;
   std::vector<std::uint8_t> flat_;
   Crossings found_;
@@ -291,8 +284,10 @@ void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> tri
   search.between(groups, is_center);
 }
 
-Crossings find(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-               const TriangleTree& tree, int threads, bool bounded) {
+}  // namespace
+
+Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                         const TriangleTree& tree, int threads) {
   std::vector<std::uint32_t> degree(points.size(), 0);
   for (const Triangle& t : triangles) {
     for (const VertexId v : t) ++degree[v];
@@ -304,26 +299,13 @@ Crossings find(const std::vector<Vec3>& points, std::span<const Triangle> triang
   // Most triangles first: then few of another star are at one's center, which all of its meet.
   std::stable_sort(centers.begin(), centers.end(),
                    [&](VertexId a, VertexId b) { return degree[a] > degree[b]; });
-  Search search(points, triangles, threads, bounded);
+  Search search(points, triangles, threads);
   if (centers.empty()) {
     search.within(std::array{NamedTree{&tree, {}}});
   } else {
     search_stars(points, triangles, threads, centers, search);
   }
   return search.take();
-}
-
-}  // namespace
-
-Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                         const TriangleTree& tree, int threads) {
-  return find(points, triangles, tree, threads, true);
-}
-
-std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
-                                                          std::span<const Triangle> triangles,
-                                                          const TriangleTree& tree) {
-  return find(points, triangles, tree, 1, false).pairs;
 }
 
 std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces,

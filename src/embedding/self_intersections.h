@@ -37,11 +37,6 @@ inline constexpr std::size_t kManyAround = 64;
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads = 1);
 
-// The pairs alone, all of them, however many there are.
-std::vector<std::pair<FaceId, FaceId>> self_intersections(const std::vector<Vec3>& points,
-                                                          std::span<const Triangle> triangles,
-                                                          const TriangleTree& tree);
-
 // How many such pairs a mesh of these facets has over `points`; vertices at one position count as
 // one, and facets without area or that twice name one are passed over. A facet around which not all
 // could be looked at counts as one more.

@@ -50,7 +50,7 @@ std::size_t crossing_pairs(const TriMesh& mesh) {
   std::vector<Triangle> triangles;
   for (const Face& face : mesh.faces) triangles.push_back(face.v);
   const TriangleTree tree(mesh.points, triangles);
-  return self_intersections(mesh.points, triangles, tree).size();
+  return find_crossings(mesh.points, triangles, tree).pairs.size();
 }
 
 // Closed, manifold, oriented; caps on the box, facing out of it, and the surface nowhere flat on

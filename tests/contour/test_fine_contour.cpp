@@ -42,7 +42,7 @@ Noise random_noise(std::uint64_t seed) {
 std::size_t crossings(const ContourMesh& contour) {
   const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
   const TriangleTree tree(contour.points, triangles);
-  return self_intersections(contour.points, triangles, tree).size();
+  return find_crossings(contour.points, triangles, tree).pairs.size();
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
     }
     const std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
     const TriangleTree tree(contour.points, triangles);
-    for (const auto& [f, g] : self_intersections(contour.points, triangles, tree)) {
+    for (const auto& [f, g] : find_crossings(contour.points, triangles, tree).pairs) {
       ++crossed;
       CHECK(is_crowded[f]);
       CHECK(is_crowded[g]);

@@ -95,7 +95,7 @@ std::size_t crossings(const TriMesh& mesh) {
   std::vector<Triangle> triangles;
   for (const Face& face : mesh.faces) triangles.push_back(face.v);
   const TriangleTree tree(mesh.points, triangles);
-  return self_intersections(mesh.points, triangles, tree).size();
+  return find_crossings(mesh.points, triangles, tree).pairs.size();
 }
 
 bool same_bytes(const TriMesh& a, const TriMesh& b) {

@@ -153,7 +153,7 @@ TEST_CASE("the tree finds the pairs that all pairs give") {
     }
     const TriangleTree tree(soup.points, soup.triangles);
     CAPTURE(seed);
-    CHECK(self_intersections(soup.points, soup.triangles, tree) == all);
+    CHECK(find_crossings(soup.points, soup.triangles, tree).pairs == all);
     found += all.size();
   }
   CHECK(found > 1000);
