@@ -66,16 +66,12 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   const Triangle v = r.mesh.faces[f].v;
   const double limit = r.parameters.refinement[Criterion::r_over_l];
   if (worst_ratio(r, {&v, 1}) <= limit) return Refusal::no_gain;
-  VertexId a = kNoId, b = kNoId;
-  double shortest2 = r.parameters.r_min * r.parameters.r_min;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double l2 = distance2(r.point(v[i]), r.point(v[(i + 1) % 3]));
-    if (l2 >= shortest2) continue;
-    shortest2 = l2;
-    a = v[i];
-    b = v[(i + 1) % 3];
-  }
-  if (a == kNoId) return Refusal::no_gain;
+  const auto length2 = [&](std::size_t i) {
+    return distance2(r.point(v[i]), r.point(v[(i + 1) % 3]));
+  };
+  const std::size_t shortest = std::ranges::min({0u, 1u, 2u}, {}, length2);
+  if (!(length2(shortest) < r.parameters.r_min * r.parameters.r_min)) return Refusal::no_gain;
+  VertexId a = v[shortest], b = v[(shortest + 1) % 3];
   const auto is_better = [&] {
     if (!r.change.duals.empty()) return true;  // asked before
     const double before = worst_ratio(r, r.change.was.facets);

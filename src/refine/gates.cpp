@@ -28,9 +28,7 @@ double cosine(const Vec3& u, const Vec3& v) {
 std::optional<Refusal> Refinement::test_shape(Change& c) {
   if (!keeps_manifold(c)) return Refusal::not_a_disk;
   normals_.clear();
-  for (const Triangle& v : c.in.facets) {
-    normals_.push_back(area_normal(point(v[0]), point(v[1]), point(v[2])));
-  }
+  for (const Triangle& v : c.in.facets) normals_.push_back(normal(v));
   if ((c.least_cosine > -1 && folds(c)) || reverses(c)) return Refusal::turned;
   return std::nullopt;
 }
@@ -102,9 +100,8 @@ double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals
   }
   for (std::size_t k = 0; k < across.size(); ++k) {
     if (across[k] == kNoId) continue;
-    const Triangle& v = mesh.faces[across[k]].v;
-    const Vec3 normal = area_normal(point(v[0]), point(v[1]), point(v[2]));
-    least = std::min(least, cosine(normals[disk.boundary[k].facet], normal));
+    const Vec3 outside = normal(mesh.faces[across[k]].v);
+    least = std::min(least, cosine(normals[disk.boundary[k].facet], outside));
   }
   return least;
 }

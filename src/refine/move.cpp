@@ -47,7 +47,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   double here = 0;
   for (const FaceId g : c.cavity) {
     const Triangle& t = r.mesh.faces[g].v;
-    normal = normal + area_normal(r.point(t[0]), r.point(t[1]), r.point(t[2]));
+    normal = normal + r.normal(t);
     here += cost(r, t, r.s.duals[g]);
   }
   // Facets across the cavity's boundary stay, but the vertex may move into their balls.

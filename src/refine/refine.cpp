@@ -58,9 +58,10 @@ class RefineGeom {
         queue_(refinement.parameters.voxel, by_count_),
         steps_(refinement.parameters.observer) {}
 
-  // Refines the facets that `open` holds and whatever changes. Returns facets for which something
-  // was refused for the sake of frozen ones. Throws InputError at max_vertices unless keep_partial.
-  std::vector<FaceId> run(const std::vector<FaceId>& open);
+  // Refines the facets that are not done yet, and whatever changes. Returns facets for which
+  // something was refused for the sake of frozen ones. Throws InputError at max_vertices unless
+  // keep_partial.
+  std::vector<FaceId> run(std::vector<std::uint8_t> is_done);
 
  private:
   void drain(bool with_moves);
@@ -107,14 +108,16 @@ class RefineGeom {
   double reached_ = 0;  // h of the facet last refined for the distance
 };
 
-std::vector<FaceId> RefineGeom::run(const std::vector<FaceId>& open) {
+std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
   Parameters& parameters = r_.parameters;
   if (by_count_) {
     parameters.refinement[Criterion::distance] = kFinestDistance * parameters.voxel;
   }
-  is_done_.assign(mesh_.faces.size(), 1);
-  for (const FaceId f : open) is_done_[f] = 0;
-  changed_.assign(open.rbegin(), open.rend());
+  is_done_ = std::move(is_done);
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (is_live(f) && !is_done_[f]) changed_.push_back(f);
+  }
+  std::ranges::reverse(changed_);  // the first one is looked at first
   flip_changed();
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) enqueue(f);
@@ -180,7 +183,7 @@ bool RefineGeom::insert_other_point(FaceId f) {
   const std::array<Vec3, 3> p{r_.point(v[0]), r_.point(v[1]), r_.point(v[2])};
   const auto length2 = [&](std::size_t i) { return distance2(p[(i + 1) % 3], p[(i + 2) % 3]); };
   const std::size_t i = std::ranges::max({0u, 1u, 2u}, {}, length2);
-  const Vec3 normal = area_normal(p[0], p[1], p[2]), center = circumcenter(p[0], p[1], p[2]);
+  const Vec3 normal = r_.normal(v), center = circumcenter(p[0], p[1], p[2]);
   const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
   const auto insert_foot = [&](const Vec3& from, double limit) {
     const auto foot = r_.finder.foot(from, normal, limit, r_.report.searches_refine);
@@ -299,12 +302,14 @@ bool may_be_cut(const Parameters& p) {
          p.target_vertices == kNoTarget;
 }
 
-// Refines the regions; returns the facets of the whole mesh that are still to be looked at, and
-// adds to `far` the samples that stay too far.
-std::vector<FaceId> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
-                                   const BoundaryCurves& curves, std::span<const Vec3> samples,
-                                   const Parameters& parameters, std::vector<MeshRegion> regions,
-                                   std::vector<std::uint32_t>& far, Report& report) {
+// Refines the regions; returns which facets of the whole mesh are done, and adds to `far` the
+// samples that stay too far.
+std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
+                                         const BoundaryCurves& curves,
+                                         std::span<const Vec3> samples,
+                                         const Parameters& parameters,
+                                         std::vector<MeshRegion> regions,
+                                         std::vector<std::uint32_t>& far, Report& report) {
   std::vector<std::vector<FaceId>> waiting(regions.size());
   std::vector<Report> reports(regions.size());
   Parameters unobserved = parameters;
@@ -315,9 +320,8 @@ std::vector<FaceId> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
     MeshRegion& region = regions[n];
     extract(mesh, region);
     Refinement refinement(region.surface, surface, curves, unobserved, reports[n], region.box);
-    std::vector<FaceId> open(region.facets.size() - region.box.first_free);
-    std::iota(open.begin(), open.end(), region.box.first_free);
-    waiting[n] = RefineGeom(refinement, samples, region.samples).run(open);
+    waiting[n] = RefineGeom(refinement, samples, region.samples)
+                     .run(std::vector<std::uint8_t>(region.facets.size(), 0));
     const std::lock_guard lock(mutex);
     ++done;
     if (parameters.observer) parameters.observer->steps_done(done, regions.size() - done);
@@ -337,11 +341,7 @@ std::vector<FaceId> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
     report.add_refinement(reports[n]);
   }
   link_faces(mesh.mesh);
-  std::vector<FaceId> open;
-  for (FaceId f = 0; f < is_done.size(); ++f) {
-    if (!is_done[f] && !is_dead(mesh.mesh.faces[f])) open.push_back(f);
-  }
-  return open;
+  return is_done;
 }
 
 void count_left(const Refinement& r) {
@@ -362,20 +362,19 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   const StepTimer timer(report.seconds_refine);
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
-  std::vector<FaceId> open(mesh.mesh.faces.size());
-  std::iota(open.begin(), open.end(), FaceId(0));
+  std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
   if (may_be_cut(parameters)) {
     begin_stage(parameters.observer, "regions");
     const double reach = kCoverage * parameters.refinement[Criterion::distance];
     auto regions = cut_into_regions(mesh, largest_region, samples, reach, far);
     if (!regions.empty()) {
-      open = refine_regions(mesh, surface, curves, samples, parameters, std::move(regions), far,
-                            report);
+      is_done = refine_regions(mesh, surface, curves, samples, parameters, std::move(regions), far,
+                               report);
     }
   }
   begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);
-  RefineGeom(whole, samples, far).run(open);
+  RefineGeom(whole, samples, far).run(std::move(is_done));
   count_left(whole);
   remove_dead(mesh);
 }

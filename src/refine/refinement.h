@@ -145,6 +145,9 @@ class Refinement {
   bool is_frozen(FaceId f) const { return f < region.first_free; }
   const BoxGrid& facets() const { return facets_; }
   const Vec3& point(VertexId v) const { return mesh.points[v]; }
+  Vec3 normal(const Triangle& v) const {
+    return area_normal(point(v[0]), point(v[1]), point(v[2]));
+  }
 
  private:
   bool leaves_region(const Change& change) const;
