@@ -302,14 +302,16 @@ bool may_be_cut(const Parameters& p) {
          p.target_vertices == kNoTarget;
 }
 
-// Refines the regions; returns which facets of the whole mesh are done, and adds to `far` the
-// samples that stay too far.
+// Refines the mesh region by region; returns which facets are done. Of `far` it takes the samples
+// that concern one region alone, and adds those that stay too far.
 std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
                                          const BoundaryCurves& curves,
                                          std::span<const Vec3> samples,
-                                         const Parameters& parameters,
-                                         std::vector<MeshRegion> regions,
+                                         const Parameters& parameters, std::size_t largest_region,
                                          std::vector<std::uint32_t>& far, Report& report) {
+  begin_stage(parameters.observer, "regions");
+  const double reach = kCoverage * parameters.refinement[Criterion::distance];
+  auto regions = cut_into_regions(mesh, largest_region, samples, reach, far);
   std::vector<std::vector<FaceId>> waiting(regions.size());
   std::vector<Report> reports(regions.size());
   Parameters unobserved = parameters;
@@ -326,7 +328,7 @@ std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& su
     ++done;
     if (parameters.observer) parameters.observer->steps_done(done, regions.size() - done);
   });
-  std::vector<std::uint8_t> is_done;
+  std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
   for (std::size_t n = 0; n < regions.size(); ++n) {
     const MeshRegion region = std::move(regions[n]);
     const std::vector<FaceId> numbers = put_back(mesh, region);
@@ -364,13 +366,8 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   std::iota(far.begin(), far.end(), 0);
   std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
   if (may_be_cut(parameters)) {
-    begin_stage(parameters.observer, "regions");
-    const double reach = kCoverage * parameters.refinement[Criterion::distance];
-    auto regions = cut_into_regions(mesh, largest_region, samples, reach, far);
-    if (!regions.empty()) {
-      is_done = refine_regions(mesh, surface, curves, samples, parameters, std::move(regions), far,
-                               report);
-    }
+    is_done =
+        refine_regions(mesh, surface, curves, samples, parameters, largest_region, far, report);
   }
   begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);
