@@ -49,6 +49,12 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
     const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
     std::ranges::nth_element(own, middle, {}, [&](FaceId f) { return corner(f, 0)[axis]; });
     const double plane = corner(*middle, 0)[axis];
+    if (!(box.lo[axis] <
+          plane)) {  // no cut parts them, such as a star around one vertex: they wait
+      all.box.first_free = FaceId(all.facets.size());
+      regions.push_back(std::move(all));
+      continue;
+    }
 
     MeshRegion below{all.box, {}, {}, {}, {}}, above = below;
     below.box.hi[axis] = above.box.lo[axis] = plane;
