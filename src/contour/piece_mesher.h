@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Makes T of what is found in voxels: positions of crossings, stars over loops, bands over tubes.
+// Makes T of what is found in voxels: positions of crossings, fans and stars over loops, bands over
+// tubes.
 // The cells are voxels, or parts of voxels with the lattice values at their own corners.
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 #include "contour/contour.h"
@@ -25,7 +27,11 @@ inline Vec3 to_vec3(Index3 n) {
 // would round onto the sample, and so onto each other or onto the volume's box.
 constexpr double kCrossingMargin = 1e-11;
 
-// Makes T: positions of crossings, stars over loops, bands over tubes.
+// Neighbors on a loop that is to be a fan are no closer than this, as a share of the cell's sides:
+// of crossings that are, sites make needles that Stage 2 cannot mend.
+constexpr double kFanEdge = 0.45;
+
+// Makes T: positions of crossings, fans and stars over loops, bands over tubes.
 class PieceMesher {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume)
@@ -69,6 +75,7 @@ class PieceMesher {
 
   // As voxel(), for pieces of a cell. pre: the vertices lie on the cell's surface.
   void cell(const CellFrame& frame, const VoxelPieces& pieces) {
+    if (fan(frame, pieces)) return;
     for (int l = 0; l < pieces.loops.count; ++l) {
       if (pieces.tube && l == pieces.tube.b) continue;
       if (pieces.tube && l == pieces.tube.a) {
@@ -82,6 +89,37 @@ class PieceMesher {
 
   void replace_boundary(std::vector<BoundarySegment>&) {}
   std::size_t vertices() const { return mesh_.points.size(); }
+
+  // A fan over the cell's only loop, from where its chords are shortest, if it takes one: if every
+  // face has at most one segment of it. Then a face holds the ends of that segment and no other
+  // vertex of the loop, so no chord lies in it, where the cell beyond might have the same, and no
+  // two triangles cross.
+  bool fan(const CellFrame& frame, const VoxelPieces& pieces) {
+    const std::size_t n = pieces.loops.first[1];
+    unsigned faces = 0;
+    for (std::size_t k = 0; k < n; ++k) faces |= 1u << pieces.loops.face[k];
+    if (pieces.loops.count != 1 || static_cast<std::size_t>(std::popcount(faces)) != n)
+      return false;
+    const std::span<const VertexId> loop = pieces.vertices(0);
+    const auto chords = [&](std::size_t i) {
+      double sum = 0;
+      for (std::size_t k = 2; k + 1 < n; ++k) {
+        sum += distance2(mesh_.points[loop[i]], mesh_.points[loop[(i + k) % n]]);
+      }
+      return sum;
+    };
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double edge2 = distance2(local(frame, loop[i]), local(frame, loop[(i + 1) % n]));
+      if (edge2 < kFanEdge * kFanEdge) return false;
+      if (chords(i) < chords(from)) from = i;
+    }
+    for (const VertexId v : loop) mesh_.component[v] = pieces.label[0];
+    for (std::size_t k = 1; k + 1 < n; ++k) {
+      mesh_.triangles.push_back({loop[from], loop[(from + k) % n], loop[(from + k + 1) % n]});
+    }
+    return true;
+  }
 
   // A triangle, or a star around one more point of Sigma. `c` are the cell's corners.
   void disk(const CellFrame& cell, const Corners& c, std::span<const VertexId> loop,

@@ -278,6 +278,7 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
     }
   }
   std::array<std::vector<VertexId>, kMaxLoops> loop;
+  bool follows = false;  // crossings on a face that the voxel has not itself
   for (int l = 0; l < p.loops.count; ++l) {
     for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
       loop[l].push_back(p.vertex[n]);
@@ -287,10 +288,12 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
       auto slot = size->fine.next(size->fine.crossed_part(p.loops.edge[n]));
       for (; size->vertex[slot] != p.vertex[following]; slot = size->fine.next(slot)) {
         loop[l].push_back(size->vertex[slot]);
+        follows = true;
       }
     }
   }
   const CellFrame frame{mesher_.place(p.voxel), {1, 1, 1}};
+  if (!follows) return mesher_.cell(frame, p);
   for (int l = 0; l < p.loops.count; ++l) {
     if (p.tube && l == p.tube.b) continue;
     if (p.tube && l == p.tube.a) {

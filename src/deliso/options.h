@@ -41,7 +41,7 @@ struct Options {
   PerCriterion<Length> limits = usual_limits();
   Length r_min{0.5, Length::Unit::voxel};  // nothing with r <= r_min is refined for geometry
   double epsilon = 0.2;                    // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
-  Length fingers{0.5, Length::Unit::voxel};  // certified: how far Sigma may be from K
+  Length fingers{0.4, Length::Unit::voxel};  // certified: how far Sigma may be from K
 
   std::uint64_t seed = 1;
   std::size_t samples = 50;  // N0, random points to begin with
