@@ -192,7 +192,7 @@ void check_block(const CommandLine& line, const Given& given) {
     if (given(other)) refuse(std::string(other));
   }
   if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
-  if (line.options.method == Method::marching_cubes) refuse("--method marching-cubes");
+  if (line.method == Method::marching_cubes) refuse("--method marching-cubes");
   if (line.options.r_min.unit == Length::Unit::box) {
     throw InputError("--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
   }

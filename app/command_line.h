@@ -32,6 +32,10 @@ struct ClipChoice {
 // What the colors of a picture stand for.
 enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient };
 
+// The two stages, or Marching Cubes for comparison (app/marching_cubes.h), which heeds no option of
+// theirs but `cap`.
+enum class Method : std::uint8_t { delaunay, marching_cubes };
+
 struct CommandLine {
   Command command = Command::mesh;
   std::optional<Command> help_of;  // for help: of this command alone
@@ -44,6 +48,7 @@ struct CommandLine {
   std::optional<double> isovalue;
   ReadOptions read;
   MeshWriteOptions write;  // its format is set wherever there is an output
+  Method method = Method::delaunay;
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each

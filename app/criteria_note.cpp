@@ -72,7 +72,7 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
 
 std::string criteria_note(const CommandLine& line, const Volume& volume, const Report& report) {
   const Options& options = line.options;
-  if (options.method == Method::marching_cubes) {
+  if (line.method == Method::marching_cubes) {
     return text(kProgram, " ", kVersion, " method=marching-cubes");
   }
   if (options.stop_after_recover) return text(kProgram, " ", kVersion, " stop-after=recover");

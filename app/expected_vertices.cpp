@@ -101,7 +101,6 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
 
 double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options) {
-  if (options.method == Method::marching_cubes) return surface.crossings;
   const Vec3 s = volume.spacing();
   const double vertices = surface.area * density(options, volume, std::min({s.x, s.y, s.z}));
   const std::size_t most = options.keep_partial

@@ -190,10 +190,9 @@ constexpr OptionSpec kRest[] = {
      "but --cap",
      [](Line& l, Text o, Text v) {
        using Choice = std::pair<std::string_view, Method>;
-       l.options.method =
-           choose(o, v,
-                  std::to_array<Choice>({{"delaunay", Method::delaunay},
-                                         {"marching-cubes", Method::marching_cubes}}));
+       l.method = choose(o, v,
+                         std::to_array<Choice>({{"delaunay", Method::delaunay},
+                                                {"marching-cubes", Method::marching_cubes}}));
      }},
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},

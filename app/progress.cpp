@@ -52,7 +52,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const auto add = [&](bool is_run, std::string_view stage, double cost) {
     if (is_run) stages.push_back({stage, cost});
   };
-  const bool cubes = options.method == Method::marching_cubes;
+  const bool cubes = line.method == Method::marching_cubes;
   add(cubes, "cubes", 20);
   add(!cubes, "contour", 4);
   add(!cubes && certified, "cutting", 4);

@@ -26,7 +26,8 @@ void add_length(JsonWriter& json, std::string_view key, const Length& length) {
   json.close();
 }
 
-void add_options(JsonWriter& json, const Options& options) {
+void add_options(JsonWriter& json, const CommandLine& line) {
+  const Options& options = line.options;
   json.open("options");
   json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
   add_length(json, "fingers", options.fingers);
@@ -41,7 +42,7 @@ void add_options(JsonWriter& json, const Options& options) {
     }
   }
   add_length(json, "rmin", options.r_min);
-  json.add("method", options.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
+  json.add("method", line.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
   if (by_count(options)) json.add("vertices", options.target_vertices);
   json.add("seed", options.seed);
   json.add("samples", options.samples);
@@ -91,7 +92,7 @@ std::string report_json(const MeshRun& run) {
   json.add("isovalue", *run.line.isovalue);
   json.add("isovalue_effective", report.kappa_effective);
   json.add("r_min", report.r_min);
-  add_options(json, run.line.options);
+  add_options(json, run.line);
 
   json.open("seconds");
   json.add("read", run.input.seconds);

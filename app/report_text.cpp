@@ -143,7 +143,7 @@ std::string report_text(const MeshRun& run) {
 
   const Options& options = run.line.options;
   const bool refined =
-      options.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
+      run.line.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
     const Vec3 s = run.input.volume.spacing();
     text += distance_text(options, report, std::min({s.x, s.y, s.z}));

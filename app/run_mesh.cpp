@@ -10,6 +10,7 @@
 #include "app/check_report.h"
 #include "app/criteria_note.h"
 #include "app/expected_vertices.h"
+#include "app/marching_cubes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -150,12 +151,15 @@ int run_mesh(const CommandLine& line) {
   const bool may_be_empty = line.allow_empty || line.read.block;
   if (!may_be_empty) require_isovalue_in_range(isovalue, input.range);
   require_limits(line.options, volume);
-  warn_of_size(expected_vertices(volume, isovalue, line.options), line.quiet);
+  const bool by_cubes = line.method == Method::marching_cubes;
+  const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
+  warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
+               line.quiet);
   MeshRun run(line, input);
 
   Options options = line.options;
   options.observer = &progress;
-  const TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
+  const TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
   if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");

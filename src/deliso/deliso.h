@@ -28,7 +28,7 @@ struct DelaunayMesh {
   std::vector<Vec3> samples;  // points of Sigma, dense: the vertices of T
 };
 
-// Figure 4, without isovalues to settle, Marching Cubes, seams and caps: what mesh_isosurface() is
+// Figure 4, without isovalues to settle, seams and caps: what mesh_isosurface() is
 // made of. `contour`: T, of build_contour(), with at least one vertex.
 DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, const Options& options,
                            const Parameters& parameters, Report& report);

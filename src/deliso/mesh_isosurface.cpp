@@ -2,7 +2,6 @@
 #include "deliso/deliso.h"
 
 #include "base/text.h"
-#include "baseline/marching_cubes.h"
 #include "blocks/clear_seam.h"
 #include "blocks/seam.h"
 #include "cap/close_on_box.h"
@@ -32,26 +31,6 @@ void make_seam(DelaunayMesh& s, const Isosurface& surface, const Parameters& par
   if (unknown > 0) refuse_seam(text("a vertex, one of ", unknown));
 }
 
-TriMesh mesh_by_cubes(const Volume& volume, double kappa, const Options& options,
-                      const Parameters& parameters, Report& report) {
-  begin_stage(parameters.observer, "cubes");
-  report.kappa_effective = kappa;
-  report.exact =
-      summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
-  SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
-  if (options.cap) {
-    begin_stage(parameters.observer, "cap");
-    const VoxelTree tree =
-        timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
-    const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
-    s.duals.resize(s.mesh.faces.size());
-    close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
-                 report);
-  }
-  s.mesh.frame = volume.frame();
-  return std::move(s.mesh);
-}
-
 }  // namespace
 
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
@@ -60,9 +39,6 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   require_limits(options, volume);
   Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
-  if (options.method == Method::marching_cubes) {
-    return mesh_by_cubes(volume, isovalue, options, parameters, report);
-  }
   begin_stage(parameters.observer, "contour");
   double kappa = isovalue;  // lowered where samples or saddles equal it
   ContourMesh contour = timed(report.seconds_contour, [&] {

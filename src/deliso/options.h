@@ -28,14 +28,9 @@ struct Length {
 // paper's tests on Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
-// The two stages, or Marching Cubes for comparison (baseline/marching_cubes.h): all other options
-// but `cap` then have no effect.
-enum class Method : std::uint8_t { delaunay, marching_cubes };
-
 struct Options {
   static constexpr double kNone = kNotAsked;
 
-  Method method = Method::delaunay;
   RecoverWay recover = RecoverWay::certified;
   // Stage 2's criteria (surface/criteria.h); that on r/l is Stage 1's too. Infinite: not asked.
   PerCriterion<Length> limits = usual_limits();

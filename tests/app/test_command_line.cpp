@@ -167,7 +167,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
   CHECK(same(options.fingers, {0.25, Length::Unit::world}));
-  CHECK(options.method == Method::marching_cubes);
+  CHECK(line.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
   CHECK(options.keep_partial);

@@ -127,8 +127,5 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   CHECK(expected(kept) == expected(plain));  // it would end in an error
   kept.keep_partial = true;
   CHECK(expected(kept) == 500);
-  Options cubes = plain;
-  cubes.method = Method::marching_cubes;
-  CHECK(expected(cubes) == estimate_surface(field.volume, field.kappa).crossings);
   CHECK(expected_vertices(field.volume, 1e9, plain) == 0);
 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/marching_cubes.h"
 #include "base/random.h"
-#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "surface/observer.h"
 
@@ -101,7 +101,7 @@ TEST_CASE("the program knows every stage that a run tells of") {
     line.options.observer = &stages;
     const Volume volume = make_builtin_volume("builtin:fuel:24");
     Report report;
-    mesh_isosurface(volume, 0.3, line.options, report);
+    mesher_of(line.method)(volume, 0.3, line.options, report);
     std::vector<std::string> known;
     for (const StageCost& s : mesh_stages(line)) {
       if (s.stage != "reading" && s.stage != "check" && s.stage != "writing") {

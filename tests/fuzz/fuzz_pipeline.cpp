@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "app/marching_cubes.h"
 #include "fuzz/reader_target.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
@@ -132,7 +133,7 @@ double make_isovalue(ByteSource& source, const Volume& volume, const ValueRange&
 }
 
 // Small triangles are left alone from a tenth of a voxel on, so that every input is done soon.
-Options make_options(ByteSource& source, const Vec3& spacing) {
+Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
   Options options;
   options.recover = source.below(3) == 0 ? RecoverWay::paper : RecoverWay::certified;
   const std::uint8_t flags = source.next();
@@ -156,12 +157,13 @@ Options make_options(ByteSource& source, const Vec3& spacing) {
     if (rare == 4) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
     if (rare == 5) options.limits[Criterion::r_over_pole].value = 0.05 + source.share();
     if (rare == 6) options.cubic = CubicMethod::schwarze;
-    if (rare == 7) options.method = Method::marching_cubes;
+    by_cubes = rare == 7;
   }
   return options;
 }
 
-void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
+void write_case(const Volume& volume, double isovalue, const Options& o, bool by_cubes,
+                const char* path) {
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17gvox "
@@ -176,7 +178,7 @@ void write_case(const Volume& volume, double isovalue, const Options& o, const c
       o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value,
       o.limits[Criterion::r_over_pole].value,
       o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
-      o.method == Method::marching_cubes ? " --method marching-cubes" : "");
+      by_cubes ? " --method marching-cubes" : "");
   std::fflush(stdout);
 }
 
@@ -197,25 +199,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (std::uint8_t& byte : front) byte = source.next();
   const Volume volume = make_volume(source);
   ByteSource choices(front, sizeof front);
-  const Options options = make_options(choices, volume.spacing());
+  bool by_cubes = false;
+  const Options options = make_options(choices, volume.spacing(), by_cubes);
   const ValueRange range = value_range(volume);
   const double isovalue = make_isovalue(choices, volume, range);
   if (const char* path = std::getenv("DELISO_FUZZ_WRITE")) {
-    write_case(volume, isovalue, options, path);
+    write_case(volume, isovalue, options, by_cubes, path);
   }
 
   Report report;
   TriMesh mesh;
   try {
-    mesh = mesh_isosurface(volume, isovalue, options, report);
+    mesh = (by_cubes ? mesh_by_cubes : mesh_isosurface)(volume, isovalue, options, report);
   } catch (const InputError& error) {
     check_message(error);
     require(options.max_vertices < 1u << 20, "refused without --max-vertices");
     return 0;
   }
   const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
-  const bool certified =
-      options.recover == RecoverWay::certified && options.method == Method::delaunay;
+  const bool certified = options.recover == RecoverWay::certified && !by_cubes;
   // The paper's tests leave vertices unresolved on noise, and the mesh is no manifold there: that
   // is known, and counted.
   if (verdict.invalid && (certified || !any_doubt(report))) found(verdict.fault);

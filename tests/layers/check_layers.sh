@@ -7,7 +7,7 @@ set -eu
 cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks cap baseline"
+stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks cap"
 io="io/files io/volume io/mesh io/parts"
 view="view/page view/render view/trace"
 
@@ -25,7 +25,6 @@ allowed() {
     refine) echo "$surface refine" ;;
     blocks) echo "$surface contour refine blocks" ;;
     cap) echo "$surface delaunay planar refine/refinement.h cap" ;;
-    baseline) echo "base mesh volume contour baseline" ;;
     deliso) echo "$stages deliso" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;

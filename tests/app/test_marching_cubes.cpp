@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All 256 cases against the definition of a consistent table, and whole meshes, noise included,
 // against the mesh checker.
-#include "baseline/marching_cubes.h"
+#include "app/marching_cubes.h"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +20,7 @@ using namespace deliso;
 
 namespace {
 
-using Segment = std::pair<int, int>;
+using FaceSegment = std::pair<int, int>;
 
 // The faces, 2 * axis + side, on which an edge lies.
 std::set<int> faces_of(int edge) {
@@ -33,13 +33,13 @@ std::set<int> faces_of(int edge) {
 }
 
 // The directed sides of the case's triangles that no other triangle has the other way round.
-std::set<Segment> rim(int mask) {
-  std::multiset<Segment> sides;
+std::set<FaceSegment> rim(int mask) {
+  std::multiset<FaceSegment> sides;
   for (const VoxelTriangle& t : marching_cubes_case(mask)) {
     for (std::size_t i = 0; i < 3; ++i) sides.insert({t[i], t[(i + 1) % 3]});
   }
-  std::set<Segment> open;
-  for (const Segment& side : sides) {
+  std::set<FaceSegment> open;
+  for (const FaceSegment& side : sides) {
     CHECK(sides.count(side) == 1);
     if (sides.count({side.second, side.first}) == 0) open.insert(side);
   }
@@ -85,7 +85,7 @@ TEST_CASE("every case: corners on crossed edges, a rim in the faces, diagonals i
       if ((mask >> low & 1) != (mask >> high & 1)) crossed.insert(e);
     }
     CHECK(used == crossed);
-    const std::set<Segment> open = rim(mask);
+    const std::set<FaceSegment> open = rim(mask);
     CHECK(open.size() == crossed.size());
     for (const VoxelTriangle& t : triangles) {
       for (std::size_t i = 0; i < 3; ++i) {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "baseline/marching_cubes.h"
+#include "app/marching_cubes.h"
 
 #include <span>
 #include <utility>
 
 #include "base/check.h"
+#include "cap/close_on_box.h"
+#include "contour/contour.h"
 #include "contour/contour_stream.h"
 #include "contour/voxel_topology.h"
+#include "kdtree/voxel_tree.h"
+#include "surface/observer.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {
@@ -101,6 +106,30 @@ TriMesh marching_cubes(const Volume& volume, double kappa) {
     walk.run();
   });
   return make_tri_mesh(std::move(points), triangles);
+}
+
+TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& options,
+                      Report& report) {
+  const StepTimer total(report.seconds_total);
+  require_limits(options, volume);
+  const Parameters parameters = resolve(options, volume);
+  report.r_min = parameters.r_min;
+  begin_stage(parameters.observer, "cubes");
+  report.kappa_effective = isovalue;
+  report.exact =
+      summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
+  SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
+  if (options.cap) {
+    begin_stage(parameters.observer, "cap");
+    const VoxelTree tree =
+        timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+    const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
+    s.duals.resize(s.mesh.faces.size());
+    close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
+                 report);
+  }
+  s.mesh.frame = volume.frame();
+  return std::move(s.mesh);
 }
 
 }  // namespace deliso

@@ -17,7 +17,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/command_line.h"
+#include "deliso/deliso.h"
 #include "mesh/tri_mesh.h"
+#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -31,5 +34,16 @@ std::vector<VoxelTriangle> marching_cubes_case(int mask);
 // The mesh of {g = kappa}, in the scaled frame; a corner with a value of at least kappa is inside.
 // Throws InputError when there are 2^32 - 1 vertices or more.
 TriMesh marching_cubes(const Volume& volume, double kappa);
+
+// The same, as mesh_isosurface() gives its mesh: in the volume's frame, closed on the box where
+// options.cap asks for it, and with the report filled in. Of the other options only threads, the
+// observer and the solver matter. Throws InputError as mesh_isosurface() does.
+TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& options,
+                      Report& report);
+
+// Returns the function that makes a mesh this way.
+inline decltype(mesh_isosurface)& mesher_of(Method method) {
+  return method == Method::marching_cubes ? mesh_by_cubes : mesh_isosurface;
+}
 
 }  // namespace deliso
