@@ -79,7 +79,7 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       [&] { run.fault = check_mesh(mesh); },
       [&] { boundary_fault = check_boundary_on_box(surface, volume.box()); }};
   if (reported) {
-    looks.emplace_back([&] { run.mesh = topology_of(mesh_topology(surface)); });
+    looks.emplace_back([&] { run.mesh = mesh_topology(surface).counts(); });
     looks.emplace_back([&] {
       run.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);

@@ -5,10 +5,6 @@
 
 namespace deliso {
 
-TopologyCounts topology_of(const MeshTopology& mesh) {
-  return {mesh.components.size(), mesh.euler(), mesh.boundary_loops};
-}
-
 std::string topology_text(const TopologyCounts& topology) {
   return counted(topology.components, "component", "components") + ", Euler number " +
          std::to_string(topology.euler) + ", " +

@@ -7,11 +7,8 @@
 
 #include "app/json.h"
 #include "base/topology_counts.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
-
-TopologyCounts topology_of(const MeshTopology& mesh);
 
 std::string topology_text(const TopologyCounts& topology);
 void add_topology(JsonWriter& json, std::string_view key, const TopologyCounts& topology);

@@ -4,37 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
-#include <vector>
 
 #include "base/triangle.h"
 #include "contour/contour.h"
 #include "isosurface/boundary_midpoint.h"
-#include "mesh/incidence.h"
 
 namespace deliso {
 namespace {
-
-struct BoundaryEdge {
-  VertexId a, b;
-  std::uint32_t triangle;
-};
-
-// Edges that one triangle holds, as it runs along them, in the order of their triangles.
-std::vector<BoundaryEdge> boundary_edges(const CleanMesh& mesh) {
-  std::vector<BoundaryEdge> edges;
-  for_each_edge(edge_uses(mesh.points.size(), mesh.triangles), [&](std::span<const EdgeUse> edge) {
-    if (edge.size() > 1) return true;
-    const EdgeUse& use = edge[0];
-    edges.push_back(use.forward ? BoundaryEdge{use.lo, use.hi, use.triangle}
-                                : BoundaryEdge{use.hi, use.lo, use.triangle});
-    return true;
-  });
-  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& s, const BoundaryEdge& t) {
-    return std::tie(s.triangle, s.a) < std::tie(t.triangle, t.a);
-  });
-  return edges;
-}
 
 // From the middle of the edge to the curve; on an edge of the box, the nearer of two curves.
 std::optional<double> distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface) {
@@ -69,9 +45,9 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
   BoundaryQuality q;
   q.min_angle = 60;
   std::uint32_t last = kNoId;
-  for (const BoundaryEdge& edge : boundary_edges(mesh)) {
+  for (const CleanMesh::End& edge : mesh.ends) {
     ++q.edges;
-    const Vec3 &a = mesh.points[edge.a], &b = mesh.points[edge.b];
+    const Vec3 &a = mesh.points[edge.from], &b = mesh.points[edge.to];
     const double r = 0.5 * distance(a, b);
     const bool is_small = !(r > limits.r_min);
     q.above_r_min += !is_small;

@@ -13,7 +13,6 @@
 #include "base/triangle.h"
 #include "contour/bounded_volume.h"
 #include "embedding/triangle_tree.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 namespace {
@@ -203,7 +202,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                                       Faults& faults) {
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
-  const MeshTopology topology = mesh_topology(mesh.points, mesh.triangles);
+  const MeshTopology& topology = mesh.topology;
   std::vector<std::vector<VertexId>> vertices(count);
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (mesh.component[v] != kNoId) vertices[mesh.component[v]].push_back(v);

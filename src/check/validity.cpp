@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <tuple>
 
 #include "base/text.h"
 #include "delaunay/predicates.h"
-#include "mesh/check_mesh.h"
 #include "mesh/first_at_place.h"
 #include "mesh/incidence.h"
 
@@ -100,10 +100,10 @@ bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double tolerance
   return false;
 }
 
-void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
-                 Faults& faults) {
+void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box, double tolerance,
+                 MayEnd may_end, Faults& faults) {
   constexpr std::size_t kNamed = 8;  // triangles of one edge
-  for_each_edge(edge_uses(mesh.points.size(), mesh.triangles), [&](std::span<const EdgeUse> edge) {
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     const VertexId lo = edge[0].lo, hi = edge[0].hi;
     const Vec3 &p = mesh.points[lo], &q = mesh.points[hi];
     const auto report = [&](FaultKind kind, const char* verb) {
@@ -118,6 +118,10 @@ void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_
       faults.add(kind, what, 0.5 * (p + q));
       mesh.broken[mesh.component[lo]] = 1;
     };
+    if (edge.size() == 1) {
+      const bool forward = edge[0].forward;
+      mesh.ends.push_back({edge[0].triangle, forward ? lo : hi, forward ? hi : lo});
+    }
     if (edge.size() > 2) {
       report(FaultKind::non_manifold_edges, "is of triangles");
     } else if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
@@ -129,6 +133,10 @@ void check_edges(CleanMesh& mesh, const Box3& box, double tolerance, MayEnd may_
     }
     return true;
   });
+  std::sort(mesh.ends.begin(), mesh.ends.end(),
+            [](const CleanMesh::End& s, const CleanMesh::End& t) {
+              return std::tie(s.triangle, s.from) < std::tie(t.triangle, t.from);
+            });
 }
 
 // One disk or half disk: no spoke of more than two triangles (check_edges says) and one fan.
@@ -164,11 +172,13 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
       }();
   report_unused(mesh, first, faults);
   keep_good_triangles(mesh, first, faults, out);
+  out.as_given =
+      out.triangles.size() == mesh.faces.size() && faults.count(FaultKind::duplicate_vertices) == 0;
+  const std::vector<EdgeUse> uses = edge_uses(out.points.size(), out.triangles);
   out.component = vertex_components(out.points.size(), out.triangles);
-  for (const std::uint32_t component : out.component) {
-    if (component == out.broken.size()) out.broken.push_back(0);
-  }
-  check_edges(out, box, tolerance, may_end, faults);
+  out.topology = mesh_topology(out.points, out.triangles, uses, out.component);
+  out.broken.assign(out.topology.components.size(), 0);
+  check_edges(out, uses, box, tolerance, may_end, faults);
   check_vertices(out, faults);
   return out;
 }

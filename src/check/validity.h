@@ -8,6 +8,7 @@
 
 #include "base/box3.h"
 #include "check/faults.h"
+#include "mesh/check_mesh.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -21,13 +22,23 @@ struct CleanMesh {
 
   // Connected through shared vertices; numbered by their smallest vertex.
   std::vector<std::uint32_t> component;  // per vertex; kNoId where no triangle uses it
-  std::vector<std::uint8_t> broken;      // per component: it has a fault of its own
+  MeshTopology topology;
+  std::vector<std::uint8_t> broken;  // per component: it has a fault of its own
+
+  // A side of a triangle that no other one shares, as it runs along it.
+  struct End {
+    std::uint32_t triangle;
+    VertexId from, to;
+  };
+  std::vector<End> ends;  // by triangle, then `from`
+  bool as_given = false;  // nothing was left out, and no vertices are at one position
 };
 
 // Where triangles may have edges that no other one shares.
 enum class MayEnd : std::uint8_t { on_box, nowhere };
 
-// Reports into `faults`. `tolerance`: how far a vertex may be from the box and count as on it.
+// Reports into `faults`, which have none yet. `tolerance`: how far a vertex may be from the box and
+// count as on it.
 CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance, MayEnd may_end,
                          Faults& faults);
 

@@ -16,7 +16,6 @@
 #include "embedding/triangle_tree.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
-#include "mesh/check_mesh.h"
 
 namespace deliso {
 namespace {
@@ -49,6 +48,11 @@ std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
 Vec3 middle_of(const TriMesh& mesh, FaceId f) {
   const Triangle& t = mesh.faces[f].v;
   return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
+}
+
+// Of the mesh as it was given.
+TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
+  return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
 }
 
 // Pairs of triangles, by their ids in the mesh.
@@ -193,8 +197,7 @@ CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions
   result.solid = summary;
   result.quality =
       measure_quality(parts.surface, options.limits[Criterion::r_over_l], options.limits.r_min);
-  const MeshTopology topology = mesh_topology(parts.surface);
-  result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
+  result.mesh = counts_of(parts.surface, clean);
   return clean;
 }
 
@@ -241,8 +244,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     surface_part = take_surface(mesh, volume.box(), options, intersections, result);
     surface_tree.emplace(surface_part->points, surface_part->triangles, threads);
   } else {
-    const MeshTopology topology = mesh_topology(mesh);
-    result.mesh = {topology.components.size(), topology.euler(), topology.boundary_loops};
+    result.mesh = counts_of(mesh, whole);
     result.quality =
         measure_quality(mesh, options.limits[Criterion::r_over_l], options.limits.r_min);
   }

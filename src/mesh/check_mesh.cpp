@@ -31,9 +31,8 @@ std::vector<Triangle> corners_of(const TriMesh& mesh) {
   return triangles;
 }
 
-std::string describe_edge(const TriMesh& mesh, const EdgeUse& use) {
-  return text("the edge from ", describe_vertex(mesh, use.lo), " to ",
-              describe_vertex(mesh, use.hi));
+std::string describe_edge(const TriMesh& mesh, VertexId lo, VertexId hi) {
+  return text("the edge from ", describe_vertex(mesh, lo), " to ", describe_vertex(mesh, hi));
 }
 
 std::string check_corners(const TriMesh& mesh) {
@@ -83,7 +82,7 @@ std::string check_orientation(const TriMesh& mesh, std::span<const EdgeUse> uses
     if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
       fault = text("I3: ", describe_face(mesh, edge[0].triangle), " and ",
                    describe_face(mesh, edge[1].triangle), " run the same way along ",
-                   describe_edge(mesh, edge[0]));
+                   describe_edge(mesh, edge[0].lo, edge[0].hi));
     }
     return fault.empty();
   });
@@ -94,7 +93,8 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
   std::string fault;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() > 2) {
-      fault = text("I4: ", edge.size(), " facets share ", describe_edge(mesh, edge[0]), ":");
+      fault = text("I4: ", edge.size(), " facets share ",
+                   describe_edge(mesh, edge[0].lo, edge[0].hi), ":");
       for (const EdgeUse& use : edge) fault += text(" ", use.triangle);
       return false;
     }
@@ -104,7 +104,7 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
       if (stored == expected) continue;
       const auto name = [&](FaceId f) { return f == kNoId ? "no facet" : describe_face(mesh, f); };
       fault = text("I4: ", describe_face(mesh, edge[i].triangle), " meets ", name(expected),
-                   " across ", describe_edge(mesh, edge[i]), " but has ",
+                   " across ", describe_edge(mesh, edge[i].lo, edge[i].hi), " but has ",
                    stored == kNoId ? "no neighbor" : text("neighbor ", stored), " there");
       return false;
     }
@@ -138,14 +138,6 @@ std::string check_geometry(const TriMesh& mesh) {
   return {};
 }
 
-std::size_t count_duplicates(const TrianglesByCorners& sorted) {
-  std::size_t duplicates = 0;
-  for (std::size_t n = 1; n < sorted.all().size(); ++n) {
-    duplicates += sorted.all()[n].corners == sorted.all()[n - 1].corners;
-  }
-  return duplicates;
-}
-
 }  // namespace
 
 std::string check_mesh(const TriMesh& mesh) {
@@ -163,21 +155,23 @@ std::string check_mesh(const TriMesh& mesh) {
 }
 
 std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box) {
-  std::string fault;
-  const std::vector<EdgeUse> uses = edge_uses(mesh.points.size(), corners_of(mesh));
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() != 1) return true;
-    const Vec3 &p = mesh.points[edge[0].lo], &q = mesh.points[edge[0].hi];
+  const auto on_box = [&](const Vec3& p, const Vec3& q) {
     for (int axis = 0; axis < 3; ++axis) {
       for (const double face : {box.lo[axis], box.hi[axis]}) {
         if (p[axis] == face && q[axis] == face) return true;
       }
     }
-    fault = text(describe_face(mesh, edge[0].triangle), " ends inside the box at ",
-                 describe_edge(mesh, edge[0]));
     return false;
-  });
-  return fault;
+  };
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    for (int i = 0; i < 3; ++i) {
+      const auto [lo, hi] = std::minmax(face.v[i], face.v[(i + 1) % 3]);
+      if (face.n[(i + 2) % 3] != kNoId || on_box(mesh.points[lo], mesh.points[hi])) continue;
+      return text(describe_face(mesh, f), " ends inside the box at ", describe_edge(mesh, lo, hi));
+    }
+  }
+  return {};
 }
 
 std::vector<std::uint32_t> vertex_components(std::size_t vertices,
@@ -206,12 +200,16 @@ std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
 }
 
 MeshTopology mesh_topology(const TriMesh& mesh) {
-  return mesh_topology(mesh.points, corners_of(mesh));
+  const std::vector<Triangle> triangles = corners_of(mesh);
+  const std::size_t vertices = mesh.points.size();
+  return mesh_topology(mesh.points, triangles, edge_uses(vertices, triangles),
+                       vertex_components(vertices, triangles));
 }
 
-MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                           std::span<const EdgeUse> uses,
+                           std::span<const std::uint32_t> component) {
   MeshTopology topology;
-  const std::vector<std::uint32_t> component = vertex_components(points.size(), triangles);
   for (VertexId v = 0; v < points.size(); ++v) {
     if (component[v] == kNoId) continue;
     ++topology.vertices_used;
@@ -224,14 +222,11 @@ MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangl
       c.box.hi[axis] = std::max(c.box.hi[axis], p[axis]);
     }
   }
-  topology.isolated_vertices = points.size() - topology.vertices_used;
   topology.faces = triangles.size();
   for (const Triangle& t : triangles) ++topology.components[component[t[0]]].faces;
-  topology.duplicate_faces = count_duplicates({points.size(), triangles});
 
   DisjointSets rims(points.size());
   std::vector<bool> on_rim(points.size(), false);
-  const std::vector<EdgeUse> uses = edge_uses(points.size(), triangles);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     ComponentTopology& c = topology.components[component[edge[0].lo]];
     ++c.edges;
@@ -249,7 +244,6 @@ MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangl
     topology.edges += c.edges;
     topology.boundary_edges += c.boundary_edges;
     topology.boundary_loops += c.boundary_loops;
-    topology.closed_components += c.closed();
   }
   return topology;
 }

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "base/box3.h"
+#include "base/topology_counts.h"
+#include "mesh/incidence.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -20,9 +22,9 @@ namespace deliso {
 // looked at while the ones before them hold.
 std::string check_mesh(const TriMesh& mesh);
 
-// Paper §5: a surface may end only where the volume ends. Names the first edge with one facet whose
-// ends do not lie on one common face of `box`, by exact equality of a coordinate; empty when there
-// is none. pre: I1. `box` is in the frame of the points.
+// Paper §5: a surface may end only where the volume ends. Names the first facet without a neighbor
+// across an edge whose ends do not lie on one common face of `box`, by exact equality of a
+// coordinate; empty when there is none. pre: I1, linked. `box` is in the frame of the points.
 std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box);
 
 struct ComponentTopology {
@@ -40,15 +42,15 @@ struct ComponentTopology {
 // An edge is a boundary edge when one facet holds it; boundary loops are the connected pieces of
 // the boundary edges, which are loops wherever the mesh is a manifold.
 struct MeshTopology {
-  std::size_t vertices_used = 0, isolated_vertices = 0;
+  std::size_t vertices_used = 0;
   std::size_t edges = 0, faces = 0;
-  std::size_t boundary_edges = 0, boundary_loops = 0, closed_components = 0;
-  std::size_t duplicate_faces = 0;            // facets beyond the first on the same three vertices
+  std::size_t boundary_edges = 0, boundary_loops = 0;
   std::vector<ComponentTopology> components;  // in the order of their smallest vertex
 
   std::ptrdiff_t euler() const {
     return static_cast<std::ptrdiff_t>(vertices_used + faces) - static_cast<std::ptrdiff_t>(edges);
   }
+  TopologyCounts counts() const { return {components.size(), euler(), boundary_loops}; }
 };
 
 // The component of every vertex by its number in MeshTopology::components; kNoId of isolated ones.
@@ -57,8 +59,10 @@ std::vector<std::uint32_t> vertex_components(std::size_t vertices,
                                              std::span<const Triangle> triangles);
 std::vector<std::uint32_t> vertex_components(const TriMesh& mesh);
 
-// pre: all corners are below the vertex count.
-MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles);
+// pre: all corners are below the vertex count; `uses` are edge_uses() of these triangles, and
+// `component` is vertex_components().
+MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                           std::span<const EdgeUse> uses, std::span<const std::uint32_t> component);
 MeshTopology mesh_topology(const TriMesh& mesh);
 
 }  // namespace deliso

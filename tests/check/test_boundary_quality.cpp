@@ -31,7 +31,8 @@ Volume cylinder(double radius) {
 
 // A prism of n sides inscribed into it, with its corners on the curve that the samples have.
 CleanMesh prism(const Isosurface& surface, int n) {
-  CleanMesh mesh;
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
   for (const double z : {0.0, 8.0}) {
     for (int k = 0; k < n; ++k) {
       const double angle = 2 * kPi * k / n;
@@ -39,14 +40,18 @@ CleanMesh prism(const Isosurface& surface, int n) {
       SearchCounters counters;
       const auto hit = surface.nearest(Vec3{32, 32, z} + 20 * direction, direction, 2, counters);
       REQUIRE(hit);
-      mesh.points.push_back(hit->point);
+      points.push_back(hit->point);
     }
   }
   for (VertexId k = 0; k < VertexId(n); ++k) {
     const VertexId a(k), b((k + 1) % n), c(a + n), d(b + n);
-    mesh.triangles.push_back({a, b, d});
-    mesh.triangles.push_back({a, d, c});
+    triangles.push_back({a, b, d});
+    triangles.push_back({a, d, c});
   }
+  Faults faults;
+  const CleanMesh mesh = check_validity(make_tri_mesh(points, triangles), surface.volume().box(), 0,
+                                        MayEnd::on_box, faults);
+  CHECK_FALSE(faults.any());
   return mesh;
 }
 
