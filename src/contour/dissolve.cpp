@@ -9,46 +9,10 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/disjoint_sets.h"
 
 namespace deliso {
 namespace {
-
-// The samples, joined to the regions that they lie in.
-class SampleRegions {
- public:
-  using Node = std::uint32_t;  // a sample; once numbered, a region
-
-  explicit SampleRegions(const Volume& volume) : parent_(volume.sample_count()) {
-    if (volume.sample_count() >= kNoId) {
-      throw InputError("--min-component with --cap is for less than 2^32 samples");
-    }
-    std::iota(parent_.begin(), parent_.end(), Node{0});
-  }
-
-  void unite(Node a, Node b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    parent_[high] = low;
-  }
-
-  // Numbers the regions, by their first samples, and returns how many there are.
-  Node number() {
-    Node count = 0;
-    // Parents come before their children, so theirs is a number already.
-    for (Node n = 0; n < parent_.size(); ++n) {
-      parent_[n] = parent_[n] == n ? count++ : parent_[parent_[n]];
-    }
-    return count;
-  }
-  Node operator[](std::size_t sample) const { return parent_[sample]; }
-
- private:
-  Node root(Node n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-
-  std::vector<Node> parent_;
-};
 
 template <class Visit>
 void for_each_sample(Index3 dims, Visit&& visit) {
@@ -104,11 +68,14 @@ Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, doubl
   };
   const auto is_inside = [&](Index3 p) { return volume.sample(p.i, p.j, p.k) >= kappa; };
 
-  SampleRegions region_of(volume);
+  if (volume.sample_count() >= kNoId) {
+    throw InputError("--min-component with --cap is for less than 2^32 samples");
+  }
+  DisjointSets joined(volume.sample_count());
   for_each_sample(dims, [&](Index3 p) {
     for (int axis = 0; axis < 3; ++axis) {
       Index3 q = p;
-      if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) region_of.unite(number(q), number(p));
+      if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) joined.unite(number(q), number(p));
     }
   });
   // Along one side of a component there is one region, though no grid edge may run there.
@@ -120,11 +87,12 @@ Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, doubl
     for (const Index3 end : *ends) {
       std::uint32_t& side = sides[contour.component[v]][is_inside(end)];
       if (side == kNoId) side = number(end);
-      region_of.unite(side, number(end));
+      joined.unite(side, number(end));
     }
   }
 
-  std::vector<Region> regions(region_of.number());
+  const std::vector<std::uint32_t> region_of = joined.take_numbers();
+  std::vector<Region> regions(1 + *std::max_element(region_of.begin(), region_of.end()));
   for_each_sample(dims, [&](Index3 p) {
     Region& region = regions[region_of[number(p)]];
     region.add({1, p, p});

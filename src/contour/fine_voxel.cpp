@@ -25,7 +25,7 @@ FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
   inside_.resize(values_.size());
   on_edge_.resize(3 * values_.size());
   next_.resize(3 * values_.size());
-  parent_.resize(3 * values_.size());
+  pieces_ = DisjointSets(3 * values_.size());
   euler_.resize(3 * values_.size());
   for (int m = 0; m < 8; ++m) corner_offset_[m] = point({m & 1, m >> 1 & 1, m >> 2});
   for (int e = 0; e < 12; ++e) {
@@ -173,7 +173,7 @@ void FineVoxel::trace_face(int f) {
 }
 
 void FineVoxel::trace() {
-  for (Slot s = 0; s < parent_.size(); ++s) parent_[s] = s;
+  pieces_.part();
   Cell cell;
   for (int k = 0; k < factor_.k; ++k) {
     for (int j = 0; j < factor_.j; ++j) {
@@ -188,10 +188,7 @@ void FineVoxel::trace() {
         cell.tube = find_tube(mask, values, cell.loops);
         cells_.push_back(cell);
         link_segments(cell.loops, point(cell.at), outer_faces(cell.at));
-        const auto unite = [&](int e, int f) {
-          const Slot a = piece(slot(cell, e)), b = piece(slot(cell, f));
-          parent_[std::max(a, b)] = std::min(a, b);
-        };
+        const auto unite = [&](int e, int f) { pieces_.unite(slot(cell, e), slot(cell, f)); };
         for (int l = 0; l < cell.loops.count; ++l) {
           const auto edges = cell.loops.edges(l);
           for (const auto e : edges) unite(edges[0], e);
@@ -200,11 +197,6 @@ void FineVoxel::trace() {
       }
     }
   }
-}
-
-FineVoxel::Slot FineVoxel::piece(Slot s) {
-  while (parent_[s] != s) s = parent_[s] = parent_[parent_[s]];
-  return s;
 }
 
 // Two edges of a voxel have one face in common at most, so a chain that leads from one crossing of

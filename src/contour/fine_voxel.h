@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "contour/piece_mesher.h"
 #include "contour/voxel_topology.h"
 #include "volume/volume.h"
@@ -66,7 +67,7 @@ class FineVoxel {
   // Faces of the voxel that the cell lies on, bit f.
   int outer_faces(Index3 cell) const;
   // The piece of the voxel's Sigma that a crossing belongs to: the same slot for all of a piece.
-  Slot piece(Slot slot);
+  Slot piece(Slot slot) { return pieces_.find(slot); }
 
   // After trace(), whether the cells hold what the voxel holds: the same connections on its faces,
   // no other curves there, and inside them the same pieces, disks and tube.
@@ -106,7 +107,7 @@ class FineVoxel {
   std::vector<Slot> crossed_;
   std::vector<Slot> next_;
   std::size_t segments_ = 0;  // traced on the voxel's surface
-  std::vector<Slot> parent_;  // union-find of crossings
+  DisjointSets pieces_;       // of crossings
   std::vector<Cell> cells_;
   std::vector<int> euler_;  // by root, scratch of agrees_with
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/text.h"
 #include "mesh/incidence.h"
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/sorted_list.h"
 
 namespace deliso {
@@ -117,10 +118,6 @@ VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
   VertexLink link{0, around.size(), loose_ends};
   for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
   return link;
-}
-
-DisjointSets::DisjointSets(std::size_t n) : parent_(n) {
-  std::iota(parent_.begin(), parent_.end(), 0u);
 }
 
 }  // namespace deliso

@@ -78,22 +78,4 @@ struct VertexLink {
 VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
                    std::span<const Triangle> triangles);
 
-// Disjoint sets; the representative is the smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n);
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace deliso
