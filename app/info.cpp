@@ -7,10 +7,10 @@
 
 #include "app/expected_vertices.h"
 #include "app/json.h"
-#include "app/stopwatch.h"
 #include "app/text.h"
 #include "app/topology.h"
 #include "base/append_format.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 
 namespace deliso {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/output.h"
-#include "app/stopwatch.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "io/volume/read_volume.h"
 
 namespace deliso {

@@ -2,11 +2,11 @@
 #include "check/verify.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/compare_topology.h"
@@ -25,20 +25,6 @@ constexpr double kOnSurface = 1e-6;
 
 // How much further than the mesh from Sigma points of Sigma may be from the mesh.
 constexpr double kReach = 2;
-
-// Seconds since construction or the last lap.
-class Laps {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
   const Triangle& t = mesh.faces[f].v;
@@ -232,7 +218,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.triangles = mesh.faces.size();
   result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
   const int threads = options.threads;
-  Laps laps;
+  const Stopwatch of_validity;
 
   const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
                                          options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
@@ -250,7 +236,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   }
   const CleanMesh& clean = surface_part ? *surface_part : whole;
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
-  result.seconds_validity = laps.lap();
+  result.seconds_validity = of_validity.seconds();
   tell(0.15);
 
   const VoxelTree voxels(volume);
@@ -258,19 +244,19 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   ContourMesh contour;
   // Side by side: most of the triangulation's time is one thread's.
   for_each_task(threads, 2, [&](std::size_t part) {
-    Laps own;
+    const Stopwatch own;
     if (part == 0) {
       result.delaunay = measure_delaunay_share(clean, surface, threads);
-      result.seconds_delaunay = own.lap();
+      result.seconds_delaunay = own.seconds();
     } else {
       contour = build_contour(volume, kappa);
       compare_topology(clean, contour, surface, options, result);
-      result.seconds_topology = own.lap();
+      result.seconds_topology = own.seconds();
     }
   });
   judge_share(mesh, clean, options.restricted_share, result);
   tell(0.65);
-  laps.lap();
+  const Stopwatch of_distances;
 
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
   result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
@@ -289,7 +275,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   }
   hold_to_limits(clean, surface, options.limits, threads, result);
   result.boundary = measure_boundary(clean, surface, options.limits);
-  result.seconds_distances = laps.lap();
+  result.seconds_distances = of_distances.seconds();
   return result;
 }
 

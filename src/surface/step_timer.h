@@ -2,7 +2,7 @@
 // How long the steps of a run take, for its report.
 #pragma once
 
-#include <chrono>
+#include "base/stopwatch.h"
 
 namespace deliso {
 
@@ -12,13 +12,11 @@ class StepTimer {
   explicit StepTimer(double& seconds) : seconds_(seconds) {}
   StepTimer(const StepTimer&) = delete;
   StepTimer& operator=(const StepTimer&) = delete;
-  ~StepTimer() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  ~StepTimer() { seconds_ += watch_.seconds(); }
 
  private:
   double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 // What make() returns, with its time added.
