@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "delaunay/insphere_pair.h"
 #include "delaunay/predicates.h"
-#include "delaunay/tet_tables.h"
 
 namespace deliso {
 
@@ -175,31 +175,27 @@ void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<Ce
   first_rank_ = next_rank;
 }
 
-// The same for zones of any size, where such a table would be too large.
-void Triangulation::link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created) {
-  begin_search();
-  for (CellId c : zone.cells) marks_[c] = in_conflict_;
+// The same for zones of any size, where such a table would be too large: sorted by the edge, the
+// two that meet there stand together.
+void Triangulation::link_by_sorting(const ConflictZone& zone, const std::vector<CellId>& created) {
+  struct Side {
+    SiteId low, high;
+    Link link;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * created.size());
   for (std::size_t k = 0; k < created.size(); ++k) {
-    const Facet& f = zone.boundary[k];
-    for (int i = 0; i < 4; ++i)
-      if (i != f.index) cells_[created[k]].links[i] = turn_through_zone(f, i);
-  }
-}
-
-Triangulation::Link Triangulation::turn_through_zone(Facet f, int over) const {
-  // In each cell passed the edge joins the vertices other than f.index and `over`.
-  while (true) {
-    const Link crossed = cells_[f.cell].links[over];
-    const Cell& next = cells_[facet(crossed).cell];
-    if (marks_[crossed >> 2] != in_conflict_) {
-      const CellId new_neighbor(next.links[crossed & 3] >> 2);
-      return link({new_neighbor, f.index});
+    const auto& corner = kFacetVertices[zone.boundary[k].index];
+    const auto& v = cells_[created[k]].vertices;
+    for (int e = 0; e < 3; ++e) {
+      const SiteId a = v[corner[e]], b = v[corner[(e + 1) % 3]];
+      sides.push_back({std::min(a, b), std::max(a, b), link({created[k], corner[(e + 2) % 3]})});
     }
-    const SiteId behind = cells_[f.cell].vertices[f.index];
-    f = facet(crossed);
-    const auto& v = next.vertices;
-    over = v[0] == behind ? 0 : v[1] == behind ? 1 : v[2] == behind ? 2 : 3;
   }
+  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+    return std::tie(s.low, s.high) < std::tie(t.low, t.high);
+  });
+  for (std::size_t n = 0; n < sides.size(); n += 2) connect(sides[n].link, sides[n + 1].link);
 }
 
 SiteId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
@@ -225,7 +221,7 @@ SiteId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   if (created.size() <= std::size_t{2} * (kTableVertices - 2)) {
     link_by_table(zone, created);
   } else {
-    link_by_turning(zone, created);
+    link_by_sorting(zone, created);
   }
   for (CellId c : zone.cells) cells_[c].vertices[0] = kNoId;
   free_.insert(free_.end(), zone.cells.begin(), zone.cells.end());

@@ -8,7 +8,6 @@
 
 #include "delaunay/hilbert.h"
 #include "delaunay/predicates.h"
-#include "delaunay/tet_tables.h"
 
 namespace deliso {
 namespace {

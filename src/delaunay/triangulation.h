@@ -33,9 +33,13 @@
 #include "base/check.h"
 #include "base/ids.h"
 #include "base/vec3.h"
-#include "delaunay/tet_tables.h"
 
 namespace deliso {
+
+// The vertices of facet i of a cell 0 1 2 3, the one opposite to vertex i: counter-clockwise seen
+// from outside, as the vertices 0 1 2 3 are positively oriented (predicates.h).
+inline constexpr std::array<std::array<int, 3>, 4> kFacetVertices = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 // The facet of `cell` opposite to its vertex number `index`.
 struct Facet {
@@ -133,13 +137,9 @@ class Triangulation {
   void keep_conflicts(const Vec3& p, std::size_t begin, std::vector<CellId>& cells) const;
   // Ids for so many new cells: of those freed the last first, then new ones.
   void take_cells(std::size_t count, std::vector<CellId>& taken);
-  // Facet `over` of the new cell on boundary facet f must meet some other new cell: turns from f
-  // through the zone, around the edge f shares with (f.cell, over), to the boundary facet on the
-  // other side, and returns the facet of the new cell there.
-  Link turn_through_zone(Facet f, int over) const;
   void begin_search() const;
   void link_by_table(const ConflictZone& zone, const std::vector<CellId>& created);
-  void link_by_turning(const ConflictZone& zone, const std::vector<CellId>& created);
+  void link_by_sorting(const ConflictZone& zone, const std::vector<CellId>& created);
 
   IdArray<SiteId, Vec3> points_;
   IdArray<SiteId, CellId> incident_;

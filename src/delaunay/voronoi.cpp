@@ -7,7 +7,6 @@
 
 #include "delaunay/double_double.h"
 #include "delaunay/predicates.h"
-#include "delaunay/tet_tables.h"
 
 namespace deliso {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "base/sorted_list.h"
-#include "delaunay/tet_tables.h"
 
 namespace deliso {
 

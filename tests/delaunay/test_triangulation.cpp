@@ -53,6 +53,20 @@ void check_all(const Triangulation& t) {
 
 }  // namespace
 
+// An apex put behind a facet seen from outside makes a positive cell: (i, facet i) is an even
+// permutation of 0 1 2 3.
+TEST_CASE("the facets of a cell point outwards") {
+  for (int i = 0; i < 4; ++i) {
+    const std::array<int, 4> v{i, kFacetVertices[i][0], kFacetVertices[i][1], kFacetVertices[i][2]};
+    CHECK(std::set<int>(v.begin(), v.end()) == std::set<int>{0, 1, 2, 3});
+    int inversions = 0;
+    for (int k = 0; k < 4; ++k) {
+      for (int l = k + 1; l < 4; ++l) inversions += v[k] > v[l];
+    }
+    CHECK(inversions % 2 == 0);
+  }
+}
+
 TEST_CASE("build: brute force finds nothing on 300 point sets") {
   for (int trial = 0; trial < 300; ++trial) {
     CAPTURE(trial);
