@@ -37,7 +37,7 @@ void draw_cubic(Drawing& out, const Panel& panel, const Corners& corners, const 
   out.polyline(curve, {.stroke = ink::kBlue, .width = 2.5});
   for (const Vec2& p : control) out.dot(p, ink::kGrey);
   if (roots.count > 1) {
-    for (const double t : critical_points(power, 0, 1)) {
+    for (const double t : critical_points(power)) {
       out.line({panel.at({t, 0}).x, top}, {panel.at({t, 0}).x, bottom},
                {.stroke = ink::kGreen, .dashed = true});
       out.dot(panel.at({t, value_at(power, t)}), ink::kGreen);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What both cubic solvers share: evaluation, the critical points, and a root in a bracket.
+// What both cubic solvers share: evaluation, the critical points, and a root in a bracket. Cubics
+// are in the power basis.
 #pragma once
 
 #include <cmath>
@@ -16,21 +17,21 @@ inline double slope_at(const Cubic& c, double t) {
   return (c[1] + t * (2 * c[2])) + (t * t) * (3 * c[3]);
 }
 
-// The roots of the derivative inside (lo, hi), increasing. The larger root is taken from the sum
+// The roots of the derivative inside (0, 1), increasing. The larger root is taken from the sum
 // without cancellation, the other from the product; where the cubic or the quadratic term vanishes
 // they run off to infinity and fall out of the interval, so no case needs a threshold.
 //
 // Where rounding moves or loses them, nothing is lost: with discriminant d, moving by
 // eps B^2 / (A sqrt d) changes the cubic's value by at most eps^1.5 times its coefficients.
-inline Roots critical_points(const Cubic& c, double lo, double hi) {
+inline Roots critical_points(const Cubic& c) {
   Roots points;
   const double a = 3 * c[3], b = c[2], discriminant = b * b - a * c[1];
   if (!(discriminant >= 0)) return points;
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   double t0 = q / a, t1 = c[1] / q;
   if (t1 < t0) std::swap(t0, t1);
-  if (lo < t0 && t0 < hi) points.push(t0);
-  if (lo < t1 && t1 < hi && !(t0 == t1)) points.push(t1);
+  if (0 < t0 && t0 < 1) points.push(t0);
+  if (0 < t1 && t1 < 1 && !(t0 == t1)) points.push(t1);
   return points;
 }
 
@@ -49,7 +50,8 @@ double bracketed_root(const Cubic& c, double lo, double hi, bool rising, Accurac
 
 // The same where [lo, hi] holds no other root that rises (falls): as long as plain Newton steps
 // halve and stay inside, no bracket is needed. Where they end at a root of the other kind, one at
-// lo or hi or within rounding of them, the bracket tells the two apart.
+// lo or hi or within rounding of them, or at a touch, where the slope is nothing but rounding, the
+// bracket tells the two apart.
 inline double single_root(const Cubic& c, double lo, double hi, bool rising, double guess,
                           Accuracy accuracy) {
   double t = guess, last_step = hi - lo;
@@ -58,7 +60,7 @@ inline double single_root(const Cubic& c, double lo, double hi, bool rising, dou
     const double next = t - value_at(c, t) / slope, step = std::abs(next - t);
     if (!(lo <= next && next <= hi && step <= 0.5 * last_step)) break;
     if (step <= accuracy.last_step) {
-      if ((slope > 0) == rising) return next;
+      if ((rising ? slope : -slope) > 0x1p7 * accuracy.noise) return next;
       break;
     }
     t = next;
