@@ -112,7 +112,7 @@ std::string report_json(const MeshRun& run) {
   json.open("points");
   json.add("initial", report.points_initial);
   json.add("recovered", report.points_recovered);
-  json.add("insertions_recover", report.insertions_recover);
+  json.add("insertions_recover", report.insertions_recover());
   json.add("insertions_refine", report.insertions_refine);
   json.close();
   add_searches(json, "searches_recover", report.searches_recover);

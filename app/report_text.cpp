@@ -103,7 +103,7 @@ std::string report_text(const MeshRun& run) {
   append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
                 grouped(report.points_initial).c_str());
   append_step(text, "labels", report.seconds_labels);
-  append_stage(text, "recover", report.seconds_recover, report.insertions_recover,
+  append_stage(text, "recover", report.seconds_recover, report.insertions_recover(),
                report.searches_recover);
   append_step(text, "poles", report.seconds_poles);
   append_stage(text, "refine", report.seconds_refine, report.insertions_refine,

@@ -167,7 +167,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   add_outcomes(json);
   add_reasons(json);
   json.add("points_initial", report.points_initial);
-  json.add("insertions_recover", report.insertions_recover);
+  json.add("insertions_recover", report.insertions_recover());
   json.add("insertions_refine", report.insertions_refine);
   if (line.trace_times) {
     json.add("seconds_init", report.seconds_init + report.seconds_labels);

@@ -42,13 +42,19 @@ Parameters parameters_for(std::size_t count, double area, const Volume& volume) 
   return resolve(options, volume);
 }
 
+Options only_stage1() {
+  Options options;
+  options.stop_after_recover = true;
+  return options;
+}
+
 // Inserts until the mesh has `count` vertices, then that many again at random facets.
 class Insertion {
  public:
   Insertion(const Isosurface& surface, const ContourMesh& contour, double area, std::size_t count)
       : parameters_(parameters_for(count, area, surface.volume())),
-        recovered_(delaunay_mesh(surface, ContourMesh(contour), Options{.stop_after_recover = true},
-                                 parameters_, report_)),
+        recovered_(
+            delaunay_mesh(surface, ContourMesh(contour), only_stage1(), parameters_, report_)),
         mesh_(recovered_.mesh.mesh),
         refinement_(recovered_.mesh, surface, recovered_.curves, parameters_, report_),
         count_(count) {}

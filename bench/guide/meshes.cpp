@@ -85,19 +85,18 @@ void draw_certified(const std::string& folder) {
   options.samples = 6;
   const Parameters parameters = resolve(options, volume);
   Report report;
-  const ContourGraph graph(contour, 1);
   // T in the colors of its labels: a triangle of one label has that one's, others are light.
   const auto labelled = [&](const Triangulation& sites, std::size_t count) {
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, sites, kept, 1);
     Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
-    Certificate certificate(contour, graph, labels);
+    Certificate certificate(labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
     std::size_t broken = 0;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       if (labels.distance2_to_site(v) > 0) continue;
-      broken += certificate.check(labels.label(v), v, scratch, facets).violation != Violation::none;
+      broken += certificate.check(labels.label(v), v, scratch, facets).violation.has_value();
     }
     append_format(p.caption, "%zu sites, %zu break a condition", count, broken);
     for (const Triangle& t : contour.triangles) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "embedding/triangle_pair.h"
 #include "refine/operations.h"
 
 namespace deliso {

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "cap/box_caps.h"
 #include "cap/leave_box.h"
+#include "embedding/triangle_pair.h"
 #include "mesh/tri_mesh.h"
 #include "surface/step_timer.h"
 
@@ -51,7 +52,7 @@ bool CrossingParter::split(const std::vector<BoxCaps::EdgeRef>& edges) {
     if (!chain.is_edge(a, b)) continue;
     if (chain.next(a) != b) std::swap(a, b);
     const auto middle =
-        curves_.split(chain.place(a), mesh_.points[a], chain.place(b), mesh_.points[b]);
+        curves_.split({chain.place(a), mesh_.points[a]}, {chain.place(b), mesh_.points[b]});
     if (!middle) continue;
     chain.insert_after(a, split_edge(mesh_, edge.f, edge.i, middle->point), middle->place);
     touched.push_back(edge.f);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/triangle.h"
+#include "embedding/triangle_pair.h"
 #include "mesh/tri_mesh.h"
 #include "refine/refinement.h"
 

@@ -97,10 +97,6 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
   return out;
 }
 
-// In voxels: how far a vertex moves that lies at another one's place, well within what vertices may
-// lie off Sigma.
-constexpr double kHairVoxels = 1e-7;
-
 // The vertices that lie where an earlier one does. Where samples of a voxel differ by many orders
 // of magnitude, points of several cells round to one place, and no site could tell them apart.
 std::vector<VertexId> coincident(const std::vector<Vec3>& points) {
@@ -159,7 +155,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
         cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split, threads);
   }
-  if (contour.split_voxels > 0) part_coincident(contour, kHairVoxels * shortest);
+  if (contour.split_voxels > 0) part_coincident(contour, kHair * shortest);
   return contour;
 }
 

@@ -77,6 +77,7 @@ Options Options::paper() {
 Parameters resolve(const Options& o, const Volume& volume) {
   const double voxel = voxel_of(volume), r_min = o.r_min.in(volume);
   Parameters p{};
+  static_cast<RunSettings&>(p) = o;
   p.voxel = voxel;
   p.r_min = r_min;
   p.fingers = o.fingers.in(volume);
@@ -91,14 +92,6 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloor * voxel);
   // Fingers would ask for more than so many vertices.
   if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
-  p.threads = o.threads;
-  p.seed = o.seed;
-  p.samples = o.samples;
-  p.min_component = o.min_component;
-  p.target_vertices = o.target_vertices;
-  p.max_vertices = o.max_vertices;
-  p.keep_partial = o.keep_partial;
-  p.observer = o.observer;
   return p;
 }
 

@@ -4,9 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
-#include "base/parallel.h"
 #include "roots/cubic.h"
 #include "surface/parameters.h"
 #include "volume/volume.h"
@@ -28,36 +26,21 @@ struct Length {
 // paper's tests on Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
-struct Options {
+struct Options : RunSettings {
   static constexpr double kNone = kNotAsked;
 
   RecoverWay recover = RecoverWay::certified;
   // Stage 2's criteria (surface/criteria.h); that on r/l is Stage 1's too. Infinite: not asked.
   PerCriterion<Length> limits = usual_limits();
-  Length r_min{0.5, Length::Unit::voxel};  // nothing with r <= r_min is refined for geometry
-  double epsilon = 0.2;                    // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
+  Length r_min{0.5, Length::Unit::voxel};    // nothing with r <= r_min is refined for geometry
+  double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
   Length fingers{0.4, Length::Unit::voxel};  // certified: how far Sigma may be from K
 
-  std::uint64_t seed = 1;
-  std::size_t samples = 50;  // N0, random points to begin with
-  double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
   CubicMethod cubic = CubicMethod::isolation;
-  // How many to use; the mesh is the same with any number.
-  int threads = hardware_threads();
-
   // Table 2's baseline, the paper's way only: all refinement on the 3D triangulation.
   bool single_stage = false;
   bool stop_after_recover = false;
   bool cap = false;  // close the mesh on the box (cap/close_on_box.h)
-  // The best mesh of about so many vertices: --max-distance gives way.
-  std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
-  std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
-  // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
-  bool keep_partial = false;
-
-  // Is told what the run does (surface/observer.h): a progress bar, a trace, a profile; may be
-  // null.
-  Observer* observer = nullptr;
 
   // Everything as published: the paper's Recover, epsilon1 0.1, epsilon2 0.2, r_min = 0.001 b.
   static Options paper();

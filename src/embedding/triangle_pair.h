@@ -9,6 +9,10 @@
 
 namespace deliso {
 
+// How far vertices are moved where they, or triangles, would touch, in voxels: well within what a
+// vertex may be off Sigma.
+inline constexpr double kHair = 1e-7;
+
 // Whether the closed segment pq and the closed triangle abc have a point in common.
 // pre: a, b, c not on one line.
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <string>
 
-#include "base/check.h"
 #include "base/sorted_list.h"
-#include "paper/build_tri_mesh.h"
+#include "paper/orient.h"
+#include "stage1/build_tri_mesh.h"
 #include "stage1/poles.h"
 #include "surface/criteria.h"
 #include "surface/step_timer.h"
@@ -29,14 +28,15 @@ constexpr double kShortestVoxelShare = 0.02;
 
 }  // namespace
 
-Recovery::Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, SiteChain& chain,
-                   const Parameters& parameters)
-    : restricted_(restricted),
-      curves_(curves),
-      chain_(chain),
+Recovery::Recovery(const Isosurface& surface, const BoundaryCurves& curves, FirstSample first,
+                   const Parameters& parameters, Report& report)
+    : curves_(curves),
       parameters_(parameters),
+      follower_(follower(parameters.observer)),
       steps_(parameters.observer),
-      report_(restricted.report()),
+      report_(report),
+      restricted_(surface, std::move(first.triangulation), parameters.r_min, report, follower_),
+      chain_(std::move(first.chain)),
       floor_(kFloor * parameters.r_min),
       shortest_edge_(std::max(kShortestBoundaryEdge * parameters.r_min,
                               kShortestVoxelShare * parameters.voxel)) {
@@ -67,45 +67,35 @@ void Recovery::queue_vertex(SiteId v) {
 void Recovery::after_insertion() {
   for (const SiteId v : restricted_.touched()) queue_vertex(v);
   created_.insert(created_.end(), restricted_.created().begin(), restricted_.created().end());
-  check_room();
+  require_room(restricted_.triangulation(), parameters_);
 }
 
-void Recovery::check_room() const {
-  if (restricted_.triangulation().vertex_capacity() > parameters_.max_vertices) {
-    throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
-                     " vertices needed before the surface is recovered");
+std::vector<SiteId> Recovery::boundary_vertices(const ConflictZone& zone) const {
+  std::vector<SiteId> found;
+  for (const CellId c : zone.cells) {
+    for (const SiteId v : restricted_.triangulation().vertices(c)) {
+      if (chain_.is_boundary(v)) found.push_back(v);
+    }
   }
+  sort_out(found);
+  return found;
 }
 
-std::optional<SiteId> Recovery::encroached_edge(const Vec3& p,
-                                                std::span<const CellId> cells) const {
+std::vector<SiteId> Recovery::encroached_edges(const Vec3& p, std::span<const SiteId> near) const {
   const Triangulation& t = restricted_.triangulation();
-  std::optional<SiteId> worst;
-  double worst_length2 = 0;
-  const auto consider = [&](SiteId a) {
-    const Vec3 &pa = t.point(a), &pb = t.point(chain_.next(a));
-    const double length2 = distance2(pa, pb);
-    const bool longer =
-        length2 > worst_length2 || (length2 == worst_length2 && worst && a < *worst);
-    if (longer && in_diametral_ball(pa, pb, p)) {
-      worst = a;
-      worst_length2 = length2;
-    }
-  };
-  for (const CellId c : cells) {
-    for (const SiteId v : t.vertices(c)) {
-      if (!chain_.is_boundary(v)) continue;
-      consider(v);
-      consider(chain_.previous(v));
+  std::vector<SiteId> edges;
+  for (const SiteId v : near) {
+    for (const SiteId a : {v, chain_.previous(v)}) {
+      if (in_diametral_ball(t.point(a), t.point(chain_.next(a)), p)) edges.push_back(a);
     }
   }
-  return worst;
+  return edges;
 }
 
 Attempt Recovery::insert(RecordId r, const Vec3& x) {
   created_.clear();
   const Attempt attempt = try_insert(r, x);
-  if (Observer* const follower = restricted_.follower()) follower->attempt_ended(attempt, x);
+  if (follower_) follower_->attempt_ended(attempt, x);
   return attempt;
 }
 
@@ -122,8 +112,13 @@ Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
     restricted_.forget(r);
     return Attempt::forgotten;
   }
-  if (const auto edge = encroached_edge(x, zone.cells)) {
-    return split_edge(*edge) ? Attempt::split : Attempt::refused;
+  const std::vector<SiteId> edges = encroached_edges(x, boundary_vertices(zone));
+  if (!edges.empty()) {
+    // The longest; of several as long that of the smallest number.
+    const SiteId edge = *std::ranges::max_element(edges, {}, [&](SiteId a) {
+      return std::pair(distance2(t.point(a), t.point(chain_.next(a))), ~a.number());
+    });
+    return split_edge(edge) ? Attempt::split : Attempt::refused;
   }
   restricted_.insert_prepared(x);
   after_insertion();
@@ -141,7 +136,7 @@ bool Recovery::split_edge(SiteId a) {
     if (any && !edge_holds_a_vertex(from)) continue;
     const auto middle = distance(pa, pb) < shortest_edge_
                             ? std::nullopt
-                            : curves_.split(chain_.place(from), pa, chain_.place(to), pb);
+                            : curves_.split({chain_.place(from), pa}, {chain_.place(to), pb});
     if (!middle) {
       ++report_[Counter::refused_splits];
       continue;
@@ -151,13 +146,8 @@ bool Recovery::split_edge(SiteId a) {
       ++report_[Counter::refused_splits];
       continue;
     }
-    std::vector<SiteId> near;
-    for (const CellId c : zone.cells) {
-      for (const SiteId v : t.vertices(c)) {
-        if (chain_.is_boundary(v)) near.push_back(v);
-      }
-    }
-    if (restricted_.follower()) restricted_.follower()->edge_split(from, to);
+    const std::vector<SiteId> near = boundary_vertices(zone);
+    if (follower_) follower_->edge_split(from, to);
     const SiteId v = restricted_.insert_prepared(middle->point);
     chain_.insert_after(from, v, middle->place);
     queue_vertex(from);
@@ -166,16 +156,9 @@ bool Recovery::split_edge(SiteId a) {
     ++report_[Counter::boundary_splits_recover];
     any = true;
     // The two halves may hold older vertices; edges near by may hold the new one.
-    sort_out(near);
-    for (const SiteId w : near) {
-      for (const SiteId b : {w, chain_.previous(w)}) {
-        if (in_diametral_ball(t.point(b), t.point(chain_.next(b)), middle->point)) {
-          pending.push_back(b);
-        }
-      }
-    }
-    pending.push_back(v);
-    pending.push_back(from);
+    const std::vector<SiteId> encroached = encroached_edges(middle->point, near);
+    pending.insert(pending.end(), encroached.begin(), encroached.end());
+    pending.insert(pending.end(), {v, from});
   }
   return any;
 }
@@ -187,19 +170,20 @@ bool Recovery::edge_holds_a_vertex(SiteId a) {
   // of an edge which is not Delaunay.
   // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
   // ball however short the edges are; the edge is Delaunay all the same.
+  bool is_delaunay = false;
   for (const SiteId v : restricted_.neighbors(a)) {
+    is_delaunay |= v == b;
     if (v == b || v == chain_.next(b) || v == chain_.previous(a)) continue;
     if (in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
   }
-  const auto around = restricted_.neighbors(a);
-  return std::find(around.begin(), around.end(), b) == around.end();
+  return !is_delaunay;
 }
 
 void Recovery::protect_boundary() {
   const std::size_t count = restricted_.triangulation().vertex_capacity();
   for (SiteId v = 1; v < count; ++v) {
     while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
-      if (restricted_.follower()) restricted_.follower()->edge_asked(v, chain_.next(v));
+      if (follower_) follower_->edge_asked(v, chain_.next(v));
       if (!split_edge(v)) break;
     }
   }
@@ -211,27 +195,22 @@ void Recovery::multi_intersect() {
     queue.emplace_back(r, restricted_.generation(r));
   }
   const Triangulation& t = restricted_.triangulation();
-  Observer* const follower = restricted_.follower();
   while (!queue.empty()) {
     steps_.step(queue.size());
     const auto [r, generation] = queue.front();
     queue.pop_front();
-    if (!restricted_.is_live(r) || restricted_.generation(r) != generation) continue;
     const std::span<const Vec3> hits = restricted_.effective_hits(r);
-    if (hits.size() < 2) continue;
+    if (restricted_.generation(r) != generation || hits.size() < 2) continue;
     // All hits lie on the facet's dual line: furthest from a corner is furthest from the facet.
     const Vec3& a = t.point(restricted_.triangle(r)[0]);
     const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
       return distance2(p, a) < distance2(q, a);
     });
-    if (follower) {
-      follower->record_asked(r, Reason::several_hits, static_cast<double>(hits.size()));
+    if (follower_) {
+      follower_->record_asked(r, Reason::several_hits, static_cast<double>(hits.size()));
     }
-    const Attempt attempt = insert(r, x);
-    if (attempt == Attempt::inserted || attempt == Attempt::split) {
-      for (const RecordId n : created_) queue.emplace_back(n, restricted_.generation(n));
-      if (attempt == Attempt::split) queue.emplace_back(r, restricted_.generation(r));
-    }
+    if (insert(r, x) == Attempt::split) created_.push_back(r);
+    for (const RecordId n : created_) queue.emplace_back(n, restricted_.generation(n));
   }
 }
 
@@ -252,7 +231,6 @@ bool Recovery::is_manifold_at(SiteId q) {
 
 void Recovery::extract_manifold() {
   const Triangulation& t = restricted_.triangulation();
-  Observer* const follower = restricted_.follower();
   while (!vertex_queue_.empty()) {
     steps_.step(vertex_queue_.size());
     const SiteId q = vertex_queue_.front();
@@ -260,7 +238,7 @@ void Recovery::extract_manifold() {
     vertex_queued_[q] = 0;
     bool is_manifold = false;
     {
-      const Working working(follower, Activity::disk_test, report_.searches_recover);
+      const Working working(follower_, Activity::disk_test, report_.searches_recover);
       is_manifold = is_manifold_at(q);
     }
     if (is_manifold) continue;
@@ -278,7 +256,7 @@ void Recovery::extract_manifold() {
         x = hit;
       }
     }
-    if (follower) follower->star_asked(q, chain_.is_boundary(q), furthest);
+    if (follower_) follower_->star_asked(q, chain_.is_boundary(q), furthest);
     if (furthest != kNoId) {
       if (insert(furthest, x) != Attempt::refused) queue_vertex(q);
     } else if (chain_.is_boundary(q)) {
@@ -310,37 +288,27 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     return shape;
   };
   const auto judge = [&](RecordId r) {
-    if (!restricted_.is_live(r) || !restricted_.is_restricted(r)) return;
+    if (!restricted_.is_restricted(r)) return;
     const double worst = violation(shape_of(r), criteria);
     if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
   };
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
   while (!queue.empty()) {
     steps_.step(queue.size());
-    const Item item = queue.top();
+    const auto [over, r, generation] = queue.top();
     queue.pop();
-    const RecordId r = item.record;
-    if (!restricted_.is_live(r) || restricted_.generation(r) != item.generation) continue;
-    if (!restricted_.is_restricted(r)) continue;
-    const std::size_t before = t.vertex_capacity();
-    if (restricted_.follower()) {
-      const Criterion worst = worst_criterion(shape_of(r), criteria);
-      restricted_.follower()->record_asked(r, reason_of(worst), item.violation);
+    if (restricted_.generation(r) != generation || !restricted_.is_restricted(r)) continue;
+    if (follower_) {
+      follower_->record_asked(r, reason_of(worst_criterion(shape_of(r), criteria)), over);
     }
-    const Attempt attempt = insert(r, restricted_.surface_point(r));
-    if (!poles.empty()) {
-      for (SiteId v = SiteId(before); v < t.vertex_capacity(); ++v) {
-        estimate_pole(v, poles);
-      }
-    }
-    if (attempt == Attempt::inserted || attempt == Attempt::split) {
-      for (const RecordId n : created_) judge(n);
-      if (attempt == Attempt::split) judge(r);
-    }
+    if (insert(r, restricted_.surface_point(r)) == Attempt::split) created_.push_back(r);
+    while (!poles.empty() && poles.size() < t.vertex_capacity()) estimate_pole(poles);
+    for (const RecordId n : created_) judge(n);
   }
 }
 
-void Recovery::estimate_pole(SiteId v, std::vector<double>& poles) {
+void Recovery::estimate_pole(std::vector<double>& poles) {
+  const SiteId v(poles.size());
   restricted_.star(v, star_);
   double sum = 0;
   std::size_t count = 0;
@@ -351,15 +319,13 @@ void Recovery::estimate_pole(SiteId v, std::vector<double>& poles) {
       ++count;
     }
   }
-  poles.push_back(count > 0 ? sum / static_cast<double>(count)
-                            : std::numeric_limits<double>::infinity());
+  poles.push_back(count > 0 ? sum / static_cast<double>(count) : kNotAsked);
 }
 
 void Recovery::count_unresolved() {
   for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
-    if (!restricted_.is_live(r)) continue;
     report_[Counter::cancelled_pairs] += restricted_.cancelled_pairs(r);
-    if (restricted_.effective_hits(r).size() > 1) ++report_[Counter::unresolved_facets];
+    report_[Counter::unresolved_facets] += restricted_.effective_hits(r).size() > 1;
   }
   for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
@@ -370,19 +336,14 @@ SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curve
                           FirstSample first, const Parameters& parameters, bool single_stage,
                           Report& report) {
   std::optional<StepTimer> timer(report.seconds_recover);
-  RestrictedDelaunay restricted(surface, std::move(first.triangulation), parameters.r_min, report,
-                                follower(parameters.observer));
-  Recovery recovery(restricted, curves, first.chain, parameters);
+  Recovery recovery(surface, curves, std::move(first), parameters, report);
   recovery.recover();
+  const RestrictedDelaunay& restricted = recovery.restricted();
   const Triangulation& t = restricted.triangulation();
   report.points_recovered = t.vertex_capacity() - 1 - kAuxiliaryVertices;
-  report.insertions_recover =
-      report.points_recovered - std::min(report.points_recovered, report.points_initial);
 
   timer.reset();
-  if (parameters.asks_for_poles()) begin_stage(parameters.observer, "poles");
-  std::vector<double> poles;
-  if (parameters.asks_for_poles()) poles = compute_poles(t, surface, report);
+  std::vector<double> poles = compute_poles(t, surface, parameters, report);
   timer.emplace(report.seconds_refine);
   if (single_stage) {
     recovery.begin("refine");
@@ -390,9 +351,20 @@ SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curve
     recovery.extract_manifold();
     if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
   }
-  if (restricted.follower()) restricted.follower()->recovery_finished();
+  if (Observer* const observer = follower(parameters.observer)) observer->recovery_finished();
   recovery.count_unresolved();
-  return build_tri_mesh(std::move(restricted), first.chain, poles);
+  std::vector<Triangle> facets;
+  std::vector<Dual> duals;
+  for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
+    if (!restricted.is_restricted(r)) continue;
+    const auto [a, b, c] = restricted.triangle(r);
+    facets.push_back(as_mesh_triangle({a, b, c}));
+    duals.push_back(dual_at(t.point(a), t.point(b), t.point(c), restricted.surface_point(r)));
+  }
+  SurfaceMesh mesh =
+      build_tri_mesh(t, std::move(facets), std::move(duals), recovery.chain(), poles);
+  orient(mesh, surface);
+  return mesh;
 }
 
 }  // namespace deliso

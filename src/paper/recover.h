@@ -9,7 +9,6 @@
 #pragma once
 
 #include <deque>
-#include <optional>
 #include <vector>
 
 #include "paper/restricted.h"
@@ -21,9 +20,11 @@ namespace deliso {
 // Everything Stage 1 works on, and its one way of adding points.
 class Recovery {
  public:
-  // `chain` names vertices of `restricted`.
-  Recovery(RestrictedDelaunay& restricted, const BoundaryCurves& curves, SiteChain& chain,
-           const Parameters& parameters);
+  // What is passed by reference must outlive it.
+  Recovery(const Isosurface& surface, const BoundaryCurves& curves, FirstSample first,
+           const Parameters& parameters, Report& report);
+  const RestrictedDelaunay& restricted() const { return restricted_; }
+  const SiteChain& chain() const { return chain_; }
 
   // Figure 5.
   void recover();
@@ -52,23 +53,24 @@ class Recovery {
   Attempt try_insert(RecordId r, const Vec3& x);
   // Splits the chain's edge from a to its next; then those that the new vertex encroaches upon.
   bool split_edge(SiteId a);
-  // The longest edge of the chain, by its first vertex, whose ball holds p. The zone of p must be
-  // the prepared one.
-  std::optional<SiteId> encroached_edge(const Vec3& p, std::span<const CellId> cells) const;
+  // The vertices of the chain that the cells of a zone have.
+  std::vector<SiteId> boundary_vertices(const ConflictZone& zone) const;
+  // The edges at these whose balls hold p, by their first vertices.
+  std::vector<SiteId> encroached_edges(const Vec3& p, std::span<const SiteId> near) const;
   bool edge_holds_a_vertex(SiteId a);
   void after_insertion();
   bool is_manifold_at(SiteId q);
-  // The mean pole height over v's neighbours in Del S|Sigma, appended to poles.
-  void estimate_pole(SiteId v, std::vector<double>& poles);
+  // The mean pole height over the neighbours in Del S|Sigma of the first vertex that has none yet.
+  void estimate_pole(std::vector<double>& poles);
   void queue_vertex(SiteId v);
-  void check_room() const;
 
-  RestrictedDelaunay& restricted_;
   const BoundaryCurves& curves_;
-  SiteChain& chain_;
   const Parameters& parameters_;
+  Observer* const follower_;
   Steps steps_;
   Report& report_;
+  RestrictedDelaunay restricted_;
+  SiteChain chain_;       // of its vertices
   double floor_;          // no ball smaller than this gets its point
   double shortest_edge_;  // no shorter boundary edge is split
 

@@ -30,11 +30,6 @@ RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation 
   if (follower_) follower_->restricted_ready(*this);
 }
 
-SiteTriangle RestrictedDelaunay::triangle(RecordId r) const {
-  const Facet f = records_[r].facet;
-  return facet_vertices(triangulation_, f);
-}
-
 void RestrictedDelaunay::search(Facet f) {
   const Triangulation& t = triangulation_;
   if (has_infinite_vertex(t, f)) return;
@@ -58,21 +53,20 @@ void RestrictedDelaunay::search(Facet f) {
   record_slot(f) = r;
   record_slot(t.mirror(f)) = r;
   created_records_.push_back(r);
-  touch_facet(f);
+  touch(f);
 }
 
-void RestrictedDelaunay::release(RecordId r) {
+void RestrictedDelaunay::release(RecordId r, Facet f) {
   if (follower_) follower_->record_gone(r);
+  record_slot(f) = kNoId;
+  record_slot(triangulation_.mirror(f)) = kNoId;
   records_[r].hits.clear();
   ++records_[r].generation;
   free_records_.push_back(r);
 }
 
 void RestrictedDelaunay::forget(RecordId r) {
-  const Facet f = records_[r].facet;
-  record_slot(f) = kNoId;
-  record_slot(triangulation_.mirror(f)) = kNoId;
-  release(r);
+  release(r, records_[r].facet);
   ++report_[Counter::bogus_hits];
 }
 
@@ -131,16 +125,16 @@ void RestrictedDelaunay::star(SiteId q, std::vector<RecordId>& star) const {
   }
 }
 
-std::span<const SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
+std::vector<SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
   gather_cells(q);
-  neighbors_.clear();
+  std::vector<SiteId> neighbors;
   for (const CellId c : around_) {
     for (const SiteId v : triangulation_.vertices(c)) {
-      if (v != q && v != Triangulation::kInfinite) neighbors_.push_back(v);
+      if (v != q && v != Triangulation::kInfinite) neighbors.push_back(v);
     }
   }
-  sort_out(neighbors_);
-  return neighbors_;
+  sort_out(neighbors);
+  return neighbors;
 }
 
 const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
@@ -161,22 +155,15 @@ double RestrictedDelaunay::distance_to_vertices(const Vec3& p) {
   return std::sqrt(nearest2);
 }
 
-void RestrictedDelaunay::touch(SiteId v) {
-  if (v >= vertex_stamp_.size()) vertex_stamp_.resize(v + 1, 0);
-  if (vertex_stamp_[v] == stamp_) return;
-  vertex_stamp_[v] = stamp_;
-  touched_.push_back(v);
-}
-
-void RestrictedDelaunay::touch_facet(Facet f) {
-  for (const SiteId v : facet_vertices(triangulation_, f)) touch(v);
+void RestrictedDelaunay::touch(Facet f) {
+  const SiteTriangle v = facet_vertices(triangulation_, f);
+  touched_.insert(touched_.end(), v.begin(), v.end());
 }
 
 SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
   DELISO_ASSERT(!zone_.cells.empty());
   Triangulation& t = triangulation_;
-  ++stamp_;
-  touched_.clear();
+  touched_.assign(1, SiteId(t.vertex_capacity()));
   created_records_.clear();
   if (follower_) follower_->insertion_begins(p, zone_);
 
@@ -187,15 +174,12 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     record_slot(f) = kNoId;
   }
 
-  gone_.clear();
   for (const CellId c : zone_.cells) {
     for (int i = 0; i < 4; ++i) {
       const RecordId r = record_slot({c, i});
       if (r == kNoId) continue;
-      for (const SiteId v : facet_vertices(t, {c, i})) gone_.push_back(v);
-      record_slot(t.mirror({c, i})) = kNoId;
-      record_slot({c, i}) = kNoId;
-      release(r);
+      touch({c, i});
+      release(r, {c, i});
     }
   }
 
@@ -204,8 +188,6 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     const Working working(follower_, Activity::triangulation, report_.searches_recover);
     v = t.insert_in_zone(p, zone_, created_cells_);
   }
-  touch(v);
-  for (const SiteId w : gone_) touch(w);
   record_of_.resize(4 * t.cell_capacity(), kNoId);
 
   for (std::size_t k = 0; k < created_cells_.size(); ++k) {
@@ -221,11 +203,9 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
         hits.begin(), hits.end(), [&](const Vec3& x) { return distance2(x, p) < distance2(x, a); });
     if (lost == hits.end()) continue;
     hits.erase(lost, hits.end());
-    touch_facet(f);
+    touch(f);
     if (hits.empty()) {
-      record_slot(f) = kNoId;
-      record_slot(t.mirror(f)) = kNoId;
-      release(r);
+      release(r, f);
     } else {
       created_records_.push_back(r);
     }

@@ -37,18 +37,15 @@ class RestrictedDelaunay {
 
   const Triangulation& triangulation() const { return triangulation_; }
   const Isosurface& surface() const { return surface_; }
-  Report& report() const { return report_; }
-  Observer* follower() const { return follower_; }
 
   bool is_auxiliary(SiteId v) const { return deliso::is_auxiliary(triangulation_.point(v), box_); }
 
-  std::size_t record_capacity() const { return records_.size(); }
-  bool is_live(RecordId r) const { return !records_[r].hits.empty(); }
+  std::size_t record_capacity() const { return records_.size(); }  // some are free, without hits
   // Changes whenever the record starts to stand for another facet.
   std::uint32_t generation(RecordId r) const { return records_[r].generation; }
   Facet facet(RecordId r) const { return records_[r].facet; }
   RecordId record(Facet f) const { return record_of_[4 * f.cell + CellId(f.index)]; }
-  SiteTriangle triangle(RecordId r) const;
+  SiteTriangle triangle(RecordId r) const { return facet_vertices(triangulation_, facet(r)); }
 
   // The surface points left when close pairs have cancelled, in order along the Voronoi edge.
   // Valid until the next call.
@@ -65,8 +62,8 @@ class RestrictedDelaunay {
   // D_q: the records of the restricted facets at q.
   void star(SiteId q, std::vector<RecordId>& star) const;
 
-  // The Delaunay neighbours of q, finite ones only, each once. Valid until the next call.
-  std::span<const SiteId> neighbors(SiteId q) const;
+  // The Delaunay neighbours of q, finite ones only, each once.
+  std::vector<SiteId> neighbors(SiteId q) const;
 
   // Before p is inserted: the conflict zone, to be looked at. The next insertion must use it.
   const ConflictZone& prepare(const Vec3& p, CellId hint);
@@ -74,8 +71,8 @@ class RestrictedDelaunay {
   double distance_to_vertices(const Vec3& p);
   // Inserts p into the prepared zone. pre: the zone has cells.
   SiteId insert_prepared(const Vec3& p);
-  // What the last insertion touched: vertices of facets that came, went, or lost hits (each once),
-  // the new vertex first; and the records that came, or lost hits.
+  // What the last insertion touched: vertices of facets that came, went, or lost hits, some of them
+  // several times, the new vertex first; and the records that came, or lost hits.
   std::span<const SiteId> touched() const { return touched_; }
   std::span<const RecordId> created() const { return created_records_; }
 
@@ -92,9 +89,9 @@ class RestrictedDelaunay {
   RecordId& record_slot(Facet f) { return record_of_[4 * f.cell + CellId(f.index)]; }
   void gather_cells(SiteId q) const;
   void search(Facet f);
-  void release(RecordId r);
-  void touch(SiteId v);
-  void touch_facet(Facet f);
+  // Frees the record, and takes it from both sides of its facet.
+  void release(RecordId r, Facet f);
+  void touch(Facet f);
 
   const Isosurface& surface_;
   Triangulation triangulation_;
@@ -109,19 +106,15 @@ class RestrictedDelaunay {
 
   std::vector<SiteId> touched_;
   std::vector<RecordId> created_records_;
-  std::vector<std::uint32_t> vertex_stamp_;
-  std::uint32_t stamp_ = 0;
 
   ConflictZone zone_;
   std::vector<CellId> created_cells_;
   std::vector<RecordId> surviving_;
-  std::vector<SiteId> gone_;
   std::vector<Hit> found_;
   mutable std::vector<Vec3> effective_;
   mutable std::vector<CellId> around_;
   mutable std::vector<std::uint32_t> cell_stamp_;
   mutable std::uint32_t around_stamp_ = 0;
-  mutable std::vector<SiteId> neighbors_;
 };
 
 }  // namespace deliso

@@ -8,7 +8,7 @@ namespace deliso {
 VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   VertexId furthest = kNoId;
   for (const VertexId v : labels_.region(a)) {
-    for (const VertexId u : graph_.ring(v)) {
+    for (const VertexId u : labels_.ring(v)) {
       if (labels_.label(u) != b) continue;
       furthest = labels_.further(labels_.further(furthest, v), u);
     }
@@ -18,7 +18,7 @@ VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
 
 Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
                            std::vector<DualFacet>& facets) {
-  scratch.interfaces_.clear();
+  scratch.interfaces.clear();
   facets.clear();
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
@@ -27,26 +27,27 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
   // what is reached, and stays there when it is of the region and new.
   const std::span<const VertexId> region = labels_.region(a);
   const IdArray<VertexId, SiteId>& label = labels_.all();
-  scratch.reached_.resize(std::max(scratch.reached_.size(), region.size() + 1));
-  const std::span<VertexId> reached = scratch.reached_;
+  scratch.reached.resize(std::max(scratch.reached.size(), region.size() + 1));
+  const std::span<VertexId> reached = scratch.reached;
   IdArray<VertexId, std::uint32_t>& visited = visited_;
-  const std::uint32_t round = round_;
+  const ContourMesh& contour = labels_.contour();
+  const std::uint32_t now = ++checks_;
   reached[0] = at;
-  visited[at] = round;
+  visited[at] = now;
   std::size_t count = 1;
   for (std::size_t k = 0; k < count; ++k) {
     const VertexId v = reached[k];
-    const std::span<const VertexId> ring = graph_.ring(v);
+    const std::span<const VertexId> ring = labels_.ring(v);
     std::size_t inside = 0;
     for (const VertexId u : ring) {
       if (label[u] != a) continue;
       ++inside;
       reached[count] = u;
-      count += visited[u] != round;
-      visited[u] = round;
+      count += visited[u] != now;
+      visited[u] = now;
     }
-    const VertexId next = graph_.chain_next(v);
-    const std::size_t triangles = ring.size() - (next != kNoId);
+    const bool on_boundary = contour.on_boundary(v);
+    const std::size_t triangles = ring.size() - on_boundary;
     if (inside == ring.size()) {  // as is most often so
       directed += static_cast<long>(triangles);
       thrice_faces += static_cast<long>(triangles);
@@ -72,10 +73,10 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
         }
       }
     }
-    if (next == kNoId) continue;
+    if (!on_boundary) continue;
     ++boundary_vertices;
     // A boundary edge runs one way only, from the vertex before.
-    const SiteId before = label[graph_.chain_previous(v)];
+    const SiteId before = label[ring.back()], next = label[ring.front()];
     if (before == a) {
       ++boundary_edges;
     } else {
@@ -83,40 +84,37 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
       ++i.edges;
       ++i.boundary_edges;
     }
-    if (label[next] != a) ++scratch.interface_with(label[next]).boundary_edges;
+    if (next != a) ++scratch.interface_with(next).boundary_edges;
   }
 
   if (count != region.size()) {
     VertexId stray = kNoId;
     for (const VertexId v : region) {
-      if (visited[v] != round) stray = labels_.further(stray, v);
+      if (visited[v] != now) stray = labels_.further(stray, v);
     }
-    return {Violation::region, stray};
+    return {Reason::region, stray};
   }
   const long vertices = static_cast<long>(region.size()), edges = (directed + boundary_edges) / 2;
-  if (vertices - edges + thrice_faces / 3 != 1)
-    return {Violation::region, labels_.furthest(region)};
+  if (vertices - edges + thrice_faces / 3 != 1) return {Reason::region, labels_.furthest(region)};
   if (boundary_vertices > 0) {
-    const bool boundary_site = graph_.chain_next(at) != kNoId;
-    if (!boundary_site || boundary_vertices - boundary_edges != 1) {
+    if (!contour.on_boundary(at) || boundary_vertices - boundary_edges != 1) {
       VertexId furthest = kNoId;
       for (const VertexId v : region) {
-        if (graph_.chain_next(v) != kNoId) furthest = labels_.further(furthest, v);
+        if (contour.on_boundary(v)) furthest = labels_.further(furthest, v);
       }
-      return {Violation::boundary, furthest};
+      return {Reason::boundary, furthest};
     }
   }
-  for (const Scratch::Interface& i : scratch.interfaces_) {
-    if (i.boundary_edges > 1) return {Violation::boundary, furthest_between(a, i.site)};
-    if (2 * i.edges - i.twice_faces != 2)
-      return {Violation::interface, furthest_between(a, i.site)};
+  for (const Scratch::Interface& i : scratch.interfaces) {
+    if (i.boundary_edges > 1) return {Reason::boundary, furthest_between(a, i.site)};
+    if (2 * i.edges - i.twice_faces != 2) return {Reason::interface, furthest_between(a, i.site)};
   }
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (std::size_t j = i + 1; j < facets.size(); ++j) {
       const auto &s = facets[i].sites, &t = facets[j].sites;
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
-      return {Violation::triple,
+      return {Reason::triple,
               labels_.furthest(facets[j].witness, labels_.furthest(facets[i].witness))};
     }
   }

@@ -10,21 +10,22 @@
 //       edges = 1), and with every neighbour there is at most one boundary edge.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "recover/labels.h"
+#include "surface/observer.h"
 
 namespace deliso {
 
-enum class Violation : std::uint8_t { none, region, interface, triple, boundary };
-
 struct Verdict {
-  Violation violation = Violation::none;
+  std::optional<Reason> violation;  // region, interface, triple or boundary
   // The vertex of T whose insertion as a site helps: the furthest from its site in the stray piece,
   // region, interface, triple or boundary arc. kNoId: every vertex there is a site already.
   VertexId insert = kNoId;
-  bool is_fine() const { return violation == Violation::none && insert == kNoId; }
+  bool is_fine() const { return !violation && insert == kNoId; }
 };
 
 // A facet of the dual: three sites as the triangle of T runs on which their labels meet, beginning
@@ -34,32 +35,28 @@ struct DualFacet {
   std::array<VertexId, 3> witness;
 };
 
-// Sites are looked at in rounds: between two calls of begin_round() each at most once, in any order
-// and from any thread, since a check writes only what belongs to its own region.
+// Sites may be checked from several threads: a check writes only what belongs to its own region.
 class Certificate {
  public:
-  Certificate(const ContourMesh& contour, const ContourGraph& graph, const Labels& labels)
-      : graph_(graph), labels_(labels), visited_(contour.points.size(), 0) {}
-
-  void begin_round() { ++round_; }
+  // Keeps a reference.
+  explicit Certificate(const Labels& labels) : labels_(labels), visited_(labels.all().size(), 0) {}
 
   // What checks work with: one for each thread.
-  class Scratch {
-    friend class Certificate;
+  struct Scratch {
     // What the region shares with one neighbour.
     struct Interface {
       SiteId site;
       long edges = 0, twice_faces = 0, boundary_edges = 0;
     };
     Interface& interface_with(SiteId site) {
-      for (Interface& known : interfaces_) {
+      for (Interface& known : interfaces) {
         if (known.site == site) return known;
       }
-      return interfaces_.emplace_back(Interface{site});
+      return interfaces.emplace_back(Interface{site});
     }
 
-    std::vector<VertexId> reached_;  // as long as it ever had to be
-    std::vector<Interface> interfaces_;
+    std::vector<VertexId> reached;  // as long as it ever had to be
+    std::vector<Interface> interfaces;
   };
 
   // Tests C1-C4 at `site`, whose own vertex of T is `at`. `facets` become those of the dual there:
@@ -70,10 +67,9 @@ class Certificate {
   // Of the vertices of T on both sides where two regions meet.
   VertexId furthest_between(SiteId a, SiteId b) const;
 
-  const ContourGraph& graph_;
   const Labels& labels_;
-  IdArray<VertexId, std::uint32_t> visited_;  // the round in which a check reached it
-  std::uint32_t round_ = 1;
+  IdArray<VertexId, std::uint32_t> visited_;  // the last check that reached it
+  std::atomic<std::uint32_t> checks_ = 0;
 };
 
 }  // namespace deliso

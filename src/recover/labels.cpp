@@ -35,18 +35,7 @@ std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
 }  // namespace
 
 ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
-    : first_(contour.points.size() + 1, 0), slot_(contour.points.size(), kNoId) {
-  for (std::uint32_t c = 0; c < contour.boundary.size(); ++c) {
-    const std::span<const VertexId> chain = contour.boundary.chain(c);
-    const std::size_t n = chain.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      slot_[chain[k]] = static_cast<std::uint32_t>(next_.size());
-      next_.push_back(chain[(k + 1) % n]);
-      previous_.push_back(chain[(k + n - 1) % n]);
-      place_.push_back({c, static_cast<double>(k)});
-    }
-  }
-
+    : first_(contour.points.size() + 1, 0) {
   // A triangle (v, next, previous) seen from its vertex v.
   struct Wedge {
     VertexId next, previous;
@@ -55,7 +44,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (const VertexId v : t) ++first_[v + 1];
   }
   for (VertexId v = 0; v < contour.points.size(); ++v) {
-    first_[v + 1] += first_[v] + (slot_[v] != kNoId);  // one neighbour more than triangles
+    first_[v + 1] += first_[v] + contour.on_boundary(v);  // one neighbour more than triangles
   }
   std::vector<Wedge> wedges(first_.back());
   std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
@@ -67,7 +56,11 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (VertexId v(begin); v < stop; ++v) {
       const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
       VertexId* ring = rings_.data() + first_[v];
-      VertexId next = slot_[v] == kNoId ? at[0].next : next_[slot_[v]];
+      // On the boundary the ring begins where no triangle ends.
+      const auto begins = [&](const Wedge& w) {
+        return std::ranges::find(at, w.next, &Wedge::previous) == at.end();
+      };
+      VertexId next = contour.on_boundary(v) ? std::ranges::find_if(at, begins)->next : at[0].next;
       for (std::size_t k = 0; k < at.size(); ++k) {
         std::size_t found = k;
         while (found + 1 < at.size() && at[found].next != next) ++found;
@@ -75,7 +68,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
         *ring++ = next;
         next = at[k].previous;
       }
-      if (slot_[v] != kNoId) *ring = next;
+      if (contour.on_boundary(v)) *ring = next;
     }
   });
 }
@@ -83,6 +76,8 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
 Labels::Labels(const ContourMesh& contour, const Triangulation& t,
                std::span<const std::uint8_t> kept, int threads)
     : contour_(contour),
+      triangulation_(t),
+      graph_(contour, threads),
       label_(contour.points.size(), kNoId),
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
@@ -115,15 +110,15 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
   }
 }
 
-void Labels::add_site(SiteId site, const Triangulation& t, std::span<const SiteId> neighbors,
-                      std::vector<SiteId>& changed) {
+std::vector<SiteId> Labels::add_site(SiteId site, std::span<const SiteId> neighbors) {
+  std::vector<SiteId> changed;
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));
   reach2_.resize(regions_.size(), 0);
-  const Vec3 point = t.point(site);
+  const Vec3 point = triangulation_.point(site);
   std::vector<VertexId> taken;
   double reach2 = 0;
   for (const SiteId n : neighbors) {
-    if (distance2(point, t.point(n)) > kTwice2 * reach2_[n]) continue;
+    if (distance2(point, triangulation_.point(n)) > kTwice2 * reach2_[n]) continue;
     std::vector<VertexId>& region = regions_[n];
     const auto kept = std::remove_if(region.begin(), region.end(), [&](VertexId v) {
       const double d2 = distance2(contour_.points[v], point);
@@ -140,6 +135,7 @@ void Labels::add_site(SiteId site, const Triangulation& t, std::span<const SiteI
   }
   regions_[site] = std::move(taken);
   reach2_[site] = reach2;
+  return changed;
 }
 
 }  // namespace deliso

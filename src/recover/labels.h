@@ -11,11 +11,10 @@
 
 #include "contour/contour.h"
 #include "delaunay/triangulation.h"
-#include "surface/boundary.h"
 
 namespace deliso {
 
-// T's adjacency, and where its boundary chains run.
+// T's adjacency.
 class ContourGraph {
  public:
   ContourGraph(const ContourMesh& contour, int threads);
@@ -25,22 +24,10 @@ class ContourGraph {
   std::span<const VertexId> ring(VertexId v) const {
     return std::span(rings_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
-  // Along the boundary chain, as the triangles run; kNoId for inner vertices.
-  VertexId chain_next(VertexId v) const { return along(next_, v); }
-  VertexId chain_previous(VertexId v) const { return along(previous_, v); }
-  // pre: v lies on a boundary chain.
-  CurvePlace chain_place(VertexId v) const { return place_[slot_[v]]; }
 
  private:
-  VertexId along(const std::vector<VertexId>& others, VertexId v) const {
-    return slot_[v] == kNoId ? VertexId(kNoId) : others[slot_[v]];
-  }
-
   std::vector<std::uint32_t> first_;
   std::vector<VertexId> rings_;
-  IdArray<VertexId, std::uint32_t> slot_;  // per vertex, into the next three; kNoId for inner ones
-  std::vector<VertexId> next_, previous_;
-  std::vector<CurvePlace> place_;
 };
 
 class Labels {
@@ -48,13 +35,18 @@ class Labels {
   // Labels every vertex of T with its nearest site: a walk over Delaunay neighbours, begun at the
   // label of the vertex before, so T is best in an order that keeps neighbours together
   // (contour/block_order.h). Sites are the finite vertices of `triangulation`. Components with
-  // kept[c] == 0 stay without labels.
+  // kept[c] == 0 stay without labels. Keeps references to both.
   Labels(const ContourMesh& contour, const Triangulation& triangulation,
          std::span<const std::uint8_t> kept, int threads);
 
+  const ContourMesh& contour() const { return contour_; }
+  // As the graph's.
+  std::span<const VertexId> ring(VertexId v) const { return graph_.ring(v); }
+  const Triangulation& triangulation() const { return triangulation_; }
   SiteId label(VertexId v) const { return label_[v]; }
   const IdArray<VertexId, SiteId>& all() const { return label_; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
+  bool is_site(VertexId v) const { return label_[v] != kNoId && distance2_[v] == 0; }
   // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
   // never win. kNoId: none.
   VertexId further(VertexId best, VertexId v) const {
@@ -70,26 +62,18 @@ class Labels {
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(SiteId site) const { return regions_[site]; }
 
-  // Takes what belongs to the new `site` from its Delaunay neighbours; appends those that lost
-  // vertices to `changed`.
-  void add_site(SiteId site, const Triangulation& triangulation, std::span<const SiteId> neighbors,
-                std::vector<SiteId>& changed);
+  // Takes what belongs to the new `site` from its Delaunay neighbours; returns those that lost
+  // vertices.
+  std::vector<SiteId> add_site(SiteId site, std::span<const SiteId> neighbors);
 
  private:
   const ContourMesh& contour_;
+  const Triangulation& triangulation_;
+  ContourGraph graph_;
   IdArray<VertexId, SiteId> label_;
   IdArray<VertexId, double> distance2_;
   IdArray<SiteId, std::vector<VertexId>> regions_;
   IdArray<SiteId, double> reach2_;  // per site, squared: nothing in its region is further from it
-};
-
-// What an observer sees of the certified way.
-struct LabelState {
-  const ContourMesh& contour;
-  const ContourGraph& graph;
-  const Labels& labels;
-  const Triangulation& triangulation;
-  Box3 box;
 };
 
 }  // namespace deliso

@@ -18,63 +18,72 @@ constexpr double kNearVoxels = 0.2, kNearDistances = 2;
 // Cosine of the angle between normals up to which a facet faces a vertex: 45 degrees.
 constexpr double kFacing = 0.7;
 
+// How far a vertex may be that no facet faces. pre: parameters.fingers is finite.
 double near_limit(const Parameters& p) {
   const double allowed = kNearDistances * p.refinement[Criterion::distance];
-  if (!std::isfinite(p.fingers)) return p.fingers;  // the search is off
   return std::min(p.fingers, std::max(kNearVoxels * p.voxel, std::isfinite(allowed) ? allowed : 0));
 }
 
+// A facet seen from the site; its other corners are b and c. What lies over it has coordinates
+// along b and along c of 0 or more, whose sum is at most 1.
+struct SeenFacet {
+  Vec3 b, c, along_b, along_c, normal;
+
+  bool is_within(const Vec3& d, double limit2) const {
+    const double u = dot(d, along_b), v = dot(d, along_c), height = dot(d, normal);
+    return u >= 0 && v >= 0 && u + v <= 1 && height * height <= limit2;
+  }
+  double distance2_to(const Vec3& d) const { return distance2_to_triangle(d, Vec3{}, b, c); }
+};
+
 }  // namespace
 
-ProtrusionSearch::ProtrusionSearch(const ContourMesh& contour, const Labels& labels,
-                                   const Triangulation& triangulation, const Isosurface& surface,
-                                   const Parameters& parameters)
-    : contour_(contour),
-      labels_(labels),
-      triangulation_(triangulation),
-      surface_(surface),
-      limit2_(parameters.fingers * parameters.fingers),
-      near2_(near_limit(parameters) * near_limit(parameters)) {}
-
-VertexId ProtrusionSearch::find(SiteId s, std::span<const DualFacet> facets) {
-  const Vec3 site = triangulation_.point(s);
-  frames_.clear();
+VertexId find_protrusion(SiteId s, std::span<const DualFacet> facets, const Labels& labels,
+                         const Isosurface& surface, const Parameters& parameters) {
+  const Triangulation& t = labels.triangulation();
+  const Vec3 site = t.point(s);
+  std::vector<SeenFacet> seen;
+  seen.reserve(facets.size());
   for (const DualFacet& facet : facets) {
-    const Vec3 &p = triangulation_.point(facet.sites[1]), &q = triangulation_.point(facet.sites[2]);
+    const Vec3 &p = t.point(facet.sites[1]), &q = t.point(facet.sites[2]);
     // Beside the box, where the boundary of T runs straight on; T itself has no such triangle.
-    if (collinear(site, p, q)) return labels_.furthest(labels_.region(s));
+    if (collinear(site, p, q)) return labels.furthest(labels.region(s));
     const Vec3 b = p - site, c = q - site;
     const Vec3 normal = cross(b, c);
     const double scale = 1 / length2(normal);
-    frames_.push_back(
+    seen.push_back(
         {b, c, scale * cross(c, normal), scale * cross(normal, b), std::sqrt(scale) * normal});
   }
+  if (!std::isfinite(parameters.fingers)) return kNoId;  // the search is off
+
+  const double limit2 = parameters.fingers * parameters.fingers;
+  // Whether the facet nearest to the vertex v of T, or one that v lies over, is turned as Sigma is
+  // there. d: from the site to v, which is nearest2 from the facets.
+  const auto is_faced = [&](VertexId v, const Vec3& d, double nearest2) {
+    const Vec3 gradient = surface.gradient(labels.contour().points[v]);
+    const double least = kFacing * length(gradient);
+    return std::ranges::any_of(seen, [&](const SeenFacet& f) {
+      return -dot(gradient, f.normal) >= least &&
+             (f.is_within(d, limit2) || f.distance2_to(d) <= nearest2);
+    });
+  };
   VertexId worst = kNoId;
-  double worst2 = near2_;
-  for (const VertexId v : labels_.region(s)) {
-    if (labels_.distance2_to_site(v) <= worst2) continue;
-    const Vec3 d = contour_.points[v] - site;
-    const auto is_over = [&](const Frame& f) { return f.is_within(d, worst2); };
-    if (std::any_of(frames_.begin(), frames_.end(), is_over)) continue;
-    double nearest2 = labels_.distance2_to_site(v);
-    for (const Frame& f : frames_) {
-      nearest2 = std::min(nearest2, distance2_to_triangle(d, Vec3{}, f.b, f.c));
+  double worst2 = near_limit(parameters) * near_limit(parameters);
+  for (const VertexId v : labels.region(s)) {
+    if (labels.distance2_to_site(v) <= worst2) continue;
+    const Vec3 d = labels.contour().points[v] - site;
+    const auto is_over = [&](const SeenFacet& f) { return f.is_within(d, worst2); };
+    if (std::ranges::any_of(seen, is_over)) continue;
+    double nearest2 = labels.distance2_to_site(v);
+    for (const SeenFacet& f : seen) {
+      nearest2 = std::min(nearest2, f.distance2_to(d));
       if (nearest2 <= worst2) break;
     }
-    if (nearest2 <= worst2 || (nearest2 <= limit2_ && is_faced(v, d, nearest2))) continue;
+    if (nearest2 <= worst2 || (nearest2 <= limit2 && is_faced(v, d, nearest2))) continue;
     worst = v;
     worst2 = nearest2;
   }
   return worst;
-}
-
-bool ProtrusionSearch::is_faced(VertexId v, const Vec3& d, double nearest2) const {
-  const Vec3 gradient = surface_.gradient(contour_.points[v]);
-  const double least = kFacing * length(gradient);
-  return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& f) {
-    return -dot(gradient, f.normal) >= least &&
-           (f.is_within(d, limit2_) || distance2_to_triangle(d, Vec3{}, f.b, f.c) <= nearest2);
-  });
 }
 
 }  // namespace deliso

@@ -2,9 +2,8 @@
 #include "recover/recover.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <optional>
-#include <string>
 
 #include "base/check.h"
 #include "base/parallel.h"
@@ -15,6 +14,7 @@
 #include "recover/certificate.h"
 #include "recover/dual_crossings.h"
 #include "recover/protrusions.h"
+#include "stage1/build_tri_mesh.h"
 #include "stage1/poles.h"
 #include "surface/observer.h"
 #include "surface/step_timer.h"
@@ -30,13 +30,6 @@ constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
 // look at is still in the cache. In any other order a large volume takes up to three times as long.
 constexpr std::size_t kSitesPerRound = 256;
 
-// Where nothing is violated a protrusion is to be inserted.
-Reason reason_of(Violation violation) {
-  constexpr std::array reasons{Reason::protrusion, Reason::region, Reason::interface,
-                               Reason::triple, Reason::boundary};
-  return reasons[static_cast<std::size_t>(violation)];
-}
-
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
@@ -49,29 +42,30 @@ class CertifiedRecovery {
         report_(report),
         triangulation_(std::move(first.triangulation)),
         chain_(std::move(first.chain)),
-        contour_vertex_(std::move(first.contour_vertex)),
-        site_(contour.points.size(), kNoId),
-        graph_(contour, parameters.threads),
-        labels_(contour, triangulation_, kept_components(contour, parameters), parameters.threads),
-        certificate_(contour, graph_, labels_),
-        origins_(component_origins(contour, surface.volume().box())),
-        bounded_(bounded_volumes(contour.points, contour.triangles, contour.component, origins_,
-                                 parameters.threads)) {
-    for (SiteId s = 1; s < contour_vertex_.size(); ++s) {
-      if (contour_vertex_[s] != kNoId) site_[contour_vertex_[s]] = s;
-    }
+        sites_(triangulation_.vertex_capacity()),
+        labels_(contour, triangulation_, first.kept, parameters.threads),
+        certificate_(labels_) {
     // The last one queued is looked at first, and T is ordered block by block.
-    for (auto s = site_.rbegin(); s != site_.rend(); ++s) {
-      if (*s != kNoId) queue_site(*s);
+    for (std::size_t n = contour.points.size(); n-- > 0;) {
+      const VertexId v(n);
+      if (!labels_.is_site(v)) continue;
+      sites_[labels_.label(v)].at = v;
+      queue_site(labels_.label(v));
     }
-    if (follower_) {
-      follower_->labels_ready({contour, graph_, labels_, triangulation_, surface.volume().box()});
-    }
+    if (follower_) follower_->labels_ready(labels_, surface.volume().box());
   }
 
   SurfaceMesh run();
 
  private:
+  struct Site {
+    VertexId at = kNoId;  // of T; kNoId: an auxiliary site
+    bool queued = false;
+    bool is_new = false;            // its facets were not tested for crossings since they changed
+    bool is_uncertified = false;    // it broke the certificate with nothing left to insert
+    std::vector<DualFacet> facets;  // K's there, begun at the site
+  };
+
   void queue_site(SiteId s);
   // Makes the vertex v of T a site; false when it coincides with one.
   bool add_site(VertexId v);
@@ -94,28 +88,13 @@ class CertifiedRecovery {
   Report& report_;
   Triangulation triangulation_;
   SiteChain chain_;
-  IdArray<SiteId, VertexId> contour_vertex_;  // of every site
-  IdArray<VertexId, SiteId> site_;            // of every vertex of T; kNoId: it is none
-  ContourGraph graph_;
+  IdArray<SiteId, Site> sites_;
   Labels labels_;
   Certificate certificate_;
-  // What T's components bound, and seen from where.
-  std::vector<std::optional<Vec3>> origins_;
-  std::vector<double> bounded_;
-
-  // Sites to be looked at in the next round, and those of the round at hand.
-  std::vector<SiteId> queue_, round_;
-  std::vector<Verdict> verdicts_;  // one per site of the round
-  IdArray<SiteId, std::uint8_t> queued_;
-  // Per site, whether its facets have not been tested for crossings since they changed, and whether
-  // it broke the certificate with nothing left to insert when it was last looked at.
-  IdArray<SiteId, std::uint8_t> is_new_, is_uncertified_;
-  // K's facets at every site, begun there.
-  IdArray<SiteId, std::vector<DualFacet>> facets_;
-
+  std::vector<SiteId> queue_;  // to be looked at
   ConflictZone zone_;
   std::vector<CellId> created_;
-  std::vector<SiteId> neighbors_, changed_;
+  std::vector<SiteId> neighbors_;
 };
 
 SurfaceMesh CertifiedRecovery::run() {
@@ -124,54 +103,33 @@ SurfaceMesh CertifiedRecovery::run() {
   do {
     settle();
   } while (part_crossings() > 0 || turn_out() > 0);
-  for (const std::uint8_t is : is_uncertified_) report_[Counter::uncertified_sites] += is;
+  for (const Site& s : sites_) report_[Counter::uncertified_sites] += s.is_uncertified;
   if (follower_) follower_->recovery_finished();
   return dual();
 }
 
 SurfaceMesh CertifiedRecovery::dual() {
-  std::vector<double> poles;
-  if (parameters_.asks_for_poles()) poles = compute_poles(triangulation_, surface_, report_);
-  SurfaceMesh out;
-  std::vector<VertexId> new_id(triangulation_.vertex_capacity(), kNoId);  // by the site's number
+  const std::vector<double> poles = compute_poles(triangulation_, surface_, parameters_, report_);
   DualFacets k = all_facets();
-  out.duals.resize(k.triangles.size());
+  std::vector<Dual> duals(k.triangles.size());
   std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kFacetsPerTask));
   for_each_run(parameters_.threads, k.triangles.size(), kFacetsPerTask,
-               [&](std::size_t run, std::size_t begin, std::size_t end) {
+               [&](std::size_t run, std::size_t f, std::size_t end) {
                  SurfacePointFinder finder(surface_);
-                 for (FaceId f(begin); f < end; ++f) {
+                 for (; f < end; ++f) {
                    const Triangle& v = k.triangles[f];
-                   out.duals[f] =
+                   duals[f] =
                        finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], searches[run]);
                  }
                });
   for (const SearchCounters& n : searches) report_.searches_recover += n;
-  for (const Dual& d : out.duals) report_[Counter::unready_facets] += !d.on_surface;
-  for (Triangle& v : k.triangles) {
-    for (VertexId& q : v) {
-      if (new_id[q] == kNoId) {
-        new_id[q] = VertexId(out.mesh.points.size());
-        out.mesh.points.push_back(k.points[q]);
-        if (!poles.empty()) out.pole_heights.push_back(poles[q]);
-      }
-      q = new_id[q];
-    }
-  }
-  out.mesh = make_tri_mesh(std::move(out.mesh.points), k.triangles);
-  out.chain = chain_.renumbered(new_id);
-  return out;
+  for (const Dual& d : duals) report_[Counter::unready_facets] += !d.on_surface;
+  return build_tri_mesh(triangulation_, std::move(k.triangles), std::move(duals), chain_, poles);
 }
 
 void CertifiedRecovery::queue_site(SiteId s) {
-  if (s >= queued_.size()) {
-    queued_.resize(s + 1, 0);
-    is_new_.resize(s + 1, 0);
-    is_uncertified_.resize(s + 1, 0);
-    facets_.resize(s + 1);
-  }
-  if (queued_[s] || contour_vertex_[s] == kNoId) return;
-  queued_[s] = 1;
+  if (sites_[s].queued || sites_[s].at == kNoId) return;
+  sites_[s].queued = true;
   queue_.push_back(s);
 }
 
@@ -181,13 +139,9 @@ bool CertifiedRecovery::add_site(VertexId v) {
   if (zone_.duplicate != kNoId) return false;
   if (follower_) follower_->insertion_begins(p, zone_);
   const SiteId s = triangulation_.insert_in_zone(p, zone_, created_);
-  if (triangulation_.vertex_capacity() > parameters_.max_vertices) {
-    throw InputError("more than --max-vertices " + std::to_string(parameters_.max_vertices) +
-                     " vertices needed before the surface is recovered");
-  }
-  site_[v] = s;
-  contour_vertex_.push_back(v);
-  DELISO_ASSERT(contour_vertex_.size() == s + 1);
+  require_room(triangulation_, parameters_);
+  DELISO_ASSERT(sites_.size() == s);
+  sites_.emplace_back().at = v;
   neighbors_.clear();
   for (const CellId c : created_) {
     for (const SiteId n : triangulation_.vertices(c)) {
@@ -195,20 +149,23 @@ bool CertifiedRecovery::add_site(VertexId v) {
     }
   }
   sort_out(neighbors_);
-  changed_.clear();
-  labels_.add_site(s, triangulation_, neighbors_, changed_);
+  const std::vector<SiteId> changed = labels_.add_site(s, neighbors_);
   queue_site(s);
-  for (const SiteId n : changed_) queue_site(n);
-  // Whoever borders on what changed hands sees another neighbour there now.
+  for (const SiteId n : changed) queue_site(n);
+  // Sites adjacent to a relabelled vertex have a new neighbour.
   for (const VertexId u : labels_.region(s)) {
-    for (const VertexId w : graph_.ring(u)) {
+    for (const VertexId w : labels_.ring(u)) {
       if (labels_.label(w) != s) queue_site(labels_.label(w));
     }
   }
   if (contour_.on_boundary(v)) {
-    VertexId before = graph_.chain_previous(v);
-    while (site_[before] == kNoId) before = graph_.chain_previous(before);
-    chain_.insert_after(site_[before], s, graph_.chain_place(v));
+    VertexId before = labels_.ring(v).back();
+    double steps = 1;
+    for (; !labels_.is_site(before); ++steps) before = labels_.ring(before).back();
+    CurvePlace place = chain_.place(labels_.label(before));
+    const std::size_t length = contour_.boundary.chain(place.loop).size();
+    place.s = std::fmod(place.s + steps, static_cast<double>(length));
+    chain_.insert_after(labels_.label(before), s, place);
     ++report_[Counter::boundary_splits_recover];
   }
   if (follower_) follower_->site_added(s);
@@ -219,38 +176,39 @@ bool CertifiedRecovery::add_site(VertexId v) {
 // meanwhile. Then sites are added one by one; where one of these has changed a site, what that one
 // said is out of date, and it says it again in the next round.
 void CertifiedRecovery::settle() {
+  std::vector<SiteId> round;
+  std::vector<Verdict> verdicts(kSitesPerRound);
   while (!queue_.empty()) {
     const std::size_t size = std::min(queue_.size(), kSitesPerRound);
-    round_.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
+    round.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
     queue_.resize(queue_.size() - size);
-    for (const SiteId s : round_) queued_[s] = 0;
-    verdicts_.resize(size);
-    certificate_.begin_round();
+    for (const SiteId s : round) sites_[s].queued = false;
     for_each_run(
-        parameters_.threads, round_.size(), kSitesPerTask, [&](std::size_t n, std::size_t end) {
+        parameters_.threads, round.size(), kSitesPerTask, [&](std::size_t n, std::size_t end) {
           Certificate::Scratch scratch;
-          ProtrusionSearch protrusions(contour_, labels_, triangulation_, surface_, parameters_);
           for (; n < end; ++n) {
-            const SiteId s = round_[n];
-            Verdict& verdict = verdicts_[n];
-            verdict = certificate_.check(s, contour_vertex_[s], scratch, facets_[s]);
-            if (verdict.violation == Violation::none) {
-              verdict.insert = protrusions.find(s, facets_[s]);
+            const SiteId s = round[n];
+            Site& site = sites_[s];
+            Verdict& verdict = verdicts[n];
+            verdict = certificate_.check(s, site.at, scratch, site.facets);
+            if (!verdict.violation) {
+              verdict.insert = find_protrusion(s, site.facets, labels_, surface_, parameters_);
             }
-            is_new_[s] = 1;
-            is_uncertified_[s] = 0;
+            site.is_new = true;
+            site.is_uncertified = false;
           }
         });
-    for (std::size_t n = 0; n < round_.size(); ++n) {
-      steps_.step(round_.size() - n + queue_.size());
-      const SiteId s = round_[n];
-      const Verdict verdict = verdicts_[n];
-      if (queued_[s] || verdict.is_fine()) continue;
-      if (follower_) follower_->site_asked(reason_of(verdict.violation), s, verdict.insert);
+    for (std::size_t n = 0; n < round.size(); ++n) {
+      steps_.step(round.size() - n + queue_.size());
+      const SiteId s = round[n];
+      const Verdict verdict = verdicts[n];
+      if (sites_[s].queued || verdict.is_fine()) continue;
+      const Reason reason = verdict.violation.value_or(Reason::protrusion);
+      if (follower_) follower_->site_asked(reason, s, verdict.insert);
       if (verdict.insert != kNoId && add_site(verdict.insert)) {
         queue_site(s);
-      } else if (verdict.violation != Violation::none) {
-        is_uncertified_[s] = 1;
+      } else if (verdict.violation) {
+        sites_[s].is_uncertified = true;
       }
     }
   }
@@ -258,30 +216,33 @@ void CertifiedRecovery::settle() {
 
 DualFacets CertifiedRecovery::all_facets() const {
   DualFacets k;
-  k.points.resize(facets_.size());
-  for (SiteId s = 1; s < facets_.size(); ++s) {
+  k.points.resize(sites_.size());
+  for (SiteId s = 1; s < sites_.size(); ++s) {
     k.points[s] = triangulation_.point(s);
-    for (const DualFacet& facet : facets_[s]) {
+    for (const DualFacet& facet : sites_[s].facets) {
       if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
       k.triangles.push_back(as_mesh_triangle(facet.sites));
       k.witnesses.push_back(facet.witness);
-      k.is_new.push_back(is_new_[s]);
+      k.is_new.push_back(sites_[s].is_new);
     }
   }
   return k;
 }
 
 std::size_t CertifiedRecovery::turn_out() {
+  const auto origins = component_origins(contour_, surface_.volume().box());
+  const std::vector<double> wanted = bounded_volumes(
+      contour_.points, contour_.triangles, contour_.component, origins, parameters_.threads);
   const DualFacets k = all_facets();
   std::vector<std::uint32_t> component(k.points.size(), kNoId);
-  for (SiteId s = 1; s < contour_vertex_.size(); ++s) {
-    if (contour_vertex_[s] != kNoId) component[s] = contour_.component[contour_vertex_[s]];
+  for (SiteId s = 1; s < sites_.size(); ++s) {
+    if (sites_[s].at != kNoId) component[s] = contour_.component[sites_[s].at];
   }
-  const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins_);
+  const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins);
   std::vector<std::uint8_t> is_turned(bounded.size(), 0);
   for (const Triangle& t : k.triangles) {
     const std::uint32_t c = component[t[0]];
-    is_turned[c] = origins_[c] && !(bounded[c] * bounded_[c] > 0);
+    is_turned[c] = origins[c] && !(bounded[c] * wanted[c] > 0);
   }
   std::vector<VertexId> furthest(bounded.size(), kNoId);
   for (VertexId v = 0; v < contour_.points.size(); ++v) {
@@ -308,7 +269,9 @@ std::size_t CertifiedRecovery::part_crossings() {
   sort_out(between);
   const std::size_t added = add_sites(between, Reason::crossing);
   // Pairs that could not be parted are counted again the next time.
-  if (added == between.size()) std::fill(is_new_.begin(), is_new_.end(), 0);
+  if (added == between.size()) {
+    for (Site& s : sites_) s.is_new = false;
+  }
   return added;
 }
 
@@ -331,8 +294,6 @@ SurfaceMesh recover(const Isosurface& surface, const ContourMesh& contour, First
   timer.reset();
   SurfaceMesh mesh = recovery.run();
   report.points_recovered = mesh.mesh.points.size();
-  report.insertions_recover =
-      report.points_recovered - std::min(report.points_recovered, report.points_initial);
   return mesh;
 }
 

@@ -86,8 +86,8 @@ std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge) {
   if (!ends || distance2(r.point(ends->first), r.point(ends->second)) < shortest * shortest) {
     return r.done(Rung::boundary_split, Refusal::boundary);
   }
-  const auto middle = r.curves.split(chain.place(ends->first), r.point(ends->first),
-                                     chain.place(ends->second), r.point(ends->second));
+  const auto middle = r.curves.split({chain.place(ends->first), r.point(ends->first)},
+                                     {chain.place(ends->second), r.point(ends->second)});
   if (!middle) return r.done(Rung::boundary_split, Refusal::boundary);
   collect_cavity(r, edge.face, middle->point);
   const auto refusal = put_cone(r, middle->point, edge);
@@ -102,7 +102,7 @@ bool leaves_curve(const Refinement& r, EdgeRef edge) {
   const double radius = 0.5 * distance(a, b);
   const Criteria& limit = r.parameters.refinement;
   return radius > r.parameters.r_min &&
-         r.curves.sagitta(r.s.chain.place(ends->first), a, r.s.chain.place(ends->second), b) >
+         r.curves.sagitta({r.s.chain.place(ends->first), a}, {r.s.chain.place(ends->second), b}) >
              std::min(limit[Criterion::h_over_r] * radius, limit[Criterion::distance]);
 }
 

@@ -25,13 +25,13 @@ inline constexpr std::size_t kAuxiliaryVertices = 4;
 // Whether a vertex at p is an auxiliary one.
 bool is_auxiliary(const Vec3& p, const Box3& box);
 
-// Which components of T are to be meshed.
-std::vector<std::uint8_t> kept_components(const ContourMesh& contour, const Parameters& parameters);
+// Throws an InputError when sites have come to be more than --max-vertices.
+void require_room(const Triangulation& triangulation, const Parameters& parameters);
 
 struct FirstSample {
   Triangulation triangulation;
-  SiteChain chain;                           // the coarse one
-  IdArray<SiteId, VertexId> contour_vertex;  // of T, per vertex; kNoId: an auxiliary one
+  SiteChain chain;                 // the coarse one
+  std::vector<std::uint8_t> kept;  // per component of T, whether it is to be meshed
 };
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
                                const Volume& volume, const Parameters& parameters, Report& report);

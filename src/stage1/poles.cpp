@@ -6,12 +6,15 @@
 #include <cmath>
 
 #include "delaunay/voronoi.h"
+#include "surface/observer.h"
 #include "surface/step_timer.h"
 
 namespace deliso {
 
 std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surface,
-                                  Report& report) {
+                                  const Parameters& parameters, Report& report) {
+  if (!parameters.asks_for_poles()) return {};
+  begin_stage(parameters.observer, "poles");
   const StepTimer timer(report.seconds_poles);
   const std::size_t count = t.vertex_capacity();
   std::vector<Vec3> gradient(count);

@@ -7,13 +7,15 @@
 
 #include "delaunay/triangulation.h"
 #include "isosurface/isosurface.h"
+#include "surface/parameters.h"
 #include "surface/report.h"
 
 namespace deliso {
 
-// One height per vertex id. A side is told by the gradient at q. Vertices on the hull have none of
-// their own; the auxiliary vertices (stage1/first_sample.h) keep those of the surface off it.
+// One height per vertex id; none where no criterion asks for them. A side is told by the gradient
+// at q. Vertices on the hull have none of their own; the auxiliary vertices (stage1/first_sample.h)
+// keep those of the surface off it.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
-                                  Report& report);
+                                  const Parameters& parameters, Report& report);
 
 }  // namespace deliso

@@ -38,10 +38,10 @@ bool BoundaryCurves::is_on_seam(CurvePlace place) const {
   return begins_seam({place.loop, place.s > 0 ? place.s - 1 : last});
 }
 
-bool BoundaryCurves::runs_beside_seam(CurvePlace a, const Vec3& pa, CurvePlace b,
-                                      const Vec3& pb) const {
-  const int common = (pa.x == pb.x) + (pa.y == pb.y) + (pa.z == pb.z);
-  return common >= 2 && is_on_seam(a) && is_on_seam(b);
+bool BoundaryCurves::runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const {
+  const Vec3 &p = a.point, &q = b.point;
+  const int common = (p.x == q.x) + (p.y == q.y) + (p.z == q.z);
+  return common >= 2 && is_on_seam(a.place) && is_on_seam(b.place);
 }
 
 std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double sagitta) const {
@@ -73,7 +73,7 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
         worst = std::max(worst, distance2_to_chord(points[i % n], a, b));
       }
       if (worst > sagitta * sagitta * distance2(a, b) ||
-          (to > from + 1 && !on_seam && runs_beside_seam(start, a, end, b))) {
+          (to > from + 1 && !on_seam && runs_beside_seam({start, a}, {end, b}))) {
         ends.push_back((from + to) / 2);
         continue;
       }
@@ -85,62 +85,66 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   return chain;
 }
 
-std::vector<BoundaryCurves::ArcPoint> BoundaryCurves::arc(CurvePlace a, const Vec3& pa,
-                                                          CurvePlace b, const Vec3& pb) const {
-  const BoundaryLoop& loop = loops_[a.loop];
-  const std::size_t n = loop.points.size();
-  const double end = b.s > a.s ? b.s : b.s + static_cast<double>(n);
-  std::vector<ArcPoint> points{{a.s, pa}};
-  for (auto i = static_cast<std::size_t>(a.s) + 1; static_cast<double>(i) < end; ++i) {
-    points.push_back({static_cast<double>(i), loop.points[i % n]});
+std::vector<CurvePoint> BoundaryCurves::arc(const CurvePoint& a, const CurvePoint& b) const {
+  const auto& [loop, start] = a.place;
+  const std::vector<Vec3>& curve = loops_[loop].points;
+  const std::size_t n = curve.size();
+  const double end = b.place.s > start ? b.place.s : b.place.s + static_cast<double>(n);
+  std::vector<CurvePoint> points{a};
+  for (auto i = static_cast<std::size_t>(start) + 1; static_cast<double>(i) < end; ++i) {
+    points.push_back({{loop, static_cast<double>(i)}, curve[i % n]});
   }
-  points.push_back({end, pb});
+  points.push_back({{loop, end}, b.point});
   return points;
 }
 
-std::optional<Vec3> BoundaryCurves::middle(std::uint32_t loop, const ArcPoint& from,
-                                           const ArcPoint& to) const {
-  const std::vector<BoxFace>& faces = loops_[loop].faces;
-  const BoxFace face = faces[static_cast<std::size_t>(from.s) % faces.size()];
-  return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.p, to.p);
+std::optional<Vec3> BoundaryCurves::middle(const CurvePoint& from, const CurvePoint& to) const {
+  const std::vector<BoxFace>& faces = loops_[from.place.loop].faces;
+  const BoxFace face = faces[static_cast<std::size_t>(from.place.s) % faces.size()];
+  return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.point, to.point);
 }
 
-std::optional<BoundaryCurves::Split> BoundaryCurves::split(CurvePlace a, const Vec3& pa,
-                                                           CurvePlace b, const Vec3& pb) const {
-  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+std::optional<CurvePoint> BoundaryCurves::split(const CurvePoint& a, const CurvePoint& b) const {
+  const std::vector<CurvePoint> points = arc(a, b);
   double total = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) total += distance(points[i - 1].p, points[i].p);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    total += distance(points[i - 1].point, points[i].point);
+  }
 
-  std::optional<ArcPoint> best;
+  std::optional<CurvePoint> best;
   double best_gap = total;
-  const auto consider = [&](const ArcPoint& at, double from_start) {
+  const auto consider = [&](const CurvePoint& at, double from_start) {
     const double gap = std::abs(from_start - total / 2);
-    if (gap >= best_gap || at.p == pa || at.p == pb) return;
+    if (gap >= best_gap || at.point == a.point || at.point == b.point) return;
     best_gap = gap;
     best = at;
   };
   double so_far = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const ArcPoint &from = points[i - 1], &to = points[i];
-    const double size = distance(from.p, to.p), s = from.s + 0.5 * (to.s - from.s);
-    if (so_far <= total / 2 && total / 2 <= so_far + size && from.s < s && s < to.s) {
-      if (const auto p = middle(a.loop, from, to)) consider({s, *p}, so_far + size / 2);
+    const CurvePoint &from = points[i - 1], &to = points[i];
+    const double size = distance(from.point, to.point);
+    const double s = from.place.s + 0.5 * (to.place.s - from.place.s);
+    if (so_far <= total / 2 && total / 2 <= so_far + size && from.place.s < s && s < to.place.s) {
+      if (const auto p = middle(from, to)) consider({{a.place.loop, s}, *p}, so_far + size / 2);
     }
     so_far += size;
     if (i + 1 < points.size()) consider(to, so_far);
   }
   if (!best) return std::nullopt;
-  const auto length = static_cast<double>(loops_[a.loop].points.size());
-  return Split{{a.loop, best->s < length ? best->s : best->s - length}, best->p};
+  const auto length = static_cast<double>(loops_[a.place.loop].points.size());
+  if (best->place.s >= length) best->place.s -= length;
+  return best;
 }
 
-double BoundaryCurves::sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const {
-  const std::vector<ArcPoint> points = arc(a, pa, b, pb);
+double BoundaryCurves::sagitta(const CurvePoint& a, const CurvePoint& b) const {
+  const std::vector<CurvePoint> points = arc(a, b);
   double worst2 = 0;
+  const auto consider = [&](const Vec3& p) {
+    worst2 = std::max(worst2, distance2_to_chord(p, a.point, b.point));
+  };
   for (std::size_t i = 1; i < points.size(); ++i) {
-    worst2 = std::max(worst2, distance2_to_chord(points[i].p, pa, pb));
-    const auto p = middle(a.loop, points[i - 1], points[i]);
-    if (p) worst2 = std::max(worst2, distance2_to_chord(*p, pa, pb));
+    consider(points[i].point);
+    if (const auto p = middle(points[i - 1], points[i])) consider(*p);
   }
   return std::sqrt(worst2);
 }

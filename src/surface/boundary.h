@@ -31,6 +31,11 @@ struct CurvePlace {
   double s = 0;
 };
 
+struct CurvePoint {
+  CurvePlace place;
+  Vec3 point;
+};
+
 struct BoundaryLoop {
   std::vector<Vec3> points;  // closed: the last is joined to the first
   // Per point: every chain needs it, since the curve turns there on an edge of the box, or it is a
@@ -58,29 +63,21 @@ class BoundaryCurves {
   bool begins_seam(CurvePlace place) const;
   // Whether a chord would run along an edge of the box beside a seam, where the block beyond might
   // have the same.
-  bool runs_beside_seam(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  bool runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const;
 
-  struct Split {
-    CurvePlace place;
-    Vec3 point;
-  };
-  // A point near the middle of the arc that runs from a (at pa) to b (at pb): a point of the curve,
-  // or the middle of the piece between two of them, whichever is nearer to half of its length, so
-  // that neither half is much shorter. Nothing when the arc is too short to have one
-  // that differs from its ends.
-  std::optional<Split> split(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  // A point near the middle of the arc that runs from a to b: a point of the curve, or the middle
+  // of the piece between two of them, whichever is nearer to half of its length, so that neither
+  // half is much shorter. Nothing when the arc is too short to have one that differs from its ends.
+  std::optional<CurvePoint> split(const CurvePoint& a, const CurvePoint& b) const;
   // How far that arc runs from its chord.
-  double sagitta(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  double sagitta(const CurvePoint& a, const CurvePoint& b) const;
 
  private:
-  // The points of an arc: its ends, and those of the curve between them.
-  struct ArcPoint {
-    double s;  // not reduced: beyond the loop's length where the arc passes its first point
-    Vec3 p;
-  };
-  std::vector<ArcPoint> arc(CurvePlace a, const Vec3& pa, CurvePlace b, const Vec3& pb) const;
+  // The points of an arc: its ends, and those of the curve between them. Places are not reduced:
+  // they are beyond the loop's length where the arc passes its first point.
+  std::vector<CurvePoint> arc(const CurvePoint& a, const CurvePoint& b) const;
   // The middle of the piece of a curve between two points of one arc, next to each other.
-  std::optional<Vec3> middle(std::uint32_t loop, const ArcPoint& from, const ArcPoint& to) const;
+  std::optional<Vec3> middle(const CurvePoint& from, const CurvePoint& to) const;
 
   const Isosurface& surface_;
   std::vector<BoundaryLoop> loops_;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "base/box3.h"
 #include "base/ids.h"
 #include "base/vec3.h"
 #include "mesh/tri_mesh.h"
@@ -19,8 +20,8 @@ namespace deliso {
 
 struct Change;
 struct ConflictZone;
-struct LabelState;
 struct SurfaceMesh;
+class Labels;
 class RestrictedDelaunay;
 using RecordId = std::uint32_t;
 
@@ -69,7 +70,7 @@ class Observer {
   virtual bool follows_insertions() const { return false; }
 
   // Stage 1. The first sites have their vertices of T.
-  virtual void labels_ready(const LabelState&) {}
+  virtual void labels_ready(const Labels&, const Box3& /*domain*/) {}
   // The vertex `v` of T is to be a site. `asker`: the site that says so; kNoId: a look at all of K.
   virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
   // It is one.

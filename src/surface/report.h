@@ -4,6 +4,7 @@
 // it; none reads it but for the isovalue.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -107,6 +108,11 @@ struct RungCounts {
     ++(refusal ? refused[static_cast<std::size_t>(*refusal)] : done);
     return refusal;
   }
+  RungCounts& operator+=(const RungCounts& others) {
+    done += others.done;
+    for (std::size_t k = 0; k < kRefusals; ++k) refused[k] += others.refused[k];
+    return *this;
+  }
 };
 
 // With --cap: the surface is what comes first in the mesh, the caps follow.
@@ -127,7 +133,7 @@ struct Report {
   std::size_t points_initial = 0;    // S_0
   std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
   SearchCounters searches_recover, searches_refine;
-  std::size_t insertions_recover = 0, insertions_refine = 0;
+  std::size_t insertions_refine = 0;
   TopologyCounts exact;        // of the exact contour, whole
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
   double r_min = 0;            // scaled frame, as all lengths here
@@ -138,8 +144,17 @@ struct Report {
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<RungCounts, kRungs> rungs{};
 
-  // What Stage 2 did in a part of the mesh.
-  void add_refinement(const Report& part);
+  // Sites without facets are none of the points recovered, so there may be fewer.
+  std::size_t insertions_recover() const {
+    return points_recovered - std::min(points_recovered, points_initial);
+  }
+
+  // What Stage 2 did in a region of the mesh.
+  void add_refinement(const Report& region) {
+    searches_refine += region.searches_refine;
+    insertions_refine += region.insertions_refine;
+    for (std::size_t r = 0; r < kRungs; ++r) rungs[r] += region.rungs[r];
+  }
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }
   std::uint64_t operator[](Counter c) const { return counters[static_cast<std::size_t>(c)]; }

@@ -4,6 +4,19 @@
 #include <limits>
 
 namespace deliso {
+namespace {
+
+// Takes out what has no new number.
+template <class T, class Id>
+void keep(std::vector<T>& values, const std::vector<Id>& new_id) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (new_id[i] != kNoId) values[kept++] = values[i];
+  }
+  values.resize(kept);
+}
+
+}  // namespace
 
 double SurfaceMesh::pole(const Triangle& v) const {
   if (pole_heights.empty()) return std::numeric_limits<double>::infinity();
@@ -23,31 +36,22 @@ Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c) {
 void remove_dead(SurfaceMesh& s) {
   TriMesh& mesh = s.mesh;
   std::vector<VertexId> new_id(mesh.points.size(), kNoId);
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    for (const VertexId v : face.v) new_id[v] = 0;
-  }
-  VertexId vertices = 0;
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if (new_id[v] == kNoId) continue;
-    mesh.points[vertices] = mesh.points[v];
-    if (!s.pole_heights.empty()) s.pole_heights[vertices] = s.pole_heights[v];
-    new_id[v] = vertices++;
-  }
-  mesh.points.resize(vertices);
-  if (!s.pole_heights.empty()) s.pole_heights.resize(vertices);
-  s.chain = s.chain.renumbered(new_id);
-
   std::vector<FaceId> new_face(mesh.faces.size(), kNoId);
   FaceId faces = 0;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     if (is_dead(mesh.faces[f])) continue;
-    new_face[f] = faces;
-    mesh.faces[faces] = mesh.faces[f];
-    s.duals[faces++] = s.duals[f];
+    new_face[f] = faces++;
+    for (const VertexId v : mesh.faces[f].v) new_id[v] = 0;
   }
-  mesh.faces.resize(faces);
-  s.duals.resize(faces);
+  VertexId vertices = 0;
+  for (VertexId& v : new_id) {
+    if (v != kNoId) v = vertices++;
+  }
+  keep(mesh.points, new_id);
+  keep(s.pole_heights, new_id);
+  keep(mesh.faces, new_face);
+  keep(s.duals, new_face);
+  s.chain = s.chain.renumbered(new_id);
   for (Face& face : mesh.faces) {
     for (VertexId& v : face.v) v = new_id[v];
     for (FaceId& g : face.n) {

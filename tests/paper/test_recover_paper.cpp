@@ -20,23 +20,21 @@ struct Begun {
   Begun(const Scene& scene, const Options& options)
       : parameters(resolve(options, scene.volume)),
         curves(boundary_curves(scene.surface, scene.contour, parameters)),
-        initial(init_triangulation(scene.contour, curves, scene.volume, parameters, report)),
-        restricted(scene.surface, std::move(initial.triangulation), parameters.r_min, report),
-        recovery(restricted, curves, initial.chain, parameters) {}
+        recovery(scene.surface, curves,
+                 init_triangulation(scene.contour, curves, scene.volume, parameters, report),
+                 parameters, report) {}
   Begun(const Begun&) = delete;
 
   Report report;
   Parameters parameters;
   BoundaryCurves curves;
-  FirstSample initial;
-  RestrictedDelaunay restricted;
   Recovery recovery;
 };
 
 std::size_t facets_met_twice(const RestrictedDelaunay& restricted) {
   std::size_t count = 0;
   for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
-    count += restricted.is_live(r) && restricted.effective_hits(r).size() > 1;
+    count += restricted.effective_hits(r).size() > 1;
   }
   return count;
 }
@@ -67,12 +65,12 @@ TEST_CASE("MultiIntersect leaves no edge met twice, ExtractManifold a disk every
       Options options = Options::paper();
       options.seed = seed;
       Begun begun(scene, options);
-      met_twice += facets_met_twice(begun.restricted);
+      met_twice += facets_met_twice(begun.recovery.restricted());
       begun.recovery.multi_intersect();
-      CHECK(facets_met_twice(begun.restricted) == 0);
-      no_disk += vertices_without_disk(begun.restricted);
+      CHECK(facets_met_twice(begun.recovery.restricted()) == 0);
+      no_disk += vertices_without_disk(begun.recovery.restricted());
       begun.recovery.extract_manifold();
-      CHECK(vertices_without_disk(begun.restricted) == 0);
+      CHECK(vertices_without_disk(begun.recovery.restricted()) == 0);
     }
   }
   // There was something to do.
@@ -115,7 +113,7 @@ TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are sp
     const std::uint64_t before = begun.report[Counter::boundary_splits_recover];
     begun.recovery.multi_intersect();
     splits += begun.report[Counter::boundary_splits_recover] - before;
-    CHECK(facets_met_twice(begun.restricted) == 0);
+    CHECK(facets_met_twice(begun.recovery.restricted()) == 0);
   }
   CHECK(splits > 300);
 }

@@ -114,10 +114,9 @@ class Labelled {
   explicit Labelled(const Drawing& drawing)
       : drawing_(drawing),
         contour_(contour_of(drawing)),
-        graph_(contour_, 1),
         triangulation_(first_sites()),
         labels_(contour_, triangulation_, std::vector<std::uint8_t>{1}, 1),
-        certificate_(contour_, graph_, labels_) {
+        certificate_(labels_) {
     const std::string letters = drawing.letters();
     for (VertexId v = 0; v < letters.size(); ++v) {
       const char name = static_cast<char>(std::toupper(letters[v]));
@@ -125,17 +124,14 @@ class Labelled {
     }
   }
 
-  Verdict check(VertexId v) {
-    certificate_.begin_round();
-    return certificate_.check(labels_.label(v), v, scratch_, facets_);
-  }
+  Verdict check(VertexId v) { return certificate_.check(labels_.label(v), v, scratch_, facets_); }
   Verdict check(char site) { return check(VertexId(drawing_.letters().find(site))); }
 
   // The sites that break a condition.
   std::string broken() {
     std::string names;
     for (const VertexId v : vertex_) {
-      if (v != kNoId && check(v).violation != Violation::none) names += drawing_.letters()[v];
+      if (v != kNoId && check(v).violation) names += drawing_.letters()[v];
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -148,9 +144,9 @@ class Labelled {
     triangulation_.find_conflicts(contour_.points[v], kNoId, zone);
     REQUIRE(zone.duplicate == kNoId);
     const SiteId site = triangulation_.insert_in_zone(contour_.points[v], zone, created);
-    std::vector<SiteId> neighbors, changed;
+    std::vector<SiteId> neighbors;
     for (SiteId s = 1; s < site; ++s) neighbors.push_back(s);
-    labels_.add_site(site, triangulation_, neighbors, changed);
+    labels_.add_site(site, neighbors);
     vertex_.push_back(v);
   }
 
@@ -162,7 +158,7 @@ class Labelled {
       for (VertexId s = 1; s < vertex_.size(); ++s) {
         if (vertex_[s] == kNoId) continue;
         const Verdict verdict = check(vertex_[s]);
-        if (verdict.violation == Violation::none) continue;
+        if (!verdict.violation) continue;
         insert(verdict.insert);
         any = true;
         ++insertions;
@@ -222,7 +218,6 @@ class Labelled {
 
   Drawing drawing_;
   ContourMesh contour_;
-  ContourGraph graph_;
   std::vector<VertexId> vertex_;  // per site, its vertex of T
   Triangulation triangulation_;
   Labels labels_;
@@ -234,7 +229,7 @@ class Labelled {
 // The site breaks that condition, and so do those of `broken` and no others; the vertex of T that
 // is named is the one wanted; and when that and what is named then have been inserted, the dual is
 // a mesh of T's topology.
-void check_broken(const Drawing& drawing, char site, Violation violation, VertexId named,
+void check_broken(const Drawing& drawing, char site, Reason violation, VertexId named,
                   const std::string& broken) {
   Labelled t(drawing);
   CHECK(t.broken() == broken);
@@ -264,15 +259,15 @@ TEST_CASE("where every condition holds the dual is a mesh already") {
 // numbers of vertices, edges and facets do not fit either must not decide.
 TEST_CASE("C1: a region in two pieces, and the furthest vertex of the stray one") {
   const Drawing sphere{{"AbaabCcc", "abbbbccc", "abbBbccc", "abbbbccc", "abbbbccc"}, "cb"};
-  check_broken(sphere, 'A', Violation::region, sphere.at(0, 3), "ABC");
+  check_broken(sphere, 'A', Reason::region, sphere.at(0, 3), "ABC");
   const Drawing disk{{"AbaabB", "abbbbb", "abbbbb", "abbbbb", "abbbbb"}, ""};
-  check_broken(disk, 'A', Violation::region, disk.at(0, 3), "AB");
+  check_broken(disk, 'A', Reason::region, disk.at(0, 3), "AB");
 }
 
 // Three regions fill the hole, so that each meets the one around it in one arc.
 TEST_CASE("C1: a region with a hole") {
   const Drawing belt{{"bbCcDd", "Aaaaaa", "eeFfGg"}, "BE"};
-  check_broken(belt, 'A', Violation::region, belt.at(1, 3), "A");
+  check_broken(belt, 'A', Reason::region, belt.at(1, 3), "A");
   const Drawing disk{{"Eeeeffff",  //
                       "eaaaaaaf",  //
                       "eabbccaf",  //
@@ -280,12 +275,12 @@ TEST_CASE("C1: a region with a hole") {
                       "eaaDaaaf",  //
                       "eaaAaaaF"},
                      ""};
-  check_broken(disk, 'A', Violation::region, disk.at(1, 6), "A");
+  check_broken(disk, 'A', Reason::region, disk.at(1, 6), "A");
 }
 
 TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
   const Drawing sphere{{"cCcceEee", "BbAaaabb", "bbaaaabb", "dDddfFff"}, "cd"};
-  check_broken(sphere, 'A', Violation::interface, sphere.at(2, 5), "AB");
+  check_broken(sphere, 'A', Reason::interface, sphere.at(2, 5), "AB");
   const Drawing disk{{"Aaaabbbb",  //
                       "aaaabbbB",  //
                       "aaeeEebb",  //
@@ -294,7 +289,7 @@ TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
                       "aaaabbbb",  //
                       "Dddddddd"},
                      ""};
-  check_broken(disk, 'A', Violation::interface, disk.at(5, 3), "AB");
+  check_broken(disk, 'A', Reason::interface, disk.at(5, 3), "AB");
 }
 
 // Where a region on the box is a disk, its rim has an arc on the box; there two neighbours with an
@@ -302,26 +297,26 @@ TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
 // broken lies within, and on the box are the other two, which break C4.
 TEST_CASE("C3: a triple on two triangles") {
   const Drawing sphere{{"AaBbcC", "aabbcc"}, "aa"};
-  check_broken(sphere, 'A', Violation::triple, sphere.pole(1), "ABC");
+  check_broken(sphere, 'A', Reason::triple, sphere.pole(1), "ABC");
   const Drawing disk{{"Aaaaccc",  //
                       "aaBbbcC",  //
                       "aabbbcc",  //
                       "aaaaccc"},
                      ""};
-  check_broken(disk, 'B', Violation::triple, disk.at(3, 3), "ABC");
+  check_broken(disk, 'B', Reason::triple, disk.at(3, 3), "ABC");
 }
 
 TEST_CASE("C4: a region on the box whose site is not there") {
   const Drawing disk{{"BbbccC", "baaaac", "baAaac", "baaaac"}, ""};
-  check_broken(disk, 'A', Violation::boundary, disk.at(3, 4), "A");
+  check_broken(disk, 'A', Reason::boundary, disk.at(3, 4), "A");
 }
 
 TEST_CASE("C4: a region that meets the box in two arcs") {
   const Drawing disk{{"BbAacC", "bbaacc", "ddaaee", "DdaaeE"}, ""};
-  check_broken(disk, 'A', Violation::boundary, disk.at(3, 3), "A");
+  check_broken(disk, 'A', Reason::boundary, disk.at(3, 3), "A");
 }
 
 TEST_CASE("C4: two regions that meet in two edges on the box") {
   const Drawing disk{{"AaBb", "aabb", "aabb"}, ""};
-  check_broken(disk, 'A', Violation::boundary, disk.at(2, 1), "AB");
+  check_broken(disk, 'A', Reason::boundary, disk.at(2, 1), "AB");
 }

@@ -74,8 +74,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
       t.find_conflicts(p, kNoId, zone);
       if (zone.duplicate != kNoId) continue;
       const SiteId s = t.insert_in_zone(p, zone, created);
-      std::vector<SiteId> changed;
-      labels.add_site(s, t, neighbors_of(t, s), changed);
+      labels.add_site(s, neighbors_of(t, s));
     }
     check_nearest(scene.contour, labels, t);
   }
@@ -95,16 +94,15 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Triangulation t;
     std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
-    const ContourGraph graph(contour, 1);
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, t, kept, 1);
-    Certificate certificate(contour, graph, labels);
+    Certificate certificate(labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
     std::vector<SiteTriangle> dual;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       const Verdict verdict = certificate.check(ids[v], v, scratch, facets);
-      REQUIRE(verdict.violation == Violation::none);
+      REQUIRE_FALSE(verdict.violation);
       for (const DualFacet& f : facets) {
         if (f.sites[0] < f.sites[1] && f.sites[0] < f.sites[2]) dual.push_back(f.sites);
       }
@@ -123,14 +121,13 @@ TEST_CASE("a region that is all of a torus is told") {
   Triangulation t;
   std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
-  const ContourGraph graph(scene.contour, 1);
   const std::vector<std::uint8_t> kept(1, 1);
   const Labels labels(scene.contour, t, kept, 1);
-  Certificate certificate(scene.contour, graph, labels);
+  Certificate certificate(labels);
   Certificate::Scratch scratch;
   std::vector<DualFacet> facets;
   const Verdict verdict = certificate.check(ids[0], 0, scratch, facets);
-  CHECK(verdict.violation == Violation::region);
+  CHECK(verdict.violation == Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
     CHECK(distance(p, points[0]) <= distance(scene.contour.points[verdict.insert], points[0]));

@@ -45,7 +45,7 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
         CurvePlace a = chain[k], b = chain[(k + 1) % chain.size()];
         Vec3 pa = curves.point(a), pb = curves.point(b);
         for (int level = 0; level < 12; ++level) {
-          const auto split = curves.split(a, pa, b, pb);
+          const auto split = curves.split({a, pa}, {b, pb});
           if (!split) break;
           ++splits;
           CHECK(on_box(scene.volume.box(), split->point));
@@ -54,7 +54,7 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
           const double before = distance(pa, split->point), after = distance(split->point, pb);
           CHECK(std::min(before, after) > 0.15 * std::max(before, after));
           // The arc stays as close to its chord as its middle is, at least.
-          CHECK(curves.sagitta(a, pa, b, pb) + 1e-9 >=
+          CHECK(curves.sagitta({a, pa}, {b, pb}) + 1e-9 >=
                 0.999 * length(cross(split->point - pa, pb - pa)) / distance(pa, pb));
           const double end = b.s > a.s ? b.s : b.s + static_cast<double>(n);
           const double s = split->place.s > a.s ? split->place.s : split->place.s + double(n);

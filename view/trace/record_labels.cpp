@@ -29,11 +29,12 @@ Routine routine_of(Reason reason) {
 
 }  // namespace
 
-void TraceRecorder::labels_ready(const LabelState& state) {
-  labels_.emplace(state);
-  label_.assign(state.labels.all().begin(), state.labels.all().end());
+void TraceRecorder::labels_ready(const Labels& labels, const Box3& domain) {
+  labels_ = &labels;
+  box_ = domain;
+  label_ = labels.all();
   number_vertices();
-  const ContourMesh& contour = state.contour;
+  const ContourMesh& contour = labels.contour();
   TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
   for (const Triangle& t : contour.triangles) {
     const SiteTriangle sites{label_[t[0]], label_[t[1]], label_[t[2]]};
@@ -57,23 +58,22 @@ void TraceRecorder::labels_ready(const LabelState& state) {
 }
 
 void TraceRecorder::site_asked(Reason reason, SiteId asker, VertexId v) {
-  const double value = v == kNoId ? 0 : std::sqrt(labels_->labels.distance2_to_site(v));
+  const double value = v == kNoId ? 0 : std::sqrt(labels_->distance2_to_site(v));
   TraceEvent& event = asks(routine_of(reason), reason, value);
   if (asker != kNoId) event.caller[0] = number(asker);
 }
 
 void TraceRecorder::site_added(SiteId site) {
   if (trace_.is_full()) return record(TraceOutcome::done);
-  const Labels& labels = labels_->labels;
-  const ContourGraph& graph = labels_->graph;
+  const Labels& labels = *labels_;
   number_vertices();
   TraceEvent& event = trace_.event();
   event.vertex = number(site);
   const auto is_taken = [&](VertexId v) { return labels.label(v) == site && label_[v] != site; };
   // Every triangle of T with vertices that are taken, at the first of these.
   for (const VertexId v : labels.region(site)) {
-    const std::span<const VertexId> ring = graph.ring(v);
-    const std::size_t triangles = ring.size() - (graph.chain_next(v) != kNoId);
+    const std::span<const VertexId> ring = labels.ring(v);
+    const std::size_t triangles = ring.size() - labels.contour().on_boundary(v);
     for (std::size_t n = 0; n < triangles; ++n) {
       const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
       if ((u < v && is_taken(u)) || (w < v && is_taken(w))) continue;

@@ -68,6 +68,7 @@ void TraceRecorder::record_asked(RecordId r, Reason reason, double value) {
 
 void TraceRecorder::restricted_ready(const RestrictedDelaunay& restricted) {
   restricted_ = &restricted;
+  box_ = restricted.surface().volume().box();
   number_vertices();
   TraceEvent& event = asks(Routine::init_triangulation, Reason::beginning, 0);
   for (const RecordId r : restricted.created()) show(r);
@@ -83,8 +84,7 @@ void TraceRecorder::record_gone(RecordId r) {
 void TraceRecorder::show(RecordId r) {
   const RestrictedDelaunay& restricted = *restricted_;
   if (r >= shown_.size()) shown_.resize(r + 1, kNone);
-  const bool is_in = restricted.is_live(r) && restricted.is_restricted(r);
-  if (!is_in) return record_gone(r);
+  if (!restricted.is_restricted(r)) return record_gone(r);
   if (shown_[r] != kNone) return;
   const Triangulation& t = restricted.triangulation();
   const SiteTriangle v = restricted.triangle(r);

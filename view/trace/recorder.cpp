@@ -9,11 +9,10 @@ namespace deliso {
 
 void TraceRecorder::number_vertices() {
   const Triangulation& t = triangulation();
-  const Box3 box = labels_ ? labels_->box : restricted_->surface().volume().box();
   if (numbers_.empty()) numbers_.push_back(kNoId);  // the infinite vertex
   for (auto v = SiteId(numbers_.size()); v < t.vertex_capacity(); ++v) {
-    numbers_.push_back(is_auxiliary(t.point(v), box) ? VertexId(kNoId)
-                                                     : trace_.add_vertex(t.point(v)));
+    numbers_.push_back(is_auxiliary(t.point(v), box_) ? VertexId(kNoId)
+                                                      : trace_.add_vertex(t.point(v)));
   }
 }
 

@@ -33,7 +33,7 @@ class TraceRecorder : public Observer {
   void recovery_finished() override;
 
   // Certified, record_labels.cpp.
-  void labels_ready(const LabelState& state) override;
+  void labels_ready(const Labels& labels, const Box3& domain) override;
   void site_asked(Reason reason, SiteId asker, VertexId v) override;
   void site_added(SiteId site) override;
 
@@ -59,7 +59,7 @@ class TraceRecorder : public Observer {
   static constexpr std::size_t kMostTriangles = 400'000;
 
   const Triangulation& triangulation() const {
-    return labels_ ? labels_->triangulation : restricted_->triangulation();
+    return labels_ ? labels_->triangulation() : restricted_->triangulation();
   }
   // All vertices that are new; auxiliary ones have no number.
   void number_vertices();
@@ -80,16 +80,17 @@ class TraceRecorder : public Observer {
   TraceEvent& asks(Routine routine, Reason reason, double value);
   // Ends the event.
   void record(TraceOutcome outcome);
-  bool shows_contour() const { return labels_->contour.triangles.size() <= kMostTriangles; }
+  bool shows_contour() const { return labels_->contour().triangles.size() <= kMostTriangles; }
   void show(RecordId r);
   void tell_facet(RecordId r, TraceEvent& event) const;
 
   Trace& trace_;
   const Report& report_;
   Observer* also_;
+  Box3 box_;                       // the domain
   std::vector<VertexId> numbers_;  // the trace's, per site, then per vertex of the mesh
 
-  std::optional<LabelState> labels_;
+  const Labels* labels_ = nullptr;
   std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
 
   const RestrictedDelaunay* restricted_ = nullptr;

@@ -208,11 +208,11 @@ TEST_CASE("facets replayed are the mesh, and zones are in conflict, both ways") 
       const Traced run = traced(scene.volume, scene.surface.kappa(), options);
       check_replay(run);
       const std::size_t cells = check_zones(run.trace);
-      if (run.report.insertions_recover > 0) CHECK(cells > run.report.insertions_recover);
+      if (run.report.insertions_recover() > 0) CHECK(cells > run.report.insertions_recover());
       const auto inserted =
           std::count_if(run.trace.arrays().vertex.begin(), run.trace.arrays().vertex.end(),
                         [](std::uint32_t v) { return v != kNoId; });
-      CHECK(static_cast<std::size_t>(inserted) >= run.report.insertions_recover);
+      CHECK(static_cast<std::size_t>(inserted) >= run.report.insertions_recover());
     }
   }
 }
