@@ -82,7 +82,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
         lines.fail(text("corner ", i, " of facet ", f, " is ", quote(word), ", not one of ",
                         vertices, " vertices"));
       }
-      corners.push_back(VertexId(*corner));
+      corners.emplace_back(*corner);
     }
     mesh.add_polygon(corners);
   }

@@ -277,7 +277,7 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
           source.fail(text("corner ", c, " of facet ", f, " is ", corner, ", not one of ", vertices,
                            " vertices"));
         }
-        corners.push_back(VertexId(static_cast<std::uint32_t>(corner)));
+        corners.emplace_back(static_cast<std::uint32_t>(corner));
       }
       mesh.add_polygon(corners);
     }
