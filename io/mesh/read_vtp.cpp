@@ -97,7 +97,7 @@ class VtpParser {
                              if (v < 0 || static_cast<std::uint64_t>(v) >= points_)
                                fail(text("a corner of polygon ", polygon, " is ", v,
                                          ", not one of ", points_, " points"));
-                             corners.push_back(VertexId(v));
+                             corners.emplace_back(v);
                              if (++n < ends[polygon]) return;
                              mesh.add_polygon(corners);
                              corners.clear();

@@ -83,7 +83,7 @@ void BoxCaps::triangulate(FaceCap& cap) {
   std::vector<VertexId> local(vertices.size());
   for (const std::uint32_t n : biased_hilbert_order(places)) {
     const VertexId v = vertices[n], at = cap.plane->insert({places[n].x, places[n].y});
-    if (at == cap.global.size()) cap.global.push_back(kNoId);
+    if (at == cap.global.size()) cap.global.emplace_back(kNoId);
     if (cap.global[at] != kNoId) {
       coincident_.emplace_back(cap.global[at], v);
     } else {
@@ -231,7 +231,7 @@ void BoxCaps::refine(double lambda) {
         q[cap.across] = cap.number % 2 == 0 ? box_.lo[cap.across] : box_.hi[cap.across];
         q[cap.u] = p.x;
         q[cap.v] = p.y;
-        cap.global.push_back(VertexId(mesh_.points.size() + new_points_.size()));
+        cap.global.emplace_back(mesh_.points.size() + new_points_.size());
         new_points_.push_back(q);
       }
       for (const auto& [a, b] : sides) split_side(cap, cap.global[a], cap.global[b]);

@@ -134,7 +134,7 @@ void Triangulation::take_cells(std::size_t count, std::vector<CellId>& taken) {
   free_.resize(free_.size() - reused);
   DELISO_CHECK(cells_.size() + (count - reused) <= (1u << 30));
   while (taken.size() < count) {
-    taken.push_back(CellId(cells_.size()));
+    taken.emplace_back(cells_.size());
     cells_.emplace_back();
     marks_.push_back(0);
   }

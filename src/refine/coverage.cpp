@@ -59,8 +59,10 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   });
   std::ranges::sort(far, {},
                     [](const FarSample& a) { return std::tuple(a.facet, -a.distance2, a.sample); });
-  const auto repeats = std::ranges::unique(far, {}, &FarSample::facet);
-  far.erase(repeats.begin(), repeats.end());
+  const auto of_one_facet = [](const FarSample& a, const FarSample& b) {
+    return a.facet == b.facet;
+  };
+  far.erase(std::unique(far.begin(), far.end(), of_one_facet), far.end());
   std::ranges::sort(far, {}, [](const FarSample& a) { return std::tuple(-a.distance2, a.sample); });
   return far;
 }

@@ -139,10 +139,11 @@ bool Refinement::reverses(const Change& c) {
   for (std::size_t k = 0; k < across_.size(); ++k) {
     go_on(across_[k], c.in.boundary[k].from, c.in.boundary[k].to);
   }
-  for (std::size_t n = 0; n < rest_.size(); ++n) {
+  for (std::size_t n = 0; n < rest_.size();) {
+    const FaceId f = rest_[n++];
     // A frozen one may go on where nothing is seen of it.
-    if (rest_.size() > kMaxSmallComponent || is_frozen(rest_[n])) return false;
-    const Face& face = mesh.faces[rest_[n]];
+    if (rest_.size() > kMaxSmallComponent || is_frozen(f)) return false;
+    const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) go_on(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }
   // Seen from a point in all faces of the box that it meets, what it leaves open adds nothing.

@@ -37,7 +37,7 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
     }
     if (own.size() <= most) {
       all.box.first_free = FaceId(all.facets.size() - own.size());
-      std::ranges::stable_partition(all.facets, is_frozen);
+      std::stable_partition(all.facets.begin(), all.facets.end(), is_frozen);
       regions.push_back(std::move(all));
       continue;
     }
@@ -56,7 +56,8 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
       continue;
     }
 
-    MeshRegion below{all.box, {}, {}, {}, {}}, above = below;
+    MeshRegion below{all.box, {}, {}, {}, {}};
+    MeshRegion above{all.box, {}, {}, {}, {}};
     below.box.hi[axis] = above.box.lo[axis] = plane;
     for (const FaceId f : all.facets) {
       const auto [lo, hi] =
@@ -103,7 +104,7 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region) {
     return ids;
   };
   const auto vertex = extended(region.vertices, s.mesh.points.size(), whole.mesh.points.size());
-  const auto facet = extended(region.facets, s.mesh.faces.size(), whole.mesh.faces.size());
+  auto facet = extended(region.facets, s.mesh.faces.size(), whole.mesh.faces.size());
   whole.mesh.points.resize(whole.mesh.points.size() + vertex.size() - region.vertices.size());
   whole.mesh.faces.resize(whole.mesh.faces.size() + facet.size() - region.facets.size());
   whole.duals.resize(whole.mesh.faces.size());

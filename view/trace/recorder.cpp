@@ -9,7 +9,7 @@ namespace deliso {
 
 void TraceRecorder::number_vertices() {
   const Triangulation& t = triangulation();
-  if (numbers_.empty()) numbers_.push_back(kNoId);  // the infinite vertex
+  if (numbers_.empty()) numbers_.emplace_back(kNoId);  // the infinite vertex
   for (auto v = SiteId(numbers_.size()); v < t.vertex_capacity(); ++v) {
     numbers_.push_back(is_auxiliary(t.point(v), box_) ? VertexId(kNoId)
                                                       : trace_.add_vertex(t.point(v)));
