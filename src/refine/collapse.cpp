@@ -69,7 +69,8 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   const auto length2 = [&](std::size_t i) {
     return distance2(r.point(v[i]), r.point(v[(i + 1) % 3]));
   };
-  const std::size_t shortest = std::ranges::min({0u, 1u, 2u}, {}, length2);
+  const std::size_t shortest =
+      std::min({0u, 1u, 2u}, [&](unsigned a, unsigned b) { return length2(a) < length2(b); });
   if (!(length2(shortest) < r.parameters.r_min * r.parameters.r_min)) return Refusal::no_gain;
   VertexId a = v[shortest], b = v[(shortest + 1) % 3];
   const auto is_better = [&] {

@@ -182,7 +182,8 @@ bool RefineGeom::insert_other_point(FaceId f) {
   const Triangle v = mesh_.faces[f].v;
   const std::array<Vec3, 3> p{r_.point(v[0]), r_.point(v[1]), r_.point(v[2])};
   const auto length2 = [&](std::size_t i) { return distance2(p[(i + 1) % 3], p[(i + 2) % 3]); };
-  const std::size_t i = std::ranges::max({0u, 1u, 2u}, {}, length2);
+  const std::size_t i =
+      std::max({0u, 1u, 2u}, [&](unsigned a, unsigned b) { return length2(a) < length2(b); });
   const Vec3 normal = r_.normal(v), center = circumcenter(p[0], p[1], p[2]);
   const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
   const auto insert_foot = [&](const Vec3& from, double limit) {
