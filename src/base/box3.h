@@ -77,4 +77,9 @@ inline unsigned box_faces_at(const Vec3& p, const Box3& box, double off = 0) {
   return faces;
 }
 
+// Whether p and q lie on one of them, both so far off at most.
+inline bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double off = 0) {
+  return (box_faces_at(p, box, off) & box_faces_at(q, box, off)) != 0;
+}
+
 }  // namespace deliso

@@ -51,5 +51,8 @@ constexpr double distance2(const Vec3& a, const Vec3& b) {
 inline double distance(const Vec3& a, const Vec3& b) {
   return std::sqrt(distance2(a, b));
 }
+inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 }  // namespace deliso

@@ -48,7 +48,7 @@ void BoxCaps::collect_boundary() {
       if (mesh_.faces[f].n[i] != kNoId) continue;
       const VertexId a = mesh_.faces[f].v[(i + 1) % 3], b = mesh_.faces[f].v[(i + 2) % 3];
       const Vec3 &p = mesh_.points[a], &q = mesh_.points[b];
-      if ((box_faces_at(p, box_) & box_faces_at(q, box_)) == 0) {
+      if (!on_one_face(p, q, box_)) {
         failure_ = text("the edge ", a, "-", b, " of the boundary does not lie on the box");
       }
       edges_.push_back({f, i});

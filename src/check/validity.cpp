@@ -2,7 +2,6 @@
 #include "check/validity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -11,16 +10,13 @@
 #include "delaunay/predicates.h"
 #include "mesh/first_at_place.h"
 #include "mesh/incidence.h"
+#include "mesh/star.h"
 
 namespace deliso {
 namespace {
 
 std::string corners_text(const Triangle& t) {
   return text("(", t[0], " ", t[1], " ", t[2], ")");
-}
-
-bool finite(const Vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 // first[v] is the smallest vertex at the position of v.
@@ -60,7 +56,7 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
     Triangle t = mesh.faces[f].v;
     for (VertexId& v : t) v = first[v];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    if (!finite(a) || !finite(b) || !finite(c)) continue;
+    if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || collinear(a, b, c)) {
       faults.add(
           FaultKind::degenerate_triangles, [&] { return named(f) + " has no area"; }, a);
@@ -87,17 +83,6 @@ void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first
     out.triangles.push_back(welded[n]);
     out.id.push_back(id[n]);
   }
-}
-
-bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double tolerance) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double face : {box.lo[axis], box.hi[axis]}) {
-      if (std::fabs(p[axis] - face) <= tolerance && std::fabs(q[axis] - face) <= tolerance) {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box, double tolerance,
@@ -142,8 +127,11 @@ void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box
 // One disk or half disk: no spoke of more than two triangles (check_edges says) and one fan.
 void check_vertices(CleanMesh& mesh, Faults& faults) {
   const TrianglesAtVertices incident(mesh.points.size(), mesh.triangles);
+  std::vector<Triangle> star;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    const std::size_t fans = link_of(v, incident.at(v), mesh.triangles).fans;
+    star.clear();
+    for (const std::uint32_t t : incident.at(v)) star.push_back(mesh.triangles[t]);
+    const std::size_t fans = link_of(v, star).fans;
     if (fans <= 1) continue;
     faults.add(
         FaultKind::non_manifold_vertices,
@@ -160,7 +148,7 @@ CleanMesh check_validity(const TriMesh& mesh, const Box3& box, double tolerance,
   CleanMesh out;
   out.points = mesh.points;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if (finite(mesh.points[v])) continue;
+    if (is_finite(mesh.points[v])) continue;
     faults.add(FaultKind::not_finite, text("vertex ", v, " has no finite position"), {});
     out.points[v] = {};
   }

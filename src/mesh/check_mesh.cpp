@@ -2,12 +2,12 @@
 #include "mesh/check_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "base/disjoint_sets.h"
 #include "base/text.h"
 #include "mesh/incidence.h"
+#include "mesh/star.h"
 
 namespace deliso {
 namespace {
@@ -52,61 +52,29 @@ std::string check_corners(const TriMesh& mesh) {
   return {};
 }
 
-std::string check_neighbors(const TriMesh& mesh) {
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Face& face = mesh.faces[f];
-    for (int i = 0; i < 3; ++i) {
-      const FaceId g = face.n[i];
-      if (g == kNoId) continue;
-      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
-      const auto fault = [&](const std::string& what) {
-        return text("I2: ", describe_face(mesh, f), " has neighbor ", g, " across ",
-                    describe_vertex(mesh, a), " and ", describe_vertex(mesh, b), ", ", what);
-      };
-      if (g == f) return fault("itself");
-      if (g >= mesh.faces.size()) return fault(text("of ", mesh.faces.size(), " facets"));
-      const Face& other = mesh.faces[g];
-      bool mutual = false;
-      for (int j = 0; j < 3; ++j) {
-        const VertexId c = other.v[(j + 1) % 3], d = other.v[(j + 2) % 3];
-        mutual |= other.n[j] == f && std::minmax(a, b) == std::minmax(c, d);
-      }
-      if (!mutual) return fault(text("but ", describe_face(mesh, g), " does not have it there"));
-    }
-  }
-  return {};
-}
-
-std::string check_orientation(const TriMesh& mesh, std::span<const EdgeUse> uses) {
-  std::string fault;
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
-      fault = text("I3: ", describe_face(mesh, edge[0].triangle), " and ",
-                   describe_face(mesh, edge[1].triangle), " run the same way along ",
-                   describe_edge(mesh, edge[0].lo, edge[0].hi));
-    }
-    return fault.empty();
-  });
-  return fault;
-}
-
+// I2 to I4, edge by edge.
 std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
   std::string fault;
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const auto name = [&] { return describe_edge(mesh, edge[0].lo, edge[0].hi); };
     if (edge.size() > 2) {
-      fault = text("I4: ", edge.size(), " facets share ",
-                   describe_edge(mesh, edge[0].lo, edge[0].hi), ":");
+      fault = text("I4: ", edge.size(), " facets share ", name(), ":");
       for (const EdgeUse& use : edge) fault += text(" ", use.triangle);
+      return false;
+    }
+    if (edge.size() == 2 && edge[0].forward == edge[1].forward) {
+      fault = text("I3: ", describe_face(mesh, edge[0].triangle), " and ",
+                   describe_face(mesh, edge[1].triangle), " run the same way along ", name());
       return false;
     }
     for (std::size_t i = 0; i < edge.size(); ++i) {
       const FaceId expected = edge.size() == 2 ? edge[1 - i].triangle : FaceId(kNoId);
       const FaceId stored = mesh.faces[edge[i].triangle].n[edge[i].side];
       if (stored == expected) continue;
-      const auto name = [&](FaceId f) { return f == kNoId ? "no facet" : describe_face(mesh, f); };
-      fault = text("I4: ", describe_face(mesh, edge[i].triangle), " meets ", name(expected),
-                   " across ", describe_edge(mesh, edge[i].lo, edge[i].hi), " but has ",
-                   stored == kNoId ? "no neighbor" : text("neighbor ", stored), " there");
+      fault =
+          text("I2: ", describe_face(mesh, edge[i].triangle), " meets ",
+               expected == kNoId ? "no facet" : describe_face(mesh, expected), " across ", name(),
+               " but has ", stored == kNoId ? "no neighbor" : text("neighbor ", stored), " there");
       return false;
     }
     return true;
@@ -116,9 +84,12 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
 
 std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triangles) {
   const TrianglesAtVertices incident(mesh.points.size(), triangles);
+  std::vector<Triangle> star;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     const std::span<const std::uint32_t> at = incident.at(v);
-    const VertexLink link = link_of(v, at, triangles);
+    star.clear();
+    for (const std::uint32_t f : at) star.push_back(triangles[f]);
+    const VertexLink link = link_of(v, star);
     // No edge is of more than two facets, or I4 would not hold.
     const bool covered = link.fans == 1 && link.closed() && link.vertices < 3;
     if (link.fans <= 1 && !covered) continue;
@@ -130,11 +101,8 @@ std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triang
 }
 
 std::string check_geometry(const TriMesh& mesh) {
-  const auto finite = [](const Vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if (!finite(mesh.points[v])) return text("I6: ", describe_vertex(mesh, v), " is not finite");
+    if (!is_finite(mesh.points[v])) return text("I6: ", describe_vertex(mesh, v), " is not finite");
   }
   return {};
 }
@@ -143,12 +111,9 @@ std::string check_geometry(const TriMesh& mesh) {
 
 std::string check_mesh(const TriMesh& mesh) {
   std::string fault = check_corners(mesh);
-  if (fault.empty()) fault = check_neighbors(mesh);
   if (fault.empty()) {
     const std::vector<Triangle> triangles = corners_of(mesh);
-    const std::vector<EdgeUse> uses = edge_uses(mesh.points.size(), triangles);
-    fault = check_orientation(mesh, uses);
-    if (fault.empty()) fault = check_edges(mesh, uses);
+    fault = check_edges(mesh, edge_uses(mesh.points.size(), triangles));
     if (fault.empty()) fault = check_vertices(mesh, triangles);
   }
   if (fault.empty()) fault = check_geometry(mesh);
@@ -156,19 +121,12 @@ std::string check_mesh(const TriMesh& mesh) {
 }
 
 std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box) {
-  const auto on_box = [&](const Vec3& p, const Vec3& q) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double face : {box.lo[axis], box.hi[axis]}) {
-        if (p[axis] == face && q[axis] == face) return true;
-      }
-    }
-    return false;
-  };
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) {
       const auto [lo, hi] = std::minmax(face.v[i], face.v[(i + 1) % 3]);
-      if (face.n[(i + 2) % 3] != kNoId || on_box(mesh.points[lo], mesh.points[hi])) continue;
+      if (face.n[(i + 2) % 3] != kNoId || on_one_face(mesh.points[lo], mesh.points[hi], box))
+        continue;
       return text(describe_face(mesh, f), " ends inside the box at ", describe_edge(mesh, lo, hi));
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Says what a triangle mesh is and what is wrong with it. Slow (it sorts all edges and all corners)
 // and independent of the fast path: it trusts no stored neighbour, and shares no code with
-// link_faces or classify_star.
+// link_faces.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@
 
 namespace deliso {
 
-// The first broken rule of tri_mesh.h, in the order of its numbers, as one line that opens with the
-// number and names the ids and coordinates; empty when all of them hold. Beyond I1, rules are only
-// looked at while the ones before them hold.
+// A broken rule of tri_mesh.h as one line that opens with its number and names the ids and
+// coordinates; empty when all of them hold. I1 comes first, then I2 to I4 edge by edge, I5, I6;
+// each is only looked at while the ones before hold.
 std::string check_mesh(const TriMesh& mesh);
 
 // Paper §5: a surface may end only where the volume ends. Names the first facet without a neighbor

@@ -4,36 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/disjoint_sets.h"
-#include "base/sorted_list.h"
-
 namespace deliso {
-namespace {
-
-// The corner of t behind v, and the one behind that.
-std::pair<VertexId, VertexId> side_opposite(const Triangle& t, VertexId v) {
-  if (t[0] == v) return {t[1], t[2]};
-  return t[1] == v ? std::pair(t[2], t[0]) : std::pair(t[0], t[1]);
-}
-
-// Whether the sides opposite, each begun where the one before ends, are one closed ring. For small
-// degrees, since it looks for each among all.
-bool is_ring(VertexId v, std::span<const std::uint32_t> at, std::span<const Triangle> triangles) {
-  const auto [first, second] = side_opposite(triangles[at[0]], v);
-  VertexId here = second;
-  for (std::size_t n = 1; n < at.size(); ++n) {
-    if (here == first) return false;
-    const auto next = std::find_if(at.begin(), at.end(), [&](std::uint32_t t) {
-      return side_opposite(triangles[t], v).first == here;
-    });
-    if (next == at.end()) return false;
-    here = side_opposite(triangles[*next], v).second;
-  }
-  return here == first;
-}
-
-}  // namespace
-
 std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles) {
   std::vector<std::size_t> next(vertices + 1, 0);
   const auto for_each_side = [&](auto&& visit) {
@@ -92,32 +63,6 @@ std::uint32_t TrianglesByCorners::find(const Triangle& corners) const {
   const Entry* const found = std::lower_bound(
       begin, end, corners, [](const Entry& e, const Triangle& t) { return e.corners < t; });
   return found != end && found->corners == corners ? found->triangle : kNoId;
-}
-
-VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
-                   std::span<const Triangle> triangles) {
-  constexpr std::size_t kSmall = 16;
-  if (at.empty()) return {};
-  if (at.size() <= kSmall && is_ring(v, at, triangles)) return {1, at.size(), 0};
-
-  std::vector<VertexId> ends, around;
-  for (const std::uint32_t t : at) {
-    const auto [a, b] = side_opposite(triangles[t], v);
-    ends.insert(ends.end(), {a, b});
-  }
-  around = ends;
-  sort_out(around);
-  for (VertexId& end : ends) {
-    end = VertexId(std::lower_bound(around.begin(), around.end(), end) - around.begin());
-  }
-  DisjointSets pieces(around.size());
-  std::vector<std::uint8_t> uses(around.size(), 0);
-  for (std::size_t n = 0; n < ends.size(); n += 2) pieces.unite(ends[n], ends[n + 1]);
-  for (const VertexId end : ends) uses[end] = static_cast<std::uint8_t>(std::min(2, uses[end] + 1));
-  const auto loose_ends = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), 1));
-  VertexLink link{0, around.size(), loose_ends};
-  for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
-  return link;
 }
 
 }  // namespace deliso

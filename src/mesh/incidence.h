@@ -68,14 +68,4 @@ class TrianglesByCorners {
   std::vector<Entry> entries_;
 };
 
-// How the triangles at a vertex hang together: by the other vertices of their edges there.
-struct VertexLink {
-  std::size_t fans = 0;        // connected pieces
-  std::size_t vertices = 0;    // around it
-  std::size_t loose_ends = 0;  // of these, those of one triangle only
-  bool closed() const { return loose_ends == 0; }
-};
-VertexLink link_of(VertexId v, std::span<const std::uint32_t> at,
-                   std::span<const Triangle> triangles);
-
 }  // namespace deliso

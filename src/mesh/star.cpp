@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
-#include "mesh/incidence.h"
+#include "base/disjoint_sets.h"
+#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -31,7 +32,8 @@ bool is_degenerate(VertexId q, const LinkEdge& e) {
 
 enum class Step { moved, stuck, branched };
 
-// Moves `end` along the only edge of `rest` that holds it and takes that edge out of `rest`.
+// Moves `end` along the only edge of `rest` that holds it and takes that edge out of `rest`: it
+// stands behind, then.
 Step advance(VertexId& end, std::span<LinkEdge>& rest) {
   std::size_t found = rest.size();
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -41,7 +43,7 @@ Step advance(VertexId& end, std::span<LinkEdge>& rest) {
   }
   if (found == rest.size()) return Step::stuck;
   end = rest[found].a == end ? rest[found].b : rest[found].a;
-  rest[found] = rest.back();
+  std::swap(rest[found], rest.back());
   rest = rest.first(rest.size() - 1);
   return Step::moved;
 }
@@ -74,21 +76,45 @@ const char* name_of(Star star) {
 Star classify_star(VertexId q, std::span<const Triangle> triangles) {
   if (triangles.empty()) return Star::empty;
   const std::size_t count = triangles.size();
-  std::array<LinkEdge, kSmall> small;
-  for (std::size_t i = 0; i < count; ++i) {
-    const LinkEdge edge = link_edge(q, triangles[i]);
-    if (is_degenerate(q, edge)) return Star::singular;
-    if (count <= kSmall) small[i] = edge;
+  for (const Triangle& t : triangles) {
+    if (is_degenerate(q, link_edge(q, t))) return Star::singular;
   }
-  if (count <= kSmall) return walk_small_link(std::span(small).first(count));
   // Connected with as many vertices as edges, and none loose, it is a cycle; a tree with two loose
   // ends is a path.
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0u);
-  const VertexLink link = link_of(q, all, triangles);
+  const VertexLink link = link_of(q, triangles);
   if (link.fans != 1) return Star::singular;
-  if (link.vertices == count && link.loose_ends == 0) return Star::disk;
+  if (link.vertices == count && link.loose_ends == 0 && count > 2) return Star::disk;
   return link.vertices == count + 1 && link.loose_ends == 2 ? Star::half_disk : Star::singular;
+}
+
+VertexLink link_of(VertexId q, std::span<const Triangle> triangles) {
+  const std::size_t count = triangles.size();
+  if (count == 0) return {};
+  if (count <= kSmall) {
+    std::array<LinkEdge, kSmall> edges;
+    for (std::size_t n = 0; n < count; ++n) edges[n] = link_edge(q, triangles[n]);
+    const Star star = walk_small_link(std::span(edges).first(count));
+    if (star == Star::disk) return {1, count, 0};
+    if (star == Star::half_disk) return {1, count + 1, 2};
+  }
+  std::vector<VertexId> ends, around;
+  for (const Triangle& t : triangles) {
+    const LinkEdge edge = link_edge(q, t);
+    ends.insert(ends.end(), {edge.a, edge.b});
+  }
+  around = ends;
+  sort_out(around);
+  for (VertexId& end : ends) {
+    end = VertexId(std::lower_bound(around.begin(), around.end(), end) - around.begin());
+  }
+  DisjointSets pieces(around.size());
+  std::vector<std::uint8_t> uses(around.size(), 0);
+  for (std::size_t n = 0; n < ends.size(); n += 2) pieces.unite(ends[n], ends[n + 1]);
+  for (const VertexId end : ends) uses[end] = static_cast<std::uint8_t>(std::min(2, uses[end] + 1));
+  const auto loose_ends = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), 1));
+  VertexLink link{0, around.size(), loose_ends};
+  for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
+  return link;
 }
 
 }  // namespace deliso

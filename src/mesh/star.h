@@ -10,6 +10,7 @@
 //       that names a vertex twice is neither.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -26,8 +27,19 @@ enum class Star : std::uint8_t {
 
 const char* name_of(Star star);
 
-// Classifies the triangles around q. pre: each of them contains q. Up to 64 triangles: n^2
-// comparisons, nothing allocated; beyond: O(n log n).
+// Classifies the triangles around q. pre: each of them contains q.
 Star classify_star(VertexId q, std::span<const Triangle> triangles);
+
+// How the triangles at a vertex hang together: by the other vertices of their edges there.
+struct VertexLink {
+  std::size_t fans = 0;        // connected pieces
+  std::size_t vertices = 0;    // around it
+  std::size_t loose_ends = 0;  // of these, those of one triangle only
+  bool closed() const { return loose_ends == 0; }
+};
+
+// Disks and half disks of up to 64 triangles: n^2 comparisons, nothing allocated; others:
+// O(n log n). pre: each triangle contains q, once.
+VertexLink link_of(VertexId q, std::span<const Triangle> triangles);
 
 }  // namespace deliso

@@ -4,9 +4,9 @@
 //
 // Invariants (check_mesh tests them by these numbers):
 //   I1  every facet has three different vertices, all below vertex count;
-//   I2  neighbours are mutual: if n[i] of f is g, then g has f across the same two vertices;
+//   I2  n[i] is the other facet at the edge opposite v[i], kNoId where there is none;
 //   I3  orientation is consistent: f and g run along their common edge in opposite directions;
-//   I4  an edge belongs to at most two facets (n[i] == kNoId where it belongs to one);
+//   I4  an edge belongs to at most two facets;
 //   I5  the facets at a vertex form one disk or one half disk (vertex-manifold);
 //   I6  all points are finite.
 // Facets are counter-clockwise seen from the side where f < kappa.
