@@ -9,9 +9,9 @@
 #include "app/json.h"
 #include "app/text.h"
 #include "app/topology.h"
-#include "base/append_format.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "io/files/append_format.h"
 
 namespace deliso {
 namespace {

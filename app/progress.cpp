@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "base/append_format.h"
+#include "io/files/append_format.h"
 
 namespace deliso {
 namespace {

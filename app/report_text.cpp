@@ -7,8 +7,8 @@
 #include "app/mesh_run.h"
 #include "app/solid.h"
 #include "app/text.h"
-#include "base/append_format.h"
 #include "base/text.h"
+#include "io/files/append_format.h"
 
 namespace deliso {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/append_format.h"
+#include "io/files/append_format.h"
 #include "io/files/atomic_file.h"
 #include "support/line_chart.h"
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "base/append_format.h"
 #include "blocks/choose_seam.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/figures.h"
 #include "guide/handed.h"
+#include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/append_format.h"
 #include "delaunay/predicates.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
+#include "io/files/append_format.h"
 #include "isosurface/voxel_ray.h"
 #include "roots/bracket.h"
 

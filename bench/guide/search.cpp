@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "base/append_format.h"
 #include "base/check.h"
 #include "base/triangle.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/slice.h"
+#include "io/files/append_format.h"
 #include "kdtree/lattice_line.h"
 #include "surface/surface_point.h"
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "base/append_format.h"
 #include "base/check.h"
 #include "base/triangle.h"
 #include "blocks/choose_seam.h"
@@ -16,6 +15,7 @@
 #include "guide/figures.h"
 #include "guide/handed.h"
 #include "guide/slice.h"
+#include "io/files/append_format.h"
 #include "io/volume/builtin_volume.h"
 #include "refine/operations.h"
 #include "refine/refine.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/append_format.h"
 #include "base/check.h"
+#include "io/files/append_format.h"
 #include "io/files/atomic_file.h"
 
 namespace deliso {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/append_format.h"
+#include "io/files/append_format.h"
 
 #include <doctest/doctest.h>
 
