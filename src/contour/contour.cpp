@@ -148,7 +148,7 @@ auto make_settled(const Volume& volume, double& kappa, int threads, Make&& make,
   kappa = effective_isovalue(volume, kappa, threads);
   auto made = make();
   if (tied_saddles(made) == 0 || volume.is_block()) return made;
-  kappa = lowered_isovalue(volume, kappa, threads);
+  kappa = lowered_isovalue(volume, kappa, threads).kappa;
   return make();
 }
 
@@ -158,7 +158,7 @@ double settled_isovalue(const Volume& volume, double kappa, int threads) {
   const double effective = effective_isovalue(volume, kappa, threads);
   if (volume.is_block()) return effective;
   return summarize_contour(volume, effective, threads).tied_saddles > 0
-             ? lowered_isovalue(volume, effective, threads)
+             ? lowered_isovalue(volume, effective, threads).kappa
              : effective;
 }
 

@@ -21,15 +21,6 @@
 
 namespace deliso {
 
-// g - kappa at the corners, numbered as in Corners, of the voxel whose first sample is *s.
-template <class T>
-Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
-  return {static_cast<double>(s[0]) - kappa,       static_cast<double>(s[1]) - kappa,
-          static_cast<double>(s[dy]) - kappa,      static_cast<double>(s[dy + 1]) - kappa,
-          static_cast<double>(s[dz]) - kappa,      static_cast<double>(s[dz + 1]) - kappa,
-          static_cast<double>(s[dz + dy]) - kappa, static_cast<double>(s[dz + dy + 1]) - kappa};
-}
-
 // Bernstein coefficients on [0, 1] of the patch along the straight way from p to q (voxel
 // coordinates in [0, 1]).
 inline Cubic patch_along(const Corners& c, const Vec3& p, const Vec3& q) {

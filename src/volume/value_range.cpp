@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Passes over all samples, written so that compilers turn them into vector code: independent lanes
-// in place of one running minimum, no branch inside a block. Runs of samples go to several threads;
+// in place of one running minimum, no branch inside a run. Runs of samples go to several threads;
 // what is found in each is put together in the order of the runs.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -19,24 +19,19 @@
 namespace deliso {
 namespace {
 
-// Samples looked at between two checks for an early end, and by one thread at a time.
-constexpr std::size_t kBlock = 4096, kRun = std::size_t{1} << 21;
+// Samples looked at by one thread at a time.
+constexpr std::size_t kRun = std::size_t{1} << 21;
 
 template <class T>
 constexpr std::size_t kLanes = 64 / sizeof(T);
 
-// Runs f(lane, sample) over the samples from `begin` to `end`, block_done(the block's first) behind
-// every block; it may end the pass by returning true.
-template <class T, class F, class Done>
-void for_each_lane(const T* samples, std::size_t begin, std::size_t end, F f, Done block_done) {
-  for (; begin < end; begin += kBlock) {
-    const std::size_t block_end = std::min(begin + kBlock, end);
-    std::size_t n = begin;
-    for (; n + kLanes<T> <= block_end; n += kLanes<T>)
-      for (std::size_t lane = 0; lane < kLanes<T>; ++lane) f(lane, samples[n + lane]);
-    for (; n < block_end; ++n) f(0, samples[n]);
-    if (block_done(begin)) return;
+// Runs f(lane, sample) over the samples from `begin` to `end`.
+template <class T, class F>
+void for_each_lane(const T* samples, std::size_t begin, std::size_t end, F f) {
+  for (; begin + kLanes<T> <= end; begin += kLanes<T>) {
+    for (std::size_t lane = 0; lane < kLanes<T>; ++lane) f(lane, samples[begin + lane]);
   }
+  for (; begin < end; ++begin) f(0, samples[begin]);
 }
 
 template <class T>
@@ -84,22 +79,15 @@ ValueRange value_range(const Volume& volume, std::string_view name, int threads)
       if constexpr (std::is_floating_point_v<T>) {
         // v * 0 is 0 for every finite v, else NaN, and NaN stays NaN in a sum.
         std::array<T, kLanes<T>> zeros{};
-        for_each_lane(
-            s, begin, end,
-            [&](std::size_t lane, T v) {
-              extremes.add(lane, v);
-              zeros[lane] += v * T{0};
-            },
-            [&](std::size_t block) {
-              T sum = 0;
-              for (T zero : zeros) sum += zero;
-              if (sum != 0) fail_sample(volume, name, s, block);
-              return false;
-            });
+        for_each_lane(s, begin, end, [&](std::size_t lane, T v) {
+          extremes.add(lane, v);
+          zeros[lane] += v * T{0};
+        });
+        if (std::accumulate(zeros.begin(), zeros.end(), T{0}) != 0) {
+          fail_sample(volume, name, s, begin);
+        }
       } else {
-        for_each_lane(
-            s, begin, end, [&](std::size_t lane, T v) { extremes.add(lane, v); },
-            [](std::size_t) { return false; });
+        for_each_lane(s, begin, end, [&](std::size_t lane, T v) { extremes.add(lane, v); });
       }
       found[run] = extremes;
     });
@@ -121,65 +109,49 @@ double isovalue_of_blocks(SampleType type, double kappa) {
 
 double effective_isovalue(const Volume& volume, double kappa, int threads) {
   if (volume.is_block()) return isovalue_of_blocks(volume.type(), kappa);
-  const std::size_t count = volume.sample_count();
-  return volume.visit([&](const auto* s) {
-    using T = std::remove_cvref_t<decltype(*s)>;
-    // Most isovalues are no value of the type, or no sample has it: then kappa stays.
-    if (!(kappa >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
-          kappa <= static_cast<double>(std::numeric_limits<T>::max())))
-      return kappa;
-    const T level = static_cast<T>(kappa);
-    if (static_cast<double>(level) != kappa) return kappa;
-    std::atomic<bool> found = false;
-    for_each_run(threads, count, kRun, [&](std::size_t begin, std::size_t end) {
-      if (found) return;
-      std::array<T, kLanes<T>> equal{};
-      for_each_lane(
-          s, begin, end,
-          [&equal, level](std::size_t lane, T v) { equal[lane] = v == level ? T{1} : equal[lane]; },
-          [&](std::size_t) {
-            if (std::find(equal.begin(), equal.end(), T{1}) != equal.end()) found = true;
-            return found.load();
-          });
-    });
-    return found ? lowered_isovalue(volume, kappa, threads) : kappa;
-  });
+  const LoweredIsovalue lowered = lowered_isovalue(volume, kappa, threads);
+  return lowered.is_sample ? lowered.kappa : kappa;
 }
 
-double lowered_isovalue(const Volume& volume, double kappa, int threads) {
+LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads) {
   const std::size_t count = volume.sample_count();
   return volume.visit([&](const auto* s) {
     using T = std::remove_cvref_t<decltype(*s)>;
-    // The greatest sample below kappa. Without one, all of the volume is inside.
-    constexpr T lowest = std::numeric_limits<T>::lowest();
+    constexpr T lowest = std::numeric_limits<T>::lowest(), highest = std::numeric_limits<T>::max();
     const std::optional<T> threshold = inside_threshold<T>(kappa);  // none: all are below
     struct Found {
-      Extremes<T> all, below;
+      Extremes<T> all, below, inside;
     };
-    std::vector<Found> found(runs_of(count, kRun), {Extremes<T>(s[0]), Extremes<T>(lowest)});
+    const Found nothing{Extremes<T>(s[0]), Extremes<T>(lowest), Extremes<T>(highest)};
+    std::vector<Found> found(runs_of(count, kRun), nothing);
     for_each_run(threads, count, kRun, [&](std::size_t run, std::size_t begin, std::size_t end) {
-      Found here = {Extremes<T>(s[0]), Extremes<T>(lowest)};
-      for_each_lane(
-          s, begin, end,
-          [&here, level = threshold.value_or(lowest), none = lowest](std::size_t lane, T v) {
-            here.all.add(lane, v);
-            here.below.add(lane, v < level ? v : none);
-          },
-          [](std::size_t) { return false; });
+      Found here = nothing;
+      for_each_lane(s, begin, end,
+                    [&here, level = threshold.value_or(lowest), least = lowest, most = highest](
+                        std::size_t lane, T v) {
+                      here.all.add(lane, v);
+                      here.below.add(lane, v < level ? v : least);
+                      here.inside.add(lane, v < level ? most : v);
+                    });
       found[run] = here;
     });
     Found& whole = found[0];
     for (const Found& part : found) {
       whole.all.add(part.all);
       whole.below.add(part.below);
+      whole.inside.add(part.inside);
     }
-    if (!(static_cast<double>(whole.all.min()) < kappa)) return kappa;
-    const double next = static_cast<double>((threshold ? whole.below : whole.all).max());
-    const double range =
-        static_cast<double>(whole.all.max()) - static_cast<double>(whole.all.min());
-    const double lowered =
-        std::min(kappa - std::min(1e-9 * range, 0.5 * (kappa - next)), std::nextafter(kappa, next));
-    return lowered > next ? lowered : kappa;
+    const double min = static_cast<double>(whole.all.min());
+    const double max = static_cast<double>(whole.all.max());
+    // Without a sample below kappa, all of the volume is inside.
+    if (!(min < kappa)) return LoweredIsovalue{kappa, min == kappa};
+    const bool is_sample =
+        threshold && max >= kappa && static_cast<double>(whole.inside.min()) == kappa;
+    // The greatest sample below kappa.
+    const double next = threshold ? static_cast<double>(whole.below.max()) : max;
+    const double lowered = std::min(kappa - std::min(1e-9 * (max - min), 0.5 * (kappa - next)),
+                                    std::nextafter(kappa, next));
+    return LoweredIsovalue{lowered > next ? lowered : kappa, is_sample};
   });
 }
 

@@ -110,13 +110,7 @@ Corners Volume::corners(Index3 voxel) const {
   const std::size_t n = index(voxel.i, voxel.j, voxel.k);
   const std::size_t dy = static_cast<std::size_t>(dims_.i);
   const std::size_t dz = dy * static_cast<std::size_t>(dims_.j);
-  return visit([=](const auto* s) {
-    s += n;
-    return Corners{static_cast<double>(s[0]),       static_cast<double>(s[1]),
-                   static_cast<double>(s[dy]),      static_cast<double>(s[dy + 1]),
-                   static_cast<double>(s[dz]),      static_cast<double>(s[dz + 1]),
-                   static_cast<double>(s[dz + dy]), static_cast<double>(s[dz + dy + 1])};
-  });
+  return visit([=](const auto* s) { return corners_from(s + n, dy, dz, 0); });
 }
 
 double Volume::value(const Vec3& p) const {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +47,15 @@ struct Index3 {
 
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
+
+// Those of the voxel whose first sample is *s, less kappa. Steps: to the next sample in y and in z.
+template <class T>
+Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
+  return {static_cast<double>(s[0]) - kappa,       static_cast<double>(s[1]) - kappa,
+          static_cast<double>(s[dy]) - kappa,      static_cast<double>(s[dy + 1]) - kappa,
+          static_cast<double>(s[dz]) - kappa,      static_cast<double>(s[dz + 1]) - kappa,
+          static_cast<double>(s[dz + dy]) - kappa, static_cast<double>(s[dz + dy + 1]) - kappa};
+}
 
 // Throws InputError, in the volume's `name`, where a dimension is below 1, a length out of range
 // (base/frame.h), or an axis no unit vector.
@@ -180,7 +190,11 @@ double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 // kappa lowered by that amount, whether a sample equals it or not; kappa itself where no sample is
 // below it or no number is left in between. pre: no sample is NaN or infinite.
-double lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
+struct LoweredIsovalue {
+  double kappa = 0;
+  bool is_sample = false;  // a sample equals the kappa that was given
+};
+LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 // What kappa becomes for blocks, the same for all of a volume without a look at its samples. No
 // number of the type is between the two, so that each sample stays on its side:
@@ -190,38 +204,10 @@ double lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
 double isovalue_of_blocks(SampleType type, double kappa);
 
 template <class T>
-constexpr SampleType sample_type_of();
-template <>
-constexpr SampleType sample_type_of<std::uint8_t>() {
-  return SampleType::u8;
-}
-template <>
-constexpr SampleType sample_type_of<std::int8_t>() {
-  return SampleType::i8;
-}
-template <>
-constexpr SampleType sample_type_of<std::uint16_t>() {
-  return SampleType::u16;
-}
-template <>
-constexpr SampleType sample_type_of<std::int16_t>() {
-  return SampleType::i16;
-}
-template <>
-constexpr SampleType sample_type_of<std::uint32_t>() {
-  return SampleType::u32;
-}
-template <>
-constexpr SampleType sample_type_of<std::int32_t>() {
-  return SampleType::i32;
-}
-template <>
-constexpr SampleType sample_type_of<float>() {
-  return SampleType::f32;
-}
-template <>
-constexpr SampleType sample_type_of<double>() {
-  return SampleType::f64;
+constexpr SampleType sample_type_of() {
+  if (std::is_floating_point_v<T>) return sizeof(T) == 4 ? SampleType::f32 : SampleType::f64;
+  // In the order of SampleType: by size, unsigned first.
+  return static_cast<SampleType>(2 * (std::bit_width(sizeof(T)) - 1) + std::is_signed_v<T>);
 }
 
 template <class T>
