@@ -59,7 +59,8 @@ class CertifiedRecovery {
 
  private:
   struct Site {
-    VertexId at = kNoId;  // of T; kNoId: an auxiliary site
+    VertexId at = kNoId;     // of T; kNoId: an auxiliary site
+    SiteId seen_by = kNoId;  // the last one that counted it among its neighbours
     bool queued = false;
     bool is_new = false;            // its facets were not tested for crossings since they changed
     bool is_uncertified = false;    // it broke the certificate with nothing left to insert
@@ -145,10 +146,12 @@ bool CertifiedRecovery::add_site(VertexId v) {
   neighbors_.clear();
   for (const CellId c : created_) {
     for (const SiteId n : triangulation_.vertices(c)) {
-      if (n != s && n != Triangulation::kInfinite) neighbors_.push_back(n);
+      if (n == s || n == Triangulation::kInfinite || sites_[n].seen_by == s) continue;
+      sites_[n].seen_by = s;
+      neighbors_.push_back(n);
     }
   }
-  sort_out(neighbors_);
+  std::sort(neighbors_.begin(), neighbors_.end());
   const std::vector<SiteId> changed = labels_.add_site(s, neighbors_);
   queue_site(s);
   for (const SiteId n : changed) queue_site(n);
