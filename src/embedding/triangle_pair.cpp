@@ -91,8 +91,10 @@ bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, con
       return orient3d(a, b, c, f) == 0 && PlaneOf(a, b, c).turn(a, b, f) > 0;
     }
     case 1:  // two convex sets that meet in a and elsewhere meet along a segment from a, which ends
-             // on the far side of one of them
-      return segment_meets_triangle(b, c, d, e, f) || segment_meets_triangle(e, f, a, b, c);
+             // on the far side of one of them; on one side of the other's plane, one meets it in a
+      return orient3d(d, e, f, b) * orient3d(d, e, f, c) <= 0 &&
+             orient3d(a, b, c, e) * orient3d(a, b, c, f) <= 0 &&
+             (segment_meets_triangle(b, c, d, e, f) || segment_meets_triangle(e, f, a, b, c));
     default:
       break;
   }
