@@ -280,8 +280,9 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                       topology_text(c.euler(), c.boundary_loops)),
                  middle_of(box));
     }
-    // What bounds a volume says by itself which way it faces; a flake's gradients do not.
-    if (origins[e] ? (bounded[m] > 0) != (exactly_bounded[e] > 0) : faces_in[m] != 0) {
+    // What bounds a volume says by itself which way it faces; a flake's gradients do not. What lies
+    // in a face of the box bounds none, and faces both ways.
+    if (origins[e] ? bounded[m] * exactly_bounded[e] < 0 : faces_in[m] != 0) {
       faults.add(FaultKind::turned_components,
                  text(name, " has its normals turned to the side of the greater values"),
                  middle_of(box));

@@ -114,7 +114,7 @@ class BoxGrid {
   std::vector<Place> places_;                        // per id
 };
 
-// Cells for these triangles: twice the mean of their longest edges.
+// Cells for these triangles: a little more than the mean of their longest edges.
 double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
 
 template <class Element, class Predicate>

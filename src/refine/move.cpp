@@ -10,7 +10,8 @@
 namespace deliso {
 namespace {
 
-// How far a vertex is moved, in r_min, and in how many directions.
+// How far a vertex is moved, in r_min: less far only where nothing farther helps, which saves 2 % of
+// a run and leaves as many facets over a limit. In how many directions: 6 leave 14 % more, 4 38 %.
 constexpr std::array kSteps{0.5, 0.2, 0.08};
 constexpr int kDirections = 8;
 
@@ -79,6 +80,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   SearchCounters& searches = r.report.searches_refine;
   std::optional<Vec3> best;
   for (const double step : kSteps) {
+    if (best) break;
     const double reach = step * r.parameters.r_min;
     for (int d = 0; d < kDirections && least > 0; ++d) {
       const double angle = 2 * std::numbers::pi * d / kDirections;

@@ -10,7 +10,7 @@ namespace deliso {
 namespace {
 
 // Up to this h/r a surface point is that of the facet's own sheet.
-constexpr double kUndoubted = 0.2;
+constexpr double kUndoubted = 0.3;
 
 // What counts as an end of a chord between two points of Sigma, as a share of it.
 constexpr double kEnd = 0.02;
