@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What pages and comments name is there: links and headings, files, functions, names of the code in
-# backticks, options, make's targets; and the README has every room of the trees and every command.
+# backticks, options, make's targets; the guide has every room of the trees, the README every command.
 # Usage: check_names.sh SOURCE PROGRAM
 set -eu
 cd "$1"
@@ -49,13 +49,13 @@ check pass=1 $faulty pass=2 $faulty | sed -n 's/^FAULT: [^:]*:\([0-9]*\):.*/\1/p
   uniq >"$work/got"
 diff "$work/wanted" "$work/got"
 
-# The README has every room of the trees and every command.
+# The guide has every room of the trees, the README every command.
 faults=0
 for folder in src/*/ io/*/ view/*/ app/; do
   folder=${folder#src/}
   folder=${folder%/}
-  sed -n '/^## Layout/,/^To read/p' README.md | grep -qw "$folder" ||
-    { echo "FAULT: README.md: no $folder in the layout"; faults=1; }
+  grep -qw "$folder" docs/guide/house.md ||
+    { echo "FAULT: docs/guide/house.md: no $folder"; faults=1; }
 done
 for command in $commands; do
   grep -qE "^deliso \[?$command\]? [A-Z]" README.md ||
