@@ -42,14 +42,13 @@ class PieceMesher {
     return to_vec3({first_.i + sample.i, first_.j + sample.j, first_.k + sample.k});
   }
 
-  // Room for T, so that it need not move while it grows: 1.9 vertices per crossing, two triangles
-  // per vertex.
+  // Room for T, so that it need not move while it grows: hardly more vertices than crossings, two
+  // triangles per vertex.
   void expect(std::size_t crossings) {
-    const std::size_t vertices = 2 * crossings;
-    mesh_.points.reserve(vertices);
-    mesh_.component.reserve(vertices);
-    mesh_.box_faces.reserve(vertices);
-    mesh_.triangles.reserve(2 * vertices);
+    mesh_.points.reserve(crossings);
+    mesh_.component.reserve(crossings);
+    mesh_.box_faces.reserve(crossings);
+    mesh_.triangles.reserve(2 * crossings);
   }
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
