@@ -46,10 +46,11 @@ VertexId find_protrusion(SiteId s, std::span<const DualFacet> facets, const Labe
   seen.reserve(facets.size());
   for (const DualFacet& facet : facets) {
     const Vec3 &p = t.point(facet.sites[1]), &q = t.point(facet.sites[2]);
-    // Beside the box, where the boundary of T runs straight on; T itself has no such triangle.
-    if (collinear(site, p, q)) return labels.furthest(labels.region(s));
     const Vec3 b = p - site, c = q - site;
     const Vec3 normal = cross(b, c);
+    // Within a voxel's face T runs straight on: sites there may be collinear, if only by rounding.
+    // Stage 2 can do nothing with a facet of no area.
+    if (!(length2(normal) > 0) || collinear(site, p, q)) return labels.furthest(labels.region(s));
     const double scale = 1 / length2(normal);
     seen.push_back(
         {b, c, scale * cross(c, normal), scale * cross(normal, b), std::sqrt(scale) * normal});
