@@ -25,8 +25,10 @@ void draw_boundary(const std::string& folder);
 void draw_checking(const std::string& folder);
 // gates.cpp
 void draw_gates(const std::string& folder);
+// certificate.cpp
+void draw_patches(const std::string& folder);
+void draw_certificate(const std::string& folder);
 // meshes.cpp
-
 void draw_fineness(const std::string& folder);
 void draw_certified(const std::string& folder);
 void draw_switch(const std::string& folder);

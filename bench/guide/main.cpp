@@ -27,6 +27,8 @@ constexpr Figure kFigures[] = {
     {"contour", draw_contour},
     {"recover-paper", draw_recover_paper},
     {"stars", draw_stars},
+    {"patches", draw_patches},
+    {"certificate", draw_certificate},
     {"certified", draw_certified},
     {"switch", draw_switch},
     {"insert", draw_insert},

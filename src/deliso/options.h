@@ -48,7 +48,7 @@ struct Options : RunSettings {
 };
 
 // Limits of what is taken on: beyond them a run could not end in reasonable time
-// (docs/what-is-proven.md, "What ends, and why").
+// (docs/proof.md, Theorem 5 and the table of options).
 inline constexpr double kSmallestRMin = 0.001;          // voxels
 inline constexpr std::size_t kMostSamples = 1'000'000;  // N0
 
