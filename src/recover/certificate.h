@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed-ball conditions on the labels of T: what makes the dual of the labels homeomorphic to
-// T, and so to Sigma (Edelsbrunner and Shah 1997, on a discrete diagram).
+// T, and so to Sigma (docs/proof.md, Theorem 2; after Edelsbrunner and Shah 1997).
 //
 // For every site a, with L the vertices of T labelled a:
 //   C1  the region (edges and facets of T with all labels a) is connected and V - E + F = 1;

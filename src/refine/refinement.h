@@ -8,7 +8,8 @@
 // replacement takes that away, because each passes these tests, from cheap to expensive:
 //   G0  no frozen facet goes, and what comes stays in the region (refine/regions.h);
 //   G1  both are disks, and no new facet or edge is in the mesh already (the link condition): the
-//       mesh stays a manifold, homeomorphic to what it was;
+//       mesh stays a manifold, homeomorphic to what it was if both disks' boundaries differ in one
+//       run of the mesh's boundary edges at most, as all that is proposed does (docs/proof.md);
 //   G2  no edge is folded more sharply than asked for, or than one was before, and no small
 //       component is reversed;
 //   G3  every new facet above r_min finds its surface point; smaller ones may do without where they

@@ -323,6 +323,33 @@ Change cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
 
 }  // namespace
 
+// docs/proof.md, Theorem 4: a hexagon and the rest of a sphere with three holes share every second
+// edge of the hexagon. Joined in another order they are a torus with a hole.
+TEST_CASE("the order of boundary runs is the caller's to keep") {
+  const Scene scene = builtin_scene("sphere", 16);
+  const Parameters parameters = resolve({}, scene.volume);
+  const TriMesh mesh = mesh_of({{0, 1, 2},
+                                {0, 2, 3},
+                                {0, 3, 4},
+                                {0, 4, 5},  // the hexagon
+                                {9, 1, 0},
+                                {9, 0, 6},
+                                {9, 6, 5},
+                                {9, 5, 4},
+                                {9, 4, 7},
+                                {9, 7, 3},
+                                {9, 3, 2},
+                                {9, 2, 8},
+                                {9, 8, 1}});
+  Bare bare(mesh, scene, parameters);
+  Change change;
+  change.cavity = {FaceId(0), FaceId(1), FaceId(2), FaceId(3)};
+  change.in.facets = {{0, 1, 4}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}};
+  CHECK(bare.keeps_manifold(change));
+  CHECK(kinds_of(mesh) == Kinds{{-1, 3}});
+  CHECK(kinds_of(changed_mesh(mesh, change)) == Kinds{{-1, 1}});
+}
+
 TEST_CASE("every gate refuses what it is there for, and a refusal leaves all bytes as they were") {
   const Scene scene = builtin_scene("linked_tori", 24);
   Options options;
