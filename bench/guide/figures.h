@@ -6,6 +6,8 @@
 
 namespace deliso::guide {
 
+// six_pictures.cpp
+void draw_six_pictures(const std::string& folder);
 // numbers.cpp
 void draw_roots(const std::string& folder);
 void draw_predicates(const std::string& folder);

@@ -19,6 +19,7 @@ struct Figure {
   void (*draw)(const std::string& folder);
 };
 constexpr Figure kFigures[] = {
+    {"six-pictures", draw_six_pictures},
     {"roots", draw_roots},
     {"predicates", draw_predicates},
     {"delaunay", draw_delaunay},
