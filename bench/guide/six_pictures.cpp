@@ -267,8 +267,8 @@ void draw_contour_picture(const Scene& scene, const std::string& folder) {
            Anchor::middle, 12, ink::kRed);
   out.text(saddle + Vec2{0, -10}, "inside: joined", Anchor::middle, 12, ink::kRed);
   const double t = f00 / (f00 - f10);
-  out.text(zoom.at({i + t, double(j)}) + Vec2{10, 21},
-           formatted("t = %g / %g = %.2f", f00, f00 - f10, t), Anchor::start, 13);
+  out.text(zoom.corner + zoom.size - Vec2{8, 10},
+           formatted("t = %g / %g = %.2f", f00, f00 - f10, t), Anchor::end, 13);
   out.text(zoom.at({i + 0.93, j + 0.16}), "T", Anchor::middle, 14, ink::kText, true);
   out.text(zoom.at({i + 0.645, j + 0.36}), "\u03a3", Anchor::middle, 14, ink::kText, true);
   out.frame(zoom, "the voxel in red, large");
