@@ -39,11 +39,13 @@ test: doctest
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
-# docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's.
+# docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
+# docs/lesson.html.
 figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures lesson
 	@$(BUILD)/bench/guide/guide_figures docs/guide/figures
+	@$(BUILD)/bench/lesson/lesson docs/lesson.html
 	@sh bench/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
 # The micro-benchmarks, one primitive each; they need no data.

@@ -1,4 +1,5 @@
-# Writes OUTPUT, a C++ file with the text of every file of the list SOURCES: view/page/web_sources.h.
+# Writes OUTPUT, a C++ file with the text of every file of the list SOURCES, which FUNCTION returns:
+# view/page/web_sources.h.
 # Compilers need only take string literals of 65,536 characters, so a text is cut, at ends of lines.
 set(most 15000)
 set(definitions "")
@@ -35,7 +36,8 @@ ${table}};
 
 }  // namespace
 
-std::span<const WebSource> web_sources() {
+std::span<const WebSource> ${FUNCTION}();
+std::span<const WebSource> ${FUNCTION}() {
   return kSources;
 }
 

@@ -173,9 +173,9 @@ void draw_regions(Drawing& out, const Panel& panel, const FlatContour& contour,
   }
 }
 
-// Sites by letters, outside of the bodies; the one that the certificate asks for is v.
+// Sites by letters that nothing else has; the one that the certificate asks for is v.
 std::string letter(std::size_t n) {
-  return n < lesson::kPlaces.size() ? std::string(1, static_cast<char>('A' + n)) : "v";
+  return n < lesson::kPlaces.size() ? std::string(1, "ABCDEFGHJL"[n]) : "v";
 }
 void draw_sites(Drawing& out, const Panel& panel, const Scene& scene, const Sites& sites) {
   for (std::size_t n = 0; n < sites.size(); ++n) {

@@ -42,11 +42,13 @@ std::string in_markup(std::string_view s) {
   return without_tags(out, "&lt;");
 }
 
-const WebSource& source_named(std::string_view name) {
-  const std::span<const WebSource> all = web_sources();
-  const auto found = std::ranges::find(all, name, &WebSource::name);
-  DELISO_CHECK(found != all.end());
-  return *found;
+const WebSource& source_named(std::string_view name, const PageSources& sources) {
+  for (const std::span<const WebSource> some : {sources.own, web_sources()}) {
+    const auto found = std::ranges::find(some, name, &WebSource::name);
+    if (found != some.end()) return *found;
+  }
+  DELISO_CHECK(false);
+  return *web_sources().begin();
 }
 
 // What stands between `before` and `after` in a line that is nothing else; blanks in front apart.
@@ -111,20 +113,20 @@ void PageData::add(std::string_view name, std::span<const std::uint8_t> values) 
   put(name, "u8", values);
 }
 
-// page.html is the page but for what it names: a line that links a style sheet or a script becomes
-// the file, the line of the data the data.
+// The markup is the page but for the files it names: a line that links a style sheet or a script
+// becomes the file, the line of the data the data.
 void write_page(const std::string& path, std::string_view title, std::string_view header,
-                const PageData& data) {
+                const PageData& data, const PageSources& sources) {
   AtomicFile out(path);
-  for (std::string_view rest : source_named("page.html").pieces) {
+  for (std::string_view rest : source_named(sources.markup, sources).pieces) {
     while (!rest.empty()) {
       const std::size_t end = rest.find('\n');
       const std::string_view line = rest.substr(0, end);
       rest.remove_prefix(line.size() + 1);
       if (const auto style = between(line, R"(<link rel="stylesheet" href=")", "\">")) {
-        write_element(out, "style", source_named(*style));
+        write_element(out, "style", source_named(*style, sources));
       } else if (const auto script = between(line, "<script src=\"", R"("></script>)")) {
-        write_element(out, "script", source_named(*script));
+        write_element(out, "script", source_named(*script, sources));
       } else if (between(line, "<title>", "</title>")) {
         out.write(text("<title>", in_markup(title), "</title>\n"));
       } else if (between(line, "<!-- data", " -->")) {

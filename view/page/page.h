@@ -19,6 +19,8 @@
 #include <string>
 #include <string_view>
 
+#include "view/page/web_sources.h"
+
 namespace deliso {
 
 // Arrays are kept as a page holds them, one behind the other. Names are identifiers and differ.
@@ -39,9 +41,16 @@ class PageData {
   std::string bytes_, directory_;
 };
 
+// Which page: the name of its markup, and its own sources. Those of view/page/web belong to every
+// page.
+struct PageSources {
+  std::string_view markup = "page.html";
+  std::span<const WebSource> own{};
+};
+
 // Writes the page, whole or not at all; `-` is standard output. `header` is the text of a JSON
 // object, whose "kind" says to the scripts what the page shows. Throws InputError.
 void write_page(const std::string& path, std::string_view title, std::string_view header,
-                const PageData& data);
+                const PageData& data, const PageSources& sources = {});
 
 }  // namespace deliso

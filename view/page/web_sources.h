@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of view/page/web, as the build put them into the library.
+// Files of pages as the build put them into a program; those of view/page/web are in the library.
 #pragma once
 
 #include <span>
