@@ -66,7 +66,7 @@ function begin() {
   const controls = {
     kappa: range('Isovalue \u03ba', { min: 40, max: 65, step: 1 }, String, () => state.kappa,
                  (kappa) => state.set_kappa(kappa)),
-    limit: range('Limit D', { min: 0.02, max: 0.5, step: 0.01 }, (x) => x.toFixed(2), () => state.limit,
+    limit: range('Limit D', { min: 0.05, max: 0.5, step: 0.01 }, (x) => x.toFixed(2), () => state.limit,
                  (limit) => { state.limit = limit; }),
     add: press('Add a site', 'Add a site where T is furthest from all', () => state.add_furthest_site(),
                () => Math.max(...state.regions.far) > 0),
@@ -75,7 +75,7 @@ function begin() {
     again: press('Start again', 'The first sites and the first isovalue', () => state.start_again()),
     ask: press('Make v a site', 'Insert the vertex that the certificate asks for',
                () => state.add_site(state.fault.insert), () => (state.fault?.insert ?? -1) >= 0),
-    certify: press('Until it holds', 'Insert what the certificate asks for, until it holds',
+    certify: press('Insert until it holds', 'Insert what the certificate asks for, until it holds',
                    () => state.certify(), () => state.fault !== null),
     insert: press('Insert x', 'Insert the surface point', () => state.insert(), has_mesh),
     worst: press('Worst edge', 'Select the edge that is furthest from \u03a3',

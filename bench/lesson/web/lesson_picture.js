@@ -156,6 +156,7 @@ class Picture {
       if (held) this.act.move_site(n, this.free_vertex(n, this.from_event(event)));
     });
     for (const kind of ['pointerup', 'pointercancel']) handle.addEventListener(kind, () => { held = false; });
+    handle.addEventListener('click', (event) => event.stopPropagation());
     handle.addEventListener('focus', () => this.act.select_site(n));
     handle.addEventListener('keydown', (event) => {
       const { contour, sites } = this;
@@ -182,7 +183,7 @@ class Picture {
 
   listen() {
     this.svg.addEventListener('pointermove', (event) => this.act.point_at(this.from_event(event)));
-    this.svg.addEventListener('pointerdown', (event) => {
+    this.svg.addEventListener('click', (event) => {
       this.act.point_at(this.from_event(event));
       this.act.press(this.from_event(event));
     });

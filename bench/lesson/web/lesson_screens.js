@@ -47,7 +47,12 @@ function draw_dual(picture, state) {
   const { contour, regions, sites, fault } = state;
   for (const { a, b, from, to } of regions.interfaces) {
     const is_wrong = fault && (fault.stray.includes(from) || fault.stray.includes(to));
-    picture.polyline([contour.points[sites[a]], contour.points[sites[b]]], is_wrong ? 'dual wrong' : 'dual');
+    const p = contour.points[sites[a]], q = contour.points[sites[b]];
+    // Two edges between the same two sites are bent, each to its right.
+    const is_twin = regions.interfaces.some((other) => other.a === b && other.b === a);
+    const bend = is_twin ? 0.15 : 0, m = between(p, q, 0.5);
+    const aside = [m[0] + bend * (q[1] - p[1]), m[1] - bend * (q[0] - p[0])];
+    picture.polyline([p, aside, q], is_wrong ? 'dual wrong' : 'dual');
   }
 }
 
@@ -62,15 +67,18 @@ function tell_fault(state) {
     const loops = counted(state.contour.loops.length, 'loop', 'loops');
     return ['The certificate holds: ' + `K is ${loops}, as T is.`];
   }
-  const name = state.name(fault.site);
+  const name = state.name(Math.min(fault.site, fault.other ?? fault.site));
   const what = {
     pieces: `The region of ${name} is in ${state.regions.arcs[fault.site].length} pieces.`,
     closed: `The region of ${name} is a whole loop.`,
-    interface: `The regions of ${name} and ${state.name(fault.other)} meet at more than one place.`,
+    interface: `The regions of ${name} and ${state.name(Math.max(fault.site, fault.other))} meet at more than one place.`,
   }[fault.kind];
   return [`The certificate fails. ${what}`,
           fault.insert >= 0 ? 'It asks for the vertex v as a site.' : 'All vertices there are sites already.'];
 }
+
+const tell_no_mesh = (state) =>
+  [tell_fault(state)[0], 'Stage 2 begins when it holds: press \u201cInsert until it holds\u201d.'];
 
 const in_voxels = (x) => `${x.toFixed(2)} voxels`;
 const kSites = ['add', 'remove', 'again'];
@@ -145,7 +153,7 @@ const kScreens = [
     lead: ['Two sites are joined where their regions meet on T. These edges are the *dual* mesh K.',
            'K must be as T is. The *certificate* asks: is each region one arc, and do two regions meet at one place only?'],
     more: ['Where it fails, it names a vertex v: the one furthest from its site among the vertices at fault. Make v a site, and look again.',
-           'Remove sites until two are left. Each region is one arc then, but the two meet at two places. Two edges between the same two sites are no loop.',
+           'Remove sites until two are left. Each region is one arc then, but the two meet at two places. K has two edges between the same two sites, and these are no loop.',
            'In space a region must be a disk, and two regions must meet along one arc. It always ends: at worst all vertices of T are sites.'],
     controls: ['ask', 'certify', ...kSites],
     draw(picture, state) {
@@ -186,7 +194,10 @@ const kScreens = [
       const [dx, dy] = facet.outwards, { center, x } = facet, reach = Math.max(facet.radius, 0.5);
       picture.polyline([[center[0] - reach * dx, center[1] - reach * dy],
                         [center[0] + reach * dx, center[1] + reach * dy]], 'line');
-      if (x) picture.polyline([facet.a, x, facet.b], 'coming');
+      if (x) {
+        picture.polyline([facet.a, x, facet.b], 'coming');
+        picture.polyline([center, x], 'height');
+      }
       for (const loop of state.loops) for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       picture.dot(center, 'center', 5);
       const aside = [9 * -dy, 9 * -dx];  // on paper, along the edge
@@ -195,11 +206,15 @@ const kScreens = [
       if (x) {
         picture.dot(x, 'surface-point', 6);
         picture.text(x, 'x', 'label', [16 * dx - 4, -16 * dy + 5]);
+        picture.text(between(center, x, 0.5), 'h', 'label', [1.4 * aside[0], 1.4 * aside[1] + 5]);
+        const [px, py] = picture.to_paper([x[0], x[1] + facet.radius]);
+        picture.put('text', { x: clamp(px, 60, picture.width - 60), y: Math.max(py - 5, 16), class: 'label' },
+                    'surface ball');
       }
       put_sites(picture, state);
     },
     tell(state) {
-      if (!state.loops) return ['The certificate fails here, so there is no mesh to refine.', ...tell_fault(state).slice(0, 1)];
+      if (!state.loops) return tell_no_mesh(state);
       const facet = state.facet(state.facets());
       return [facet.x ? `h = ${in_voxels(facet.h)}; radius of the ball: ${in_voxels(facet.radius)}.`
                       : 'The dual line does not meet \u03a3 near this edge.',
@@ -229,7 +244,7 @@ const kScreens = [
       put_sites(picture, state);
     },
     tell(state) {
-      if (!state.loops) return ['The certificate fails here, so there is no mesh to refine.', ...tell_fault(state).slice(0, 1)];
+      if (!state.loops) return tell_no_mesh(state);
       const { loops, inserted, refused } = state.finished();
       const most = Math.max(...facets_of(state.field, state.kappa, loops).map((f) => f.h));
       const edges = loops.reduce((sum, loop) => sum + loop.length, 0);

@@ -7,4 +7,5 @@ command -v node >/dev/null || exit 77
 for script in "$1"/view/page/web/*.js; do
   node --check "$script"
 done
-exec node "$1/tests/view/page/run_web_tests.js" "$1"
+exec node "$1/tests/view/page/run_web_tests.js" "$1" view/page/web/page.html \
+  tests/view/page/test_web.js 10

@@ -1,0 +1,11 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The scripts of the lesson: their syntax, and tests of what they compute. Needs node.
+# Usage: scripts.sh SOURCE_FOLDER
+set -eu
+command -v node >/dev/null || exit 77
+for script in "$1"/bench/lesson/web/*.js; do
+  node --check "$script"
+done
+exec node "$1/tests/view/page/run_web_tests.js" "$1" bench/lesson/web/lesson.html \
+  tests/bench/lesson/test_lesson.js 8

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Tests of what the scripts of the lesson compute, without a browser: run by scripts.sh. Each case is an
+// oracle: brute force, another definition, or a property of all that is made.
+'use strict';
+
+// Numerical Recipes' linear congruence; cases come from numbered seeds.
+function random_from(seed) {
+  let state = seed >>> 0;
+  const next = () => {
+    state = Math.imul(state, 1664525) + 1013904223 >>> 0;
+    return state / 2 ** 32;
+  };
+  next();
+  return { real: next, below: (n) => Math.floor(next() * n) };
+}
+
+const kKappa = 50;
+
+// Noise, or a few blobs, with a border that is outside.
+function random_field(seed) {
+  const random = random_from(seed), columns = 4 + random.below(9), rows = 4 + random.below(9);
+  const blobs = Array.from({ length: 1 + random.below(4) }, () =>
+    [random.real() * columns, random.real() * rows, 1 + 2 * random.real()]);
+  const samples = Array.from({ length: columns * rows }, (_, n) => {
+    const i = n % columns, j = Math.floor(n / columns);
+    if (i === 0 || j === 0 || i === columns - 1 || j === rows - 1) return random.below(40);
+    if (seed % 2 === 0) return random.below(100);
+    return Math.round(kKappa + 20 * Math.max(...blobs.map(([x, y, r]) => r - Math.hypot(i - x, j - y))));
+  });
+  return new Field({ columns, rows, samples });
+}
+
+// Contours, each with random sites.
+function* scenes() {
+  for (let seed = 1; seed <= 300; ++seed) {
+    const field = random_field(seed), contour = contour_of(field, kKappa);
+    if (contour.points.length === 0) continue;
+    const random = random_from(1000 + seed);
+    const sites = [];
+    const count = 1 + random.below(Math.min(9, contour.points.length));
+    while (sites.length < count) {
+      const v = random.below(contour.points.length);
+      if (!sites.includes(v)) sites.push(v);
+    }
+    yield { seed, field, contour, sites };
+  }
+}
+
+test('the interpolant: the samples at the corners, and linear along every line of the grid', () => {
+  const field = random_field(5);
+  for (let j = 0; j < field.rows; ++j) {
+    for (let i = 0; i < field.columns; ++i) {
+      assert.equal(field.value([i, j]), field.at(i, j));
+      if (i === 0) continue;
+      const mean = 0.75 * field.at(i - 1, j) + 0.25 * field.at(i, j);
+      assert.ok(Math.abs(field.value([i - 0.75, j]) - mean) < 1e-9);
+    }
+  }
+});
+
+test('T: as many loops as there are borders between sides, by flooding the samples', () => {
+  let joined = 0, apart = 0;
+  for (const { seed, field, contour } of scenes()) {
+    const { columns, rows } = field, parent = Array.from({ length: columns * rows }, (_, n) => n);
+    const root = (n) => parent[n] === n ? n : root(parent[n]);
+    const is_inside = (i, j) => field.at(i, j) >= kKappa;
+    const join = (i, j, k, l) => { parent[root(j * columns + i)] = root(l * columns + k); };
+    for (let j = 0; j < rows; ++j) {
+      for (let i = 0; i < columns; ++i) {
+        if (i > 0 && is_inside(i, j) === is_inside(i - 1, j)) join(i, j, i - 1, j);
+        if (j > 0 && is_inside(i, j) === is_inside(i, j - 1)) join(i, j, i, j - 1);
+        if (i === 0 || j === 0) continue;
+        const [a, b, c, d] = [[i - 1, j - 1], [i, j - 1], [i - 1, j], [i, j]];
+        const sides = [a, b, c, d].map(([x, y]) => is_inside(x, y));
+        if (sides[0] !== sides[3] || sides[1] !== sides[2] || sides[0] === sides[1]) continue;
+        // The saddle's value, by the asymptotic decider; samples that are kappa are inside by a hair.
+        const [fa, fb, fc, fd] = [a, b, c, d].map(([x, y]) => field.at(x, y) - kKappa || 1e-6);
+        const is_saddle_inside = (fa * fd - fb * fc) / (fa + fd - fb - fc) >= 0;
+        if (is_saddle_inside) ++joined;
+        else ++apart;
+        if (sides[0] === is_saddle_inside) join(...a, ...d);
+        else join(...b, ...c);
+      }
+    }
+    const pieces = new Set(parent.map((_, n) => root(n))).size;
+    assert.equal(contour.loops.length, pieces - 1, `seed ${seed}`);
+    assert.equal(contour.loops.flat().length, contour.points.length);
+  }
+  assert.ok(joined > 100 && apart > 100);
+});
+
+test('T: vertices lie on Sigma, and the inside is on the left', () => {
+  for (const { seed, field, contour } of scenes()) {
+    for (const p of contour.points) assert.ok(Math.abs(field.value(p) - kKappa) < 1e-4, `seed ${seed}`);
+    for (const loop of contour.loops) {
+      // Turning of the loop against what lies in it: inside samples are on the left of a border, so a
+      // loop that runs counter-clockwise has an inside sample next to it within.
+      loop.forEach((v, n) => {
+        const p = contour.points[v], q = contour.points[loop[(n + 1) % loop.length]];
+        const i = Math.floor((p[0] + q[0]) / 2), j = Math.floor((p[1] + q[1]) / 2);
+        let votes = 0;
+        for (const [x, y] of [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]]) {
+          const side = (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+          if (side !== 0) votes += (side > 0) === (field.at(x, y) >= kKappa) ? 1 : -1;
+        }
+        assert.ok(votes >= 0, `seed ${seed}`);
+      });
+    }
+    for (const curve of contour.curves.flat()) assert.ok(Math.abs(field.value(curve) - kKappa) < 1e-4);
+  }
+});
+
+test('regions: every vertex has its nearest site, and the arcs are the regions, in pieces', () => {
+  for (const { seed, contour, sites } of scenes()) {
+    const regions = regions_of(contour, sites);
+    contour.points.forEach((p, v) => {
+      const nearest = Math.min(...sites.map((s) => distance(p, contour.points[s])));
+      assert.equal(distance(p, contour.points[sites[regions.site_of[v]]]), nearest, `seed ${seed}`);
+      assert.equal(regions.far[v], nearest);
+    });
+    const found = [];
+    regions.arcs.forEach((arcs, n) => arcs.forEach(({ vertices, closed }) => {
+      vertices.forEach((v, k) => {
+        assert.equal(regions.site_of[v], n);
+        if (k > 0) assert.equal(contour.next[vertices[k - 1]], v);
+      });
+      const ends_at_others = regions.site_of[contour.previous[vertices[0]]] !== n;
+      assert.equal(closed, !ends_at_others);
+      found.push(...vertices);
+    }));
+    assert.equal(new Set(found).size, contour.points.length);
+    assert.equal(found.length, contour.points.length);
+  }
+});
+
+test('the certificate holds exactly where the dual is loops, as many as T has', () => {
+  let holds = 0, fails = 0;
+  for (const { seed, contour, sites } of scenes()) {
+    for (let all = sites; ;) {
+      const regions = regions_of(contour, all), fault = certificate_of(contour, all, regions);
+      // By the graph alone: every site has two different neighbors, once each, and each loop has a border.
+      const neighbors = all.map(() => []);
+      for (const { a, b } of regions.interfaces) {
+        neighbors[a].push(b);
+        neighbors[b].push(a);
+      }
+      const is_cut = (loop) => loop.some((v) => regions.site_of[v] !== regions.site_of[contour.previous[v]]);
+      const is_fine = neighbors.every((list) => list.length === 2 && list[0] !== list[1]) &&
+                      contour.loops.every(is_cut);
+      assert.equal(fault === null, is_fine, `seed ${seed}`);
+      if (!fault) {
+        ++holds;
+        for (const loop of dual_loops(contour, regions)) {
+          assert.ok(loop.length >= 3);
+          loop.forEach((a, n) => assert.ok(neighbors[a].includes(loop[(n + 1) % loop.length])));
+        }
+        assert.equal(dual_loops(contour, regions).flat().length, all.length);
+        break;
+      }
+      ++fails;
+      assert.ok(fault.insert >= 0 && !all.includes(fault.insert), `seed ${seed}`);
+      all = [...all, fault.insert];
+    }
+  }
+  assert.ok(holds > 100 && fails > 100);
+});
+
+test('the certificate always comes to an end, at the latest with every vertex a site', () => {
+  for (const { contour, sites } of scenes()) {
+    const all = certify(contour, sites);
+    assert.equal(certificate_of(contour, all, regions_of(contour, all)), null);
+    assert.deepEqual(all.slice(0, sites.length), sites);
+    const every = contour.points.map((_, v) => v);
+    assert.equal(certificate_of(contour, every, regions_of(contour, every)), null);
+  }
+});
+
+test('surface points: on Sigma, as far from both ends, on the right side, none nearer on that side', () => {
+  let found = 0;
+  for (const { field, contour, sites } of scenes()) {
+    const all = certify(contour, sites), regions = regions_of(contour, all);
+    const loops = dual_loops(contour, regions).map((loop) => loop.map((n) => contour.points[all[n]]));
+    for (const { a, b, center, outwards, x, h, radius } of facets_of(field, kKappa, loops)) {
+      if (!x) continue;
+      ++found;
+      assert.ok(Math.abs(field.value(x) - kKappa) < 1e-6);
+      assert.ok(Math.abs(distance(x, a) - distance(x, b)) < 1e-9);
+      assert.ok(Math.abs(distance(x, a) - radius) < 1e-9);
+      assert.ok(Math.abs(distance(x, center) - h) < 1e-9);
+      const along = (x[0] - center[0]) * outwards[0] + (x[1] - center[1]) * outwards[1];
+      const is_inside = field.value(center) >= kKappa;
+      if (h > 1e-9) assert.equal(along > 0, is_inside);
+      for (let n = 1; n < 20; ++n) {
+        const p = between(center, x, n / 20);
+        if (Math.abs(field.value(p) - kKappa) > 1) assert.equal(field.value(p) >= kKappa, is_inside);
+      }
+    }
+  }
+  assert.ok(found > 1000);
+});
+
+test('Stage 2: the limit is kept or refused, the loops stay, and no edges come to cross', () => {
+  let inserted = 0;
+  for (const { seed, field, contour, sites } of scenes()) {
+    const all = certify(contour, sites), regions = regions_of(contour, all);
+    const loops = dual_loops(contour, regions).map((loop) => loop.map((n) => contour.points[all[n]]));
+    const crossings = () => {
+      const facets = facets_of(field, kKappa, loops);
+      let count = 0;
+      facets.forEach((f, n) => facets.slice(n + 1).forEach((g) => {
+        const is_apart = f.a !== g.b && f.b !== g.a;
+        if (is_apart && segments_cross(f.a, f.b, g.a, g.b)) ++count;
+      }));
+      return count;
+    };
+    const before = loops.map((loop) => [...loop]), crossed = crossings();
+    const outcome = refine(field, kKappa, loops, 0.1, 0.1);
+    inserted += outcome.inserted;
+    const over = facets_of(field, kKappa, loops).filter((f) => f.h > 0.1 && distance(f.a, f.b) > 0.2);
+    assert.equal(over.length, outcome.refused, `seed ${seed}`);
+    loops.forEach((loop, l) => {
+      assert.deepEqual(loop.filter((p) => before[l].includes(p)), before[l]);
+      for (const p of loop) assert.ok(Math.abs(field.value(p) - kKappa) < 1e-4);
+    });
+    assert.ok(crossings() <= crossed, `seed ${seed}`);
+  }
+  assert.ok(inserted > 1000);
+});
+
+test('the lesson itself: what its text and the pictures of the guide say', () => {
+  const page = fs.readFileSync(path.join(root, 'docs/lesson.html'), 'utf8');
+  const header = /id="header">(.*)<\/script>/.exec(page)[1];
+  const state = new State(JSON.parse(header));
+  assert.equal(state.contour.points.length, 38);
+  assert.equal(state.contour.loops.length, 1);
+  assert.equal(state.contour.saddles[0].value.toFixed(1), '52.4');
+  assert.deepEqual([state.fault.kind, state.fault.site], ['pieces', 0]);
+  state.set_kappa(53);
+  assert.equal(state.contour.loops.length, 2);
+  state.start_again();
+  state.add_site(state.fault.insert);
+  assert.equal(state.fault, null);
+  const { loops, inserted, refused } = state.finished();
+  assert.deepEqual([state.sites.length, inserted, loops[0].length, refused], [11, 19, 30, 0]);
+  for (let kappa = 40; kappa <= 65; ++kappa) {
+    state.start_again();
+    state.set_kappa(kappa);
+    state.certify();
+    assert.ok(state.loops, `isovalue ${kappa}`);
+    const most = Math.max(...facets_of(state.field, kappa, state.finished().loops).map((f) => f.h));
+    assert.ok(most <= 0.1 || state.finished().refused > 0, `isovalue ${kappa}`);
+  }
+});
