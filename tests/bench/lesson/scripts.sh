@@ -8,4 +8,4 @@ for script in "$1"/bench/lesson/web/*.js; do
   node --check "$script"
 done
 exec node "$1/tests/view/page/run_web_tests.js" "$1" bench/lesson/web/lesson.html \
-  tests/bench/lesson/test_lesson.js 8
+  tests/bench/lesson/test_lesson.js 10

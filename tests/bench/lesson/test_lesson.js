@@ -227,6 +227,38 @@ test('Stage 2: the limit is kept or refused, the loops stay, and no edges come t
   assert.ok(inserted > 1000);
 });
 
+test('insertion: refused exactly where a ball, a half or a crossing is against it', () => {
+  // By parameters on both segments, where the lesson's own test goes by orientations.
+  const cross = (a, b, c, d) => {
+    const u = [b[0] - a[0], b[1] - a[1]], v = [d[0] - c[0], d[1] - c[1]], w = [c[0] - a[0], c[1] - a[1]];
+    const det = u[0] * v[1] - u[1] * v[0];
+    const s = (w[0] * v[1] - w[1] * v[0]) / det, t = (w[0] * u[1] - w[1] * u[0]) / det;
+    return s > 0 && s < 1 && t > 0 && t < 1;
+  };
+  const counts = { done: 0, line: 0, ball: 0, half: 0, crossing: 0 };
+  for (const { seed, field, contour, sites } of scenes()) {
+    const all = certify(contour, sites), regions = regions_of(contour, all);
+    const loops = dual_loops(contour, regions).map((loop) => loop.map((n) => contour.points[all[n]]));
+    const facets = facets_of(field, kKappa, loops);
+    for (const f of facets) {
+      const others = facets.filter((g) => g !== f), { a, b, x } = f;
+      let expected = 'done';
+      if (!x) expected = 'line';
+      else if (others.some((g) => g.x && distance(g.x, x) < distance(g.x, g.a) - 1e-9)) expected = 'ball';
+      else if (!facet_of(field, kKappa, a, x).x || !facet_of(field, kKappa, x, b).x) expected = 'half';
+      else if (others.some((g) => g.b !== a && cross(a, x, g.a, g.b) || g.a !== b && cross(x, b, g.a, g.b)))
+        expected = 'crossing';
+      const changed = loops.map((loop) => [...loop]);
+      const why_not = insert_surface_point(field, kKappa, changed, facets, f);
+      assert.equal(why_not === '', expected === 'done', `seed ${seed}: ${expected}, ${why_not}`);
+      if (expected === 'done') changed[f.loop].splice(f.n + 1, 1);
+      assert.deepEqual(changed, loops);
+      ++counts[expected];
+    }
+  }
+  for (const [what, count] of Object.entries(counts)) assert.ok(count > 0, what);
+});
+
 test('the lesson itself: what its text and the pictures of the guide say', () => {
   const page = fs.readFileSync(path.join(root, 'docs/lesson.html'), 'utf8');
   const header = /id="header">(.*)<\/script>/.exec(page)[1];
