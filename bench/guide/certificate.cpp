@@ -31,27 +31,11 @@ class Sketch {
  public:
   Sketch(Drawing& drawing, const Panel& panel, const Labelled& t) : d_(drawing), p_(panel), t_(t) {}
 
-  // Every triangle in pieces: to each corner the points that are nearest to it by barycentric
-  // coordinates. Pieces of equal labels lie side by side.
+  // Every triangle cut by the labels of its corners.
   void patches() {
     for (const auto& t : t_.triangles) {
       const bool is_outside = t_.is_sphere && &t == &t_.triangles.back();
-      const Vec2 center = (1.0 / 3) * (at(t[0]) + at(t[1]) + at(t[2]));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const int v = t[i], u = t[(i + 1) % 3], w = t[(i + 2) % 3];
-        const Vec2 to_u = middle(v, u), to_w = middle(v, w);
-        std::vector<Vec2> piece{at(v), to_u, center, to_w};
-        if (is_outside) piece = {at(v), to_u, far(to_u), far(at(v)), far(to_w), to_w};
-        fill(piece, fill_of(label(v)));
-      }
-      if (is_outside) continue;
-      // Of two equal labels, the cut is straight.
-      for (std::size_t i = 0; i < 3; ++i) {
-        const int v = t[i], u = t[(i + 1) % 3], w = t[(i + 2) % 3];
-        if (label(u) != label(w) || label(u) == label(v)) continue;
-        fill({at(v), middle(v, u), middle(v, w)}, fill_of(label(v)));
-        fill({middle(v, u), at(u), at(w), middle(v, w)}, fill_of(label(u)));
-      }
+      fill_pieces(t, is_outside);
     }
     for (const auto& t : t_.triangles) cut(t, t_.is_sphere && &t == &t_.triangles.back());
   }
@@ -85,6 +69,26 @@ class Sketch {
   }
   void fill(const std::vector<Vec2>& piece, const char* color) {
     d_.polygon(piece, {color, 0.6, color});
+  }
+  void fill_pieces(const std::array<int, 3>& t, bool is_outside) {
+    const Vec2 center = (1.0 / 3) * (at(t[0]) + at(t[1]) + at(t[2]));
+    if (label(t[0]) == label(t[1]) && label(t[1]) == label(t[2])) {
+      fill({at(t[0]), at(t[1]), at(t[2])}, fill_of(label(t[0])));
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int v = t[i], u = t[(i + 1) % 3], w = t[(i + 2) % 3];
+      const Vec2 to_u = middle(v, u), to_w = middle(v, w);
+      if (label(u) == label(w)) {
+        fill({at(v), to_u, to_w}, fill_of(label(v)));
+        fill({to_u, at(u), at(w), to_w}, fill_of(label(u)));
+        return;
+      }
+      if (label(v) == label(u) || label(v) == label(w)) continue;
+      std::vector<Vec2> piece{at(v), to_u, center, to_w};
+      if (is_outside) piece = {at(v), to_u, far(to_u), far(at(v)), far(to_w), to_w};
+      fill(piece, fill_of(label(v)));
+    }
   }
   void cut(const std::array<int, 3>& t, bool is_outside) {
     const Style style{ink::kRed, 1.8};
