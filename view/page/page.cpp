@@ -43,12 +43,12 @@ std::string in_markup(std::string_view s) {
 }
 
 const WebSource& source_named(std::string_view name, const PageSources& sources) {
-  for (const std::span<const WebSource> some : {sources.own, web_sources()}) {
-    const auto found = std::ranges::find(some, name, &WebSource::name);
-    if (found != some.end()) return *found;
-  }
-  DELISO_CHECK(false);
-  return *web_sources().begin();
+  const auto own = std::ranges::find(sources.own, name, &WebSource::name);
+  if (own != sources.own.end()) return *own;
+  const std::span<const WebSource> all = web_sources();
+  const auto found = std::ranges::find(all, name, &WebSource::name);
+  DELISO_CHECK(found != all.end());
+  return *found;
 }
 
 // What stands between `before` and `after` in a line that is nothing else; blanks in front apart.

@@ -49,8 +49,8 @@ function insert_surface_point(field, kappa, loops, facets, facet) {
   if (halves.some((half) => !half.x)) return 'a new edge would have no surface point';
   for (const f of facets) {
     if (f.loop === facet.loop && f.n === facet.n) continue;
-    if (f.b !== a && f.a !== a && segments_cross(a, x, f.a, f.b) ||
-        f.b !== b && f.a !== b && segments_cross(x, b, f.a, f.b)) return 'a new edge would cross the mesh';
+    const crosses = ([p, q]) => f.b !== p && f.a !== q && segments_cross(p, q, f.a, f.b);
+    if ([[a, x], [x, b]].some(crosses)) return 'a new edge would cross the mesh';
   }
   loops[facet.loop].splice(facet.n + 1, 0, x);
   return '';
