@@ -39,8 +39,8 @@ function draw_fault(picture, state) {
   for (const v of fault.stray) picture.dot(contour.points[v], 'stray', 0.2 * picture.scale + 3);
   if (fault.insert < 0) return;
   const v = fault.insert, p = contour.points[contour.previous[v]], q = contour.points[contour.next[v]];
-  const size = distance(p, q) || 1;
-  picture.text(contour.points[v], 'v', 'asked', [20 * (q[1] - p[1]) / size, 20 * (q[0] - p[0]) / size + 5]);
+  // Above or below, away from the body; letters of sites stand aside.
+  picture.text(contour.points[v], 'v', 'asked', [0, q[0] > p[0] ? 27 : -16]);
 }
 
 function draw_dual(picture, state) {
@@ -207,9 +207,11 @@ const kScreens = [
         picture.dot(x, 'surface-point', 6);
         picture.text(x, 'x', 'label', [16 * dx - 4, -16 * dy + 5]);
         picture.text(between(center, x, 0.5), 'h', 'label', [1.4 * aside[0], 1.4 * aside[1] + 5]);
-        const [px, py] = picture.to_paper([x[0], x[1] + facet.radius]);
-        picture.put('text', { x: clamp(px, 60, picture.width - 60), y: Math.max(py - 5, 16), class: 'label' },
-                    'surface ball');
+        // On the side of the ball that the edge is not on.
+        const side = center[1] > x[1] ? -1 : 1;
+        const [px, py] = picture.to_paper([x[0], x[1] + side * facet.radius]);
+        picture.put('text', { x: clamp(px, 60, picture.width - 60), class: 'label',
+                              y: clamp(py + (side < 0 ? 16 : -6), 16, picture.height - 6) }, 'surface ball');
       }
       put_sites(picture, state);
     },
