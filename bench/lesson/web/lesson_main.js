@@ -15,6 +15,7 @@ function begin() {
 
   const draw = () => {
     const screen = kScreens[number];
+    picture.svg.setAttribute('aria-label', screen.title);
     picture.resize();
     picture.clear();
     screen.draw(picture, state);

@@ -87,7 +87,7 @@ const kScreens = [
   {
     title: 'Samples, and the isovalue',
     lead: ['A scan is a grid of numbers. Each number is a *sample*. The square between four samples is a *voxel*.',
-           'You choose the *isovalue* \u03ba. Samples of at least \u03ba are inside: orange. The others are outside: blue, with dashed rings.'],
+           'You choose one number, the *isovalue* \u03ba (kappa). Samples of at least \u03ba are inside: orange. The others are outside: blue, with dashed rings.'],
     more: ['Move \u03ba and watch the sides change. Then point anywhere between the samples: the value there is interpolated from the four corners of the voxel.',
            'All points with exactly the value \u03ba form the *isosurface* \u03a3. On a slice it is a curve. The mesh must match it.'],
     controls: ['kappa'],
@@ -109,7 +109,7 @@ const kScreens = [
   {
     title: 'The exact contour',
     lead: ['\u03a3 crosses a side of a voxel where one end is inside and the other outside. Segments between the crossings form the *contour* T.',
-           'The thin dashed curve is \u03a3. T has the same topology: as many loops.'],
+           'The thin dashed curve is \u03a3. T has the same *topology*: here, as many loops.'],
     more: ['A cross marks a voxel whose corners alternate. Four crossings could be joined in two ways. The *saddle* of the interpolant decides: if it is at least \u03ba, the inside is joined there.',
            'Raise \u03ba to 53: the saddle is outside then, and the body falls into two. T notices at once.'],
     controls: ['kappa'],
@@ -153,8 +153,9 @@ const kScreens = [
     lead: ['Two sites are joined where their regions meet on T. These edges are the *dual* mesh K.',
            'K must be as T is. The *certificate* asks: is each region one arc, and do two regions meet at one place only?'],
     more: ['Where it fails, it names a vertex v: the one furthest from its site among the vertices at fault. Make v a site, and look again.',
-           'Remove sites until two are left. Each region is one arc then, but the two meet at two places. K has two edges between the same two sites, and these are no loop.',
-           'In space a region must be a disk, and two regions must meet along one arc. It always ends: at worst all vertices of T are sites.'],
+           'Remove sites until two are left. Their regions meet at two places. So K has two edges between the same two sites, and these are no loop.',
+           'In space a region must be a disk, and two regions must meet along one arc. It always ends: at worst all vertices of T are sites.',
+           'The paper joins sites whose Voronoi cells meet on \u03a3: the *restricted Delaunay triangulation*. K is that idea with T in the place of \u03a3.'],
     controls: ['ask', 'certify', ...kSites],
     draw(picture, state) {
       draw_body(picture, state);
@@ -169,7 +170,7 @@ const kScreens = [
     title: 'One insertion',
     lead: ['K has the right topology, but it is far from \u03a3. Stage 2 adds vertices on \u03a3. A click or a tap selects an edge.',
            'c is the center of the edge. The *dual line* \u2113 goes through c at a right angle. It meets \u03a3 in the *surface point* x, at the distance h.'],
-    more: ['The *surface ball* is centered at x and passes through the ends of the edge. An edge whose ball holds the new vertex is removed. These edges are the *cavity*. On a slice it is nearly always one edge; in space it is a disk of triangles.',
+    more: ['The *surface ball* is centered at x and passes through the ends of the edge. An edge whose ball holds the new vertex is removed. These edges are the *cavity*. On a slice it is one edge; with two a vertex would be lost, and the insertion is refused. In space it is a disk of triangles, called *facets*.',
            'The new edges join x to the ends of the cavity: dashed before, solid once you insert. Drag a site: the ball follows at once.'],
     controls: ['insert', 'worst', 'next', 'certify', 'again'],
     draw(picture, state) {
