@@ -14,7 +14,7 @@ struct SurfaceEstimate {
 };
 
 // Looks at some 4 million samples, or at 32 slices where these are more, and at all of a smaller
-// volume. Within a few percent where the surface is alike in neighbouring slices.
+// volume. Within a few percent where the surface is alike in neighboring slices.
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 
 // By the bound on the distance, within a factor of 3 for surfaces whose curvature is that of most

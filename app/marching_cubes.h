@@ -6,11 +6,11 @@
 // The original table leaves holes, because the two voxels at a face can take its four crossings
 // apart in different ways. Here all cases follow one rule instead of being typed in: inside corners
 // that are diagonal in a face are never joined across it. The face's signs alone decide, so
-// neighbours agree. It is no more than that: the topology need not be that of Sigma.
+// neighbors agree. It is no more than that: the topology need not be that of Sigma.
 //
 //   M1  the loops of a case are those of trace_loops(mask, 0) (contour/voxel_topology.h);
 //   M2  a loop is cut into triangles by diagonals that lie inside the voxel, never in a face, where
-//       the neighbour could have the same one; so the mesh is a manifold, open at the box only.
+//       the neighbor could have the same one; so the mesh is a manifold, open at the box only.
 #pragma once
 
 #include <array>

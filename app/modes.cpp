@@ -18,8 +18,7 @@ namespace {
 constexpr int kBins = 4096;
 constexpr double kSpike = 0.01, kGap = 1.0 / 32, kBulk = 1e-3;  // M1
 constexpr std::size_t kSpikes = 3;                              // at either end
-constexpr std::size_t kFew =
-    16;  // so few values are labels, none is padding or a neighbour's noise
+constexpr std::size_t kFew = 16;  // so few values are labels, none is padding or a neighbor's noise
 constexpr double kOutliers = 1e-4, kOccupied = 2;            // M2
 constexpr double kRatio = 1.5, kDeviations = 6, kAlike = 8;  // M3
 constexpr int kKernels = 4;

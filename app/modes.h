@@ -13,7 +13,7 @@
 //       and low to be told by the narrow one.
 //   M3  Modes are told from bumps by persistence (Edelsbrunner, Letscher and Zomorodian 2002): the
 //       valley between two is lower than the lower one by a third of that and by 6 standard
-//       deviations of the number of samples under the kernel; neighbours in a volume being alike,
+//       deviations of the number of samples under the kernel; neighbors in a volume being alike,
 //       eight samples count as one.
 //   M4  A valley's isovalue is in the middle of its floor: of what rises above its lowest place by
 //       less than would make a valley.

@@ -93,7 +93,7 @@ double ProgressModel::at(std::string_view stage, double share) {
 }
 
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,
-                          bool coloured) {
+                          bool colored) {
   constexpr int kWidest = 30, kNarrowest = 5;
   const double done = std::clamp(share, 0.0, 1.0);
   std::string text;
@@ -107,9 +107,9 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
   if (width < kNarrowest) return text.substr(0, room);
   const auto full = static_cast<std::size_t>(done * width);
   std::string line(kBefore);
-  if (coloured) line += "\033[32m";
+  if (colored) line += "\033[32m";
   line.append(full, '#');
-  if (coloured) line += "\033[0m";
+  if (colored) line += "\033[0m";
   line.append(static_cast<std::size_t>(width) - full, '.');
   return line.append(kAfter) + text;
 }
@@ -117,7 +117,7 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
 Progress::Progress(std::vector<StageCost> stages, bool wanted)
     : model_(std::move(stages)),
       visible_(wanted && can_redraw()),
-      coloured_(!is_set("NO_COLOR")),
+      colored_(!is_set("NO_COLOR")),
       start_(Clock::now()),
       last_(start_) {}
 
@@ -130,7 +130,7 @@ void Progress::show(std::string_view stage, double share) {
   stage_ = stage;
   const std::string line =
       progress_line(stage, of_all, std::chrono::duration<double>(now - start_).count(),
-                    terminal_columns(), coloured_);
+                    terminal_columns(), colored_);
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   drawn_ = true;

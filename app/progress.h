@@ -43,7 +43,7 @@ class ProgressModel {
 // "meshing  [####......]  42 %  recover  0:07", without an end of line, at most columns - 1 wide;
 // a narrow terminal has a shorter bar, or none.
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,
-                          bool coloured);
+                          bool colored);
 
 class Progress : public Observer {
  public:
@@ -70,7 +70,7 @@ class Progress : public Observer {
 
   ProgressModel model_;
   bool visible_;
-  bool coloured_;
+  bool colored_;
   bool drawn_ = false;
   std::string stage_;
   Clock::time_point start_, last_;

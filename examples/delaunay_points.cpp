@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The Delaunay triangulation by itself, and its dual, the Voronoi diagram: for points that lie at
-// random, how many neighbours has one, and which place among them is the loneliest?
+// random, how many neighbors has one, and which place among them is the loneliest?
 // Usage: delaunay_points [NUMBER]
 #include <algorithm>
 #include <cstdlib>
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     }
   }
 
-  // Points at the hull have fewer neighbours, so we ask those well inside. Of a Poisson process a
+  // Points at the hull have fewer neighbors, so we ask those well inside. Of a Poisson process a
   // point has 2 + 48 pi^2 / 35 = 15.54 in the mean.
   std::size_t asked = 0, found = 0;
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     found += neighbors[vertex_of[n]].size();
   }
   std::cout << points.size() << " points, " << cells << " tetrahedra\n"
-            << "neighbours of a point: " << static_cast<double>(found) / static_cast<double>(asked)
+            << "neighbors of a point: " << static_cast<double>(found) / static_cast<double>(asked)
             << "\n";
 
   const deliso::Vec3 at = loneliest.center;

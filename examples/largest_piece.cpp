@@ -32,7 +32,7 @@ deliso::TriMesh piece_of(const deliso::TriMesh& mesh, const std::vector<std::uin
     if (component[face.v[0]] != number) continue;
     triangles.push_back({new_id[face.v[0]], new_id[face.v[1]], new_id[face.v[2]]});
   }
-  return deliso::make_tri_mesh(std::move(points), triangles);  // with neighbours linked
+  return deliso::make_tri_mesh(std::move(points), triangles);  // with neighbors linked
 }
 
 int keep_largest(const char* input, const char* output) {

@@ -15,7 +15,7 @@ namespace {
 // One for each label, from 'a' on.
 constexpr std::array kFills{"#fae0c4", "#dbe7f6", "#d8efd9", "#eadcf2", "#fbf3c0", "#f6d6da"};
 
-struct Labelled {
+struct Labeled {
   std::vector<Vec2> points;
   std::string labels;  // per point
   std::vector<std::array<int, 3>> triangles;
@@ -29,7 +29,7 @@ const char* fill_of(char label) {
 
 class Sketch {
  public:
-  Sketch(Drawing& drawing, const Panel& panel, const Labelled& t) : d_(drawing), p_(panel), t_(t) {}
+  Sketch(Drawing& drawing, const Panel& panel, const Labeled& t) : d_(drawing), p_(panel), t_(t) {}
 
   // Every triangle cut by the labels of its corners.
   void patches() {
@@ -40,7 +40,7 @@ class Sketch {
     for (const auto& t : t_.triangles) cut(t, t_.is_sphere && &t == &t_.triangles.back());
   }
 
-  void edges(const char* color = ink::kGrey) {
+  void edges(const char* color = ink::kGray) {
     for (const auto& t : t_.triangles) {
       for (std::size_t i = 0; i < 3; ++i) d_.line(at(t[i]), at(t[(i + 1) % 3]), {color, 1});
     }
@@ -109,19 +109,19 @@ class Sketch {
 
   Drawing& d_;
   const Panel& p_;
-  const Labelled& t_;
+  const Labeled& t_;
 };
 
 struct Example {
   const char *title, *above, *below;
-  Labelled t, k;
+  Labeled t, k;
   std::vector<std::array<int, 2>> wrong;  // edges of K, or a vertex twice
 };
 
-// A lattice of triangles in a hexagon, three rings around its middle, labelled by its nearest site.
-Labelled hexagon(const std::vector<Vec2>& sites) {
+// A lattice of triangles in a hexagon, three rings around its middle, labeled by its nearest site.
+Labeled hexagon(const std::vector<Vec2>& sites) {
   constexpr int kRings = 3;
-  Labelled t;
+  Labeled t;
   std::vector<std::array<int, 2>> place;
   for (int j = -kRings; j <= kRings; ++j) {
     for (int i = -kRings; i <= kRings; ++i) {
@@ -157,8 +157,8 @@ void draw_patches(const std::string& folder) {
   const double h = 0.8660254;
   const std::vector<Vec2> sites{{0, 0},      {3, 0},     {1.5, 3 * h},
                                 {-2, 2 * h}, {-2.5, -h}, {0.5, -3 * h}};
-  const Labelled t = hexagon(sites);
-  Labelled k{sites, "abcdef", {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}}};
+  const Labeled t = hexagon(sites);
+  Labeled k{sites, "abcdef", {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}}};
   Drawing d(860, 300);
   const auto panel = [](double x) { return Panel{{-3.2, -2.95}, 42, {x, 35}, {270, 250}}; };
   const char* titles[] = {"T and its labels", "the patches", "K"};
@@ -170,7 +170,7 @@ void draw_patches(const std::string& folder) {
     if (n < 2) sketch.edges();
     if (n == 0) {
       for (std::size_t v = 0; v < t.points.size(); ++v) {
-        d.circle(p.at(t.points[v]), 6, {ink::kGrey, 1, fill_of(t.labels[v])});
+        d.circle(p.at(t.points[v]), 6, {ink::kGray, 1, fill_of(t.labels[v])});
       }
     }
     if (n == 2) dual.edges(ink::kSigma);

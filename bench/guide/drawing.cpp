@@ -115,7 +115,7 @@ void Drawing::clip_nowhere() {
 
 void Drawing::frame(const Panel& panel, std::string_view title) {
   clip_nowhere();
-  rectangle(panel.corner, panel.size, {.stroke = ink::kGrey, .width = 1});
+  rectangle(panel.corner, panel.size, {.stroke = ink::kGray, .width = 1});
   text({panel.corner.x, panel.corner.y - 9}, title, Anchor::start, 13, ink::kText, true);
 }
 

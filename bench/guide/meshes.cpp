@@ -86,7 +86,7 @@ void draw_certified(const std::string& folder) {
   const Parameters parameters = resolve(options, volume);
   Report report;
   // T in the colors of its labels: a triangle of one label has that one's, others are light.
-  const auto labelled = [&](const Triangulation& sites, std::size_t count) {
+  const auto labeled = [&](const Triangulation& sites, std::size_t count) {
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, sites, kept, 1);
     Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
@@ -124,7 +124,7 @@ void draw_certified(const std::string& folder) {
     }
     std::vector<SiteId> ids;
     sites.build(points, ids);
-    panels.push_back(labelled(sites, kSites));
+    panels.push_back(labeled(sites, kSites));
   }
   const DelaunayMesh recovered =
       delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report);
@@ -132,7 +132,7 @@ void draw_certified(const std::string& folder) {
     Triangulation sites;
     std::vector<SiteId> ids;
     sites.build(recovered.mesh.mesh.points, ids);
-    panels.push_back(labelled(sites, recovered.mesh.mesh.points.size()));
+    panels.push_back(labeled(sites, recovered.mesh.mesh.points.size()));
   }
   Pictured k{recovered.mesh.mesh, {}};
   append_format(k.caption, "K, their dual: %zu triangles", k.mesh.faces.size());

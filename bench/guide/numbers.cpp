@@ -31,11 +31,11 @@ void draw_cubic(Drawing& out, const Panel& panel, const Corners& corners, const 
   out.line(zero, panel.at({1, 0}), {.stroke = ink::kSigma, .width = 1});
   const std::array<Vec2, 4> control = {panel.at({0, b[0]}), panel.at({1.0 / 3, b[1]}),
                                        panel.at({2.0 / 3, b[2]}), panel.at({1, b[3]})};
-  out.polyline(control, {.stroke = ink::kGrey, .width = 1.5, .dashed = true});
+  out.polyline(control, {.stroke = ink::kGray, .width = 1.5, .dashed = true});
   std::vector<Vec2> curve;
   for (int n = 0; n <= 100; ++n) curve.push_back(panel.at({n / 100.0, value_at(power, n / 100.0)}));
   out.polyline(curve, {.stroke = ink::kBlue, .width = 2.5});
-  for (const Vec2& p : control) out.dot(p, ink::kGrey);
+  for (const Vec2& p : control) out.dot(p, ink::kGray);
   if (roots.count > 1) {
     for (const double t : critical_points(power)) {
       out.line({panel.at({t, 0}).x, top}, {panel.at({t, 0}).x, bottom},
@@ -46,10 +46,10 @@ void draw_cubic(Drawing& out, const Panel& panel, const Corners& corners, const 
   for (const double t : roots) out.dot(panel.at({t, 0}), ink::kRed, 5);
   out.text({panel.corner.x, top - 8}, title, Anchor::start, 13, ink::kText, true);
   if (!with_names) return;
-  out.text(control[1] + Vec2{8, 4}, "b1", Anchor::start, 13, ink::kGrey);
-  out.text(control[2] + Vec2{8, 4}, "b2", Anchor::start, 13, ink::kGrey);
-  out.text(control[0] + Vec2{8, 12}, "b0", Anchor::start, 13, ink::kGrey);
-  out.text(control[3] + Vec2{-8, -6}, "b3", Anchor::end, 13, ink::kGrey);
+  out.text(control[1] + Vec2{8, 4}, "b1", Anchor::start, 13, ink::kGray);
+  out.text(control[2] + Vec2{8, 4}, "b2", Anchor::start, 13, ink::kGray);
+  out.text(control[0] + Vec2{8, 12}, "b0", Anchor::start, 13, ink::kGray);
+  out.text(control[3] + Vec2{-8, -6}, "b3", Anchor::end, 13, ink::kGray);
   out.text(zero + Vec2{-10, 4}, "0", Anchor::end);
   out.text({zero.x, bottom + 18}, "t = 0, enters the voxel");
   out.text({panel.at({1, 0}).x, bottom + 18}, "t = 1, leaves it", Anchor::end);
@@ -61,7 +61,7 @@ Corners corners_of(double b0, double b1, double b2, double b3) {
 
 constexpr int kUnknown = 2;
 
-// What a sign test says at 60 x 60 places: orange, blue, black for zero, grey where it cannot tell.
+// What a sign test says at 60 x 60 places: orange, blue, black for zero, gray where it cannot tell.
 void draw_signs(Drawing& out, const Vec2& corner, const char* title, const char* subtitle,
                 const std::function<int(int, int)>& sign) {
   constexpr int kSide = 60;
@@ -95,7 +95,7 @@ void draw_roots(const std::string& folder) {
 }
 
 void draw_predicates(const std::string& folder) {
-  // Three points of the plane x = y, and a fourth that walks over neighbouring doubles there. The
+  // Three points of the plane x = y, and a fourth that walks over neighboring doubles there. The
   // step of doubles is 2^-53 just below 1.
   const Vec3 a{12, 12, 0}, b{24, 24, 0}, c{18, 18, 1};
   const auto place = [](int i, int j, double step) {
@@ -107,11 +107,11 @@ void draw_predicates(const std::string& folder) {
   const auto sign_of = [](double x) { return (x > 0) - (x < 0); };
   constexpr double kStep = 0x1p-53, kWide = 0x1p-48;
   Drawing out(760, 304);
-  draw_signs(out, {10, 52}, "doubles alone", "neighbouring doubles, black is 0",
+  draw_signs(out, {10, 52}, "doubles alone", "neighboring doubles, black is 0",
              [&](int i, int j) { return sign_of(determinant(place(i, j, kStep))); });
   draw_signs(out, {260, 52}, "orient3d", "the same places",
              [&](int i, int j) { return orient3d(a, b, c, place(i, j, kStep)); });
-  draw_signs(out, {510, 52}, "the filter", "32 times as wide; grey: cannot tell",
+  draw_signs(out, {510, 52}, "the filter", "32 times as wide; gray: cannot tell",
              [&](int i, int j) {
                const Vec3 d = place(i - 30, j - 30, kWide);
                const double det = determinant(d);

@@ -83,7 +83,7 @@ void draw_restricted(Drawing& out, const Panel& panel, const Slice& slice, const
     const auto hits = slice.hits(from, to);
     out.line(
         panel.at(from), panel.at(to),
-        {.stroke = hits.size() > 1 ? ink::kRed : ink::kGrey, .width = hits.size() > 1 ? 2.5 : 1});
+        {.stroke = hits.size() > 1 ? ink::kRed : ink::kGray, .width = hits.size() > 1 ? 2.5 : 1});
     if (hits.empty()) return;
     const auto ends = ends_of(sites, f, i);
     out.line(panel.at(ends[0]), panel.at(ends[1]), {.stroke = ink::kBlue, .width = 3});
@@ -145,7 +145,7 @@ void draw_delaunay(const std::string& folder) {
   out.clip_to(third);
   draw_edges(out, third, t, {.stroke = ink::kLight, .width = 1});
   for_each_voronoi_edge(t, [&](FaceId, int, const Vec2& from, const Vec2& to) {
-    out.line(third.at(from), third.at(to), {.stroke = ink::kGrey, .width = 1.2});
+    out.line(third.at(from), third.at(to), {.stroke = ink::kGray, .width = 1.2});
   });
   bool shown = false;
   t.circulate(v, [&](FaceId f, int i) {

@@ -178,11 +178,11 @@ void draw_oracle(const std::string& folder) {
     draw_background(out, panel, slice);
     for (int i = 0; i <= 16; ++i) {
       out.line(panel.at({double(i), 0}), panel.at({double(i), 12}),
-               {.stroke = ink::kGrey, .width = 0.4});
+               {.stroke = ink::kGray, .width = 0.4});
     }
     for (int j = 0; j <= 12; ++j) {
       out.line(panel.at({0, double(j)}), panel.at({16, double(j)}),
-               {.stroke = ink::kGrey, .width = 0.4});
+               {.stroke = ink::kGray, .width = 0.4});
     }
     const Vec2 center{7.4, 6.4};
     Vec2 along{0.38, 1};
@@ -205,7 +205,7 @@ void draw_oracle(const std::string& folder) {
       const bool active = is_mixed(slice.volume().corners(v));
       solved += active;
       draw_voxel(out, panel, v.i, v.j,
-                 {.stroke = ink::kGrey, .width = 0.7, .fill = active ? "#8fd0a8" : "#e3b7dd"});
+                 {.stroke = ink::kGray, .width = 0.7, .fill = active ? "#8fd0a8" : "#e3b7dd"});
       std::string digits;
       append_format(digits, "%d", number++);
       out.text(panel.at({v.i + 0.96, v.j + 0.08}), digits, Anchor::end, 10);
@@ -276,7 +276,7 @@ void draw_oracle(const std::string& folder) {
     };
     gradient_at(*x, "gradient", 3);
     gradient_at(nearest->point, "gradient", -3);
-    out.dot(panel.at({nearest->point.x, nearest->point.y}), ink::kGrey, 5);
+    out.dot(panel.at({nearest->point.x, nearest->point.y}), ink::kGray, 5);
     out.text(panel.at({nearest->point.x, nearest->point.y}) + Vec2{10, 16}, "nearest, faces away");
     out.dot(panel.at({x->x, x->y}), ink::kRed, 5);
     out.text(panel.at({x->x, x->y}) + Vec2{10, -8}, "x", Anchor::start, 13, ink::kRed);

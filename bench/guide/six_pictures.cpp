@@ -143,7 +143,7 @@ void draw_voronoi(Drawing& out, const Panel& panel, const FlatContour& contour,
       }
       if (from < to) {
         out.line(panel.at(middle + from * along), panel.at(middle + to * along),
-                 {.stroke = ink::kGrey, .width = 1, .dashed = true});
+                 {.stroke = ink::kGray, .width = 1, .dashed = true});
       }
     }
   }
@@ -248,9 +248,9 @@ void draw_contour_picture(const Scene& scene, const std::string& folder) {
   draw_ground(out, zoom, scene.slice);
   for (int k = 0; k < 2; ++k) {
     out.line(zoom.at({i + double(k), j - 1.0}), zoom.at({i + double(k), j + 2.0}),
-             {.stroke = ink::kGrey, .width = 0.8});
+             {.stroke = ink::kGray, .width = 0.8});
     out.line(zoom.at({i - 1.0, j + double(k)}), zoom.at({i + 2.0, j + double(k)}),
-             {.stroke = ink::kGrey, .width = 0.8});
+             {.stroke = ink::kGray, .width = 0.8});
   }
   draw_sigma(out, zoom, scene.slice, {.stroke = ink::kSigma, .width = 1.3, .dashed = true});
   draw_contour_line(out, zoom, scene.contour, 2.2);
@@ -293,7 +293,7 @@ void draw_sites_picture(const Scene& scene, const std::string& folder) {
   out.dot({left + 15, 116}, ink::kOrange, 4.5);
   draw_lines(out, {left + 28, 114},
              {"a region: vertices of T", "with the same nearest", "site, in one color"});
-  out.line({left - 2, 180}, {left + 20, 180}, {.stroke = ink::kGrey, .width = 1.2, .dashed = true});
+  out.line({left - 2, 180}, {left + 20, 180}, {.stroke = ink::kGray, .width = 1.2, .dashed = true});
   draw_lines(out, {left + 28, 180}, {"as far from one site", "as from another", "(Voronoi edges)"});
   DELISO_CHECK(regions.violation.has_value());
   const auto bad = std::find(sites.begin(), sites.end(), regions.violation->site) - sites.begin();

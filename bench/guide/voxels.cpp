@@ -29,7 +29,7 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
     const auto ends = corners_of_edge(e);
     const bool is_hidden = ends[0] == 2 || ends[1] == 2;
     out.line(corner_at(ends[0]), corner_at(ends[1]),
-             {.stroke = ink::kGrey, .width = 1, .dashed = is_hidden});
+             {.stroke = ink::kGray, .width = 1, .dashed = is_hidden});
   };
   for (int e = 0; e < 12; ++e) edge(e);
   // T's triangles there, the furthest first.

@@ -16,7 +16,7 @@ namespace {
 constexpr double kWidth = 760, kHeight = 440;
 constexpr double kLeft = 78, kRight = 178, kTop = 46, kBottom = 56;  // margins; the legend is right
 
-// Okabe and Ito 2008: told apart by colour-blind readers too.
+// Okabe and Ito 2008: told apart by color-blind readers too.
 constexpr std::array<const char*, LineChart::kMostSeries> kColors{
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c8c00"};
 

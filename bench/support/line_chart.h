@@ -23,7 +23,7 @@ struct Series {
 };
 
 struct LineChart {
-  static constexpr std::size_t kMostSeries = 8;  // as many colours
+  static constexpr std::size_t kMostSeries = 8;  // as many colors
 
   std::string title;
   Axis x, y;

@@ -32,7 +32,7 @@ struct Bytes {
   Bytes first(std::size_t count) const { return {name, data.first(count), owner}; }
 };
 
-// A buffer of `size` bytes, aligned for every sample type, not initialised.
+// A buffer of `size` bytes, aligned for every sample type, not initialized.
 struct Buffer {
   explicit Buffer(std::size_t count)
       : data(std::make_unique_for_overwrite<std::byte[]>(count)), size(count) {}

@@ -31,7 +31,7 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
     fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
 }
 
-Volume read_recognised(const VolumeInput& input) {
+Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
     return read_raw(input);
@@ -93,11 +93,11 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
     }
     const std::size_t slash = input.rfind('/');
     const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
-    if (input == "-") return read_recognised({read_standard_input(), directory, options, filled});
+    if (input == "-") return read_recognized({read_standard_input(), directory, options, filled});
     std::error_code ignored;
     if (std::filesystem::is_directory(input, ignored)) refuse_folder(input);
     filled.files.push_back(input);
-    return read_recognised({open_file(input), directory, options, filled});
+    return read_recognized({open_file(input), directory, options, filled});
   } catch (const std::bad_alloc&) {
     fail(input, "not enough memory to read it");
   } catch (const std::length_error&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The readers behind read_volume(), one per format. Each is given a whole input, whose content has
-// been recognised, fills in a SampleGrid and finds the data. All throw InputError.
+// been recognized, fills in a SampleGrid and finds the data. All throw InputError.
 #pragma once
 
 #include <string>

@@ -159,7 +159,7 @@ class FaceSeam {
   bool halve_near_ones() {
     std::vector<std::uint8_t> is_near_one;
     for (const Chord& chord : chords_) is_near_one.push_back(runs_along_side(chord));
-    for (const auto& [c, d] : neighbours()) {
+    for (const auto& [c, d] : neighbors()) {
       if (!come_near(chords_[c], chords_[d])) continue;
       is_near_one[c] = is_near_one[d] = 1;
     }
@@ -177,7 +177,7 @@ class FaceSeam {
   }
 
   // Pairs of chords with a voxel of the face in common, of which one can be halved.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbors() const {
     struct Place {
       std::int64_t u, v;
       std::uint32_t chord;

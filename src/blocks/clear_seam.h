@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The certificate may ask for any vertex of T, also for one in a seam that the block beyond knows
 // nothing of: a crossing of a cell's edge, where a voxel was cut. Those are taken out again, each
-// merged into its neighbour on the seam behind the gates of refine/refinement.h, so that the mesh
+// merged into its neighbor on the seam behind the gates of refine/refinement.h, so that the mesh
 // keeps its topology and stays embedded.
 #pragma once
 

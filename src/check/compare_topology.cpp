@@ -54,7 +54,7 @@ class LoneComponents {
     sort_out(entries_);
   }
 
-  // kNoId near the voxel's faces, too, where p could be a neighbour's.
+  // kNoId near the voxel's faces, too, where p could be a neighbor's.
   std::uint32_t at(const Vec3& p) const {
     constexpr double kMargin = 1e-6;
     const Index3 voxel = volume_.voxel_at(p);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether triangles are a mesh at all: an oriented manifold that ends on the box only. Counts on
-// the corners, by sorting; stored neighbours are not looked at.
+// the corners, by sorting; stored neighbors are not looked at.
 #pragma once
 
 #include <cstdint>

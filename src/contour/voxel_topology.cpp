@@ -165,7 +165,7 @@ class Sweep {
     return loop_of_edge_[e];
   }
 
-  // Arc around one column: from the face it shares with one neighbouring column to the other.
+  // Arc around one column: from the face it shares with one neighboring column to the other.
   void unite_around(int column) { unite(loop_at(column, column ^ 1), loop_at(column, column ^ 2)); }
 
   void unite_arcs(int slab) {

@@ -76,7 +76,7 @@ inline TwoTerms two_product(double a, double b) {
 template <int N>
 class Expansion {
  public:
-  // The terms beyond size() stay uninitialised: the longest types fill tens of kilobytes.
+  // The terms beyond size() stay uninitialized: the longest types fill tens of kilobytes.
   Expansion() {}  // NOLINT(modernize-use-equals-default)
   explicit Expansion(TwoTerms t) requires(N >= 2) {
     append(t.error);

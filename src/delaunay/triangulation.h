@@ -6,7 +6,7 @@
 // needs no special case.
 //
 // Invariants (tests/delaunay/check_triangulation.h tests them by these numbers):
-//   I1  neighbours are mutual and share the three other vertices;
+//   I1  neighbors are mutual and share the three other vertices;
 //   I2  finite cells are positively oriented: orient3d(v0, v1, v2, v3) > 0; in a cell at infinity,
 //       replacing the infinite vertex by a point beyond its hull facet gives a positive cell;
 //   I3  no vertex lies strictly inside the circumsphere of a finite cell, or strictly beyond the
@@ -112,7 +112,7 @@ class Triangulation {
   friend class TriangulationVandal;  // breaks invariants, to test the checkers
 
   // A link names a facet in one word: 4 * cell + index. links[i] is the facet opposite to vertex i
-  // as the neighbour sees it, so that walking needs no search. One cell is half a cache line.
+  // as the neighbor sees it, so that walking needs no search. One cell is half a cache line.
   using Link = std::uint32_t;
   struct alignas(32) Cell {
     std::array<SiteId, 4> vertices;  // vertices[0] == kNoId: free

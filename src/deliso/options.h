@@ -34,7 +34,7 @@ struct Options : RunSettings {
   PerCriterion<Length> limits = usual_limits();
   Length r_min{0.5, Length::Unit::voxel};    // nothing with r <= r_min is refined for geometry
   double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
-  Length fingers{0.4, Length::Unit::voxel};  // certified: how far Sigma may be from K
+  Length fingers{0.4, Length::Unit::voxel};  // certified: how far Sigma may be from Stage 1's mesh
 
   CubicMethod cubic = CubicMethod::isolation;
   // Table 2's baseline, the paper's way only: all refinement on the 3D triangulation.
@@ -52,8 +52,8 @@ struct Options : RunSettings {
 inline constexpr double kSmallestRMin = 0.001;          // voxels
 inline constexpr std::size_t kMostSamples = 1'000'000;  // N0
 
-// Throws InputError beyond them, for a criterion's limit below the least, and for a single stage of
-// the certified way, which has none.
+// Throws InputError for options beyond these limits, for a criterion's limit below its least, and
+// for single_stage with RecoverWay::certified, which always has two.
 void require_limits(const Options& options, const Volume& volume);
 
 // All lengths in the scaled frame of the volume.

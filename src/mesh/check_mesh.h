@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Says what a triangle mesh is and what is wrong with it. Slow (it sorts all edges and all corners)
-// and independent of the fast path: it trusts no stored neighbour, and shares no code with
+// and independent of the fast path: it trusts no stored neighbor, and shares no code with
 // link_faces.
 #pragma once
 

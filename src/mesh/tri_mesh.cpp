@@ -54,7 +54,7 @@ Quad quad_at(const TriMesh& mesh, FaceId f, int i) {
 VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p) {
   const auto m = VertexId(mesh.points.size());
   mesh.points.push_back(p);
-  // Facet g, where there is one, has `now` for a neighbour where it had `was`.
+  // Facet g, where there is one, has `now` for a neighbor where it had `was`.
   const auto replace_neighbor = [&](FaceId g, FaceId was, FaceId now) {
     if (g != kNoId) mesh.faces[g].n[neighbor_index(mesh.faces[g], was)] = now;
   };

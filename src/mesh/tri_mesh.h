@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plain triangle mesh: vertices, facets, and for each facet its three neighbours. It knows
+// A plain triangle mesh: vertices, facets, and for each facet its three neighbors. It knows
 // neither tetrahedra nor voxels.
 //
 // Invariants (check_mesh tests them by these numbers):
@@ -46,7 +46,7 @@ struct TriMesh {
   Frame frame;  // from the points to the world
 };
 
-// Index of the corner of f opposite its neighbour g, i.e. f.n[i] == g. pre: they are neighbours.
+// Index of the corner of f opposite its neighbor g, i.e. f.n[i] == g. pre: they are neighbors.
 inline int neighbor_index(const Face& f, FaceId g) {
   return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
 }
@@ -67,7 +67,7 @@ struct Quad {
   VertexId a, b, c, d;
 };
 
-// pre: f has a neighbour there.
+// pre: f has a neighbor there.
 Quad quad_at(const TriMesh& mesh, FaceId f, int i);
 
 // Splits the edge of f opposite its corner i at p; its one or two facets become two or four. Facet
@@ -75,13 +75,13 @@ Quad quad_at(const TriMesh& mesh, FaceId f, int i);
 // I1 to I5.
 VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p);
 
-// The facets at the corner v of facet f, walking from there over neighbours; f comes first.
-// pre: neighbours are mutual (I2).
+// The facets at the corner v of facet f, walking from there over neighbors; f comes first.
+// pre: neighbors are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);
 
-// Fills the neighbours from the corners, in O(V + F) but for vertices of huge degree. An edge of
+// Fills the neighbors from the corners, in O(V + F) but for vertices of huge degree. An edge of
 // more than two facets, or of two that run along it in the same direction, is left without
-// neighbours on all of them and counted. Dead facets have none. pre: all corners of the others are
+// neighbors on all of them and counted. Dead facets have none. pre: all corners of the others are
 // below the vertex count.
 struct LinkResult {
   std::size_t non_manifold_edges = 0;

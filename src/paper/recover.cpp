@@ -166,7 +166,7 @@ bool Recovery::split_edge(SiteId a) {
 bool Recovery::edge_holds_a_vertex(SiteId a) {
   const Triangulation& t = restricted_.triangulation();
   const SiteId b = chain_.next(a);
-  // The ball of an edge holds a vertex iff it holds a Delaunay neighbour of an end; so does that
+  // The ball of an edge holds a vertex iff it holds a Delaunay neighbor of an end; so does that
   // of an edge which is not Delaunay.
   // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
   // ball however short the edges are; the edge is Delaunay all the same.

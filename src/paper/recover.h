@@ -41,7 +41,7 @@ class Recovery {
   // Inserts points until D_q is a disk, or a half disk on the boundary, for every vertex q.
   void extract_manifold();
   // Inserts surface points until every facet with r > r_min passes the criteria. `poles` (per
-  // vertex; empty: not used) grows with the vertices, each new one the mean of its neighbours'.
+  // vertex; empty: not used) grows with the vertices, each new one the mean of its neighbors'.
   void approximate_geom(const Criteria& criteria, std::vector<double>& poles);
   // Counts what the tests would still object to.
   void count_unresolved();
@@ -60,7 +60,7 @@ class Recovery {
   bool edge_holds_a_vertex(SiteId a);
   void after_insertion();
   bool is_manifold_at(SiteId q);
-  // The mean pole height over the neighbours in Del S|Sigma of the first vertex that has none yet.
+  // The mean pole height over the neighbors in Del S|Sigma of the first vertex that has none yet.
   void estimate_pole(std::vector<double>& poles);
   void queue_vertex(SiteId v);
 

@@ -62,7 +62,7 @@ class RestrictedDelaunay {
   // D_q: the records of the restricted facets at q.
   void star(SiteId q, std::vector<RecordId>& star) const;
 
-  // The Delaunay neighbours of q, finite ones only, each once.
+  // The Delaunay neighbors of q, finite ones only, each once.
   std::vector<SiteId> neighbors(SiteId q) const;
 
   // Before p is inserted: the conflict zone, to be looked at. The next insertion must use it.

@@ -85,7 +85,7 @@ VertexId ConstrainedTriangulation::split_edge(PlaneEdge edge, const Vec2& p) {
   return v;
 }
 
-// Makes g the neighbour of t across the edge opposite i, where g knew g_was.
+// Makes g the neighbor of t across the edge opposite i, where g knew g_was.
 void ConstrainedTriangulation::link(FaceId t, int i, FaceId g, FaceId g_was) {
   triangles_[t].n[i] = g;
   if (g == kNoId) return;

@@ -6,7 +6,7 @@
 //
 // Invariants:
 //   I1  triangles are counter-clockwise and tile the rectangle;
-//   I2  neighbours are mutual; n[i] == kNoId exactly on the rectangle's sides;
+//   I2  neighbors are mutual; n[i] == kNoId exactly on the rectangle's sides;
 //   I3  side[i] is set on both triangles of a segment or on none;
 //   I4  no edge but segments and sides has the corner beyond it inside its triangle's circle.
 // Vertices 0 to 3 are the rectangle's corners, counter-clockwise from the low one.

@@ -23,7 +23,7 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
 
-  // One pass over what is connected to the site's own vertex. Every neighbour is written behind
+  // One pass over what is connected to the site's own vertex. Every neighbor is written behind
   // what is reached, and stays there when it is of the region and new.
   const std::span<const VertexId> region = labels_.region(a);
   const IdArray<VertexId, SiteId>& label = labels_.all();
@@ -56,7 +56,7 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
         const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
         const SiteId x = label[u], y = label[w];
         // The directed edge v -> u: an inner edge turns up from both its ends. The triangle: seen
-        // once from each of its vertices labelled a.
+        // once from each of its vertices labeled a.
         if (x == a) {
           ++directed;
           ++(y == a ? thrice_faces : scratch.interface_with(y).twice_faces);

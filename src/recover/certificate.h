@@ -2,12 +2,14 @@
 // The closed-ball conditions on the labels of T: what makes the dual of the labels homeomorphic to
 // T, and so to Sigma (docs/proof.md, Theorem 2; after Edelsbrunner and Shah 1997).
 //
-// For every site a, with L the vertices of T labelled a:
+// The label of a vertex of T is its nearest site. E_ab is the number of edges of T with labels a
+// and b, F_aab that of its triangles with labels a, a and b. For every site a, with L the vertices
+// of T labeled a:
 //   C1  the region (edges and facets of T with all labels a) is connected and V - E + F = 1;
-//   C2  for every neighbour b the interface is one arc: E_ab - F_aab - F_abb = 1;
-//   C3  every triple of labels is on exactly one triangle of T;
+//   C2  for every neighbor b the interface is one arc: E_ab - F_aab - F_abb = 1;
+//   C3  three different labels meet on at most one triangle of T;
 //   C4  on the box: when L holds boundary vertices the site is one, they form one arc (vertices -
-//       edges = 1), and with every neighbour there is at most one boundary edge.
+//       edges = 1), and with every neighbor there is at most one boundary edge.
 #pragma once
 
 #include <atomic>
@@ -43,7 +45,7 @@ class Certificate {
 
   // What checks work with: one for each thread.
   struct Scratch {
-    // What the region shares with one neighbour.
+    // What the region shares with one neighbor.
     struct Interface {
       SiteId site;
       long edges = 0, twice_faces = 0, boundary_edges = 0;

@@ -17,7 +17,7 @@ constexpr double kTwice2 = 4 * (1 + 1e-12);
 // So many vertices of T make a task for a thread.
 constexpr std::size_t kRun = 4096;
 
-// Delaunay neighbours of every finite vertex.
+// Delaunay neighbors of every finite vertex.
 std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
   std::vector<std::vector<SiteId>> all(t.vertex_capacity());
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
@@ -44,7 +44,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (const VertexId v : t) ++first_[v + 1];
   }
   for (VertexId v = 0; v < contour.points.size(); ++v) {
-    first_[v + 1] += first_[v] + contour.on_boundary(v);  // one neighbour more than triangles
+    first_[v + 1] += first_[v] + contour.on_boundary(v);  // one neighbor more than triangles
   }
   std::vector<Wedge> wedges(first_.back());
   std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);

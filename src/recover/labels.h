@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The discrete restricted Voronoi diagram: every vertex of the exact contour T labelled with its
+// The discrete restricted Voronoi diagram: every vertex of the exact contour T labeled with its
 // nearest site, kept exact under insertion. A new site can only take vertices from its Delaunay
-// neighbours (its Voronoi cell lies within the union of their old ones), so an insertion looks at
+// neighbors (its Voronoi cell lies within the union of their old ones), so an insertion looks at
 // their lists and at nothing else.
 #pragma once
 
@@ -19,7 +19,7 @@ class ContourGraph {
  public:
   ContourGraph(const ContourMesh& contour, int threads);
 
-  // The neighbours of v in order round it, as the triangles (v, u_n, u_n+1) run: closed for inner
+  // The neighbors of v in order round it, as the triangles (v, u_n, u_n+1) run: closed for inner
   // vertices; on a boundary chain from the next vertex there to the one before.
   std::span<const VertexId> ring(VertexId v) const {
     return std::span(rings_).subspan(first_[v], first_[v + 1] - first_[v]);
@@ -32,8 +32,8 @@ class ContourGraph {
 
 class Labels {
  public:
-  // Labels every vertex of T with its nearest site: a walk over Delaunay neighbours, begun at the
-  // label of the vertex before, so T is best in an order that keeps neighbours together
+  // Labels every vertex of T with its nearest site: a walk over Delaunay neighbors, begun at the
+  // label of the vertex before, so T is best in an order that keeps neighbors together
   // (contour/block_order.h). Sites are the finite vertices of `triangulation`. Components with
   // kept[c] == 0 stay without labels. Keeps references to both.
   Labels(const ContourMesh& contour, const Triangulation& triangulation,
@@ -62,7 +62,7 @@ class Labels {
   // The vertices of T nearest to `site`.
   std::span<const VertexId> region(SiteId site) const { return regions_[site]; }
 
-  // Takes what belongs to the new `site` from its Delaunay neighbours; returns those that lost
+  // Takes what belongs to the new `site` from its Delaunay neighbors; returns those that lost
   // vertices.
   std::vector<SiteId> add_site(SiteId site, std::span<const SiteId> neighbors);
 

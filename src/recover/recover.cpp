@@ -60,7 +60,7 @@ class CertifiedRecovery {
  private:
   struct Site {
     VertexId at = kNoId;     // of T; kNoId: an auxiliary site
-    SiteId seen_by = kNoId;  // the last one that counted it among its neighbours
+    SiteId seen_by = kNoId;  // the last one that counted it among its neighbors
     bool queued = false;
     bool is_new = false;            // its facets were not tested for crossings since they changed
     bool is_uncertified = false;    // it broke the certificate with nothing left to insert
@@ -155,7 +155,7 @@ bool CertifiedRecovery::add_site(VertexId v) {
   const std::vector<SiteId> changed = labels_.add_site(s, neighbors_);
   queue_site(s);
   for (const SiteId n : changed) queue_site(n);
-  // Sites adjacent to a relabelled vertex have a new neighbour.
+  // Sites adjacent to a relabeled vertex have a new neighbor.
   for (const VertexId u : labels_.region(s)) {
     for (const VertexId w : labels_.ring(u)) {
       if (labels_.label(w) != s) queue_site(labels_.label(w));

@@ -23,9 +23,9 @@ std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge);
 bool leaves_curve(const Refinement& r, EdgeRef edge);
 
 // Flips the edge of f opposite its corner i, if it is not Delaunay: one of the two facets there has
-// the other's corner in its ball, and the two across the other diagonal have not. The sum of the
-// balls' radii falls: in the plane Delaunay flips lower it (Musin 1997), on a surface they need not
-// and would go round in circles.
+// the other's corner in its ball, and the two across the other diagonal have not. Only if that
+// lowers the sum of the balls' radii: in the plane every Delaunay flip does (Musin 1997), on a
+// surface it need not, and flips could repeat without end.
 std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 
 // Collapses the shortest edge of f when f has r/l over its limit and the edge is shorter than

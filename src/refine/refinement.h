@@ -8,14 +8,15 @@
 // replacement takes that away, because each passes these tests, from cheap to expensive:
 //   G0  no frozen facet goes, and what comes stays in the region (refine/regions.h);
 //   G1  both are disks, and no new facet or edge is in the mesh already (the link condition): the
-//       mesh stays a manifold, homeomorphic to what it was if both disks' boundaries differ in one
-//       run of the mesh's boundary edges at most, as all that is proposed does (docs/proof.md);
+//       mesh stays a manifold. It stays homeomorphic to what it was if the boundaries of the two
+//       disks differ in at most one run of the mesh's boundary edges. That is the operation's to
+//       keep (docs/proof.md);
 //   G2  no edge is folded more sharply than asked for, or than one was before, and no small
 //       component is reversed;
-//   G3  every new facet above r_min finds its surface point; smaller ones may do without where they
-//       face Sigma's outside; no more facets fail this than did before;
-//   G4  a vertex that goes stays near: within twice the bound on the distance; and what the
-//       operation wants to fall, falls, so it ends;
+//   G3  new facets have surface points. Those below r_min that face Sigma's outside may lack one,
+//       and of the others no more than lacked one before;
+//   G4  the mesh stays near the place of a vertex that is removed: within twice the bound on the
+//       distance. And the operation lowers the measure that it is to lower, so Stage 2 ends;
 //   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
 // With Parameters::as_published neither G5 nor the last part of G2 is asked.
 #pragma once
@@ -43,8 +44,8 @@ struct EdgeRef {
   int index = 0;
 };
 
-// The facets that may be replaced: all from `first_free` on, by facets within the box, which is
-// half open. The others are frozen (refine/regions.h).
+// Facets before `first_free` are frozen (refine/regions.h). All others may be replaced, by facets
+// within the box from `lo` to `hi`; `lo` belongs to it, `hi` does not.
 struct Region {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   FaceId first_free = 0;
@@ -73,8 +74,9 @@ struct Change {
   VertexId vertex = kNoId;   // when it comes, the mesh's vertex count
   Vec3 place;                // where it comes or moves to
   double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
-  // The disk lies in a face of the box and is to leave it, wherever Sigma is: G3 and G4 are not
-  // asked, and a component flat in that face, which bounds nothing yet, may be turned either way.
+  // Set when the cavity lies flat in a face of the volume's box and is to be brought out of it,
+  // however far from Sigma: G3 and G4 are not asked. A component that lies flat in that face bounds
+  // nothing yet, so it may be oriented either way.
   bool topology_only = false;
   std::vector<Dual> duals;  // of `in`, by G3
   bool has_duals() const { return duals.size() == in.facets.size(); }
@@ -83,7 +85,7 @@ struct Change {
 
 class Refinement {
  public:
-  // Keeps references, but for `region`.
+  // Copies `parameters` and `region`; keeps references to the rest.
   Refinement(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
              const Parameters& parameters, Report& report, const Region& region = {});
 
@@ -104,13 +106,14 @@ class Refinement {
   Change& begin_change(double least_cosine = -1);
   // Marks change.cavity and links change.was; refused if that is no disk.
   std::optional<Refusal> open_cavity(Change& change);
-  // Lets `in` be the cone from the vertex that comes, at `place`, over the cavity's boundary but
-  // for the boundary edge that it splits. pre: open_cavity().
+  // Makes `in` the cone from the new vertex, at `place`, to the boundary of the cavity, without the
+  // edge of the mesh's boundary that the vertex splits, if it splits one. pre: open_cavity().
   void set_cone(Change& change, const Vec3& place, EdgeRef split = {}) const;
   // Does the change, or returns the test that it does not pass and leaves everything as it was.
-  // accept(): whether what the operation wants to fall falls, or may yet; asked when the vertex is
-  // in its place, first without duals, then with each that is found. The boundary chain is the
-  // caller's. pre: open_cavity().
+  // accept() tells whether the operation still gains: the measure that it is to lower is lower, or
+  // may still become so. It is asked when the vertex is in its place, first without duals (surface
+  // points and balls) of the new facets, then again after each that is found. The caller updates
+  // the boundary chain. pre: open_cavity().
   template <class Accept>
   std::optional<Refusal> replace(Change& c, Accept&& accept) {
     if (leaves_region(c)) return Refusal::frozen;

@@ -105,7 +105,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   for (VertexId v = 0; v < contour.points.size(); ++v) {
     if (!wanted(v)) continue;
     const Block block = block_of(v, contour, volume);
-    // Neighbours in T mostly share a block.
+    // Neighbors in T mostly share a block.
     if (block != last && seen.insert(block).second) seeds.push_back(v);
     last = block;
   }

@@ -99,10 +99,10 @@ class Chain {
   void add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places);
   // Puts v between a and its next.
   void insert_after(Vertex a, Vertex v, CurvePlace place);
-  // Joins v's neighbours to each other. pre: the loop has more than three vertices.
+  // Joins v's neighbors to each other. pre: the loop has more than three vertices.
   void remove(Vertex v);
   // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone, as happens where
-  // the paper's tests lose facets; its neighbours are joined).
+  // the paper's tests lose facets; its neighbors are joined).
   template <class Other>
   Chain<Other> renumbered(const std::vector<Other>& new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }

@@ -35,13 +35,14 @@ inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, r_over_pole, radius, count_ };
 inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::count_);
 
-// Facets of no larger r are not refined for the criterion: r_min, or what is small even for shape.
+// The floor of a criterion: a facet with a circumradius at or below it is not refined for the
+// criterion. It is r_min, or for shape Criteria::shape_floor.
 enum class Floor : std::uint8_t { r_min, shape };
 
 struct CriterionRow {
   std::string_view name;  // of its option, less the hyphens, and in notes in files
   bool is_length;         // else a plain number
-  double usual;           // the limit where none is given; a length's in voxels
+  double usual;           // the limit of the program's user who gives none; a length in voxels
   double least;           // with a smaller limit refinement would not end
   Floor floor;
   // What is measured as a share of its limit: the facet is bad when it is over 1.
@@ -75,7 +76,7 @@ struct PerCriterion {
   friend bool operator==(const PerCriterion&, const PerCriterion&) = default;
 };
 
-// Limits on what a facet measures; only its shape is limited where nothing else is said.
+// Limits on what a facet measures. By default only r/l is limited; all others are kNotAsked.
 struct Criteria {
   PerCriterion<double> limits = [] {
     PerCriterion<double> none;

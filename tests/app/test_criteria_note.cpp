@@ -98,7 +98,7 @@ TEST_CASE("what is written is read back to the last bit") {
 }
 
 TEST_CASE("a line of a later version, and lines that are none") {
-  CHECK(read("deliso 9.9-beta  colour=red r-min=0.25 lambda=3 max-distance=0.5 words more ") ==
+  CHECK(read("deliso 9.9-beta  color=red r-min=0.25 lambda=3 max-distance=0.5 words more ") ==
         asking(0.25, {{Criterion::distance, 0.5}, {Criterion::r_over_l, 3}}));
   CHECK_FALSE(noted_criteria({}));
   for (const std::string line :

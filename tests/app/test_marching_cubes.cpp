@@ -100,8 +100,7 @@ TEST_CASE("every case: corners on crossed edges, a rim in the faces, diagonals i
   CHECK(most <= 5);
 }
 
-TEST_CASE(
-    "every pair of cases that can be neighbours: the rims in their common face are the same") {
+TEST_CASE("every pair of cases that can be neighbors: the rims in their common face are the same") {
   int pairs = 0;
   for (int axis = 0; axis < 3; ++axis) {
     // The rim in the high face of one, and in the low face of the other, by the face's four signs.

@@ -22,11 +22,11 @@ CommandLine command_line(std::vector<std::string_view> more) {
   return parse_command_line(arguments);
 }
 
-// Columns that a line takes: without what sets colours.
+// Columns that a line takes: without what sets colors.
 std::size_t width_of(std::string line) {
-  for (const std::string_view colour : {"\033[32m", "\033[0m"}) {
-    const std::size_t at = line.find(colour);
-    if (at != std::string::npos) line.erase(at, colour.size());
+  for (const std::string_view color : {"\033[32m", "\033[0m"}) {
+    const std::size_t at = line.find(color);
+    if (at != std::string::npos) line.erase(at, color.size());
   }
   return line.size();
 }

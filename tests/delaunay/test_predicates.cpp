@@ -228,7 +228,7 @@ TEST_CASE("the ends of the guaranteed range") {
 }
 
 TEST_CASE("orient3d: a walk over the nextafter grid round a coplanar point, all even orders") {
-  // After the best test of Shewchuk's ports: 64 x 64 neighbouring doubles, every order of points.
+  // After the best test of Shewchuk's ports: 64 x 64 neighboring doubles, every order of points.
   const Vec3 a{12, 12, 12}, b{24, 24, 24.5}, c{0.5, 0.5, 1}, base{0.5, 0.5, 0.75};
   int zeros = 0;
   double x = base.x;

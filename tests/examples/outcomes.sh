@@ -29,8 +29,8 @@ holds 'the rest of the volume is there' between 0.7401 "$(
   out/largest_piece torus.ply torus.off | sed -n 's/.*volume //p') + $fine" 0.7403
 
 out/delaunay_points >points
-holds 'neighbours of a point: 2 + 48 pi^2 / 35' \
-  between 15.45 "$(sed -n 's/neighbours of a point: //p' points)" 15.62
+holds 'neighbors of a point: 2 + 48 pi^2 / 35' \
+  between 15.45 "$(sed -n 's/neighbors of a point: //p' points)" 15.62
 holds 'nothing is nearer to the loneliest place than its four points' between -1e-12 "$(
   sed -n 's/.*, \([0-9.e-]*\) from four points, the nearest of all at \(.*\)/\1 - \2/p' points)" 1e-12
 out/delaunay_points 4000 >fewer

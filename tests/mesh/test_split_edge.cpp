@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splits keep closed and open meshes what they are: neighbours, orientation, Euler number.
+// Splits keep closed and open meshes what they are: neighbors, orientation, Euler number.
 #include "mesh/tri_mesh.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The conditions C1 to C4 of the certificate, each broken by itself. A surface is drawn as rows of
-// letters, one letter for each vertex of T (recover/labelled.h). The vertices of a region lie
+// letters, one letter for each vertex of T (recover/labeled.h). The vertices of a region lie
 // around its site as they lie in the drawing.
 #include "recover/certificate.h"
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "recover/labelled.h"
+#include "recover/labeled.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -82,7 +82,7 @@ Shape shape_of(const Drawing& d) {
 // a mesh of T's topology.
 void check_broken(const Drawing& drawing, char site, Reason violation, VertexId named,
                   const std::string& broken) {
-  Labelled t(shape_of(drawing));
+  Labeled t(shape_of(drawing));
   CHECK(t.broken() == broken);
   const Verdict verdict = t.check(site);
   CHECK(verdict.violation == violation);
@@ -96,7 +96,7 @@ void check_broken(const Drawing& drawing, char site, Reason violation, VertexId 
 // That condition alone is broken, at these sites; the dual is no surface like T, though every site
 // is one of its vertices; and when what is named has been inserted, it is.
 void check_alone(const Shape& shape, Reason violation, const std::string& broken) {
-  Labelled t(shape);
+  Labeled t(shape);
   CHECK(t.broken() == broken);
   CHECK(t.broken_conditions() == std::set{violation});
   CHECK(t.has_facets_at_all_sites());
@@ -108,12 +108,12 @@ void check_alone(const Shape& shape, Reason violation, const std::string& broken
 }  // namespace
 
 TEST_CASE("where every condition holds the dual is a mesh already") {
-  Labelled sphere(shape_of({{"AabbCc", "aabbcc", "aaBbcc", "dddddd"}, "aD"}));
+  Labeled sphere(shape_of({{"AabbCc", "aabbcc", "aaBbcc", "dddddd"}, "aD"}));
   CHECK(sphere.broken().empty());
   CHECK(sphere.fault_of_dual() == "");
-  Labelled disk(shape_of({{"AabB", "aabb", "aCcb", "cccc"}, ""}));
+  Labeled disk(shape_of({{"AabB", "aabb", "aCcb", "cccc"}, ""}));
   CHECK(disk.broken() == "C");  // its site is not on the box
-  Labelled mended(shape_of({{"AabB", "aabb", "accb", "cCcc"}, ""}));
+  Labeled mended(shape_of({{"AabB", "aabb", "accb", "cCcc"}, ""}));
   CHECK(mended.broken().empty());
   CHECK(mended.fault_of_dual() == "");
 }
@@ -155,7 +155,7 @@ TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
   check_broken(disk, 'A', Reason::interface, disk.at(5, 3), "AB");
 }
 
-// Where a region on the box is a disk, its rim has an arc on the box; there two neighbours with an
+// Where a region on the box is a disk, its rim has an arc on the box; there two neighbors with an
 // interface each can follow each other only once. So the region at which this condition alone is
 // broken lies within, and on the box are the other two, which break C4.
 TEST_CASE("C3: a triple on two triangles") {
@@ -212,7 +212,7 @@ TEST_CASE("labels without a dual facet: one region or two that are a whole spher
   const Triangles sphere{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, disk{{0, 1, 2}};
   const auto check = [](const std::string& letters, const Triangles& triangles, Reason violation) {
     CAPTURE(letters);
-    Labelled t(shape_of(letters, triangles));
+    Labeled t(shape_of(letters, triangles));
     CHECK(t.dual().triangles.empty());
     CHECK(t.broken_conditions() == std::set{violation});
     t.settle();

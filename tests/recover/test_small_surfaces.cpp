@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "recover/labelled.h"
+#include "recover/labeled.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -147,7 +147,7 @@ TEST_CASE("all labels of all small spheres and disks: where the certificate hold
   const auto look_at = [&](const std::string& labels, const Triangles& triangles) {
     const Shape shape = shape_of(with_sites(labels, triangles), triangles);
     CAPTURE(shape.letters);
-    Labelled t(shape);
+    Labeled t(shape);
     std::set<Reason> broken;
     for (char site = 'A'; site <= std::toupper(labels.back()); ++site) {
       const std::set<Reason> here = conditions_broken(labels, triangles, site);

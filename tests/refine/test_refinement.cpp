@@ -312,7 +312,7 @@ TEST_CASE("flips pass it exactly where the diagonal is not there yet") {
 
 namespace {
 
-// A cone from p over the rim of f's neighbourhood: an insertion without its rules.
+// A cone from p over the rim of f's neighborhood: an insertion without its rules.
 Change cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
   Change change;
   change.cavity = cavity;

@@ -96,7 +96,7 @@ TEST_CASE("the chain links vertices both ways and survives insertion and renumbe
   CHECK(after.place(2).s == 6);
 }
 
-// The paper's tests can lose all facets at a vertex of the chain. Its neighbours then pointed to
+// The paper's tests can lose all facets at a vertex of the chain. Its neighbors then pointed to
 // nobody, and collapsing needles along the box read far outside of the chain.
 TEST_CASE("a vertex that is gone leaves its chain closed") {
   BoundaryChain chain;

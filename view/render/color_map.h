@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Colors that stand for numbers.
 //
-//   M1  along the sequential map lightness grows, evenly to the eye, so that it can be read in grey
+//   M1  along the sequential map lightness grows, evenly to the eye, so that it can be read in gray
 //       and by the color-blind: violet, blue, green, light yellow, none so dark that it
 //       hides light and shade;
 //   M2  the colors of kinds differ in hue and are alike in lightness.

@@ -48,7 +48,7 @@ RoutineName routine_of(Rung rung) {
       {"another point of the surface near the facet is inserted"},
       {"an edge on the box is split at the middle of its arc", "9"},
       {"an edge gives way to the other diagonal of its two facets"},
-      {"a short edge is collapsed, or a corner merged into a neighbour"},
+      {"a short edge is collapsed, or a corner merged into a neighbor"},
       {"a vertex moves along the surface"},
       {"a point of the surface that is too far from the mesh is inserted"},
   }};

@@ -295,7 +295,7 @@ TEST_CASE("VTK's nameless bytes are COLOR_SCALARS") {
   CHECK_THROWS_AS(read_volume(folder.write("v.vtk", file)), InputError);
 }
 
-TEST_CASE("standard input is recognised by its content") {
+TEST_CASE("standard input is recognized by its content") {
   const Truth truth = random_truth(SampleType::i16, {4, 5, 6}, 9);
   for (const StoredVolume& stored : all_forms(truth)) {
     if (stored.files.size() > 1) continue;

@@ -1,7 +1,7 @@
 'use strict';
 // A trace and its surface at every step. The trace lists what each event took from the surface and
 // put there; from that follows, once, when every facet came and when it went. The surface at a step
-// is then either its neighbour's with a few facets changed, or all facets looked through once: so
+// is then either its neighbor's with a few facets changed, or all facets looked through once: so
 // any step is near, and no copies need to be kept.
 
 // The lists of a trace, with the numbers that an item has.

@@ -101,7 +101,7 @@ class Regions {
     });
   }
 
-  // Colors are as many as there are kinds, each in three tones, so that neighbours mostly differ.
+  // Colors are as many as there are kinds, each in three tones, so that neighbors mostly differ.
   paint(v) {
     const label = this.labels[v];
     const tone = 0.15 + 0.2 * (Math.floor(label / kKinds.length) % 3);

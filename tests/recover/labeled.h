@@ -75,9 +75,9 @@ inline ContourMesh contour_of(const Shape& shape) {
 }
 
 // T with its sites, which may become more.
-class Labelled {
+class Labeled {
  public:
-  explicit Labelled(const Shape& shape)
+  explicit Labeled(const Shape& shape)
       : letters_(shape.letters),
         contour_(contour_of(shape)),
         triangulation_(first_sites()),
