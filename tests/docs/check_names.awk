@@ -171,6 +171,12 @@ pass == 1 {
     sub(/^#+ /, "", name)
     heading[FILENAME "#" anchor(name)] = 1
   }
+  # An entry of a table.
+  if (/^\| <a id="/ && !inside) {
+    name = $0
+    gsub(/^\| <a id="|".*/, "", name)
+    heading[FILENAME "#" name] = 1
+  }
   if (/^<!-- file: /) made[FILENAME, $3] = 1
   next
 }
