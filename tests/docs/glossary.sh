@@ -61,10 +61,10 @@ links_of() {
 symbols_of() {
   said "$1" >"$work/said"
   {
-    grep -oE "$(echo Γ Δ Θ Λ Π Σ Φ Ψ Ω α β γ δ ε η θ κ λ μ ν π ρ σ τ φ χ ψ ω ℓ ∂ ∇ | tr ' ' '|')" "$work/said"
-    tr -s ' (),.;:*|/[]' '\n' <"$work/said" | grep -E '^[^_]{1,2}_[^_]+$'
+    grep -oE "$(echo Γ Δ Θ Λ Π Σ Φ Ψ Ω α β γ δ ε η θ κ λ μ ν π ρ σ τ φ χ ψ ω ℓ ∂ ∇ | tr ' ' '|')" "$work/said" || true
+    tr -s ' (),.;:*|/[]' '\n' <"$work/said" | grep -E '^[^_]{1,2}_[^_]+$' || true
     if grep -q '^## Exercises' "$1"; then
-      tr -s ' (),.;:*|/[]?' '\n' <"$work/said" | sed "s/'s$//" | grep -xE '[B-HJ-Z]'
+      tr -s ' (),.;:*|/[]?' '\n' <"$work/said" | sed "s/'s$//" | grep -xE '[B-HJ-Z]' || true
     fi
   } | sort -u | comm -23 - "$work/explained" | sed "s|^|FAULT: $1: no symbol in the glossary: |"
 }
@@ -96,6 +96,8 @@ must_find "$(links_of "$work/page" | wc -l)" 1 chapters
 # shellcheck disable=SC2016
 printf 'Ψ, Σ, D_q, q_Z, T, `Z_q` and Z.\n## Exercises\n' >"$work/page"
 must_find "$(symbols_of "$work/page" | wc -l)" 3 symbols
+printf 'Only Z.\n## Exercises\n' >"$work/page"
+must_find "$(symbols_of "$work/page" | wc -l)" 1 capitals
 # shellcheck disable=SC2016
 printf '| <a id="x"></a>x | y | | | `Labels`, `Labels::region`, `Labels::no_such`, `NoSuchName` | |\n' >"$work/page"
 must_find "$(names_of "$work/page" | wc -l)" 2 names
