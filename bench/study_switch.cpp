@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How early can one switch to Stage 2 (the open question of the paper's §6)? All by the published
 // criteria: the paper's way with ApproximateGeom's epsilon from 0.1 to none, the certified way as
-// it is and without its fingers rule; and the certified way with its own defaults, by distance.
-// Points at the switch, time, violations, and whether the final topology is exact. One run each:
-// two minutes on the paper's volumes.
+// it is and without its search for protrusions; and the certified way with its own defaults, by
+// distance. Points at the switch, time, violations, and whether the final topology is exact. One
+// run each: two minutes on the paper's volumes.
 #include <array>
 #include <limits>
 #include <utility>
@@ -36,7 +36,7 @@ std::vector<Setting> settings(const BenchArguments& arguments) {
   }
   const Options certified = certified_options(arguments);
   all.push_back({"certified", certified});
-  all.push_back({"certified, no fingers rule", certified});
+  all.push_back({"certified, no protrusions", certified});
   all.back().options.fingers = {kInfinity};
   all.push_back({"certified, by distance (default)", default_options(arguments)});
   return all;
@@ -108,8 +108,9 @@ int work(const BenchArguments& arguments) {
       "vertices whose facets are none when Stage 1 ends. Over: triangles above r_min beyond "
       "lambda = 2, and beyond epsilon1 = 0.1.");
   table.remark(
-      "All but the last by the published criteria. The fingers rule: no vertex of the contour "
-      "further than a voxel from the mesh at the switch. Over: of triangles above the run's "
+      "All but the last by the published criteria. Protrusions: vertices of the contour further "
+      "than "
+      "--fingers from the mesh at the switch. Over: of triangles above the run's "
       "own "
       "r_min, which by distance is half a voxel.");
   print_table(table, arguments);

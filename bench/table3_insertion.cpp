@@ -82,7 +82,7 @@ int work(const BenchArguments& arguments) {
         "Stage 1: all but the tree and Stage 2, the exact contour included; t_RC is that over "
         "n_RC.");
   }
-  vertices.remark("Components that the paper's tests lost are put back whole and counted here.");
+  vertices.remark("Components that the paper's tests lose are not in these counts.");
   for (const Table* table : {&insertions, &certified_way, &by_distance, &vertices}) {
     print_table(*table, arguments);
   }
