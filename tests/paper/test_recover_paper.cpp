@@ -136,7 +136,8 @@ TEST_CASE("curves a hair apart are not split down to r_min for each other") {
   CHECK(splits < 10'000);
 }
 
-TEST_CASE("a component smaller than r_min has sites and no facet: it is lost, and that is counted") {
+TEST_CASE(
+    "a component smaller than r_min has sites and no facet: it is lost, and that is counted") {
   constexpr int kSize = 24;
   std::vector<float> samples;
   for (int k = 0; k < kSize; ++k) {
