@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in several threads that gives the same bytes as in one: it is cut into tasks that are the
-// same for every number of threads, and what a task leaves behind depends on its number alone,
-// never on who runs it or when.
+// Work in several threads that gives the same bytes as in one. The tasks are the same for every
+// number of threads. The result of a task depends on its number alone, not on its thread or time.
 #pragma once
 
 #include <algorithm>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Who is near: the boxes of things that come, go and move, by place. Facets in one grid and
-// vertices in another serve every question of that kind: does a facet cross another, does a ball
-// hold a vertex, how far is a point from the mesh.
+// A dynamic spatial hash of bounding boxes. One holds the facets of a mesh, another its vertices.
+// They answer whether facets cross, whether a ball holds a vertex, and how far a point is from the
+// mesh.
 //
-// A thing is listed once, in the cell that holds the low corner of its box, in a grid whose cells
-// are at least as large as the box: grids of several sizes, each four times as coarse as the one
-// before. All their cells are wrapped into one table, those of a row side by side in memory. A list
-// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell,
-// and compares four of them at once: a look-up reads few and short runs of memory, and passes
-// nearly everything by without a look at the mesh.
+// There are grids of several sizes, each four times as coarse as the one before. A box is listed
+// once: in the cell that holds its low corner, in a grid with cells at least as large as the box.
+// The cells of a grid are wrapped into one table, those of a row side by side in memory. A list
+// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell.
+// Four boxes are compared at once. So a look-up reads few and short runs of memory, and rejects
+// nearly all boxes without a look at the mesh.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way round facets are that come from a triangulation, where nothing says so.
+// Orientation for facets that come from a triangulation, which gives them none.
 #pragma once
 
 #include "isosurface/isosurface.h"
@@ -7,9 +7,9 @@
 
 namespace deliso {
 
-// Turns the facets of every component the same way round, by a walk over its adjacency, and the
-// whole of it so that most of its area has normals against the gradient: next to a crease of the
-// surface a single facet's gradient can mislead.
+// Orients the facets of every component alike, by a walk over its adjacency. The component is then
+// oriented so that most of its area has normals against the gradient. A single facet does not
+// decide: next to a crease of the surface its gradient can mislead.
 void orient(SurfaceMesh& mesh, const Isosurface& surface);
 
 }  // namespace deliso

@@ -2,9 +2,9 @@
 // Del S|Sigma inside Del S: the facets whose Voronoi edges meet Sigma, kept true under insertion.
 //
 // Each such facet has a record with its surface points V_sigma cap Sigma in order along the Voronoi
-// edge. What an insertion can change is little (paper §3.2 says 80-85 % of Recover went here):
-// Voronoi faces only shrink, so a facet that survives keeps those of its points that are still no
-// nearer to the new vertex than to its own; only facets at the new vertex are searched.
+// edge. An insertion changes little of this, on which the paper's Recover spent 80-85 % (§3.2).
+// Voronoi faces only shrink: a surviving facet keeps the points that are no nearer to the new
+// vertex than to its own corners. Only facets at the new vertex are searched.
 //
 // Two hits of one Voronoi edge closer than `delta` cancel each other: they are a ridge of the C0
 // trilinear surface or a sheet thinner than can matter, and refining there would never end. Parity

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A queue that gives out the worst facets first, as nearly as is good for memory: in bands of how
-// badly they violate a criterion, within a band block by block of the volume, within a block by
-// fourths of an octave. Exact order would run to and fro through a mesh that no cache holds: ENGINE
-// --paper, which is refined in one region, takes 1.43 s in place of 1.08, for the same vertices.
+// A queue of facets, the worst first, in an order that suits the cache. Facets are in bands of how
+// far they violate a criterion, within a band in blocks of the volume, within a block by fourths of
+// an octave. An exact order would run to and fro through a mesh that no cache holds: ENGINE --paper
+// is refined in one region, and takes 1.43 s so, 1.08 with blocks, for the same vertices.
 #pragma once
 
 #include <algorithm>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9: the mesh that Stage 1 hands over is
-// refined until every facet meets the criteria, worst first; first each region by itself
-// (refine/regions.h), then what is left.
+// Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9. It refines the mesh that Stage 1
+// hands over until every facet meets the criteria, the worst facet first: each region by itself
+// (refine/regions.h), then the whole.
 //
-// For a facet that does not meet them: its short edge is collapsed; or its surface point is
-// inserted; or another point of Sigma near it. When nothing is left to insert, samples of Sigma
-// that are too far from the mesh are inserted, then facets are made Delaunay, and corners moved.
-// What none of that mends is left and counted. Each operation is one replacement of a disk
-// (refine/refinement.h), so the mesh stays a manifold of the same topology, embedded, with its
-// vertices on Sigma.
+// Of a facet that misses a criterion it collapses a short edge, or inserts the surface point, or
+// inserts another point of Sigma near by. When nothing is left to insert, it inserts reference
+// samples that are too far from the mesh, then makes facets Delaunay and moves corners. Facets that
+// none of this mends are left and counted. Each operation replaces one disk (refine/refinement.h).
+// So the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
 #pragma once
 
 #include <cstddef>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The mesh cut into regions that are refined by themselves, side by side, and put together again.
 //
-// Planes cut space into boxes that share no point. A region is the facets that lie in one box and
-// touch no boundary edge; they alone are replaced, and by facets in the same box, so facets of two
-// regions never meet, and the tests of refine/refinement.h keep what they keep. Other facets that
-// reach into the box are there to be seen, and are frozen. Once all is put together, facets near
-// the cuts are refined like any other.
+// Planes cut space into boxes that share no point. A region has the facets that lie in one box and
+// touch no boundary edge. Only they are replaced, by facets in the same box. So facets of two
+// regions never meet, and the gates of refine/refinement.h hold. Other facets that reach into the
+// box are visible to the gates, and frozen. After the regions are merged, facets near the cuts are
+// refined like any other.
 //
-// The cuts follow from the mesh alone, so the result does not depend on who refines what or when.
-// And a region is small: what it uses of mesh, hashes and volume stays in a cache.
+// The cuts follow from the mesh alone, so the result is the same with any number of threads. A
+// region is small: its mesh, its hashes and its samples of the volume stay in a cache.
 #pragma once
 
 #include <cstdint>

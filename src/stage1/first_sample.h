@@ -2,13 +2,13 @@
 // InitTriangulation of paper Figure 4: the first sample S_0 and its Delaunay triangulation, the
 // same for both ways of Stage 1. All points are vertices of the exact contour T.
 //
-// Beside the paper's random points and boundary curves (§3, §5) there is one of every component in
-// each block of 8^3 voxels it visits: random points miss small components and thin branches, and no
-// later test can see what no point knows of.
+// Beside the paper's random points and boundary curves (§3, §5) every component has a point in each
+// block of 8^3 voxels that it visits. Random points miss small components and thin branches, and no
+// later test can see a piece of Sigma without a point.
 //
-// Four auxiliary vertices far outside the box hold the triangulation together even where all of
-// Sigma is one plane, and keep its hull away from the surface: no Voronoi edge or vertex that they
-// have a part in comes near the box.
+// Four auxiliary vertices lie far outside the box. With them there is a triangulation even where
+// all of Sigma is one plane, and its hull is away from the surface: their Voronoi edges and
+// vertices are far from the box.
 #pragma once
 
 #include "contour/contour.h"

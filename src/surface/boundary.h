@@ -7,10 +7,9 @@
 // is, lies in its diametral ball. Splitting goes on below voxel size: there the middle is a root on
 // the bilinear arc. Both stages share this; only vertex ids change between them.
 //
-// Where the volume is a block of a larger one, the part of a curve in an inner face is a seam: the
-// block beyond has the same, so the mesh's vertices there are those that both choose from the
-// samples of the face alone (blocks/seam.h). A seam's edges are never split, its vertices never
-// moved or taken out.
+// Where the volume is a block of a larger one, the part of a curve in an inner face is a seam. The
+// block beyond has the same seam: both choose its vertices from the samples of the face alone
+// (blocks/seam.h). Edges of a seam are never split, its vertices never moved or removed.
 #pragma once
 
 #include <cstdint>
@@ -65,9 +64,9 @@ class BoundaryCurves {
   // have the same.
   bool runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const;
 
-  // A point near the middle of the arc that runs from a to b: a point of the curve, or the middle
-  // of the piece between two of them, whichever is nearer to half of its length, so that neither
-  // half is much shorter. Nothing when the arc is too short to have one that differs from its ends.
+  // A point near the middle of the arc from a to b. It is a point of the curve, or the middle of
+  // the piece between two of them, whichever is nearer to half of the arc's length. Nothing when
+  // the arc is too short for a point that differs from its ends.
   std::optional<CurvePoint> split(const CurvePoint& a, const CurvePoint& b) const;
   // How far that arc runs from its chord.
   double sagitta(const CurvePoint& a, const CurvePoint& b) const;
