@@ -28,7 +28,7 @@ DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, con
   Observer* const observer = follower(parameters.observer);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_recover && !options.single_stage) {
-    refine(mesh, surface, curves, contour.points, parameters, report);
+    refine(mesh, surface, curves, std::move(contour.points), parameters, report);
   }
   if (observer) observer->mesh_finished();
   return {std::move(mesh), std::move(curves), std::move(contour.points)};

@@ -25,7 +25,7 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
 struct DelaunayMesh {
   SurfaceMesh mesh;
   BoundaryCurves curves;      // that its chain is on
-  std::vector<Vec3> samples;  // points of Sigma, dense: the vertices of T
+  std::vector<Vec3> samples;  // dense on Sigma: the vertices of T; none once refine() was called
 };
 
 // Figure 4, without isovalues to settle, seams and caps: what mesh_isosurface() is

@@ -44,7 +44,10 @@ class CertifiedRecovery {
         chain_(std::move(first.chain)),
         sites_(triangulation_.vertex_capacity()),
         labels_(contour, triangulation_, first.kept, parameters.threads),
-        certificate_(labels_) {
+        certificate_(labels_),
+        origins_(component_origins(contour, surface.volume().box())),
+        wanted_volumes_(bounded_volumes(contour.points, contour.triangles, contour.component,
+                                        origins_, parameters.threads)) {
     // The last one queued is looked at first, and T is ordered block by block.
     for (std::size_t n = contour.points.size(); n-- > 0;) {
       const VertexId v(n);
@@ -92,6 +95,8 @@ class CertifiedRecovery {
   IdArray<SiteId, Site> sites_;
   Labels labels_;
   Certificate certificate_;
+  const std::vector<std::optional<Vec3>> origins_;  // per component of T
+  const std::vector<double> wanted_volumes_;        // those that T bounds, for their signs
   std::vector<SiteId> queue_;  // to be looked at
   ConflictZone zone_;
   std::vector<CellId> created_;
@@ -233,19 +238,16 @@ DualFacets CertifiedRecovery::all_facets() const {
 }
 
 std::size_t CertifiedRecovery::turn_out() {
-  const auto origins = component_origins(contour_, surface_.volume().box());
-  const std::vector<double> wanted = bounded_volumes(
-      contour_.points, contour_.triangles, contour_.component, origins, parameters_.threads);
   const DualFacets k = all_facets();
   std::vector<std::uint32_t> component(k.points.size(), kNoId);
   for (SiteId s = 1; s < sites_.size(); ++s) {
     if (sites_[s].at != kNoId) component[s] = contour_.component[sites_[s].at];
   }
-  const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins);
+  const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins_);
   std::vector<std::uint8_t> is_turned(bounded.size(), 0);
   for (const Triangle& t : k.triangles) {
     const std::uint32_t c = component[t[0]];
-    is_turned[c] = origins[c] && !(bounded[c] * wanted[c] > 0);
+    is_turned[c] = origins_[c] && !(bounded[c] * wanted_volumes_[c] > 0);
   }
   std::vector<VertexId> furthest(bounded.size(), kNoId);
   for (VertexId v = 0; v < contour_.points.size(); ++v) {
@@ -289,11 +291,12 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
   report[Counter::voxels_cut] = contour.split_voxels;
 }
 
-SurfaceMesh recover(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
+SurfaceMesh recover(const Isosurface& surface, ContourMesh& contour, FirstSample first,
                     const Parameters& parameters, Report& report) {
   begin_stage(parameters.observer, "labels");
   std::optional<StepTimer> timer(report.seconds_labels);
   CertifiedRecovery recovery(surface, contour, std::move(first), parameters, report);
+  contour.triangles = std::vector<Triangle>();
   timer.reset();
   SurfaceMesh mesh = recovery.run();
   report.points_recovered = mesh.mesh.points.size();

@@ -22,8 +22,9 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
                Report& report);
 
 // Grows the first sample, vertices of T at random and the coarse boundary chain, as said above, and
-// returns the dual K. pre: make_fine() was called for `contour`, with at least one vertex.
-SurfaceMesh recover(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
+// returns the dual K. Lets go of the contour's triangles once it has their adjacency. pre:
+// make_fine() was called for `contour`, with at least one vertex.
+SurfaceMesh recover(const Isosurface& surface, ContourMesh& contour, FirstSample first,
                     const Parameters& parameters, Report& report);
 
 }  // namespace deliso

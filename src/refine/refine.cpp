@@ -364,7 +364,7 @@ void count_left(const Refinement& r) {
 }  // namespace
 
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::span<const Vec3> samples, const Parameters& parameters, Report& report,
+            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
             std::size_t largest_region) {
   const StepTimer timer(report.seconds_refine);
   std::vector<std::uint32_t> far(samples.size());
@@ -373,6 +373,12 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
   if (may_be_cut(parameters)) {
     is_done =
         refine_regions(mesh, surface, curves, samples, parameters, largest_region, far, report);
+    std::vector<Vec3> left;
+    for (std::uint32_t& n : far) {
+      left.push_back(samples[n]);
+      n = static_cast<std::uint32_t>(left.size() - 1);
+    }
+    samples = std::move(left);
   }
   begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);

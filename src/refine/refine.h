@@ -11,7 +11,7 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <vector>
 
 #include "surface/boundary.h"
 #include "surface/parameters.h"
@@ -25,7 +25,7 @@ namespace deliso {
 // `largest_region` facets is cut: the smaller a region, the more facets lie at its sides. Throws
 // InputError at max_vertices unless keep_partial.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::span<const Vec3> samples, const Parameters& parameters, Report& report,
+            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
             std::size_t largest_region = 3000);
 
 }  // namespace deliso

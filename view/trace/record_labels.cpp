@@ -42,7 +42,8 @@ void TraceRecorder::labels_ready(const Labels& labels, const Box3& domain) {
   }
   event.value = static_cast<double>(event.added.size());
   record(TraceOutcome::done);
-  if (!shows_contour()) return;
+  shows_contour_ = contour.triangles.size() <= kMostTriangles;
+  if (!shows_contour_) return;
   TraceArrays& arrays = trace_.arrays();
   for (const Vec3& p : contour.points) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +85,7 @@ void TraceRecorder::site_added(SiteId site) {
     }
   }
   for (const VertexId v : labels.region(site)) {
-    if (shows_contour()) event.relabel.push_back({v, event.vertex});
+    if (shows_contour_) event.relabel.push_back({v, event.vertex});
     label_[v] = site;
   }
   record(TraceOutcome::done);

@@ -80,7 +80,6 @@ class TraceRecorder : public Observer {
   TraceEvent& asks(Routine routine, Reason reason, double value);
   // Ends the event.
   void record(TraceOutcome outcome);
-  bool shows_contour() const { return labels_->contour().triangles.size() <= kMostTriangles; }
   void show(RecordId r);
   void tell_facet(RecordId r, TraceEvent& event) const;
 
@@ -91,6 +90,7 @@ class TraceRecorder : public Observer {
   std::vector<VertexId> numbers_;  // the trace's, per site, then per vertex of the mesh
 
   const Labels* labels_ = nullptr;
+  bool shows_contour_ = false;
   std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
 
   const RestrictedDelaunay* restricted_ = nullptr;
