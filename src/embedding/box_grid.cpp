@@ -84,7 +84,7 @@ void BoxGrid::add(Id id, const Box& box) {
   DELISO_ASSERT(places_[id].level < 0);
   places_[id] = place_of(box);
   Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
-  if (level.size >= level.lists.size()) grow(level);
+  if (level.size >= 2 * level.lists.size()) grow(level);
   append(level.list(places_[id].number), id, box);
   ++level.size;
   level.extent = std::max(level.extent, extent(box) + margin_);
