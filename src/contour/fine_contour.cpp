@@ -24,8 +24,9 @@ constexpr double kGrowth = 4, kLittle = 5e5;
 // How often a cell may be longer than wide.
 constexpr double kLongest = 2;
 // Where triangles cross, cells of so many to a side are tried: hardly any two with a common
-// divisor, so that what lies on a plane between cells once lies well within one the next time.
-constexpr std::array kParts{2, 3, 5, 7, 9, 11, 13, 15};
+// divisor, so that what lies on a plane between cells once lies well within one the next time. Few,
+// since each is a pass over the volume.
+constexpr std::array kParts{2, 5, 11, 15};
 
 // Cells of about the side `cell`, or of up to `coarsest` where those would be too many.
 Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
