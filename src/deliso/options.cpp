@@ -90,8 +90,6 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.as_published = o.recover == RecoverWay::paper;
   // As published nothing smaller than r_min is refined at all.
   p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloor * voxel);
-  // Fingers would ask for more than so many vertices.
-  if (o.target_vertices != Options{}.target_vertices) p.fingers = Options::kNone;
   return p;
 }
 

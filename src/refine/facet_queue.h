@@ -19,9 +19,7 @@ namespace deliso {
 
 class FacetQueue {
  public:
-  // `is_strict`: what is worst anywhere comes first, for a refinement that may end early.
-  FacetQueue(double voxel, bool is_strict)
-      : block_side_(kBlockVoxels * voxel), fourths_(is_strict ? 1 : kBandFourths) {}
+  explicit FacetQueue(double voxel) : block_side_(kBlockVoxels * voxel) {}
 
   // Replaces what is queued for f, a facet at p. violation > 1: queue it; else: take it out.
   void set(FaceId f, double violation, const Vec3& p) {
@@ -35,7 +33,7 @@ class FacetQueue {
       const double at = std::clamp(p[axis] / block_side_, 0.0, kLastBlock);
       block = block << kBlockBits | static_cast<std::uint64_t>(at);
     }
-    keys_[f] = n / fourths_ << 57 | (kBlocks - 1 - block) << 36 | n % fourths_ << 32 | f;
+    keys_[f] = n / kBandFourths << 57 | (kBlocks - 1 - block) << 36 | n % kBandFourths << 32 | f;
     queue_.push(keys_[f]);
   }
 
@@ -67,7 +65,6 @@ class FacetQueue {
   static constexpr std::uint64_t kNone = ~std::uint64_t{0};
 
   double block_side_;
-  std::uint64_t fourths_;
   // Band, block (the first ones largest), fourth of an octave, facet: the largest comes first.
   std::priority_queue<std::uint64_t> queue_;
   std::vector<std::uint64_t> keys_;  // per facet

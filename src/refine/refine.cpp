@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/triangle.h"
+#include "refine/coarsen.h"
 #include "refine/coverage.h"
 #include "refine/facet_queue.h"
 #include "refine/operations.h"
@@ -29,8 +30,14 @@ constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
 // may be from the mesh. One limit for both costs two in five vertices more (docs/decisions.md).
 constexpr double kCoverage = 2;
 
-// In voxels: a bound on the distance that no mesh of target_vertices keeps, to begin with.
-constexpr double kFinestDistance = 2e-3;
+// A mesh of target_vertices is coarsened from one of this many times as many vertices. From 1.2
+// times as many, distances are a tenth larger, from twice as many a tenth smaller, in 1.8 times the
+// time (ENGINE and LEG, 20,000 to 100,000 vertices).
+constexpr double kFiner = 1.5;
+
+// In voxels: the bounds on the distance that such meshes keep, from the first to the last, each
+// this share of the one before.
+constexpr double kFirstDistance = 0.4, kLastDistance = 2e-3, kDistanceStep = 0.7;
 
 // What a facet is queued with that meets the criteria and is not Delaunay: it comes last.
 constexpr double kNotDelaunay = 1.0001;
@@ -53,8 +60,7 @@ class RefineGeom {
         mesh_(refinement.mesh),
         samples_(samples),
         far_(far),
-        by_count_(refinement.parameters.target_vertices != kNoTarget),
-        queue_(refinement.parameters.voxel, by_count_),
+        queue_(refinement.parameters.voxel),
         steps_(refinement.parameters.observer) {}
 
   // Refines the facets that are not done yet, and whatever changes. Returns facets for which
@@ -92,7 +98,6 @@ class RefineGeom {
   const TriMesh& mesh_;
   std::span<const Vec3> samples_;
   std::vector<std::uint32_t>& far_;
-  const bool by_count_;  // target_vertices is given
   FacetQueue queue_;
   Steps steps_;
   // Per facet: nothing is to be tried until something changes around it.
@@ -104,14 +109,9 @@ class RefineGeom {
   bool met_frozen_ = false;
   std::vector<FaceId> waiting_;
   bool is_full_ = false;
-  double reached_ = 0;  // h of the facet last refined for the distance
 };
 
 std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
-  Parameters& parameters = r_.parameters;
-  if (by_count_) {
-    parameters.refinement[Criterion::distance] = kFinestDistance * parameters.voxel;
-  }
   is_done_ = std::move(is_done);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
@@ -122,8 +122,8 @@ std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
     if (is_live(f) && !is_done_[f]) enqueue(f);
   }
   drain(false);
-  if (parameters.as_published) return {};
-  while (!is_full_ && !by_count_ && insert_far_samples()) drain(false);
+  if (r_.parameters.as_published) return {};
+  while (!is_full_ && insert_far_samples()) drain(false);
   drain(true);
   for (int n = 0; n < kDelaunayRounds && !is_full_; ++n) make_delaunay();
   return std::move(waiting_);
@@ -137,9 +137,6 @@ void RefineGeom::drain(bool with_moves) {
       const auto reason = is_dead(mesh_.faces[f]) ? std::nullopt : fault(f);
       if (!reason) continue;  // an earlier one has mended it, or taken it away
       ask(f, *reason);
-      if (reason == reason_of(Criterion::distance) && r_.s.duals[f].on_surface) {
-        reached_ = r_.shape(f).h;
-      }
       if (refine(f) || (with_moves && move(f))) {
         any = true;
       } else {
@@ -272,39 +269,22 @@ void RefineGeom::make_delaunay() {
   drain(true);
 }
 
-// True at max_vertices. At target_vertices what was reached becomes the bound on the distance, and
-// only shape is refined from there on.
+// True at max_vertices.
 bool RefineGeom::must_stop() {
   const Parameters& parameters = r_.parameters;
-  const std::size_t vertices = mesh_.points.size();
-  if (vertices >= parameters.max_vertices) {
-    if (!parameters.keep_partial) {
-      throw InputError("more than --max-vertices " + std::to_string(parameters.max_vertices) +
-                       " vertices needed");
-    }
-    r_.report.stopped_at_max_vertices = is_full_ = true;
-    return true;
+  if (mesh_.points.size() < parameters.max_vertices) return false;
+  if (!parameters.keep_partial) {
+    throw InputError("more than --max-vertices " + std::to_string(parameters.max_vertices) +
+                     " vertices needed");
   }
-  if (vertices < parameters.target_vertices || is_full_) return false;
-  is_full_ = true;
-  double& bound = r_.parameters.refinement[Criterion::distance];
-  double largest = bound;
-  for (FaceId f = 0; f < mesh_.faces.size() && reached_ == 0; ++f) {
-    // Without a surface point h is r, and a needle's r may be anything.
-    if (is_live(f) && r_.s.duals[f].on_surface) largest = std::max(largest, r_.shape(f).h);
-  }
-  bound = reached_ > 0 ? reached_ : largest;
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (is_live(f)) enqueue(f);
-  }
-  return false;
+  r_.report.stopped_at_max_vertices = is_full_ = true;
+  return true;
 }
 
 // Whether the mesh may be cut: where the refinement may end before all is done, where it is the
 // paper's, and where it is watched, the worst facet anywhere comes first.
 bool may_be_cut(const Parameters& p) {
-  return !p.as_published && !p.keep_partial && !(p.observer && p.observer->follows_insertions()) &&
-         p.target_vertices == kNoTarget;
+  return !p.as_published && !p.keep_partial && !(p.observer && p.observer->follows_insertions());
 }
 
 // Refines the mesh region by region; returns which facets are done. Of `far` it takes the samples
@@ -352,21 +332,33 @@ std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& su
 }
 
 void count_left(const Refinement& r) {
+  std::uint64_t over_limit = 0;
+  r.report.largest_h = 0;
   for (FaceId f = 0; f < r.mesh.faces.size(); ++f) {
     if (is_dead(r.mesh.faces[f])) continue;
     const FacetShape s = r.shape(f);
     if (s.r > r.parameters.r_min) r.report.largest_h = std::max(r.report.largest_h, s.h);
-    r.report[Counter::unrefined_facets] += violation(s, r.parameters.refinement) > 1;
+    over_limit += violation(s, r.parameters.refinement) > 1;
   }
+  r.report[Counter::unrefined_facets] = over_limit;
   r.report.max_distance = r.parameters.refinement[Criterion::distance];
 }
 
-}  // namespace
+// How far the sample is from the mesh that is furthest from it.
+double furthest_sample(const Refinement& r, std::span<const Vec3> samples) {
+  for (double limit = 4 * r.parameters.voxel; limit > 1e-6 * r.parameters.voxel; limit /= 2) {
+    std::vector<std::uint32_t> numbers(samples.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const auto far = find_far(r.mesh, r.facets(), samples, limit, numbers);
+    if (!far.empty()) return std::sqrt(far[0].distance2);
+  }
+  return 0;
+}
 
-void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
-            std::size_t largest_region) {
-  const StepTimer timer(report.seconds_refine);
+// Refines until every facet meets the criteria or everything is refused. Dead facets stay.
+void refine_to_limits(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+                      std::vector<Vec3> samples, const Parameters& parameters, Report& report,
+                      std::size_t largest_region) {
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
   std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
@@ -380,10 +372,54 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
     }
     samples = std::move(left);
   }
-  begin_stage(parameters.observer, "refine");
+  if (parameters.target_vertices == kNoTarget) begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);
   RefineGeom(whole, samples, far).run(std::move(is_done));
   count_left(whole);
+}
+
+// Refines to more vertices than parameters.target_vertices, by bounds on the distance that shrink,
+// and coarsens. Only an observer that follows insertions is told of the stages in between.
+void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+                     std::span<const Vec3> samples, const Parameters& given, Report& report,
+                     std::size_t largest_region) {
+  begin_stage(given.observer, "refine");
+  Parameters parameters = given;
+  parameters.observer = follower(given.observer);
+  parameters.max_vertices = kNoTarget;
+  const auto wanted = static_cast<std::size_t>(kFiner * static_cast<double>(given.target_vertices));
+  double& bound = parameters.refinement[Criterion::distance];
+  bound = kFirstDistance * given.voxel;
+  std::size_t vertices = 0;
+  for (; bound > kLastDistance * given.voxel && vertices < wanted; bound *= kDistanceStep) {
+    refine_to_limits(mesh, surface, curves, {samples.begin(), samples.end()}, parameters, report,
+                     largest_region);
+    if (may_be_cut(parameters)) remove_dead(mesh);
+    if (mesh.mesh.points.size() > std::exchange(vertices, mesh.mesh.points.size()) &&
+        given.observer) {
+      given.observer->steps_done(vertices, wanted - std::min(wanted, vertices));
+    }
+  }
+  bound = kNotAsked;
+  begin_stage(given.observer, "coarsen");
+  parameters.observer = given.observer;
+  Refinement whole(mesh, surface, curves, parameters, report);
+  coarsen(whole, given.target_vertices);
+  count_left(whole);
+  report.max_distance = furthest_sample(whole, samples);
+}
+
+}  // namespace
+
+void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
+            std::size_t largest_region) {
+  const StepTimer timer(report.seconds_refine);
+  if (parameters.target_vertices == kNoTarget) {
+    refine_to_limits(mesh, surface, curves, std::move(samples), parameters, report, largest_region);
+  } else {
+    refine_to_count(mesh, surface, curves, samples, parameters, report, largest_region);
+  }
   remove_dead(mesh);
 }
 

@@ -6,8 +6,9 @@
 // Of a facet that misses a criterion it collapses a short edge, or inserts the surface point, or
 // inserts another point of Sigma near by. When nothing is left to insert, it inserts reference
 // samples that are too far from the mesh, then makes facets Delaunay and moves corners. Facets that
-// none of this mends are left and counted. Each operation replaces one disk (refine/refinement.h).
-// So the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
+// none of this mends are left and counted. For a number of vertices it refines until there are
+// more, and coarsens (refine/coarsen.h). Each operation replaces one disk (refine/refinement.h). So
+// the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
 #pragma once
 
 #include <cstddef>
