@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every chapter of the guide that has exercises has three, each answered by a test case that is
-# there under the name that the chapter gives.
+# Every chapter of the guide that has exercises has three, each with a worked answer, and each
+# answered by a test case that is there under the name that the chapter gives.
 # Usage: exercises.sh SOURCE
 set -eu
 cd "$1"
@@ -19,6 +19,16 @@ for page in docs/guide/*.md; do
   chapters=$((chapters + 1))
   answers=$(flat "$page" | grep -o 'Answered by\* `[^`]*`: "[^"]*"' || true)
   [ "$(echo "$answers" | wc -l)" -eq 3 ] || say "$page: not three answers"
+  # Folded below the test's name: the summary, a blank line, text, and the end.
+  worked=$(awk '/^## Exercises/ { inside = 1; next }
+                !inside { next }
+                /^[1-9]\. / { named = 0 }
+                /Answered by/ { named = 1 }
+                named && /^   <details><summary>Answer<\/summary>$/ { named = 0; words = 0; folded = 1; next }
+                folded && /^   <\/details>$/ { answers += words > 10; folded = 0 }
+                folded { words += NF }
+                END { print answers + 0 }' "$page")
+  [ "$worked" -eq 3 ] || say "$page: $worked worked answers, not three"
   echo "$answers" | while IFS= read -r answer; do
     file=$(echo "$answer" | cut -d '`' -f 2)
     name=$(echo "$answer" | cut -d '"' -f 2)

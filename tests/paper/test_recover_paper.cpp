@@ -73,6 +73,7 @@ TEST_CASE("MultiIntersect leaves no edge met twice, ExtractManifold a disk every
       CHECK(vertices_without_disk(begun.recovery.restricted()) == 0);
     }
   }
+  MESSAGE("met twice at first: " << met_twice << ", without a disk after that: " << no_disk);
   // There was something to do.
   CHECK(met_twice > 0);
   CHECK(no_disk > 0);
