@@ -50,11 +50,13 @@ bool cross_well(const Piece& p, const Piece& q) {
 struct Found {
   Cut cut{};
   std::vector<Piece> old, kept, fresh;
-  Vec2 p{};
+  std::optional<Vec2> c;  // of the facet without a surface point; its dual line is upright
 };
 
 // Of p from the corners around it, in voxels; and planes that are tried.
 constexpr double kApart = 0.4;
+// Of a picture around p: this far to each side.
+constexpr double kReach = 2;
 constexpr int kDirections = 8;
 
 class Search {
@@ -91,6 +93,16 @@ class Search {
       if (distance2(mesh_.points[edge.from], p) < kApart * kApart) return;
     }
     refinement_.set_cone(change, p);
+    change.least_cosine = wanted == Refusal::turned ? kSharpestFold : -1;
+    if (wanted == Refusal::no_surface_point) {
+      if (refuse(change) != wanted) return;
+      Found found = look_at_dual(change, p);
+      const double here = clarity(found, wanted);
+      if (here <= most) return;
+      most = here;
+      best = std::move(found);
+      return;
+    }
     Found clearest;
     double score = most;
     for (int n = 0; n < kDirections; ++n) {
@@ -101,15 +113,18 @@ class Search {
       clearest = std::move(found);
     }
     if (score <= most) return;
-    change.least_cosine = wanted == Refusal::turned ? kSharpestFold : -1;
-    // Nothing is done: what passes the tests before G4 is refused as G4 would.
-    const auto refusal = refinement_.replace(change, [&] { return !change.has_duals(); });
+    const auto refusal = refuse(change);
     const bool is_wanted = wanted == Refusal::crossing
                                ? refusal == Refusal::no_gain && crosses(change, p)
                                : refusal == wanted;
     if (!is_wanted) return;
     most = score;
     best = std::move(clearest);
+  }
+
+  // Does nothing: a change that passes the tests before G4 is refused as G4 would.
+  std::optional<Refusal> refuse(Change& change) {
+    return refinement_.replace(change, [&] { return !change.has_duals(); });
   }
 
   bool crosses(const Change& change, const Vec3& p) const {
@@ -127,11 +142,40 @@ class Search {
   }
 
   Found look(const Change& change, const Vec3& p, double angle) const {
-    Found found;
     const Vec3 gradient = h_.surface.gradient(p), up = (-1 / length(gradient)) * gradient;
     const Vec3 helper = std::fabs(up.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = cross(up, helper), u = across / length(across), w = cross(up, u);
-    found.cut = {p, std::cos(angle) * u + std::sin(angle) * w, up};
+    return look(change, {p, std::cos(angle) * u + std::sin(angle) * w, up});
+  }
+
+  // In the plane of p and the dual line of the facet that was refused, if the line misses Sigma as
+  // far as a surface point may lie; else nothing.
+  Found look_at_dual(const Change& change, const Vec3& p) const {
+    const Triangle& t = change.in.facets[change.duals.size() - 1];
+    const auto at = [&](VertexId v) { return v < mesh_.points.size() ? mesh_.points[v] : p; };
+    const Vec3 area = area_normal(at(t[0]), at(t[1]), at(t[2])), up = area / length(area);
+    const Vec3 center = circumcenter(at(t[0]), at(t[1]), at(t[2]));
+    const double radius = distance(center, p);
+    if (radius > 0.7 * kReach) return {};
+    SearchCounters counters;
+    std::vector<Hit> hits;
+    h_.surface.intersect({center - radius * up, center + radius * up}, hits, counters);
+    if (!hits.empty()) return {};
+    Found found = look(change, {p, (center - p) / radius, up});
+    found.c = Vec2{radius, 0};
+    return found;
+  }
+
+  Found look(const Change& change, const Cut& cut) const {
+    Found found;
+    found.cut = cut;
+    const Vec3& p = cut.origin;
+    // All of the picture lies in the volume.
+    for (const double x : {-kReach, kReach}) {
+      for (const double y : {-kReach, kReach}) {
+        if (!h_.volume.box().contains(p + x * cut.along + y * cut.up)) return found;
+      }
+    }
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
       const Triangle& t = mesh_.faces[f].v;
       const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
@@ -213,17 +257,34 @@ void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
   for (const Piece& p : found.fresh) {
     out.line(panel.at(p[0]), panel.at(p[1]), {.stroke = ink::kRed, .width = 2.5});
   }
+  if (found.c) {
+    const Vec2 c = *found.c, end{0, c.x};
+    out.line(panel.at(c - end), panel.at(c + end), {.stroke = ink::kRed, .dashed = true});
+    out.dot(panel.at(c), ink::kText, 4);
+    out.text(panel.at(c) + Vec2{8, -6}, "c", Anchor::start, 14, ink::kText, true);
+    out.text(panel.at(c - end) + Vec2{-7, -12}, "dual line", Anchor::end, 13, ink::kRed);
+  }
   out.dot(panel.at({0, 0}), ink::kRed, 5);
+  // On the side of p that the new disk leaves free.
+  Vec2 away{};
+  for (const Piece& p : found.fresh) {
+    const Vec2 d = p[0] + p[1];
+    away = away - (1 / std::sqrt(dot(d, d))) * d;
+  }
+  away = (17 / std::sqrt(dot(away, away))) * away;
+  out.text(panel.at({0, 0}) + Vec2{away.x, 5 - away.y}, "p", Anchor::middle, 15, ink::kRed, true);
   out.frame(panel, title);
 }
 
 }  // namespace
 
 void draw_gates(const std::string& folder) {
-  Handed h("builtin:noise:16", 127.5, {});
+  Handed h("builtin:noise:20", 127.5, {});
   Search search(h);
   Drawing out(760, 290);
-  const auto panel = [](double x) { return Panel{{-2, -2}, 57.5, {x, 40}, {230, 230}}; };
+  const auto panel = [](double x) {
+    return Panel{{-kReach, -kReach}, 115 / kReach, {x, 40}, {230, 230}};
+  };
   draw(out, h, panel(16), search.find(Refusal::turned), "G2: an edge turns too sharply");
   draw(out, h, panel(265), search.find(Refusal::no_surface_point), "G3: no surface point");
   draw(out, h, panel(514), search.find(Refusal::crossing), "G5: another sheet is crossed");

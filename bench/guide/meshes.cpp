@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of whole meshes, by the renderer.
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -85,7 +86,19 @@ void draw_certified(const std::string& folder) {
   options.samples = 6;
   const Parameters parameters = resolve(options, volume);
   Report report;
-  // T in the colors of its labels: a triangle of one label has that one's, others are light.
+  const auto condition_of = [](Reason reason) {
+    switch (reason) {
+      case Reason::region:
+        return "C1";
+      case Reason::interface:
+        return "C2";
+      case Reason::triple:
+        return "C3";
+      default:
+        return "C4";
+    }
+  };
+  // T in the colors of its labels: a triangle of one label has that one's, others are white.
   const auto labeled = [&](const Triangulation& sites, std::size_t count) {
     const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
     const Labels labels(contour, sites, kept, 1);
@@ -93,12 +106,17 @@ void draw_certified(const std::string& folder) {
     Certificate certificate(labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
-    std::size_t broken = 0;
+    std::map<Reason, std::size_t> broken;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       if (labels.distance2_to_site(v) > 0) continue;
-      broken += certificate.check(labels.label(v), v, scratch, facets).violation.has_value();
+      const auto violation = certificate.check(labels.label(v), v, scratch, facets).violation;
+      if (violation) ++broken[*violation];
     }
-    append_format(p.caption, "%zu sites, %zu break a condition", count, broken);
+    append_format(p.caption, "%zu sites", count);
+    for (const auto& [reason, times] : broken) {
+      append_format(p.caption, ", %zu break %s", times, condition_of(reason));
+    }
+    if (broken.empty()) p.caption += ", none breaks a condition";
     for (const Triangle& t : contour.triangles) {
       const SiteId a = labels.label(t[0]);
       const bool is_one = labels.label(t[1]) == a && labels.label(t[2]) == a;

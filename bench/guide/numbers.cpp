@@ -74,7 +74,7 @@ void draw_signs(Drawing& out, const Vec2& corner, const char* title, const char*
       const int s = sign(from, row);
       while (to < kSide && sign(to, row) == s) ++to;
       out.rectangle({corner.x + kPixel * from, corner.y + kPixel * (kSide - 1 - row)},
-                    {kPixel * (to - from), kPixel}, {.fill = color(s)});
+                    {kPixel * (to - from), kPixel + 0.3}, {.fill = color(s)});
     }
   }
   out.text({corner.x, corner.y - 24}, title, Anchor::start, 13, ink::kText, true);

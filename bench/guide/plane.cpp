@@ -127,7 +127,11 @@ void draw_delaunay(const std::string& folder) {
     out.circle(first.at(c), first.scale * r, {.stroke = ink::kOrange, .width = 1, .dashed = true});
   }
   draw_points(out, first, t);
+  const auto mark = [&](const Panel& panel, const Vec2& at, const Vec2& offset, const char* name) {
+    out.text(panel.at(at) + offset, name, Anchor::middle, 15, ink::kRed, true);
+  };
   out.dot(first.at(p), ink::kRed, 5);
+  mark(first, p, {13, 5}, "p");
   out.frame(first, "circles that hold p");
 
   const VertexId v = t.insert(p);
@@ -139,6 +143,7 @@ void draw_delaunay(const std::string& folder) {
   draw_edges(out, second, t, {.stroke = ink::kBlue, .width = 1});
   draw_points(out, second, t);
   out.dot(second.at(p), ink::kRed, 5);
+  mark(second, p, {-13, 3}, "p");
   out.frame(second, "the star of p");
 
   // The dual: of one edge at p, its line, and its ends at two circumcenters.
@@ -161,6 +166,8 @@ void draw_delaunay(const std::string& folder) {
     out.line(third.at(from - 5.0 * d), third.at(to + 5.0 * d),
              {.stroke = ink::kRed, .width = 1, .dashed = true});
     out.line(third.at(from), third.at(to), {.stroke = ink::kRed, .width = 3});
+    const Vec2 q = distance2(ends[0], p) > distance2(ends[1], p) ? ends[0] : ends[1];
+    mark(third, q, {-10, -8}, "q");
     for (const FaceId c : {f, g}) {
       const Vec2 center = circumcenter_of(t, c);
       out.dot(third.at(center), ink::kRed, 4.5);
@@ -170,7 +177,9 @@ void draw_delaunay(const std::string& folder) {
     return false;
   });
   draw_points(out, third, t);
-  out.frame(third, "the dual of an edge");
+  mark(third, p, {10, 14}, "p");
+  out.text(third.at({1.3, 1.3}), "dual line", Anchor::start, 13, ink::kRed);
+  out.frame(third, "the dual of the edge pq");
   out.write(folder, "delaunay");
 }
 
@@ -193,7 +202,7 @@ void draw_recover_paper(const std::string& folder) {
   }
   Drawing out(760, 312);
   const Panel before{{0, 0}, 8.0, {16, 40}, {352, 256}}, after{{0, 0}, 8.0, {392, 40}, {352, 256}};
-  draw_restricted(out, before, slice, sites, "red: Voronoi edges that meet it more than once");
+  draw_restricted(out, before, slice, sites, "red: Voronoi edges that meet \u03a3 more than once");
   // MultiIntersect: the furthest hit of an edge that has several, until none has.
   for (bool any = true; any;) {
     any = false;

@@ -271,13 +271,16 @@ void draw_oracle(const std::string& folder) {
       const Vec2 foot{at.x + to_the_right, at.y};
       out.arrow(panel.at(foot), panel.at({foot.x + g.x, foot.y + g.y}),
                 {.stroke = ink::kOrange, .width = 2});
-      out.text(panel.at({foot.x + (to_the_right > 0 ? 0.5 : -0.5), foot.y + 0.45 * g.y}), words,
-               to_the_right > 0 ? Anchor::start : Anchor::end, 13, ink::kOrange);
+      // Off the wall, at the arrow's tail.
+      out.text(panel.at(foot) + Vec2{0, g.y > 0 ? 20.0 : -10.0}, words,
+               to_the_right > 0 ? Anchor::start : Anchor::middle, 13, "#a85f12");
     };
     gradient_at(*x, "gradient", 3);
     gradient_at(nearest->point, "gradient", -3);
     out.dot(panel.at({nearest->point.x, nearest->point.y}), ink::kGray, 5);
-    out.text(panel.at({nearest->point.x, nearest->point.y}) + Vec2{10, 16}, "nearest, faces away");
+    const Vec2 below = panel.at({nearest->point.x, nearest->point.y});
+    out.text(below + Vec2{8, 22}, "nearest hit:");
+    out.text(below + Vec2{8, 38}, "faces away");
     out.dot(panel.at({x->x, x->y}), ink::kRed, 5);
     out.text(panel.at({x->x, x->y}) + Vec2{10, -8}, "x", Anchor::start, 13, ink::kRed);
     out.dot(panel.at(c), ink::kText, 4.5);

@@ -183,8 +183,10 @@ void draw_sites(Drawing& out, const Panel& panel, const Scene& scene, const Site
     const Vec3 g = scene.slice.surface().gradient(Slice::lifted(p));
     const double size = std::sqrt(g.x * g.x + g.y * g.y);
     out.circle(panel.at(p), 6.5, {.stroke = ink::kSigma, .width = 2, .fill = ink::kPaper});
-    out.text(panel.at(p) + Vec2{-17 * g.x / size, 17 * g.y / size + 5}, letter(n), Anchor::middle,
-             14, n < lesson::kPlaces.size() ? ink::kText : ink::kRed, true);
+    const bool is_v = n >= lesson::kPlaces.size();
+    const Vec2 offset = is_v ? Vec2{3, 26} : Vec2{-17 * g.x / size, 17 * g.y / size + 5};
+    out.text(panel.at(p) + offset, letter(n), Anchor::middle, 14, is_v ? ink::kRed : ink::kText,
+             true);
   }
 }
 
@@ -310,8 +312,8 @@ void draw_sites_picture(const Scene& scene, const std::string& folder) {
 
 void draw_dual_picture(const Scene& scene, const std::string& folder) {
   Drawing out(700, 316);
-  const Panel before{{2.2, 0.7}, 52, {12, 32}, {331, 272}},
-      after{{2.2, 0.7}, 52, {357, 32}, {331, 272}};
+  const Panel before{{1.85, 0.5}, 50, {12, 32}, {331, 272}},
+      after{{1.85, 0.5}, 50, {357, 32}, {331, 272}};
   const Sites sites = scene.first_sites(), more = scene.certified_sites();
   const auto broken = scene.contour.regions(sites), whole = scene.contour.regions(more);
   DELISO_CHECK(broken.violation && !whole.violation);

@@ -90,7 +90,11 @@ void draw_insert(const std::string& folder) {
   draw_facets(out, plan, s, {start}, ink::kAbove);
   out.circle(plan.at(p), plan.panel.scale * std::sqrt(ball.radius2),
              {.stroke = ink::kOrange, .width = 1.3, .dashed = true});
-  out.dot(plan.at(p), ink::kRed, 5);
+  const auto mark_p = [&] {
+    out.dot(plan.at(p), ink::kRed, 5);
+    out.text(plan.at(p) + Vec2{13, 5}, "p", Anchor::middle, 15, ink::kRed, true);
+  };
+  mark_p();
   out.frame(plan.panel, "a facet, its ball, p");
 
   plan.panel = panel(265);
@@ -100,7 +104,7 @@ void draw_insert(const std::string& folder) {
     out.circle(plan.at(s.duals[f].center), plan.panel.scale * std::sqrt(s.duals[f].radius2),
                {.stroke = ink::kOrange, .width = 1, .dashed = true, .opacity = 0.8});
   }
-  out.dot(plan.at(p), ink::kRed, 5);
+  mark_p();
   out.frame(plan.panel, "E: whose balls hold p");
 
   Refinement r(s, h.surface, h.recovered.curves, h.parameters, h.report);
@@ -108,7 +112,7 @@ void draw_insert(const std::string& folder) {
   plan.panel = panel(514);
   out.clip_to(plan.panel);
   draw_facets(out, plan, s, {r.created().begin(), r.created().end()}, ink::kAbove);
-  out.dot(plan.at(p), ink::kRed, 5);
+  mark_p();
   out.frame(plan.panel, "D: the cone over E's boundary");
   out.write(folder, "insert");
 }

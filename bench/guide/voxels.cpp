@@ -10,10 +10,32 @@
 #include "contour/voxel_topology.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
+#include "io/files/append_format.h"
 #include "mesh/star.h"
 
 namespace deliso::guide {
 namespace {
+
+// Cells to a side of a voxel, where its pieces are drawn smooth.
+constexpr int kCells = 8;
+// From the eye into the picture, and towards the light.
+constexpr Vec3 kAway{-0.42, 1, -0.3}, kLight{-1, -1.5, 2};
+// By how much a line is drawn over triangles of its depth, and a dot over lines.
+constexpr double kLine = 0.15;
+
+// Of a piece of Sigma: blue from outside, orange from inside, dark where it faces away from the
+// light.
+std::string shade(bool is_inner, double light) {
+  const double share = 0.55 + 0.45 * std::max(0.0, light);
+  const auto part = [share](double full) { return static_cast<int>(share * full); };
+  std::string color;
+  if (is_inner) {
+    append_format(color, "#%02x%02x%02x", part(250), part(206), part(158));
+  } else {
+    append_format(color, "#%02x%02x%02x", part(170), part(203), part(246));
+  }
+  return color;
+}
 
 // The voxel of these values, seen from the front, a little from the right and above.
 void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const char* title,
@@ -32,29 +54,49 @@ void draw_voxel(Drawing& out, const Vec2& corner, const Corners& values, const c
              {.stroke = ink::kGray, .width = 1, .dashed = is_hidden});
   };
   for (int e = 0; e < 12; ++e) edge(e);
-  // T's triangles there, the furthest first.
   const Volume volume =
       Volume::from_samples<double>({2, 2, 2}, {1, 1, 1}, {values.begin(), values.end()});
-  const ContourMesh contour = build_contour(volume, 0);
-  auto triangles = contour.triangles;
-  const auto depth = [&](const std::array<VertexId, 3>& t) {
-    double sum = 0;
-    for (const VertexId v : t) {
-      sum += contour.points[v].y - 0.42 * contour.points[v].x - 0.3 * contour.points[v].z;
+  // T of many cells, which looks like Sigma, with its boundary and the crossings of grid edges: the
+  // furthest first, lit from the upper left, the outside blue and the inside orange.
+  const ContourMesh fine = build_contour(volume, 0, {{0}, {kCells, kCells, kCells}, {1, 1, 1}});
+  const auto is_crossing = [&](VertexId v) {
+    int on_faces = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      on_faces += fine.points[v][axis] == 0 || fine.points[v][axis] == 1;
     }
+    return on_faces == 2;
+  };
+  std::vector<std::array<VertexId, 3>> pieces = fine.triangles;
+  for (std::size_t c = 0; c < fine.boundary.size(); ++c) {
+    const auto chain = fine.boundary.chain(c);
+    for (std::size_t n = 0; n < chain.size(); ++n) {
+      pieces.push_back({chain[n], chain[n], chain[(n + 1) % chain.size()]});
+      if (is_crossing(chain[n])) pieces.push_back({chain[n], chain[n], chain[n]});
+    }
+  }
+  const auto depth = [&](const std::array<VertexId, 3>& t) {
+    double sum = t[0] == t[2] ? -2 * kLine : t[0] == t[1] ? -kLine : 0;
+    for (const VertexId v : t) sum += dot(fine.points[v], kAway);
     return sum;
   };
-  std::stable_sort(triangles.begin(), triangles.end(),
+  std::stable_sort(pieces.begin(), pieces.end(),
                    [&](const auto& a, const auto& b) { return depth(a) > depth(b); });
-  for (const auto& t : triangles) {
-    const Vec2 p[] = {at(contour.points[t[0]]), at(contour.points[t[1]]), at(contour.points[t[2]])};
-    out.polygon(p, {.stroke = ink::kBlue, .width = 0.6, .fill = "#9fbce3", .opacity = 0.75});
-  }
-  for (const VertexId v : contour.boundary.vertices) out.dot(at(contour.points[v]), ink::kSigma, 3);
-  for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
-    std::vector<Vec2> loop;
-    for (const VertexId v : contour.boundary.chain(c)) loop.push_back(at(contour.points[v]));
-    out.polygon(loop, {.stroke = ink::kSigma, .width = 1.8});
+  for (const auto& t : pieces) {
+    if (t[0] == t[2]) {
+      out.dot(at(fine.points[t[0]]), ink::kSigma, 3);
+      continue;
+    }
+    if (t[0] == t[1]) {
+      out.line(at(fine.points[t[0]]), at(fine.points[t[2]]), {.stroke = ink::kSigma, .width = 1.8});
+      continue;
+    }
+    const Vec3 center = (fine.points[t[0]] + fine.points[t[1]] + fine.points[t[2]]) / 3.0;
+    const Vec3 normal = -1.0 * volume.gradient(center);
+    const bool is_inner = dot(normal, kAway) > 0;
+    const double light = dot(normal, kLight) / (length(normal) * length(kLight));
+    const std::string color = shade(is_inner, is_inner ? -light : light);
+    const Vec2 p[] = {at(fine.points[t[0]]), at(fine.points[t[1]]), at(fine.points[t[2]])};
+    out.polygon(p, {.stroke = color.c_str(), .width = 0.5, .fill = color.c_str()});
   }
   for (int m = 0; m < 8; ++m) {
     out.dot(corner_at(m), values[static_cast<std::size_t>(m)] >= 0 ? ink::kOrange : ink::kBlue, 6);
@@ -88,6 +130,7 @@ void draw_star(Drawing& out, const Vec2& center, std::span<const double> degrees
   }
   for (std::size_t n = 1; n < places.size(); ++n) out.dot(places[n], ink::kSigma, 4);
   out.dot(center, ink::kOrange, 6);
+  out.text(center + Vec2{0, 21}, "q", Anchor::middle, 14, ink::kText, true);
   const Star star = classify_star(0, triangles);
   out.text({center.x, 26}, name_of(star), Anchor::middle, 13,
            star == Star::singular || star == Star::empty ? ink::kRed : ink::kText, true);
@@ -101,7 +144,7 @@ void draw_contour(const std::string& folder) {
   draw_voxel(out, {18, 56}, two_inside(0, 3, 2, -1), "a face decides", "saddle inside: joined");
   draw_voxel(out, {206, 56}, two_inside(0, 3, 1, -2), "", "saddle outside: apart");
   draw_voxel(out, {394, 56}, two_inside(0, 7, 1, -1), "the interior decides", "two disks");
-  draw_voxel(out, {582, 56}, two_inside(0, 7, 4, -1), "", "one tube");
+  draw_voxel(out, {582, 56}, two_inside(0, 7, 6, -1), "", "one tube");
   out.write(folder, "contour");
 }
 
