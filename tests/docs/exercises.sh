@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Every chapter of the guide that has exercises has three, each with a worked answer, and each
-# answered by a test case that is there under the name that the chapter gives.
+# answered by a test case that is there under the name that the chapter gives. docs/proof.md names a
+# test case for each of C1 to C4.
 # Usage: exercises.sh SOURCE
 set -eu
 cd "$1"
@@ -36,6 +37,11 @@ for page in docs/guide/*.md; do
     flat "$file" | sed 's/TEST_CASE( "/TEST_CASE("/g' | grep -qF "TEST_CASE(\"$name\")" ||
       { echo "$page: no test case \"$name\" in $file"; exit 1; }
   done || faults=1
+done
+for condition in C1 C2 C3 C4; do
+  name=$(flat docs/proof.md | grep -o "\"$condition: [^\"]*\"" || true)
+  grep -qF "TEST_CASE(${name:-none})" tests/recover/test_certificate.cpp ||
+    say "docs/proof.md: no test case for $condition"
 done
 echo "$chapters chapters with exercises"
 [ "$chapters" -gt 0 ] && [ "$faults" -eq 0 ]
