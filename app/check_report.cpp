@@ -150,7 +150,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   const CommandLine::Given& given = line.given;
   VerifyOptions options;
   options.threads = asked.threads;
-  options.min_component = asked.min_component;
+  options.components = asked.components;
   options.restricted_share = line.restricted_share;
   options.solid = asked.cap;
   options.limits = resolve(asked, volume).refinement;
@@ -178,7 +178,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   std::string out = "check     " + counts_text(v.mesh) +
                     "\n          exact: " + counts_text(v.exact) + "; " +
                     text(v.equal_components, " alike");
-  if (v.small_components > 0) out += text(", ", v.small_components, " left out as small");
+  if (v.left_out > 0) out += text(", ", v.left_out, " left out");
   if (v.solid) {
     out += "\nsolid     " + solid_text(v.solid->cap_vertices, v.solid->cap_triangles,
                                        world_volume(v.solid->volume, volume.frame()),
@@ -217,7 +217,7 @@ void add_verification(JsonWriter& json, const Verification& v, const Volume& vol
   add_topology(json, "topology", v.mesh);
   add_topology(json, "exact_topology", v.exact);
   json.add("equal_components", v.equal_components);
-  json.add("small_components", v.small_components);
+  json.add("small_components", v.left_out);
   json.add("surface_tolerance_voxels", v.surface_tolerance / voxel);
   json.add("max_off_surface_voxels", v.max_off_surface / voxel);
   if (v.solid) {

@@ -182,9 +182,9 @@ void check_join(const CommandLine& line) {
 template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
-  constexpr std::string_view kNotWithBlock[] = {"--roi",      "--cap",          "--min-component",
-                                                "--vertices", "--triangles",    "--keep-partial",
-                                                "--paper",    "--single-stage", "--stop-after"};
+  constexpr std::string_view kNotWithBlock[] = {
+      "--roi",       "--cap",          "--min-component", "--largest",      "--vertices",
+      "--triangles", "--keep-partial", "--paper",         "--single-stage", "--stop-after"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include "app/command_line.h"
 
@@ -107,6 +110,17 @@ double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                                ? std::min(options.max_vertices, options.target_vertices)
                                : options.target_vertices;
   return std::min(vertices, static_cast<double>(most));
+}
+
+std::uint64_t fewest_vertices(std::vector<ContourComponent> components, std::size_t count) {
+  std::ranges::stable_sort(components, std::ranges::greater(), &ContourComponent::crossings);
+  std::uint64_t fewest = 0;
+  for (const ContourComponent& c :
+       std::span(components).first(std::min(count, components.size()))) {
+    const double closed = std::ceil((7 + std::sqrt(49 - 24 * static_cast<double>(c.euler))) / 2);
+    fewest += c.boundary_loops > 0 ? 3 : static_cast<std::uint64_t>(closed);
+  }
+  return fewest;
 }
 
 }  // namespace deliso

@@ -3,6 +3,11 @@
 // edges in some slices of the volume, and from what a criterion asks of a piece of surface.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contour/contour.h"
 #include "deliso/options.h"
 #include "volume/volume.h"
 
@@ -26,5 +31,9 @@ double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
 inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {
   return expected_vertices(estimate_surface(volume, kappa), volume, options);
 }
+
+// The fewest vertices that a mesh of the largest `count` of these components can have: for closed
+// ones Heawood's bound (1890), for others those of one facet.
+std::uint64_t fewest_vertices(std::vector<ContourComponent> components, std::size_t count);
 
 }  // namespace deliso

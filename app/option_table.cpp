@@ -137,10 +137,10 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
      "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
     {"--vertices", 0, "N", kMeshAndTrace,
-     "the best mesh of about N vertices: worst first, down to the distance that N allows, in place "
-     "of --max-distance",
+     "the best mesh of N vertices, in place of --max-distance: refined beyond N, then coarsened; "
+     "topology is kept",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
-    {"--triangles", 0, "N", kMeshAndTrace, "the same, of about N triangles",
+    {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
     {"--paper", 0, "", kAllMeshing,
      "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
@@ -152,7 +152,13 @@ constexpr OptionSpec kRest[] = {
     {"--min-component", 0, "N", kAllMeshing,
      "leave out components smaller than N voxels (default 0); with --cap "
      "dissolve the regions of inside and outside that they bound",
-     [](Line& l, Text o, Text v) { l.options.min_component = v == "0" ? 0 : parse_positive(o, v); },
+     [](Line& l, Text o, Text v) {
+       l.options.components.min_voxels = v == "0" ? 0 : parse_positive(o, v);
+     },
+     "the mesh was made with it"},
+    {"--largest", 0, "N", kAllMeshing,
+     "only the N largest components; with --cap dissolve what the others bound",
+     [](Line& l, Text o, Text v) { l.options.components.largest = parse_count(o, v, 1); },
      "the mesh was made with it"},
     {"--samples", 0, "N", kMeshAndTrace, "random points to begin with (default 50)",
      [](Line& l, Text o, Text v) { l.options.samples = parse_count(o, v); }},

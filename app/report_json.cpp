@@ -46,7 +46,8 @@ void add_options(JsonWriter& json, const CommandLine& line) {
   if (by_count(options)) json.add("vertices", options.target_vertices);
   json.add("seed", options.seed);
   json.add("samples", options.samples);
-  json.add("min_component", options.min_component);
+  json.add("min_component", options.components.min_voxels);
+  json.add("largest", options.components.largest);
   json.add("solver", options.cubic == CubicMethod::schwarze ? "schwarze" : "isolation");
   json.add("threads", options.threads);
   json.add("single_stage", options.single_stage);

@@ -59,7 +59,7 @@ std::string distance_text(const Options& options, const Report& report, double v
   };
   const std::string largest = text("largest h above r_min ", both(report.largest_h), "\n");
   if (by_count(options)) {
-    return text("distance  D reached: ", both(report.max_distance), "\n          ", largest);
+    return text("distance  the surface lies within ", both(report.max_distance), " of the mesh\n");
   }
   if (!(report.max_distance < Options::kNone)) return text("distance  ", largest);
   return text("distance  D = ", both(report.max_distance), "\n          ", largest);

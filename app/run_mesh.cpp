@@ -63,6 +63,23 @@ void warn_of_size(double vertices, bool quiet) {
   if (!quiet) std::fprintf(stderr, "deliso: warning: %s\n", words);
 }
 
+// One line beforehand where there are more components than so many vertices can make.
+void warn_of_components(const Volume& volume, double isovalue, const Options& options) {
+  const ContourSummary summary = summarize_settled_contour(volume, isovalue, options.threads);
+  const std::vector<std::uint8_t> chosen = chosen_components(summary, options.components);
+  std::vector<ContourComponent> components;
+  for (std::size_t c = 0; c < chosen.size(); ++c) {
+    if (chosen[c]) components.push_back(summary.components[c]);
+  }
+  const std::uint64_t fewest = fewest_vertices(components, components.size());
+  if (options.target_vertices >= fewest) return;
+  std::fprintf(
+      stderr, "deliso: warning: asked for %s vertices: %s need at least %s; --largest 1 needs %s\n",
+      grouped(options.target_vertices).c_str(),
+      counted(components.size(), "component", "components").c_str(), grouped(fewest).c_str(),
+      grouped(fewest_vertices(components, 1)).c_str());
+}
+
 // The facets from number `begin` to `end`, over the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   std::vector<Triangle> triangles;
@@ -155,11 +172,21 @@ int run_mesh(const CommandLine& line) {
   const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
   warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
                line.quiet);
+  if (by_count(line.options) && !line.quiet) warn_of_components(volume, isovalue, line.options);
   MeshRun run(line, input);
 
   Options options = line.options;
   options.observer = &progress;
   const TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
+  if (by_count(options) && !line.quiet && run.report.max_distance < kNotAsked &&
+      static_cast<double>(mesh.points.size()) <
+          0.98 * static_cast<double>(options.target_vertices)) {
+    progress.clear();
+    std::fprintf(
+        stderr,
+        "deliso: warning: %s of %s vertices: triangles as small as --rmin are not refined\n",
+        grouped(mesh.points.size()).c_str(), grouped(options.target_vertices).c_str());
+  }
   if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");

@@ -13,4 +13,12 @@ struct TopologyCounts {
   friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
 };
 
+// Which components of Sigma are to be meshed.
+struct ComponentChoice {
+  double min_voxels = 0;    // those whose bounding box is smaller along every axis are not
+  std::size_t largest = 0;  // only this many, those that cross the most grid edges; 0: all
+
+  bool is_all() const { return min_voxels == 0 && largest == 0; }
+};
+
 }  // namespace deliso

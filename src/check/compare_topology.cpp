@@ -198,8 +198,8 @@ std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume,
 }  // namespace
 
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const Volume& volume, double min_component, int threads,
-                                      Faults& faults) {
+                                      const Volume& volume, const ComponentChoice& choice,
+                                      int threads, Faults& faults) {
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
@@ -239,6 +239,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                                     : text(") is a further one on component ", stands_for[m])),
         middle_of(c.box));
   }
+  const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
   const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
   std::vector<std::optional<Vec3>> origins_in_mesh(count);
   std::vector<std::uint8_t> without_origin(count, 0);
@@ -259,9 +260,8 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
         text("component ", e, " of the surface (", box_text(box, spacing), ")");
     const std::uint32_t m = stand_in[e];
     if (m == kNoId) {
-      const int largest = 1 + std::max({x.hi.i - x.lo.i, x.hi.j - x.lo.j, x.hi.k - x.lo.k});
-      if (largest < min_component) {
-        ++result.small;
+      if (!is_chosen[e]) {
+        ++result.left_out;
         continue;
       }
       const auto loops = x.boundary_loops;

@@ -93,11 +93,11 @@ void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const I
                       const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
   const Vec3 spacing = volume.spacing();
-  const ComparedComponents compared = compare_components(
-      mesh, contour, volume, options.min_component, options.threads, result.faults);
+  const ComparedComponents compared =
+      compare_components(mesh, contour, volume, options.components, options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
-  result.small_components = compared.small;
+  result.left_out = compared.left_out;
   check_vertices_on_surface(mesh, compared.extra, surface,
                             std::min({spacing.x, spacing.y, spacing.z}), options.threads, result);
 }

@@ -37,7 +37,7 @@
 namespace deliso {
 
 struct VerifyOptions {
-  double min_component = 0;     // in voxels: smaller components of the contour may be missing
+  ComponentChoice components;   // others of the contour may be missing
   double position_error = 0;    // of the vertices, as far as they were rounded; scaled frame
   double restricted_share = 0;  // the least share of restricted Delaunay facets that is no fault
   // What triangles are held to, with h from the circumcenter to Sigma. How many are over a limit is
@@ -66,7 +66,7 @@ struct Verification {
   std::optional<SolidSummary> solid;
   TopologyCounts mesh, exact;
   std::uint64_t equal_components = 0;  // of both, one to one, with equal topology
-  std::uint64_t small_components = 0;  // of the contour, missing as min_component allows
+  std::uint64_t left_out = 0;          // components of the contour, missing as allowed
   double surface_tolerance = 0;        // scaled frame
   double max_off_surface = 0;          // of the vertices beyond it
   DelaunayShare delaunay;

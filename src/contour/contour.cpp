@@ -2,6 +2,8 @@
 #include "contour/contour.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
@@ -111,6 +113,20 @@ std::uint64_t ContourSummary::boundary_loops() const {
   std::uint64_t sum = 0;
   for (const auto& component : components) sum += component.boundary_loops;
   return sum;
+}
+
+std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
+                                            const ComponentChoice& choice) {
+  const std::vector<ContourComponent>& components = summary.components;
+  std::vector<std::uint8_t> chosen;
+  for (const ContourComponent& c : components) chosen.push_back(c.side() >= choice.min_voxels);
+  if (choice.largest == 0 || choice.largest >= components.size()) return chosen;
+  std::vector<std::size_t> by_size(components.size());
+  std::iota(by_size.begin(), by_size.end(), 0);
+  std::ranges::stable_sort(by_size, std::ranges::greater(),
+                           [&](std::size_t c) { return components[c].crossings; });
+  for (const std::size_t c : std::span(by_size).subspan(choice.largest)) chosen[c] = 0;
+  return chosen;
 }
 
 ContourMesh build_contour(const Volume& volume, double kappa, int threads) {

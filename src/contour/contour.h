@@ -26,7 +26,9 @@
 // with several of these T is put together from parts, and for a moment there twice.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -48,6 +50,9 @@ struct ContourComponent {
   std::uint64_t boundary_loops = 0;
   Index3 lo, hi;  // first and last voxel it visits along each axis
 
+  // The longest side of its bounding box, in voxels.
+  int side() const { return 1 + std::max({hi.i - lo.i, hi.j - lo.j, hi.k - lo.k}); }
+
   friend bool operator==(const ContourComponent&, const ContourComponent&) = default;
 };
 
@@ -61,6 +66,10 @@ struct ContourSummary {
   TopologyCounts topology() const { return {components.size(), euler(), boundary_loops()}; }
   friend bool operator==(const ContourSummary&, const ContourSummary&) = default;
 };
+
+// Returns for each component whether it is to be meshed.
+std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
+                                            const ComponentChoice& choice);
 
 // The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
 // closed from the last to the first; consecutive vertices are crossings of grid edges (or of those

@@ -60,8 +60,8 @@ struct Region {
 
 }  // namespace
 
-Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, double kappa,
-                         double voxels) {
+Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, double kappa,
+                          const ComponentChoice& choice) {
   const Index3 dims = volume.dims();
   const auto number = [&](Index3 p) {
     return static_cast<std::uint32_t>(volume.index(p.i, p.j, p.k));
@@ -69,7 +69,7 @@ Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, doubl
   const auto is_inside = [&](Index3 p) { return volume.sample(p.i, p.j, p.k) >= kappa; };
 
   if (volume.sample_count() >= kNoId) {
-    throw InputError("--min-component with --cap is for less than 2^32 samples");
+    throw InputError("--min-component and --largest with --cap are for less than 2^32 samples");
   }
   DisjointSets joined(volume.sample_count());
   for_each_sample(dims, [&](Index3 p) {
@@ -118,6 +118,7 @@ Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, doubl
   };
   using Leaf = std::pair<std::uint64_t, std::uint32_t>;  // by its samples
   std::set<Leaf> leaves;
+  const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
   const auto look_at = [&](std::uint32_t r) {
     Region& region = regions[r];
     std::erase_if(region.components, [&](std::uint32_t c) { return !result.kept[c]; });
@@ -128,9 +129,8 @@ Dissolved dissolve_small(const ContourMesh& contour, const Volume& volume, doubl
     const std::uint32_t r = leaves.begin()->second;
     leaves.erase(leaves.begin());
     const std::uint32_t c = regions[r].components[0];
-    const ContourComponent& x = components[c];
-    const int side = 1 + std::max({x.hi.i - x.lo.i, x.hi.j - x.lo.j, x.hi.k - x.lo.k});
-    if (!result.kept[c] || !(side < voxels && regions[r].side() < voxels)) continue;
+    const bool is_small = choice.largest > 0 || regions[r].side() < choice.min_voxels;
+    if (!result.kept[c] || is_chosen[c] || !is_small) continue;
     const std::uint32_t a = now(sides[c][0]), b = now(sides[c][1]), beyond = a == r ? b : a;
     result.kept[c] = 0;
     into[r] = beyond;

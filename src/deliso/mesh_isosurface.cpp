@@ -51,8 +51,8 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   const Isosurface surface(volume, tree, kappa, options.cubic);
   std::array<bool, 8> inside{};
   if (options.cap) inside = corners_inside(volume, kappa);
-  if (options.cap && options.min_component > 0) {
-    Dissolved dissolved = dissolve_small(contour, volume, kappa, options.min_component);
+  if (options.cap && !options.components.is_all()) {
+    Dissolved dissolved = dissolve_others(contour, volume, kappa, options.components);
     parameters.kept = std::move(dissolved.kept);
     inside = dissolved.corner_inside;
   }

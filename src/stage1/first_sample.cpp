@@ -22,21 +22,6 @@ constexpr double kChainSagitta = 0.1;
 // The side of a block, in voxels.
 constexpr double kBlock = 8;
 
-double largest_side(const ContourComponent& c) {
-  return 1 + std::max({c.hi.i - c.lo.i, c.hi.j - c.lo.j, c.hi.k - c.lo.k});
-}
-
-// Per component of T, whether it is to be meshed.
-std::vector<std::uint8_t> kept_components(const ContourMesh& contour,
-                                          const Parameters& parameters) {
-  if (!parameters.kept.empty()) return parameters.kept;
-  std::vector<std::uint8_t> kept;
-  for (const ContourComponent& c : contour.summary.components) {
-    kept.push_back(!(largest_side(c) < parameters.min_component));
-  }
-  return kept;
-}
-
 // The block of kBlock^3 voxels that holds the vertex, of its component.
 using Block = std::array<std::uint32_t, 4>;
 Block block_of(VertexId v, const ContourMesh& contour, const Volume& volume) {
@@ -82,7 +67,8 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   const StepTimer timer(report.seconds_init);
   begin_stage(parameters.observer, "initial");
   FirstSample out;
-  out.kept = kept_components(contour, parameters);
+  out.kept = parameters.kept.empty() ? chosen_components(contour.summary, parameters.components)
+                                     : parameters.kept;
   const std::vector<std::uint8_t>& kept = out.kept;
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));

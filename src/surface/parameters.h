@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/topology_counts.h"
 #include "surface/criteria.h"
 
 namespace deliso {
@@ -19,7 +20,7 @@ class Observer;
 struct RunSettings {
   std::uint64_t seed = 1;
   std::size_t samples = 50;  // N0, random points to begin with
-  double min_component = 0;  // components whose bounding box is smaller (voxels) are left out
+  ComponentChoice components;
   // How many to use; the mesh is the same with any number.
   int threads = hardware_threads();
   // The best mesh of about so many vertices: --max-distance gives way.
@@ -41,7 +42,7 @@ struct Parameters : RunSettings {
   // Stage 2 as published: no dear rungs, no point of Sigma looked for, no crossing refused.
   bool as_published = false;
 
-  // Per component of T whether it is kept, where that is not for min_component to say: of what a
+  // Per component of T whether it is kept, where that is not for `components` to say: of what a
   // solid is to be closed from, no more is left out than contour/dissolve.h can do without.
   std::vector<std::uint8_t> kept;
 

@@ -163,7 +163,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.limits[Criterion::radius].value == 8);
   CHECK(options.seed == std::numeric_limits<std::uint64_t>::max());
   CHECK(options.samples == 9);
-  CHECK(options.min_component == 2.5);
+  CHECK(options.components.min_voxels == 2.5);
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
   CHECK(same(options.fingers, {0.25, Length::Unit::world}));
@@ -611,10 +611,10 @@ TEST_CASE("text that is no number of the right kind is refused, in one line that
   const std::string_view never[] = {"",      "e",  "1e", "12abc", "nan", "inf", "-inf",
                                     "1e999", " 1", "1 ", "0x10",  "1,5", "--",  "+-1"};
   const std::string_view numbers[] = {
-      "--iso",          "--eps",     "--eps1",     "--eps2",
-      "--lambda",       "--rmin",    "--fingers",  "--max-distance",
-      "--max-radius",   "--seed",    "--samples",  "--min-component",
-      "--max-vertices", "--threads", "--vertices", "--triangles"};
+      "--iso",       "--eps",           "--eps1",         "--eps2",       "--lambda",
+      "--rmin",      "--fingers",       "--max-distance", "--max-radius", "--seed",
+      "--samples",   "--min-component", "--max-vertices", "--threads",    "--vertices",
+      "--triangles", "--largest"};
   for (const std::string_view option : numbers) {
     for (const std::string_view text : never) {
       const std::string message = refusal({"x", option, text});
@@ -691,11 +691,17 @@ TEST_CASE("a block of a volume, and what cannot be asked of it") {
     CAPTURE(text);
     CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "--block", text}).empty());
   }
-  const std::vector<std::vector<std::string_view>> others{
-      {"--roi", "0:4,0:4,0:4"},      {"--cap"},          {"--min-component", "3"},
-      {"--vertices", "100"},         {"--paper"},        {"--triangles", "100"},
-      {"--recover", "paper"},        {"--single-stage"}, {"--stop-after", "recover"},
-      {"--method", "marching-cubes"}};
+  const std::vector<std::vector<std::string_view>> others{{"--roi", "0:4,0:4,0:4"},
+                                                          {"--cap"},
+                                                          {"--min-component", "3"},
+                                                          {"--largest", "2"},
+                                                          {"--vertices", "100"},
+                                                          {"--paper"},
+                                                          {"--triangles", "100"},
+                                                          {"--recover", "paper"},
+                                                          {"--single-stage"},
+                                                          {"--stop-after", "recover"},
+                                                          {"--method", "marching-cubes"}};
   for (const auto& other : others) {
     CAPTURE(other[0]);
     std::vector<std::string_view> arguments{"a.nrrd", "--iso", "1", "--block", "0,0,0/2,1,1"};

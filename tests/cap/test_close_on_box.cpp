@@ -74,7 +74,7 @@ TEST_CASE("samples of all sizes become closed solids that cross no more than wha
   CHECK(sound >= solids - 1);
 }
 
-TEST_CASE("what --min-component leaves out is dissolved into what surrounds it") {
+TEST_CASE("what --min-component and --largest leave out is dissolved into what surrounds it") {
   // Samples at the corners of the box were asked, though what explained them had been left out.
   int whole = 0, nothing = 0, fewer = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
@@ -83,7 +83,11 @@ TEST_CASE("what --min-component leaves out is dissolved into what surrounds it")
     const double kappa = seed % 4 == 0 ? 1 : seed % 2 == 0 ? 170 : 30.3;
     if (!(value_range(volume).min < kappa && kappa <= value_range(volume).max)) continue;
     Options options;
-    options.min_component = static_cast<double>(2 + seed % 5);
+    if (seed % 3 == 0) {
+      options.components.largest = 1 + seed % 5;
+    } else {
+      options.components.min_voxels = static_cast<double>(2 + seed % 5);
+    }
     const Solid solid = solid_of(volume, kappa, options);
     fewer += solid.report[Counter::components_skipped] > 0;
     if (solid.mesh.faces.empty()) {
@@ -110,7 +114,7 @@ TEST_CASE("a speck goes, a cavity is filled, at the box and away from it, and a 
   };
   const auto volume_of = [&](double min_component) {
     Options options;
-    options.min_component = min_component;
+    options.components.min_voxels = min_component;
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
     const Solid solid = solid_of(volume, 0.5, options);
     check_solid(solid, volume.box());

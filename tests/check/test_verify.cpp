@@ -560,7 +560,7 @@ TEST_CASE("what is a hair off the box is no cap, where the other vertices are ex
   }
 }
 
-// The same component may be missing where it is smaller than min_component, and only there.
+// The same component may be missing where it is smaller than asked for, and only there.
 TEST_CASE("a small component left out on request is counted, a larger one is missing") {
   const Scene scene = wave_scene(3, 24);
   const ContourComponent& c = scene.contour.summary.components[1];
@@ -571,10 +571,10 @@ TEST_CASE("a small component left out on request is counted, a larger one is mis
   VerifyOptions options;
   options.restricted_share = 0;
   for (const bool allowed : {false, true}) {
-    options.min_component = allowed ? size + 1 : size;
+    options.components.min_voxels = allowed ? size + 1 : size;
     const Verification v =
         verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(), options);
-    CHECK(v.small_components == (allowed ? 1 : 0));
+    CHECK(v.left_out == (allowed ? 1 : 0));
     check_only(v, FaultKind::missing_components, allowed ? 0 : 1);
   }
 }

@@ -272,3 +272,30 @@ TEST_CASE("a volume without voxels, or without an inside or outside, has no cont
     CHECK(mesh.boundary.size() == 0);
   }
 }
+
+TEST_CASE("chosen components are large enough, and no other crosses more grid edges") {
+  const Volume volume = make_builtin_volume("builtin:noise:24");
+  const ContourSummary summary = summarize_contour(volume, settled_isovalue(volume, 0));
+  const std::vector<ContourComponent>& all = summary.components;
+  REQUIRE(all.size() > 8);
+  for (const std::size_t largest :
+       {std::size_t{0}, std::size_t{1}, std::size_t{5}, all.size() + 1}) {
+    for (const double min_voxels : {0.0, 4.0}) {
+      CAPTURE(largest);
+      CAPTURE(min_voxels);
+      const auto chosen = chosen_components(summary, {min_voxels, largest});
+      REQUIRE(chosen.size() == all.size());
+      std::size_t count = 0;
+      for (std::size_t c = 0; c < all.size(); ++c) {
+        std::size_t larger = 0;
+        for (std::size_t d = 0; d < all.size(); ++d) {
+          larger += all[d].crossings > all[c].crossings ||
+                    (all[d].crossings == all[c].crossings && d < c);
+        }
+        CHECK(chosen[c] == ((largest == 0 || larger < largest) && all[c].side() >= min_voxels));
+        count += chosen[c];
+      }
+      if (min_voxels == 0 && largest > 0) CHECK(count == std::min(largest, all.size()));
+    }
+  }
+}

@@ -233,7 +233,7 @@ TEST_CASE("no component is missing among specks of all sizes, or their sites hav
     CHECK(missing == (way == RecoverWay::certified ? 0 : 215));
     CHECK(out.report[Counter::unresolved_vertices] >= missing);
     Options large_only = options;
-    large_only.min_component = 3;
+    large_only.components.min_voxels = 3;
     const Run none = run(volume, 100.5, large_only);
     CHECK(none.report[Counter::components_skipped] == 216);
     CHECK(none.mesh.faces.empty());

@@ -142,7 +142,7 @@ Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
   options.r_min = {(0.1 + source.share()) * ratio, Length::Unit::voxel};
   options.fingers = {ratio * ((flags & 1) != 0 ? 0.1 + 3 * source.share() : 1),
                      Length::Unit::voxel};
-  if ((flags & 2) != 0) options.min_component = 4 * source.share();
+  if ((flags & 2) != 0) options.components.min_voxels = 4 * source.share();
   if ((flags & 4) != 0) options.seed = source.next();
   if ((flags & 8) != 0) options.limits[Criterion::r_over_l].value = 1 + 2 * source.share();
   if ((flags & 16) != 0) options.samples = source.next();
@@ -170,7 +170,7 @@ void write_case(const Volume& volume, double isovalue, const Options& o, bool by
       "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu%s%s%s"
       " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
       path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
-      o.fingers.value, o.min_component, static_cast<unsigned long long>(o.seed),
+      o.fingers.value, o.components.min_voxels, static_cast<unsigned long long>(o.seed),
       o.limits[Criterion::r_over_l].value, o.samples, o.max_vertices,
       o.keep_partial ? " --keep-partial" : "", o.stop_after_recover ? " --stop-after recover" : "",
       o.single_stage ? " --single-stage" : "", o.limits[Criterion::distance].value,
@@ -221,7 +221,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   // The paper's tests leave vertices unresolved on noise, and the mesh is no manifold there: that
   // is known, and counted.
   if (verdict.invalid && (certified || !any_doubt(report))) found(verdict.fault);
-  if (certified && options.min_component == 0 && !any_doubt(report) && !verdict.topology_exact) {
+  if (certified && options.components.is_all() && !any_doubt(report) && !verdict.topology_exact) {
     found(verdict.fault);
   }
   return 0;

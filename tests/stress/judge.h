@@ -62,7 +62,7 @@ inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& o
   using enum FaultKind;
   Verdict verdict;
   VerifyOptions how;
-  how.min_component = options.min_component;
+  how.components = options.components;
   how.restricted_share = 0;
   const Verification v = verify(mesh, volume, report.kappa_effective, how);
   std::string fault = check_mesh(mesh);
