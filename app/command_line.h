@@ -65,6 +65,7 @@ struct CommandLine {
   bool check = false;
   double restricted_share = 0;  // the least that a check lets pass
   bool quiet = false;
+  bool verbose = false;
 };
 
 // The mesh is to have a number of vertices, not to keep to a distance.

@@ -38,9 +38,11 @@ void append_stage(std::string& text, const char* name, double seconds, std::uint
                     .c_str());
 }
 
-void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min) {
+void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min,
+                    bool verbose) {
   append_format(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
                 quality.max_angle);
+  if (!verbose) return;
   append_format(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n",
                 quality.max_r_over_l, number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
   append_format(text, "          %s with r/l > %s, %s of them above r_min\n",
@@ -53,7 +55,8 @@ void append_quality(std::string& text, const MeshQuality& quality, double lambda
 }
 
 // How near to the surface Stage 2 has brought the mesh.
-std::string distance_text(const Options& options, const Report& report, double voxel) {
+std::string distance_text(const Options& options, const Report& report, double voxel,
+                          bool verbose) {
   const auto both = [voxel](double length) {
     return text(rounded(length / voxel), " voxels (", rounded(length), " in world units)");
   };
@@ -62,7 +65,29 @@ std::string distance_text(const Options& options, const Report& report, double v
     return text("distance  the surface lies within ", both(report.max_distance), " of the mesh\n");
   }
   if (!(report.max_distance < Options::kNone)) return text("distance  ", largest);
-  return text("distance  D = ", both(report.max_distance), "\n          ", largest);
+  return text("distance  D = ", both(report.max_distance), "\n",
+              verbose ? "          " + largest : std::string());
+}
+
+// The table of stages.
+void append_stages(std::string& text, const MeshRun& run) {
+  const Report& report = run.report;
+  text += "\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
+  append_step(text, "read", run.input.seconds);
+  append_step(text, "kd-tree", report.seconds_tree);
+  append_step(text, "exact contour", report.seconds_contour);
+  append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
+                grouped(report.points_initial).c_str());
+  append_step(text, "labels", report.seconds_labels);
+  append_stage(text, "recover", report.seconds_recover, report.insertions_recover(),
+               report.searches_recover);
+  append_step(text, "poles", report.seconds_poles);
+  append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
+               report.searches_refine);
+  append_step(text, "cap", report.seconds_cap);
+  append_step(text, "check", run.seconds_check);
+  append_step(text, "write", run.seconds_write);
+  append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 }
 
 // What Stage 2 did, and what was refused for which reasons.
@@ -85,6 +110,47 @@ void append_rungs(std::string& text, const Report& report) {
   }
 }
 
+// What was refused, and what is left.
+void append_counters(std::string& text, const Report& report) {
+  const std::size_t before = text.size();
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    if (report.counters[n] == 0) continue;
+    append_format(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
+                  std::string(name_of(static_cast<Counter>(n))).c_str(),
+                  grouped(report.counters[n]).c_str());
+  }
+  append_rungs(text, report);
+  if (text.size() == before) text += "counters  nothing refused or unresolved\n";
+}
+
+// What holds of the mesh, and where it falls short.
+std::string verdict_text(const MeshRun& run) {
+  const Report& report = run.report;
+  const Options& options = run.line.options;
+  std::string text = "verdict   ";
+  if (!run.fault.empty() || (options.components.is_all() && run.mesh != report.exact)) {
+    text += "another topology than the surface's";
+  } else {
+    text += options.components.is_all() ? "exact topology" : "only the components asked for";
+  }
+  const std::uint64_t crossings = run.crossings + report[Counter::crossings_handed_over];
+  if (crossings > 0) {
+    text += "; " + counted(crossings, "crossing pair", "crossing pairs") + " of triangles";
+  } else {
+    text += options.recover == RecoverWay::certified ? ", no crossings"
+                                                     : "; crossings are not looked for";
+  }
+  const std::uint64_t over = report[Counter::unrefined_facets], far = report[Counter::points_far];
+  if (over > 0) {
+    text += "; " + grouped(over) + " of " + counted(run.triangles, "triangle", "triangles") +
+            " over a limit";
+  }
+  if (far > 0) {
+    text += "; " + counted(far, "point", "points") + " of the surface further than 2 D";
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string report_text(const MeshRun& run) {
@@ -96,22 +162,9 @@ std::string report_text(const MeshRun& run) {
         ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles equal it";
   }
 
-  text += "\n\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
-  append_step(text, "read", run.input.seconds);
-  append_step(text, "kd-tree", report.seconds_tree);
-  append_step(text, "exact contour", report.seconds_contour);
-  append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
-                grouped(report.points_initial).c_str());
-  append_step(text, "labels", report.seconds_labels);
-  append_stage(text, "recover", report.seconds_recover, report.insertions_recover(),
-               report.searches_recover);
-  append_step(text, "poles", report.seconds_poles);
-  append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
-               report.searches_refine);
-  append_step(text, "cap", report.seconds_cap);
-  append_step(text, "check", run.seconds_check);
-  append_step(text, "write", run.seconds_write);
-  append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
+  text += "\n";
+  const bool verbose = run.line.verbose;
+  if (verbose) append_stages(text, run);
 
   text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
           counted(run.triangles, "triangle", "triangles");
@@ -139,26 +192,23 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.triangles > 0)
     append_quality(text, run.quality, run.line.options.limits[Criterion::r_over_l].value,
-                   report.r_min);
+                   report.r_min, verbose);
 
   const Options& options = run.line.options;
   const bool refined =
       run.line.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
     const Vec3 s = run.input.volume.spacing();
-    text += distance_text(options, report, std::min({s.x, s.y, s.z}));
+    text += distance_text(options, report, std::min({s.x, s.y, s.z}), verbose);
   }
   if (run.verification) text += verification_text(*run.verification, run.input.volume);
-  const std::size_t before = text.size();
-  for (std::size_t n = 0; n < kCounterCount; ++n) {
-    if (report.counters[n] == 0) continue;
-    append_format(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
-                  std::string(name_of(static_cast<Counter>(n))).c_str(),
-                  grouped(report.counters[n]).c_str());
+  if (verbose) {
+    append_counters(text, report);
+  } else if (run.line.method == Method::delaunay && run.triangles > 0) {
+    text += verdict_text(run);
   }
-  append_rungs(text, report);
-  if (text.size() == before) text += "counters  nothing refused or unresolved\n";
-  append_format(text, "memory    %.1f MiB at most\n", static_cast<double>(run.peak_bytes) / 0x1p20);
+  append_format(text, "cost      %.2f seconds, %.1f MiB at most\n", run.seconds_total,
+                static_cast<double>(run.peak_bytes) / 0x1p20);
   return text;
 }
 

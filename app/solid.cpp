@@ -15,12 +15,12 @@ double world_volume(double scaled, const Frame& frame) {
 
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                        const MeshQuality& caps) {
-  std::string line = text("volume ", volume, "; caps of ") +
+  std::string line = text("volume ", rounded(volume, 6), "; caps of ") +
                      counted(cap_triangles, "triangle", "triangles") + ", " +
                      counted(cap_vertices, "new vertex", "new vertices");
   if (cap_triangles > 0) {
-    line += text(",\n          their smallest angle ", caps.min_angle, " degrees, largest r/l ",
-                 caps.max_r_over_l);
+    line += text(",\n          their smallest angle ", rounded(caps.min_angle),
+                 " degrees, largest r/l ", rounded(caps.max_r_over_l));
   }
   return line;
 }

@@ -52,11 +52,11 @@ holds "the report has the file's vertices" grep -q "^mesh *$vertices vertices " 
 "$deliso" builtin:fuel -o mesh.ply --json - >json 2>stderr
 holds "the JSON has the file's vertices" grep -q "\"vertices\": $vertices,\$" json
 
-# By the number of vertices: the distance that was reached is in the report, and in the file.
+# By the number of vertices: how far the surface is from the mesh is in the report, and in the file.
 "$deliso" builtin:fuel --vertices 3000 -o count.off >report
-holds "--vertices tells the distance reached" \
-  grep -q '^distance  D reached: [0-9.e-]* voxels ([0-9.e-]* in world units)$' report
-reached=$(sed -n 's/^distance  D reached: \([0-9.e-]*\) voxels.*/\1/p' report)
+holds "--vertices tells how far the surface is" \
+  grep -q '^distance  the surface lies within [0-9.e-]* voxels ([0-9.e-]* in world units) of' report
+reached=$(sed -n 's/^distance  the surface lies within \([0-9.e-]*\) voxels.*/\1/p' report)
 noted=$(sed -n 's/^# deliso .* max-distance=\([0-9.e-]*\) .*/\1/p;3q' count.off)
 holds "and the file has it" [ "$(printf '%.3g' "$reached")" = "$(printf '%.3g' "$noted")" ]
 "$deliso" builtin:fuel --triangles 6000 --json - -q >json

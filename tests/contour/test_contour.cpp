@@ -275,7 +275,7 @@ TEST_CASE("a volume without voxels, or without an inside or outside, has no cont
 
 TEST_CASE("chosen components are large enough, and no other crosses more grid edges") {
   const Volume volume = make_builtin_volume("builtin:noise:24");
-  const ContourSummary summary = summarize_contour(volume, settled_isovalue(volume, 0));
+  const ContourSummary summary = summarize_contour(volume, settled_isovalue(volume, 127.5));
   const std::vector<ContourComponent>& all = summary.components;
   REQUIRE(all.size() > 8);
   for (const std::size_t largest :

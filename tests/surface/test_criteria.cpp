@@ -93,9 +93,7 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    const bool is_strict = random.below(2) == 0;
-    const int fourths = is_strict ? 1 : 8;
-    FacetQueue queue(2.0 / 32, is_strict);  // blocks with sides of 2
+    FacetQueue queue(2.0 / 32);  // blocks with sides of 2
     std::vector<double> violation(200, 0);
     std::vector<Vec3> place(200);
     for (int n = 0; n < 1000; ++n) {
@@ -113,7 +111,7 @@ TEST_CASE(
       REQUIRE(violation[f] > 1);
       const int fourth = static_cast<int>(4 * std::log2(violation[f]));
       const int block = static_cast<int>(place[f].x) / 2 + 4 * (static_cast<int>(place[f].y) / 2);
-      const std::array<int, 3> now{-(fourth / fourths), block, -fourth};
+      const std::array<int, 3> now{-(fourth / 8), block, -fourth};
       CHECK(now >= last);
       last = now;
       violation[f] = 0;  // given out once
@@ -124,7 +122,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the queue takes any violation and any place") {
-  FacetQueue queue(1, false);
+  FacetQueue queue(1);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   queue.set(3, 2, {0, 0, 0});
   queue.set(1, kInfinity, {5, -5, 0});
