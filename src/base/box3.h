@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An axis-aligned closed box, and the clipping of lines against it (slab method).
+// Axis-aligned closed boxes, and the clipping of lines against them (slab method).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace deliso {
 
-// A range of a line's parameter; empty when lo > hi.
+// An interval of a line's parameter; empty when lo > hi.
 struct Range {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();
@@ -39,13 +39,13 @@ inline Box3 box_of(const Vec3& a, const Vec3& b, const Vec3& c) {
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
-// Squared distance from p to the nearest point of the box.
+// Returns the squared distance from p to the box; 0 inside.
 inline double distance2_to(const Box3& box, const Vec3& p) {
   return length2(p - Vec3{std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y),
                           std::clamp(p.z, box.lo.z, box.hi.z)});
 }
 
-// The part of `range` in which origin + t * direction lies in the box.
+// Returns the part of `range` in which origin + t * direction lies in the box.
 inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const Box3& box) {
   for (int axis = 0; axis < 3; ++axis) {
     const double o = origin[axis], d = direction[axis];
@@ -61,25 +61,25 @@ inline Range clip(const Vec3& origin, const Vec3& direction, Range range, const 
   return range;
 }
 
-// A face of the box, 2 * axis + (0 at the low end, 1 at the high end).
+// A face of a box: 2 * axis, + 1 at the high end.
 using BoxFace = std::uint8_t;
 constexpr int axis_of(BoxFace face) {
   return face >> 1;
 }
 
-// The faces of `box` that p lies on, exactly or so far off: bit n for face n.
-inline unsigned box_faces_at(const Vec3& p, const Box3& box, double off = 0) {
+// Returns the faces of `box` that are at most `tolerance` from p: bit n for face n.
+inline unsigned box_faces_at(const Vec3& p, const Box3& box, double tolerance = 0) {
   unsigned faces = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::fabs(p[axis] - box.lo[axis]) <= off) faces |= 1u << (2 * axis);
-    if (std::fabs(p[axis] - box.hi[axis]) <= off) faces |= 2u << (2 * axis);
+    if (std::fabs(p[axis] - box.lo[axis]) <= tolerance) faces |= 1u << (2 * axis);
+    if (std::fabs(p[axis] - box.hi[axis]) <= tolerance) faces |= 2u << (2 * axis);
   }
   return faces;
 }
 
-// Whether p and q lie on one of them, both so far off at most.
-inline bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double off = 0) {
-  return (box_faces_at(p, box, off) & box_faces_at(q, box, off)) != 0;
+// True if one face of `box` is at most `tolerance` from both p and q.
+inline bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double tolerance = 0) {
+  return (box_faces_at(p, box, tolerance) & box_faces_at(q, box, tolerance)) != 0;
 }
 
 }  // namespace deliso

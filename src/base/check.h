@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Three kinds of failure, three tools: bad input throws InputError, a broken invariant trips
-// DELISO_CHECK (always on) or DELISO_ASSERT (debug builds), a normal outcome is a return value.
+// Three kinds of failure. Bad input throws InputError. A broken invariant trips DELISO_CHECK
+// (always on) or DELISO_ASSERT (debug builds). A normal outcome is a return value.
 #pragma once
 
 #include <cstdio>
@@ -14,8 +14,8 @@
 
 namespace deliso {
 
-// `message` as one line of bounded length, whatever names and words of files it holds: control
-// characters become '?', and the middle of what is very long goes.
+// Returns `message` as one line of bounded length, because files may hold any name or word. Control
+// characters become '?'; the middle of a very long message is left out.
 inline std::string one_line(std::string message) {
   constexpr std::size_t kBegin = 200, kEnd = 300;
   if (message.size() > kBegin + kEnd) {
@@ -27,7 +27,7 @@ inline std::string one_line(std::string message) {
   return message;
 }
 
-// What the user gave cannot be used; what() is one line that names the file and the fault.
+// Thrown for unusable input. what() is one line that names the file and the fault.
 struct InputError : std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };

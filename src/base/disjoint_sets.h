@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Disjoint sets of the numbers from 0 on (union-find); a set's representative is its smallest
-// member.
+// Disjoint sets of the numbers 0 to n - 1 (union-find). The smallest member represents its set.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +13,10 @@ namespace deliso {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t n = 0) : parent_(n) { part(); }
+  explicit DisjointSets(std::size_t n = 0) : parent_(n) { reset(); }
 
   // Makes every member a set of its own.
-  void part() { std::iota(parent_.begin(), parent_.end(), 0u); }
+  void reset() { std::iota(parent_.begin(), parent_.end(), 0u); }
   std::uint32_t find(std::uint32_t a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;
@@ -28,11 +27,11 @@ class DisjointSets {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
-  // Returns for every member the number of its set: sets are numbered by their smallest members,
-  // in order. Takes the memory of the sets, which are gone.
+  // Returns the number of every member's set. Sets are numbered in the order of their smallest
+  // members. Leaves no sets: their memory is reused for the result.
   std::vector<std::uint32_t> take_numbers() {
     std::uint32_t count = 0;
-    // Parents come before their children, so theirs is a number already.
+    // A parent has a smaller number than its children, so it was replaced before them.
     for (std::uint32_t n = 0; n < parent_.size(); ++n) {
       parent_[n] = parent_[n] == n ? count++ : parent_[parent_[n]];
     }

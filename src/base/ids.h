@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Elements are integers into flat arrays, never pointers: half the size, stable when arrays grow,
-// and every order taken from them is the same in every run. Ids of different things are different
-// types: a site is no vertex of a mesh, though both are numbers.
+// Elements are indices into flat arrays, not pointers. Indices are half the size, survive growth of
+// the array, and sort the same way in every run. Ids of different things have different types: a
+// site is not a mesh vertex.
 #pragma once
 
 #include <concepts>
@@ -11,20 +11,20 @@
 
 namespace deliso {
 
-// No element: equal to an id that names none.
+// The id of no element: equal to every id that is empty.
 struct NoId {
   constexpr operator std::uint32_t() const { return 0xffffffffu; }
 };
 inline constexpr NoId kNoId;
 
-// The number of an element of the kind that Tag names: read as a number anywhere, but made of one
-// on purpose only (literals aside), and never of an id of another kind.
+// The number of an element of the kind that Tag names. It converts to a number anywhere. A number
+// converts to it explicitly only (literals excepted), and an id of another kind never.
 template <class Tag>
 class Id {
  public:
   Id() = default;
   constexpr Id(NoId none) : number_(none) {}
-  // VertexId(n). The compiler prefers it to the next, as the more constrained one.
+  // VertexId(n). Overload resolution prefers this to the next, which is less constrained.
   template <class N>
   requires std::signed_integral<N> || std::unsigned_integral<N>
   explicit constexpr Id(N number) : number_(static_cast<std::uint32_t>(number)) {}
@@ -52,7 +52,7 @@ constexpr bool operator==(Id<A> a, Id<B> b) {
   return a.number() == b.number();
 }
 
-// What every element of a kind has, by its id. All else is std::vector's.
+// A vector indexed by the ids of one kind.
 template <class Index, class T>
 class IdArray : public std::vector<T> {
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Work in several threads that gives the same bytes as in one. The tasks are the same for every
-// number of threads. The result of a task depends on its number alone, not on its thread or time.
+// Runs work in several threads with the same result, to the byte, as in one. The tasks are the same
+// for every number of threads. The result of a task depends on its number alone, not on its thread
+// or time.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +16,14 @@
 
 namespace deliso {
 
-// How many threads this machine runs at once.
+// Returns how many threads this machine runs at once.
 inline int hardware_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Calls task(n) once for every n below `tasks`, in at most so many threads, this one among them;
-// tasks begin in order. What they throw is thrown here: of several the one with the smallest
-// number, which is the same with any number of threads. Tasks after it need not have run.
+// Calls task(n) once for every n below `tasks`, in at most `threads` threads, this one included.
+// Tasks begin in order. If tasks throw, rethrows the exception of the smallest n, whatever the
+// number of threads; later tasks may not have run.
 template <class Task>
 void for_each_task(int threads, std::size_t tasks, Task&& task) {
   if (threads <= 1 || tasks <= 1) {
@@ -54,18 +55,19 @@ void for_each_task(int threads, std::size_t tasks, Task&& task) {
         others.emplace_back(work);
       }
     } catch (const std::system_error&) {
-      // No more threads are to be had: those that there are do it all.
+      // The system grants no more threads: the ones that started do all the tasks.
     }
     work();
   }
   if (thrown) std::rethrow_exception(thrown);
 }
 
-// The same for runs of at most `grain` of `size` things: calls task(begin, end), or with the
-// number of the run as well, task(n, begin, end).
+// Returns how many runs of at most `grain` elements cover `size` elements.
 inline std::size_t runs_of(std::size_t size, std::size_t grain) {
   return (size + grain - 1) / grain;
 }
+// As for_each_task, for runs of at most `grain` of `size` elements. Calls task(begin, end), or with
+// the number of the run task(n, begin, end).
 template <class Task>
 void for_each_run(int threads, std::size_t size, std::size_t grain, Task&& task) {
   for_each_task(threads, runs_of(size, grain), [&](std::size_t n) {

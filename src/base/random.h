@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SplitMix64 (Steele, Lea and Flood 2014): one seeded generator, the same numbers everywhere.
+// A seeded generator, the same numbers on every machine: SplitMix64 (Steele, Lea and Flood 2014).
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
-  // Uniform in [0, 1), 53 bits.
+  // Returns a uniform number in [0, 1), of 53 bits.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double uniform(double lo, double hi) { return lo + (hi - lo) * uniform(); }
-  // Uniform in 0 .. n-1 for n well below 2^32.
+  // Returns a uniform number in 0 .. n-1. pre: n is well below 2^32.
   std::uint32_t below(std::uint32_t n) {
     return static_cast<std::uint32_t>(((next() >> 32) * n) >> 32);
   }

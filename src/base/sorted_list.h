@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets as plain vectors: ascending and without repeats.
+// Sets as vectors: ascending, without repeats.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 
 namespace deliso {
 
-// Makes such a list of any.
+// Sorts the list and removes repeats.
 template <class T>
 void sort_out(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+// Returns the union of two sorted lists.
 template <class T>
 std::vector<T> united(const std::vector<T>& a, const std::vector<T>& b) {
   std::vector<T> out;

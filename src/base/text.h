@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text from parts. Numbers become the shortest digits that read back as the same number, in no
-// locale, the same on every machine (std::to_chars).
+// Text from pieces. A number is written with the fewest digits that read back as the same number.
+// The result is the same in every locale and on every machine (std::to_chars).
 #pragma once
 
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What surfaces are compared by.
+// The counts by which the topology of two surfaces is compared.
 #pragma once
 
 #include <cstdint>

@@ -8,12 +8,13 @@
 
 namespace deliso {
 
-// Twice the area times the unit normal; counter-clockwise seen from where it points.
+// Returns the unit normal times twice the area. The corners run counter-clockwise as seen from
+// where it points.
 constexpr Vec3 area_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return cross(b - a, c - a);
 }
 
-// Circumcenter in the triangle's plane. Infinite or NaN for collinear corners.
+// Returns the circumcenter, in the triangle's plane; infinite or NaN for collinear corners.
 inline Vec3 circumcenter(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   return a + (length2(u) * cross(v, n) + length2(v) * cross(n, u)) / (2 * length2(n));
@@ -23,8 +24,9 @@ constexpr double shortest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
-// Squared distance from p to the nearest point of the triangle: a corner, a point of an edge or of
-// the inside, whichever of the triangle's seven Voronoi regions p lies in (Ericson 2005, §5.1.5).
+// Returns the squared distance from p to the triangle. The nearest point is a corner or lies on an
+// edge or inside, depending on which of the triangle's seven Voronoi regions holds p (Ericson 2005,
+// §5.1.5).
 inline double distance2_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);

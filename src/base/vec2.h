@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and vectors of a plane: points of a box's face with the coordinate across it left out.
+// Points and vectors of a plane: those of a box face, without the coordinate across it.
 #pragma once
 
 namespace deliso {

@@ -173,7 +173,7 @@ void FineVoxel::trace_face(int f) {
 }
 
 void FineVoxel::trace() {
-  pieces_.part();
+  pieces_.reset();
   Cell cell;
   for (int k = 0; k < factor_.k; ++k) {
     for (int j = 0; j < factor_.j; ++j) {

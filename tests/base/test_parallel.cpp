@@ -12,7 +12,7 @@
 
 using namespace deliso;
 
-TEST_CASE("every task runs once, whatever the number of threads") {
+TEST_CASE("every task runs once, for any number of threads") {
   for (const int threads : {0, 1, 2, 3, 8, 100}) {
     for (const std::size_t tasks : {0u, 1u, 2u, 7u, 1000u}) {
       CAPTURE(threads);
@@ -24,7 +24,7 @@ TEST_CASE("every task runs once, whatever the number of threads") {
   }
 }
 
-TEST_CASE("runs cover everything once, in pieces of the grain") {
+TEST_CASE("runs cover every element once, each run at most the grain") {
   for (const int threads : {1, 3}) {
     for (const std::size_t size : {0u, 1u, 9u, 10u, 11u, 95u}) {
       CAPTURE(size);
@@ -44,7 +44,8 @@ TEST_CASE("runs cover everything once, in pieces of the grain") {
   }
 }
 
-TEST_CASE("of several exceptions the one of the first task comes out, with any number of threads") {
+TEST_CASE(
+    "of several exceptions the one of the first task is rethrown, for any number of threads") {
   for (const int threads : {1, 2, 8}) {
     for (int repeat = 0; repeat < 50; ++repeat) {
       std::string said;
