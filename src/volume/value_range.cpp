@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Passes over all samples, written so that compilers turn them into vector code: independent lanes
-// in place of one running minimum, no branch inside a run. Runs of samples go to several threads;
-// what is found in each is put together in the order of the runs.
+// Passes over all samples, written for vectorizing compilers: independent lanes instead of one
+// running minimum, and no branch inside a run. Several threads process runs of samples; their
+// results are combined in the order of the runs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,13 +19,13 @@
 namespace deliso {
 namespace {
 
-// Samples looked at by one thread at a time.
-constexpr std::size_t kRun = std::size_t{1} << 21;
+// Number of samples in one task.
+constexpr std::size_t kSamplesPerTask = std::size_t{1} << 21;
 
 template <class T>
 constexpr std::size_t kLanes = 64 / sizeof(T);
 
-// Runs f(lane, sample) over the samples from `begin` to `end`.
+// Calls f(lane, sample) for the samples from `begin` to `end`.
 template <class T, class F>
 void for_each_lane(const T* samples, std::size_t begin, std::size_t end, F f) {
   for (; begin + kLanes<T> <= end; begin += kLanes<T>) {
@@ -73,24 +73,25 @@ ValueRange value_range(const Volume& volume, std::string_view name, int threads)
   const std::size_t count = volume.sample_count();
   return volume.visit([&](const auto* s) {
     using T = std::remove_cvref_t<decltype(*s)>;
-    std::vector<Extremes<T>> found(runs_of(count, kRun), Extremes<T>(s[0]));
-    for_each_run(threads, count, kRun, [&](std::size_t run, std::size_t begin, std::size_t end) {
-      Extremes<T> extremes(s[0]);
-      if constexpr (std::is_floating_point_v<T>) {
-        // v * 0 is 0 for every finite v, else NaN, and NaN stays NaN in a sum.
-        std::array<T, kLanes<T>> zeros{};
-        for_each_lane(s, begin, end, [&](std::size_t lane, T v) {
-          extremes.add(lane, v);
-          zeros[lane] += v * T{0};
+    std::vector<Extremes<T>> found(runs_of(count, kSamplesPerTask), Extremes<T>(s[0]));
+    for_each_run(
+        threads, count, kSamplesPerTask, [&](std::size_t run, std::size_t begin, std::size_t end) {
+          Extremes<T> extremes(s[0]);
+          if constexpr (std::is_floating_point_v<T>) {
+            // v * 0 is 0 for every finite v and NaN otherwise, and a sum with a NaN is NaN.
+            std::array<T, kLanes<T>> zeros{};
+            for_each_lane(s, begin, end, [&](std::size_t lane, T v) {
+              extremes.add(lane, v);
+              zeros[lane] += v * T{0};
+            });
+            if (std::accumulate(zeros.begin(), zeros.end(), T{0}) != 0) {
+              fail_sample(volume, name, s, begin);
+            }
+          } else {
+            for_each_lane(s, begin, end, [&](std::size_t lane, T v) { extremes.add(lane, v); });
+          }
+          found[run] = extremes;
         });
-        if (std::accumulate(zeros.begin(), zeros.end(), T{0}) != 0) {
-          fail_sample(volume, name, s, begin);
-        }
-      } else {
-        for_each_lane(s, begin, end, [&](std::size_t lane, T v) { extremes.add(lane, v); });
-      }
-      found[run] = extremes;
-    });
     for (const Extremes<T>& extremes : found) found[0].add(extremes);
     return ValueRange{static_cast<double>(found[0].min()), static_cast<double>(found[0].max())};
   });
@@ -123,18 +124,19 @@ LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads
       Extremes<T> all, below, inside;
     };
     const Found nothing{Extremes<T>(s[0]), Extremes<T>(lowest), Extremes<T>(highest)};
-    std::vector<Found> found(runs_of(count, kRun), nothing);
-    for_each_run(threads, count, kRun, [&](std::size_t run, std::size_t begin, std::size_t end) {
-      Found here = nothing;
-      for_each_lane(s, begin, end,
-                    [&here, level = threshold.value_or(lowest), least = lowest, most = highest](
-                        std::size_t lane, T v) {
-                      here.all.add(lane, v);
-                      here.below.add(lane, v < level ? v : least);
-                      here.inside.add(lane, v < level ? most : v);
-                    });
-      found[run] = here;
-    });
+    std::vector<Found> found(runs_of(count, kSamplesPerTask), nothing);
+    for_each_run(threads, count, kSamplesPerTask,
+                 [&](std::size_t run, std::size_t begin, std::size_t end) {
+                   Found here = nothing;
+                   for_each_lane(s, begin, end,
+                                 [&here, level = threshold.value_or(lowest), least = lowest,
+                                  most = highest](std::size_t lane, T v) {
+                                   here.all.add(lane, v);
+                                   here.below.add(lane, v < level ? v : least);
+                                   here.inside.add(lane, v < level ? most : v);
+                                 });
+                   found[run] = here;
+                 });
     Found& whole = found[0];
     for (const Found& part : found) {
       whole.all.add(part.all);
@@ -143,7 +145,7 @@ LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads
     }
     const double min = static_cast<double>(whole.all.min());
     const double max = static_cast<double>(whole.all.max());
-    // Without a sample below kappa, all of the volume is inside.
+    // Without a sample below kappa, the whole volume is inside.
     if (!(min < kappa)) return LoweredIsovalue{kappa, min == kappa};
     const bool is_sample =
         threshold && max >= kappa && static_cast<double>(whole.inside.min()) == kappa;

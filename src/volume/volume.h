@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A scalar volume: samples on a regular grid, kept in their own type, with the trilinear
-// interpolant g of paper §2 between them.
+// A scalar volume: samples on a regular grid, kept in their own type, and their trilinear
+// interpolant g (paper §2).
 //
-// Frame: sample (i,j,k) lies at (i*sx, j*sy, k*sz); all geometry runs in this scaled frame. Where
-// the file says the volume sits in the world is its Frame, which a mesh takes along.
-// Layout: x fastest, native byte order, aligned for the type, either owned or memory-mapped.
-// A voxel is the cell between eight samples; corner number m of voxel (i,j,k) is the sample
+// Frame: sample (i,j,k) lies at (i*sx, j*sy, k*sz). All geometry is in this scaled frame. The
+// volume's Frame gives its place in the world; a mesh keeps it.
+// Layout: x fastest, native byte order, aligned for the type, owned or memory-mapped.
+// A voxel is the box between eight neighboring samples. Corner m of voxel (i,j,k) is the sample
 // (i + (m&1), j + (m>>1&1), k + (m>>2)).
 //
-// A volume may be a block of a larger one, which is meshed block by block. Its samples are counted
-// from its own first, but lie where they lie in the larger one, to the last bit: what two blocks
-// compute of the samples they share is the same.
+// A volume may be a block of a larger one, which is meshed block by block. A block counts samples
+// from its own first one, but places them as the larger volume does, to the last bit. So two blocks
+// compute the same from the samples that they share.
 #pragma once
 
 #include <array>
@@ -48,7 +48,8 @@ struct Index3 {
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
 
-// Those of the voxel whose first sample is *s, less kappa. Steps: to the next sample in y and in z.
+// Returns the corner values, less kappa, of the voxel whose first sample is *s. dy and dz are the
+// steps to the next sample in y and in z.
 template <class T>
 Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
   return {static_cast<double>(s[0]) - kappa,       static_cast<double>(s[1]) - kappa,
@@ -57,23 +58,23 @@ Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
           static_cast<double>(s[dz + dy]) - kappa, static_cast<double>(s[dz + dy + 1]) - kappa};
 }
 
-// Throws InputError, in the volume's `name`, where a dimension is below 1, a length out of range
-// (base/frame.h), or an axis no unit vector.
+// Throws InputError, with the volume's `name`, if a dimension is below 1, a length is out of range
+// (base/frame.h), or an axis is no unit vector.
 void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name);
 
 class Volume {
  public:
   // `bytes` holds dims.i * dims.j * dims.k samples; `owner` keeps them alive (a vector, a mapping).
-  // Throws as require_in_range. (Two samples or more along each axis have a voxel.)
+  // Throws as require_in_range does. Fewer than two samples along an axis make no voxel.
   Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
          std::shared_ptr<const void> owner, Frame frame = {});
 
-  // This volume, of which frame() is the larger one's, as a block of that: samples `first` and so
-  // on of `whole`. Also where it is all of `whole`: one block is meshed as any other is.
-  // pre: it fits in there.
+  // Returns this volume as a block of a larger one: samples `first` and following of `whole`. It is
+  // a block even if it is all of `whole`: one block is meshed like any other.
+  // pre: it fits into `whole`, and frame() is that of the larger volume.
   Volume as_block(Index3 first, Index3 whole) const;
 
-  // Copies `samples` (dims.i * dims.j * dims.k of them, else InputError).
+  // Copies `samples`. Throws InputError unless there are dims.i * dims.j * dims.k of them.
   template <class T>
   static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples,
                              Frame frame = {});
@@ -83,13 +84,13 @@ class Volume {
   Vec3 spacing() const { return spacing_; }
   SampleType type() const { return type_; }
   const Frame& frame() const { return frame_; }
-  // The place of the first sample in the larger volume, and the size of that; 0 and dims() where
-  // this is all there is.
+  // The first sample's index in the larger volume, and that volume's size; 0 and dims() without
+  // one.
   Index3 first() const { return first_; }
   Index3 whole_dims() const { return whole_; }
   bool is_block() const { return is_block_; }
-  // Bit f: face f of the box (2 * axis, 1 more at the high end) is inside the larger volume, and
-  // so shared with another block.
+  // Returns the faces of the box that are inside the larger volume, and so shared with another
+  // block: bit f for face f (2 * axis, + 1 at the high end).
   unsigned inner_faces() const;
   std::size_t sample_count() const {
     return static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j) *
@@ -102,20 +103,20 @@ class Volume {
                 static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(k));
   }
 
-  // The box of all samples; without larger volume [0, (n-1)*s] along each axis.
+  // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block.
   Box3 box() const;
   Vec3 position(Index3 sample) const {
     return {(first_.i + sample.i) * spacing_.x, (first_.j + sample.j) * spacing_.y,
             (first_.k + sample.k) * spacing_.z};
   }
-  // A coordinate in samples along an axis, counted from the first one.
+  // Returns a coordinate in samples along an axis, counted from the block's first one.
   double in_samples(const Vec3& p, int axis) const {
     return p[axis] / spacing_[axis] - first_[axis];
   }
-  // The voxel that holds p, clamped to the box.
+  // Returns the voxel that holds p, clamped to the box.
   Index3 voxel_at(const Vec3& p) const;
 
-  // Calls f with the samples as a pointer to their own type, so that inner loops are monomorphic.
+  // Calls f with a pointer to the samples in their own type, so that inner loops are monomorphic.
   template <class F>
   decltype(auto) visit(F&& f) const {
     switch (type_) {
@@ -145,8 +146,8 @@ class Volume {
   }
   Corners corners(Index3 voxel) const;
 
-  // Trilinear interpolant and its gradient (per unit of the scaled frame; that of the voxel which
-  // voxel_at picks, since g is only C0 across voxels). Points outside the box are clamped to it.
+  // The trilinear interpolant and its gradient, per unit of the scaled frame. g is only C0 across
+  // voxels, so the gradient is that of voxel_at(p). Points outside the box are clamped to it.
   double value(const Vec3& p) const;
   Vec3 gradient(const Vec3& p) const;
 
@@ -161,14 +162,16 @@ class Volume {
   bool is_block_ = false;
 };
 
-// Smallest and largest sample. Throws InputError naming the volume by `name` and the first NaN or
-// infinite sample by its index. In so many threads, here and below, with the same result.
+// The smallest and the largest sample.
 struct ValueRange {
   double min = 0, max = 0;
 };
+// Returns the range of all samples. Throws InputError for a NaN or infinite sample, with the
+// volume's `name` and the first such sample's index. The result is the same for every number of
+// threads.
 ValueRange value_range(const Volume& volume, std::string_view name = "volume", int threads = 1);
 
-// The smallest sample value that is inside; none when no value of the type is.
+// Returns the smallest sample value that is inside; nothing if the type has none.
 template <class T>
 std::optional<T> inside_threshold(double kappa) {
   using Limits = std::numeric_limits<T>;
@@ -182,25 +185,27 @@ std::optional<T> inside_threshold(double kappa) {
   }
 }
 
-// Inside is f >= kappa. Where samples equal kappa the surface would touch itself at samples and
-// whole plateaus, so the geometry works at a kappa lowered by about 1e-9 of the data's range, and
-// always by less than the gap to the next lower sample. Returns kappa where no sample equals it.
-// Of a block it is isovalue_of_blocks(), whatever the samples. pre: no sample is NaN or infinite.
+// Returns the kappa that the geometry uses; inside is f >= kappa. Where samples equal kappa, the
+// surface would touch itself at samples and along plateaus. There kappa is lowered by about 1e-9 of
+// the data's range, and by less than the gap to the next lower sample. Returns kappa if no sample
+// equals it. A block has isovalue_of_blocks() whatever its samples. pre: no sample is NaN or
+// infinite.
 double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
 
-// kappa lowered by that amount, whether a sample equals it or not; kappa itself where no sample is
-// below it or no number is left in between. pre: no sample is NaN or infinite.
+// The lowered kappa, whether a sample equals kappa or not. It is kappa itself if no sample is
+// below, or no number lies in between. pre: no sample is NaN or infinite.
 struct LoweredIsovalue {
   double kappa = 0;
-  bool is_sample = false;  // a sample equals the kappa that was given
+  bool is_sample = false;  // a sample equals the given kappa
 };
 LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
 
-// What kappa becomes for blocks, the same for all of a volume without a look at its samples. No
-// number of the type is between the two, so that each sample stays on its side:
-//   integers   less by 2^-20, or by half the way to the next lower integer where that is shorter;
-//   float32    halfway to the next lower float where kappa is a float, else kappa;
-//   float64    kappa. A sample may equal it; crossings stay off samples all the same.
+// Returns the kappa that the geometry uses in blocks. It depends on the type alone, so all blocks
+// of a volume have the same. No number of the type lies between the two, so each sample stays on
+// its side:
+//   - integers: less by 2^-20, or by half the way to the next lower integer if that is shorter;
+//   - float32: halfway to the next lower float if kappa is a float, else kappa;
+//   - float64: kappa. A sample may equal it; crossings stay off samples all the same.
 double isovalue_of_blocks(SampleType type, double kappa);
 
 template <class T>

@@ -90,7 +90,7 @@ void check_interpolation(std::uint64_t seed) {
   }
 }
 
-// effective_isovalue as its comment states it, sample by sample.
+// Checks effective_isovalue against its comment, sample by sample.
 template <class T>
 void check_isovalue(const Volume& volume, const std::vector<T>& samples, double kappa) {
   double below = -std::numeric_limits<double>::infinity(), least_inside = -below;
@@ -113,7 +113,8 @@ void check_isovalue(const Volume& volume, const std::vector<T>& samples, double 
     CHECK(lowered == kappa);
     return;
   }
-  // The same samples are inside, none is hit, and the level moved by hardly anything.
+  // The same samples are inside, none is hit, and the level moved by 1e-9 of the range or to the
+  // next number.
   CHECK(lowered < kappa);
   CHECK(lowered > below);
   CHECK(kappa - lowered <= std::max(1.001e-9 * (range.max - range.min), kappa - room));
@@ -156,7 +157,7 @@ void check_bad_sample(T bad, const char* word) {
 
 }  // namespace
 
-TEST_CASE("value and gradient against the weighted sum of all samples") {
+TEST_CASE("value and gradient are those of the weighted sum of all samples") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     check_interpolation<std::uint8_t>(seed);
     check_interpolation<std::int8_t>(seed);
@@ -169,7 +170,7 @@ TEST_CASE("value and gradient against the weighted sum of all samples") {
   }
 }
 
-TEST_CASE("corners, voxels and positions") {
+TEST_CASE("corner m of a voxel is a sample; voxel_at is clamped to the box") {
   std::vector<std::uint16_t> samples(3 * 4 * 5);
   for (std::size_t n = 0; n < samples.size(); ++n) samples[n] = static_cast<std::uint16_t>(n);
   const Volume volume = Volume::from_samples({3, 4, 5}, {0.5, 2, 4}, samples);
@@ -187,7 +188,7 @@ TEST_CASE("corners, voxels and positions") {
   CHECK(volume.voxel_at({1e300, 1e300, 1e300}) == Index3{1, 2, 3});
 }
 
-TEST_CASE("range and effective isovalue, any number of samples, plateaus or none") {
+TEST_CASE("range and effective isovalue of any number of samples, with or without plateaus") {
   std::uint64_t seed = 0;
   for (std::size_t count : {1u, 2u, 7u, 63u, 64u, 65u, 1000u, 4096u, 4097u, 20000u}) {
     for (std::uint32_t values : {0u, 1u, 2u, 5u, 100u}) {
@@ -219,7 +220,7 @@ TEST_CASE("effective isovalue at the limits of the types") {
   // Adjacent doubles: nothing lies between, and the surface keeps its level.
   CHECK(effective(std::vector<double>{1, std::nextafter(1, 2)}, std::nextafter(1, 2)) ==
         std::nextafter(1, 2));
-  // A range so small beside the level that a billionth of it vanishes: the next number below.
+  // A billionth of the range is below the last bit of the level: the next number below.
   CHECK(effective(std::vector<double>{1e15, 1e15 + 1}, 1e15 + 1) == std::nextafter(1e15 + 1, 0));
   CHECK(effective(std::vector<float>{0, 0.1f}, static_cast<double>(0.1f)) <
         static_cast<double>(0.1f));
@@ -230,15 +231,15 @@ TEST_CASE("effective isovalue at the limits of the types") {
       Volume::from_samples({2, 1, 1}, {1, 1, 1}, std::vector<float>{0, 1}), NAN)));
 }
 
-TEST_CASE("the first sample that is no number is named") {
+TEST_CASE("value_range names the first NaN or infinite sample") {
   check_bad_sample(std::numeric_limits<float>::quiet_NaN(), "NaN");
   check_bad_sample(std::numeric_limits<double>::quiet_NaN(), "NaN");
   check_bad_sample(std::numeric_limits<float>::infinity(), "infinite");
   check_bad_sample(-std::numeric_limits<double>::infinity(), "infinite");
 }
 
-TEST_CASE("any number of threads finds the same range, isovalue and first bad sample") {
-  // More than two runs of samples, what is looked for in the last ones.
+TEST_CASE("range, isovalue and first bad sample are the same for any number of threads") {
+  // More than two tasks. The samples looked for are in the last ones.
   const Index3 dims{256, 256, 70};
   std::vector<float> samples(256 * 256 * 70, 5);
   samples[4'400'000] = 9;
@@ -261,7 +262,7 @@ TEST_CASE("any number of threads finds the same range, isovalue and first bad sa
   }
 }
 
-TEST_CASE("orientation") {
+TEST_CASE("a frame maps to the world along its axes, and knows when they are left-handed") {
   const Frame plain;
   CHECK(plain.to_world({1, 2, 3}) == Vec3{1, 2, 3});
   CHECK(!plain.left_handed());
@@ -270,7 +271,7 @@ TEST_CASE("orientation") {
   CHECK(turned.left_handed());
 }
 
-TEST_CASE("blocks lower the isovalue by what the type alone says, past no sample") {
+TEST_CASE("in blocks the type alone decides how far the isovalue is lowered, past no sample") {
   using enum SampleType;
   for (const SampleType type : {u8, i8, u16, i16, u32, i32}) {
     for (const double kappa : {0.0, 40.0, 40.1, 40.5, 40 + 0x1p-22, -3.0, 4294967295.0}) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Topology of a trilinear isosurface by counting, for surfaces that are resolved: the crossed grid
-// edges are vertices, the arcs on voxel faces (asymptotic decider) are edges, and every closed loop
-// of arcs in a voxel bounds a disk. Whether loops of one voxel might bound a tube instead is not
-// decided, only counted.
+// Topology of a resolved trilinear isosurface, by counting. Crossed grid edges are vertices, arcs
+// on voxel faces (asymptotic decider) are edges, and a closed loop of arcs in a voxel bounds a
+// disk. Loops of one voxel that might bound a tube instead are counted, not decided.
 #pragma once
 
 #include <array>
@@ -87,14 +86,14 @@ class TopologyCounter {
     return is_sample(t) && (value(s) >= 0) != (value(t) >= 0);
   }
 
-  // The arcs on the face at s with this normal, each as two edges. -1: no arc.
+  // Finds the arcs on the face at s with this normal, each as two edges, and returns their number.
   using Arc = std::array<std::uint32_t, 2>;
   int arcs_on(Index3 s, int normal, std::array<Arc, 2>& arcs) const {
     const int u = (normal + 1) % 3, v = (normal + 2) % 3;
     const Index3 s10 = next(s, u), s01 = next(s, v), s11 = next(s10, v);
     if (!is_sample(s11)) return 0;
     const double f00 = value(s), f10 = value(s10), f01 = value(s01), f11 = value(s11);
-    // Edges round the face: below, right, above, left.
+    // Edges around the face: below, right, above, left.
     const std::uint32_t below = edge(s, u), right = edge(s10, v), above = edge(s01, u),
                         left = edge(s, v);
     std::array<std::uint32_t, 4> crossed{};
