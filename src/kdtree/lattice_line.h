@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A line among voxels, and the walk along it (Amanatides and Woo 1987, made exact in its order).
+// A line among voxels, and the walk along it (Amanatides and Woo 1987, with an exact order).
 //
-// Units: voxels; sample (i,j,k) lies at (i,j,k). All decisions are comparisons of the parameters at
-// which the line crosses lattice planes, and those come from one formula, so that every way of
-// cutting up the line (by kd-tree nodes, by a walk, by clipping single voxels) finds the same
-// pieces bit by bit:
-//   L1  at_plane(axis, n) is monotone in n, rounding included (a difference and a product with a
-//       constant are), and the reversed line's is its exact negative;
-//   L2  so each parameter that is no crossing lies in exactly one voxel, and the voxels' pieces
-//       [t0, t1] follow one another without gap or overlap;
-//   L3  where one piece ends and the next begins, both voxels see the very same point: coordinates
-//       across planes crossed there are exactly 0 or 1, the others are the same doubles.
-// A line that runs in a lattice plane is in the voxel above it, at the box's far side below it.
+// Units: voxels; sample (i,j,k) lies at (i,j,k). All decisions compare parameters at which the line
+// crosses lattice planes. One formula gives these parameters. So every way of cutting the line
+// (kd-tree nodes, a walk, clipping single voxels) finds the same pieces bit by bit.
+//   L1  at_plane(axis, n) is monotone in n, rounding included: a difference and a product with a
+//       constant are. The reversed line's value is its exact negative.
+//   L2  Hence a parameter that is no crossing lies in exactly one voxel. The voxels' pieces [t0,
+//       t1] follow one another without gap or overlap.
+//   L3  Where one piece ends and the next begins, both voxels see the same point. Its coordinates
+//       across the planes crossed there are exactly 0 or 1; the others are the same doubles.
+// A line in a lattice plane is in the voxel above the plane, at the box's far side in the one
+// below.
 //
-// Directions' signs are as good as random to a branch predictor, so they enter as numbers (`ahead`)
-// and selections are made by index.
+// Branch predictors cannot guess the signs of directions. So they enter as numbers (`ahead`), and
+// values are selected by index.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 
 namespace deliso {
 
-// std::min and std::max take references, and compile to branches; these do not.
+// std::min and std::max take references and compile to branches; these do not.
 constexpr double smaller(double a, double b) {
   return a < b ? a : b;
 }
@@ -36,7 +36,8 @@ constexpr double greater(double a, double b) {
   return a > b ? a : b;
 }
 
-// The piece of a line in one voxel: parameters t0 < t1, and the local coordinates there, in [0, 1].
+// The piece of a line in one voxel: parameters t0 < t1 and the local coordinates at both, in [0,
+// 1].
 struct VoxelSpan {
   Index3 voxel;
   double t0, t1;
@@ -44,20 +45,20 @@ struct VoxelSpan {
   bool empty() const { return !(t0 < t1); }
 };
 
-// The piece as the reversed line's: of the same voxel, run through the other way.
+// Returns the piece as the reversed line sees it: the same voxel, passed in the other direction.
 inline VoxelSpan reversed(const VoxelSpan& span) {
   return {span.voxel, -span.t1, -span.t0, span.u1, span.u0};
 }
 
-// Voxels lo .. hi-1 along each axis.
+// The voxels lo .. hi-1 along each axis.
 struct VoxelBox {
   std::array<int, 3> lo, hi;
 };
 
 class LatticeLine {
  public:
-  // origin + t * direction, in voxel units, among `voxels` voxels. Directions too small to invert
-  // count as zero.
+  // The line origin + t * direction, in voxel units, among `voxels` voxels. Components of the
+  // direction too small to invert count as zero.
   LatticeLine(const Vec3& origin, const Vec3& direction, Index3 voxels)
       : voxels_{voxels.i, voxels.j, voxels.k},
         origin_{origin.x, origin.y, origin.z},
@@ -74,8 +75,8 @@ class LatticeLine {
         moves = true;
         continue;
       }
-      // Parallel: as seen from the middle of its layer of voxels, all planes below it are at minus
-      // infinity and all above at plus infinity, by the very formula of at_plane.
+      // Parallel to the planes. base_ becomes the middle of the line's layer of voxels. Then
+      // at_plane puts all planes below it at minus infinity and all above at plus infinity.
       const double top = voxels_[axis];
       const double o = std::clamp(origin_[axis], -1.0, top + 1);
       base_[axis] = (o == top ? top - 1 : std::floor(o)) + 0.5;
@@ -87,7 +88,7 @@ class LatticeLine {
     valid_ = moves;
   }
 
-  // Finite, and with a direction. pre of everything below but clip.
+  // True if the line is finite and has a direction. pre of all functions below but clip.
   bool valid() const { return valid_; }
 
   LatticeLine reversed() const {
@@ -101,18 +102,19 @@ class LatticeLine {
     return line;
   }
 
-  // Where the line crosses the plane number `plane` across `axis`; infinite when parallel to it.
+  // Returns the parameter where the line crosses plane number `plane` across `axis`; infinite if
+  // parallel.
   double at_plane(std::size_t axis, int plane) const {
     return (plane - base_[axis]) * inverse_[axis];
   }
-  // 1 when indices along `axis` grow with t, else 0.
+  // Returns 1 if indices along `axis` grow with t, else 0.
   int ahead(std::size_t axis) const { return ahead_[axis]; }
-  // Where it enters and leaves the layer of voxels with index n.
+  // Return where the line enters and leaves the layer of voxels with index n.
   double enter(std::size_t axis, int n) const { return at_plane(axis, n + 1 - ahead_[axis]); }
   double leave(std::size_t axis, int n) const { return at_plane(axis, n + ahead_[axis]); }
 
-  // The part of `range` within the box of all voxels; without interior (lo >= hi) when there is
-  // none. An invalid line has none.
+  // Returns the part of `range` in the box of all voxels. Its interior is empty (lo >= hi) if there
+  // is none, or if the line is invalid.
   Range clip(Range range) const {
     if (!valid_) return {1, 0};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -127,15 +129,15 @@ class LatticeLine {
            origin_[1] <= voxels_[1] && 0 <= origin_[2] && origin_[2] <= voxels_[2];
   }
 
-  // Whether it runs through fewer than about `count` voxels in `range`.
+  // True if the line runs through fewer than about `count` voxels in `range`.
   bool is_shorter(Range range, int count) const {
     return (range.hi - range.lo) *
                (std::abs(direction_[0]) + std::abs(direction_[1]) + std::abs(direction_[2])) <
            count;
   }
 
-  // The index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t. The guess
-  // by position is put right by the crossings themselves (L2). pre: t in the range of lo .. hi.
+  // Returns the index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t.
+  // The position gives a guess; the crossings correct it (L2). pre: t is in the range of lo .. hi.
   int index_after(std::size_t axis, double t, int lo, int hi) const {
     const double position = origin_[axis] + t * direction_[axis];
     int n = static_cast<int>(greater(smaller(position, hi - 1.0), lo));
@@ -144,22 +146,23 @@ class LatticeLine {
     while (enter(axis, n) > t && lo <= n - step && n - step < hi) n -= step;
     return n;
   }
-  // The voxel of all that holds the line just after t = 0. pre: starts_inside().
+  // Returns the voxel that holds the line just after t = 0. pre: starts_inside().
   Index3 voxel_after_origin() const {
     const auto index = [&](std::size_t axis) {
-      // Downwards from a plane begins in the voxel below it.
+      // A line that runs down from a plane begins in the voxel below it.
       const int n = static_cast<int>(origin_[axis]);
       const int below = ahead_[axis] == 0 && origin_[axis] == n;
       return std::max(std::min(n - below, voxels_[axis] - 1), 0);
     };
     return {index(0), index(1), index(2)};
   }
+  // Returns the voxel of `box` that holds the line just after t. pre: as index_after.
   Index3 voxel_after(double t, const VoxelBox& box) const {
     return {index_after(0, t, box.lo[0], box.hi[0]), index_after(1, t, box.lo[1], box.hi[1]),
             index_after(2, t, box.lo[2], box.hi[2])};
   }
 
-  // The piece of `range` in the voxel; empty when there is none.
+  // Returns the piece of `range` in the voxel; empty if there is none.
   VoxelSpan span(Index3 voxel, Range range) const {
     const std::array<double, 3> n = {static_cast<double>(voxel.i), static_cast<double>(voxel.j),
                                      static_cast<double>(voxel.k)};
@@ -198,16 +201,15 @@ class LatticeLine {
   std::array<double, 3> origin_, direction_, inverse_{};
   // Local coordinates of a voxel's planes where the line enters and leaves: 0 or 1.
   std::array<double, 3> entry_side_{}, exit_side_{};
-  std::array<double, 3> base_;  // what plane numbers are measured from: origin_, unless parallel
+  std::array<double, 3> base_;  // plane numbers count from it: origin_, unless parallel
   bool valid_ = false;
 };
 
-// Steps through the voxels along a line, in order. Usage:
+// Steps through the voxels along a line, in order. The line must outlive the walk. Usage:
 //   for (VoxelWalk walk(line, voxel, range); !walk.done(); walk.step()) ... walk.voxel() ...
-// The line must outlive the walk.
 class VoxelWalk {
  public:
-  // pre: the range lies in the box of all voxels, and `voxel` is the one after range.lo.
+  // pre: the range lies in the box of all voxels, and `voxel` holds the line just after range.lo.
   VoxelWalk(const LatticeLine& line, Index3 voxel, Range range)
       : line_(line), voxel_{voxel.i, voxel.j, voxel.k}, t_(range.lo), end_(range.hi) {
     for (std::size_t axis = 0; axis < 3; ++axis) leave_[axis] = line.leave(axis, voxel_[axis]);
@@ -222,8 +224,8 @@ class VoxelWalk {
 
   void step() {
     t_ = leave_[next_];
-    // A line through an edge or a corner crosses two or three planes at once; far from its origin,
-    // several planes may even round to one parameter.
+    // A line through an edge or a corner crosses two or three planes at once. Far from its origin,
+    // several planes may round to one parameter.
     while (t_ < end_ && leave_[next_] <= t_) {
       voxel_[next_] += 2 * line_.ahead(next_) - 1;
       leave_[next_] = line_.leave(next_, voxel_[next_]);

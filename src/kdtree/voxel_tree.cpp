@@ -8,14 +8,14 @@
 namespace deliso {
 namespace {
 
-// Where the leaves' bricks begin along one axis (and end: one more), with the bits that a brick's
-// number contributes to the index of its leaf.
+// Where the leaves' bricks begin along one axis, and one more: the last one's end. With each brick
+// the bits that its number contributes to the index of its leaf.
 struct AxisCuts {
   std::vector<int> cut;
   std::vector<std::size_t> code;
 };
 
-// Halves lo .. hi as the traversal does, over the levels that split this axis.
+// Halves lo .. hi as the traversal does, on the levels that split this axis.
 void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
               const std::vector<std::size_t>& bits, std::size_t level) {
   if (level == bits.size()) {
@@ -45,7 +45,7 @@ VoxelTree::VoxelTree(const Volume& volume, int threads)
 void VoxelTree::choose_axes() {
   const Index3 voxels = volume_.voxels();
   if (voxels.i < 1 || voxels.j < 1 || voxels.k < 1) return;
-  // The longest and shortest side of the nodes at the present level.
+  // The longest and shortest sides of the nodes at the current level.
   std::array<std::int64_t, 3> longest = {voxels.i, voxels.j, voxels.k}, shortest = longest;
   while (longest[0] * longest[1] * longest[2] > kLeafVoxels) {
     // Ties go to z, then y: bricks longer in x touch fewer cache lines.
@@ -77,10 +77,11 @@ void VoxelTree::build(const T* samples, int threads) {
     axes[axis].cut.push_back(end);
   }
 
-  // A beam of bricks along x at a time: first the sample rows of the beam against each other,
-  // element by element (which vectorises), then the one row left brick by brick.
+  // One row of bricks along x at a time. First reduces its sample rows to one, element by element
+  // (which vectorizes), then that row brick by brick.
   for_each_task(threads, axes[2].code.size(), [&](std::size_t z) {
-    // All by locals: bytes may alias what a vector or a lambda keeps, and then nothing vectorises.
+    // Locals only: bytes may alias the members of a vector or a lambda, and then nothing
+    // vectorizes.
     const std::size_t row = static_cast<std::size_t>(dims.i);
     std::vector<T> low_row(row), high_row(row);
     T *const low = low_row.data(), *const high = high_row.data();
@@ -105,9 +106,9 @@ void VoxelTree::build(const T* samples, int threads) {
       }
     }
   });
-  constexpr std::size_t kRun = 1 << 16;
+  constexpr std::size_t kNodesPerTask = 1 << 16;
   for (std::size_t level = leaves / 2; level >= 1; level /= 2) {
-    for_each_run(threads, level, kRun, [&](std::size_t begin, std::size_t end) {
+    for_each_run(threads, level, kNodesPerTask, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = level + begin; n < level + end; ++n) {
         nodes[n] = {std::min(nodes[2 * n].min, nodes[2 * n + 1].min),
                     std::max(nodes[2 * n].max, nodes[2 * n + 1].max)};

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The min/max kd-tree over a volume's voxels (paper §4.1; Havran 2000 for the traversal, Wald et
-// al. 2005 for the implicit tree with ranges).
+// The min/max kd-tree over the voxels of a volume (paper §4.1; Havran 2000 for the traversal, Wald
+// et al. 2005 for the implicit tree with ranges).
 //
-// A perfect binary tree in an array, children of n at 2n and 2n+1, so a node is nothing but the
-// smallest and largest sample of its voxels' corners, in the volume's own sample type.
-//   K1  All nodes of one level split across the same axis, the longest there, in the middle on a
-//       voxel boundary; sides of nodes of a level differ by at most one voxel.
-//   K2  A leaf is a brick of at most kLeafVoxels voxels and, while there are enough to split, more
-//       than about half as many: two nodes a leaf, two samples a node, so some 3 to 7 % of the
-//       volume's bytes.
+// A perfect binary tree in an array, with the children of n at 2n and 2n+1. A node holds only the
+// smallest and largest sample at its voxels' corners, in the volume's own sample type.
+//   K1  All nodes of a level split across the same axis, the longest there, in the middle on a
+//       voxel boundary. The sides of a level's nodes differ by at most one voxel.
+//   K2  A leaf is a brick of at most kLeafVoxels voxels, and of more than about half as many if
+//       there are enough to split. With two nodes a leaf and two samples a node, the tree takes
+//       some 3 to 7 % of the volume's bytes.
 //   K3  A node's range covers every sample at a corner of its voxels, shared faces included.
-//   K4  A node or voxel is active for kappa when it has samples both >= kappa and < kappa. (The
-//       paper prunes by kappa_min <= kappa <= kappa_max; inside is >= kappa, so min < kappa.)
+//   K4  A node or voxel is active for kappa if it has samples both >= kappa and < kappa. (The paper
+//       prunes by kappa_min <= kappa <= kappa_max; inside is >= kappa, so min < kappa.)
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ class VoxelTree {
  public:
   static constexpr int kLeafVoxels = 128;
 
-  // Reads every sample once, in so many threads (the tree is the same with any number); keeps a
-  // reference to the volume, which must outlive the tree.
+  // Reads every sample once, in `threads` threads; the tree does not depend on their number. Keeps
+  // a reference to the volume, which must outlive the tree.
   explicit VoxelTree(const Volume& volume, int threads = 1);
 
   const Volume& volume() const { return volume_; }
@@ -41,26 +41,26 @@ class VoxelTree {
     const Index3 n = volume_.voxels();
     return {{0, 0, 0}, {n.i, n.j, n.k}};
   }
-  // Whether any voxel is active.
+  // True if any voxel is active.
   bool active(double kappa) const;
   std::size_t bytes() const;
   int depth() const { return depth_; }
 
-  // CollectVoxels of Figure 12: the active voxels that r crosses, in order, each with its piece of
-  // r (t in [0, 1]). Voxels touched in a point only are left out; a segment in a face shared by two
-  // voxels is in one of them. Replaces the contents of `spans`.
+  // Finds the active voxels that r crosses, in order, each with its piece of r (t in [0, 1]):
+  // CollectVoxels of Figure 12. Voxels that r touches only in a point are left out. A segment in a
+  // face shared by two voxels is in one of them. Replaces the contents of `spans`.
   void collect_voxels(const Segment& r, double kappa, std::vector<VoxelSpan>& spans) const;
 
   // Calls visit(span) for the active voxels along `range` of the line, in order, until it returns
-  // true; whether it did. T: the volume's sample type.
-  // pre: range from line.clip, or a part of it; the volume's samples; active(kappa); threshold =
-  // inside_threshold<T>(kappa).
+  // true. Returns whether it did. T is the volume's sample type.
+  // pre: `range` is line.clip() or a part of it; `samples` are the volume's; active(kappa);
+  // threshold == inside_threshold<T>(kappa).
   template <class T, class Visit>
   bool find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
                   Visit&& visit) const;
 
-  // origin + t * direction (scaled frame) in voxel units, same t. An origin in the volume's box is
-  // in the box of voxels too, however the spacing rounds.
+  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t. An
+  // origin in the volume's box is also in the box of voxels, whatever the spacing's rounding.
   LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
     const auto in_voxels = [&](int axis) {
       const double u = origin[axis] * per_spacing_[axis] - first_[axis];
@@ -82,8 +82,8 @@ class VoxelTree {
   template <class T>
   using Nodes = std::vector<MinMax<T>>;
 
-  // A node still to be searched. One level pushes at most one, and an axis of fewer than 2^31
-  // voxels is halved at most 31 times: the stack cannot overflow.
+  // A node still to be searched. A level pushes at most one, and an axis of fewer than 2^31 voxels
+  // is halved at most 31 times. So the stack cannot overflow.
   struct Pending {
     std::size_t node;
     int level;
@@ -101,13 +101,14 @@ class VoxelTree {
   Vec3 per_spacing_, first_, top_in_voxels_;
   Box3 box_;
   int depth_ = 0;                               // levels of inner nodes
-  std::array<std::uint8_t, kMaxDepth> axis_{};  // across which each level splits
+  std::array<std::uint8_t, kMaxDepth> axis_{};  // the axis across which each level splits
   std::variant<Nodes<std::uint8_t>, Nodes<std::int8_t>, Nodes<std::uint16_t>, Nodes<std::int16_t>,
                Nodes<std::uint32_t>, Nodes<std::int32_t>, Nodes<float>, Nodes<double>>
       nodes_;  // [0] unused, [1] the root
 };
 
-// Whether the voxel whose first corner is *s is active. Steps: to the next sample in y and in z.
+// True if the voxel whose first corner is *s is active. dy and dz are the steps to the next sample
+// in y and in z.
 template <class T>
 bool is_active_voxel(const T* s, std::size_t dy, std::size_t dz, T threshold) {
   const int inside = (s[0] >= threshold) + (s[1] >= threshold) + (s[dy] >= threshold) +
@@ -130,8 +131,8 @@ bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* sample
   while (true) {
     const bool active = nodes[at.node].active(threshold);
     if (active && at.level < depth_) {
-      // Go to the child that comes first along the line; the other one waits. Crossings of the
-      // split plane are compared exactly as a voxel walk compares them.
+      // Go to the child that comes first along the line; the other one waits. The crossing of the
+      // split plane is compared exactly as in a voxel walk.
       const std::size_t axis = axis_[static_cast<std::size_t>(at.level)];
       const int middle = at.box.lo[axis] + (at.box.hi[axis] - at.box.lo[axis]) / 2;
       const double split = line.at_plane(axis, middle);

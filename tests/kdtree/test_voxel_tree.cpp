@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree against all voxels: what it collects along random and hard segments, for random
-// isovalues, over volumes of many shapes and all sample types; the chain of pieces; its memory.
+// The kd-tree against all voxels: the voxels that it collects along random and hard segments, the
+// chain of pieces, its memory. Isovalues are random; volumes have many shapes and all sample types.
 #include "kdtree/voxel_tree.h"
 
 #include <doctest/doctest.h>
@@ -60,7 +60,7 @@ Volume random_volume(Random& random, double lo, double hi) {
   for (int axis = 0; axis < 3; ++axis)
     dims[axis] = 1 + static_cast<int>(random.below(random.below(3) == 0 ? 40 : 9));
   const Vec3 spacing{random.uniform(0.1, 3), random.uniform(0.1, 3), random.uniform(0.1, 3)};
-  // Mostly empty, so that there is something to prune.
+  // Mostly empty, so that the tree can prune.
   return sampled<T>(dims, spacing, [&](int, int, int) {
     return random.below(20) == 0 ? random.uniform(lo, hi) : lo;
   });
@@ -146,7 +146,7 @@ TEST_CASE("a sample equal to kappa counts as inside") {
   CHECK(spans.empty());
 }
 
-TEST_CASE("thresholds decide as kappa does, for samples at and around it") {
+TEST_CASE("a threshold and kappa find the same samples inside, at kappa and next to it") {
   Random random(3);
   for (int trial = 0; trial < 100'000; ++trial) {
     const double kappa = random.uniform(-130, 130);
