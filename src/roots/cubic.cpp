@@ -9,7 +9,7 @@
 namespace deliso {
 
 Roots crossings(const Cubic& b, CubicMethod method) {
-  // The control polygon crosses zero at least as often as the curve, and as often modulo two.
+  // The control polygon crosses zero at least as often as the curve, and the difference is even.
   const bool inside[] = {b[0] >= 0, b[1] >= 0, b[2] >= 0, b[3] >= 0};
   const int changes =
       (inside[0] != inside[1]) + (inside[1] != inside[2]) + (inside[2] != inside[3]);
@@ -32,7 +32,7 @@ Roots crossings(const Cubic& b, CubicMethod method) {
     t = end;
     f = f_end;
   };
-  // One change of sign is one crossing, and needs no splitting.
+  // One change of sign is one crossing and needs no splitting.
   if (changes > 1) {
     for (const double end : critical_points(power)) add_piece(end, value_at(power, end));
   }

@@ -18,13 +18,13 @@ Roots quadratic_roots(double c0, double c1, double c2) {
   return roots;
 }
 
-// y^3 + 3 p y + 2 q = 0
+// Returns the real roots of y^3 + 3 p y + 2 q = 0.
 Roots depressed_roots(double p, double q) {
   Roots roots;
   const double cube = p * p * p, discriminant = q * q + cube;
   if (discriminant > 0) {
     const double root = std::sqrt(discriminant);
-    // The sum without cancellation first; the other summand from u v = -p.
+    // First the summand without cancellation, then the other from u v = -p.
     const double u = -std::copysign(std::cbrt(std::abs(q) + root), q);
     roots.push(u - p / u);
   } else if (discriminant < 0) {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Cubic and Quartic Roots (Schwarze, Graphics Gems I, 1990): the closed form the paper uses.
+// The closed form that the paper uses: Cubic and Quartic Roots (Schwarze, Graphics Gems I, 1990).
 #pragma once
 
 #include "roots/cubic.h"
 
 namespace deliso {
 
-// All real roots of c, in no order, as the closed form gives them: unpolished, so they may be off
-// by the square or cube root of rounding at double and triple roots. A leading coefficient below
-// 2^-30 of the largest falls back to the quadratic, then to the linear formula: meant for
-// coefficients scaled to |t| <= 1, where such a term moves the roots within less than polish
-// mends. A double root is listed once.
+// Returns all real roots of c, unordered and unpolished; a double root is listed once. At double
+// and triple roots they may be off by the square or cube root of rounding. If the leading
+// coefficient is below 2^-30 of the largest, the quadratic, then the linear formula takes over.
+// That suits coefficients scaled to |t| <= 1: polishing mends what so small a term moves.
 Roots closed_form_roots(const Cubic& c);
 
-// The one of `roots` that lies in [lo, hi], clamped to it if none does: a guess for polishing.
+// Returns a guess for polishing: the root that lies in [lo, hi], or the nearest one, clamped.
 double guess_from(const Roots& roots, double lo, double hi);
 
 }  // namespace deliso

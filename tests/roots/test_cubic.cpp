@@ -31,10 +31,10 @@ double largest_of(const Cubic& b) {
   return std::max({std::abs(b[0]), std::abs(b[1]), std::abs(b[2]), std::abs(b[3])});
 }
 
-// What |p| may be at a crossing, of the largest coefficient.
+// The bound on |p| at a crossing, relative to the largest coefficient.
 constexpr double kResidual = 2e-11;
 
-// A few numbers, without the heap: there are eleven million oracles.
+// A few numbers, without the heap: there are eleven million oracle calls.
 struct Few {
   std::array<long double, 8> at{};
   std::size_t count = 0;
@@ -46,8 +46,8 @@ struct Few {
   const long double* end() const { return at.data() + count; }
 };
 
-// [0, 1] cut at the derivative's roots, and a root by bisection in each piece whose ends have
-// different signs. Works on the polynomial's values only where they decide something.
+// Cuts [0, 1] at the derivative's roots and bisects each piece whose ends have different signs.
+// Works on the polynomial's values only where they decide something.
 class Oracle {
  public:
   explicit Oracle(const Cubic& b) : c_(power_of(b)) {
@@ -98,7 +98,8 @@ class Oracle {
   Few ends_, roots_;
 };
 
-// What is wrong, or nullptr. `residual` grows to the largest |p| at a crossing, of `size`.
+// Returns the fault, or nullptr. `residual` grows to the largest |p| at a crossing, relative to
+// `size`.
 const char* fault_of(const Cubic& b, const Oracle& oracle, const Roots& found, double& residual) {
   const double size = largest_of(b);
   const Exact power = power_of(b);
@@ -116,7 +117,7 @@ const char* fault_of(const Cubic& b, const Oracle& oracle, const Roots& found, d
       return oracle.largest_between(roots[n], t) <= kResidual * size;
     };
     if (std::any_of(found.begin(), found.end(), is_at)) continue;
-    // Two next to each other may be a touch by rounding.
+    // Two adjacent crossings may be a touch by rounding.
     const bool is_touch =
         (n > 0 && is_at(roots[n - 1])) || (n + 1 < roots.size() && is_at(roots[n + 1]));
     if (!is_touch) return "a crossing was missed";
@@ -125,7 +126,7 @@ const char* fault_of(const Cubic& b, const Oracle& oracle, const Roots& found, d
   return nullptr;
 }
 
-// Checks both methods; on failure says which case.
+// Checks both methods; on failure says which case it was.
 bool check_case(const Cubic& b, std::uint64_t seed, double& residual, std::uint64_t& found) {
   const Oracle oracle(b);
   for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
@@ -252,8 +253,8 @@ double bernstein(const Cubic& b, double t) {
 
 }  // namespace
 
-// Story: with b[3] = 0 there is a root at the end besides the crossing before it, and Newton's
-// method, started on the chord, stayed there. The count was right, the place wrong.
+// With b[3] = 0 there is a root at the end besides the crossing before it. Newton's method, started
+// on the chord, once stayed there: the count was right, the place wrong.
 TEST_CASE("crossings are where the sign changes, and alternate") {
   std::uint64_t found = 0;
   double residual = 0;
