@@ -9,11 +9,11 @@
 namespace deliso {
 namespace {
 
-// Roots this far outside their pixel, as a share of the chord, count: rounding must not lose one
-// that lies between two pixels.
-constexpr double kSlack = 1e-12;
+// A share of the chord. Roots this far outside their pixel count, so that rounding loses none
+// between two pixels.
+constexpr double kRootTolerance = 1e-12;
 
-// Sigma along a line in a box face, pixel by pixel: in each the value is a quadratic.
+// Sigma along a line in a box face, pixel by pixel: in each pixel the value is a quadratic.
 class FaceLine {
  public:
   FaceLine(const Volume& volume, double kappa, BoxFace face, const Vec3& from,
@@ -25,7 +25,7 @@ class FaceLine {
         from_(from),
         direction_(direction) {}
 
-  // The smallest t in [0, limit] with a root at from + t * direction, walking forwards.
+  // Returns the smallest t in [0, limit] with a root at from + t * direction.
   std::optional<double> first_root(double limit) const {
     double t = 0;
     while (t < limit) {
@@ -58,7 +58,7 @@ class FaceLine {
     return next;
   }
 
-  // The first root in [low, high], which lie in one pixel.
+  // Returns the first root in [low, high], which lies in one pixel.
   std::optional<double> root_between(double low, double high) const {
     const double middle = 0.5 * (low + high);
     Index3 corner;
@@ -91,7 +91,8 @@ class FaceLine {
     if (discriminant < 0) return std::nullopt;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
     for (const double s : {q / a, c / q}) {
-      if (s >= -kSlack && s <= length + kSlack) best = std::min(best, std::clamp(s, 0.0, length));
+      if (s >= -kRootTolerance && s <= length + kRootTolerance)
+        best = std::min(best, std::clamp(s, 0.0, length));
     }
     if (best > length) return std::nullopt;
     return low + best;

@@ -9,11 +9,12 @@
 
 namespace deliso {
 
-// The point of Sigma on box face `face` halfway between two of its points a and b there: where the
-// in-face normal line of the chord ab, through its midpoint, meets Sigma nearest to the midpoint,
-// at most half the chord's length away. Its coordinate across the face is the box's to the last
-// bit. Between two points of one arc within a pixel there always is one: the arc is a convex,
-// monotone piece of a hyperbola. Points are in the scaled frame.
+// Returns the point of Sigma on box face `face` halfway between two of its points a and b there.
+// That is the nearest hit of the line through the midpoint of the chord ab, in the face and normal
+// to the chord. It is at most half the chord's length from the midpoint; nothing if there is none.
+// Between two points of one arc within a pixel there is always one, since the arc is a convex,
+// monotone piece of a hyperbola. Its coordinate across the face is the box's to the last bit.
+// Points are in the scaled frame.
 std::optional<Vec3> boundary_midpoint(const Volume& volume, double kappa, BoxFace face,
                                       const Vec3& a, const Vec3& b);
 

@@ -9,11 +9,11 @@
 namespace deliso {
 namespace {
 
-// Voxels that a search walks plainly; for more of them it asks the kd-tree, which skips empty space
-// but has to come down from its root first.
+// Number of voxels that a search walks without the kd-tree. The tree skips empty space, but a
+// search in it descends from the root first.
 constexpr int kWalkedVoxels = 12;
 
-// The volume as the inner loops see it: in its own sample type.
+// The volume as the inner loops see it, in its own sample type.
 template <class T>
 struct Field {
   const Volume& volume;
@@ -39,7 +39,7 @@ struct Field {
   }
 };
 
-// The hit nearest to t = 0 so far; at equal distance the one with positive t.
+// The hit nearest to t = 0 among those offered; at equal distance the one with positive t.
 struct Nearest {
   Hit hit{};
   double distance = std::numeric_limits<double>::infinity();
@@ -52,11 +52,11 @@ struct Nearest {
   }
 };
 
-// One of the two ways from the center. Walks on the line or the reversed line, so that t grows.
+// One of the two directions from the center. Walks on the line or on the reversed line, so t grows.
 template <class T>
 class Side {
  public:
-  // Starts in the voxel behind the first one, which ends at range.lo of the line given.
+  // Starts in the voxel after `first`, which is the first one of the line given.
   Side(const Field<T>& field, const LatticeLine& line, const VoxelSpan& first, double end,
        bool backward)
       : field_(field), walk_(line, first.voxel, {first.t0, end}), line_(line), backward_(backward) {
@@ -71,7 +71,7 @@ class Side {
     walk_.step();
   }
 
-  // All the rest, by the tree. The first voxel with a hit has the nearest.
+  // Searches the rest with the tree. The first voxel with a hit has the nearest one.
   void finish(const VoxelTree& tree, Nearest& best, std::uint64_t& computations) const {
     tree.find_along(line_, {walk_.t(), walk_.end()}, field_.samples, field_.threshold,
                     [&](const VoxelSpan& span) {
@@ -80,7 +80,7 @@ class Side {
   }
 
  private:
-  // Solves in the direction of the line itself, so that both ways round to the same hits.
+  // Solves along the line itself, so that both directions round to the same hits.
   bool solve(const VoxelSpan& ahead, Nearest& best, std::uint64_t& computations) const {
     const VoxelSpan span = backward_ ? reversed(ahead) : ahead;
     const Roots roots = field_.roots(span);
@@ -100,7 +100,8 @@ template <class T>
 Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const LatticeLine& line,
                      double limit, std::uint64_t& computations) {
   Nearest best;
-  // The voxel that holds the center, or the first on the way to it, is solved once for both ways.
+  // The voxel that holds the center, or the nearest one on the line, is solved once for both
+  // directions.
   Range range{-limit, limit};
   const bool inside = line.starts_inside();
   if (!inside) range = line.clip(range);

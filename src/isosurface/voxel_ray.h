@@ -2,16 +2,16 @@
 // Voxel-ray intersection (paper §4.2, after Parker et al. 1998): along a line the trilinear patch
 // of a voxel is a cubic.
 //
-// The cubic is built between the two points where the line enters and leaves the voxel, in
-// Bernstein form: its coefficients are averages of the patch at corners of the box these points
-// span (the blossom of a multi-affine function). So nothing but convex combinations of g - kappa at
-// the corners is ever formed, which keeps the accuracy and makes two things exact:
-//   V1  when all corners lie on one side of kappa, so do all coefficients; the same goes for a
-//       face's four corners at a point of that face;
-//   V2  where two voxels meet (L3 of lattice_line.h), both cubics have the same end value, bit by
+// The cubic is in Bernstein form, between the points where the line enters and leaves the voxel.
+// Its coefficients are averages of the patch at corners of the box between these two points (the
+// blossom of a multi-affine function). So only convex combinations of g - kappa at the corners are
+// formed. That keeps the accuracy and makes two statements exact:
+//   V1  If all corners lie on one side of kappa, so do all coefficients. The same holds for a
+//       face's four corners at a point of that face.
+//   V2  Where two voxels meet (L3 of lattice_line.h), both cubics have the same end value, bit by
 //       bit.
-// Hence along a line the passages from inside (g >= kappa) to outside and back alternate, whatever
-// is rounded: one on a shared face is found in exactly one of the two voxels, and the number of
+// Hence, whatever the rounding, passages from inside (g >= kappa) to outside and back alternate
+// along a line. A passage on a shared face is found in exactly one of the two voxels. The number of
 // passages on a segment is odd exactly when its ends lie on different sides.
 #pragma once
 
@@ -21,14 +21,14 @@
 
 namespace deliso {
 
-// Bernstein coefficients on [0, 1] of the patch along the straight way from p to q (voxel
+// Returns the Bernstein coefficients on [0, 1] of the patch on the segment from p to q (voxel
 // coordinates in [0, 1]).
 inline Cubic patch_along(const Corners& c, const Vec3& p, const Vec3& q) {
-  // Values at x = p.x and x = q.x, side by side (which vectorises).
+  // Values at x = p.x and x = q.x, side by side (which vectorizes).
   struct Pair {
     double p, q;
   };
-  // Keeps V1: with 0 <= t <= 1 neither product changes its sign; and V2: exact at t = 0 and 1.
+  // Keeps V1: for 0 <= t <= 1 neither product changes its sign. Keeps V2: exact at t = 0 and 1.
   const auto mix = [](Pair a, Pair b, Pair t) {
     return Pair{(1 - t.p) * a.p + t.p * b.p, (1 - t.q) * a.q + t.q * b.q};
   };
@@ -46,19 +46,19 @@ inline Cubic patch_along(const Corners& c, const Vec3& p, const Vec3& q) {
   return {pp.p, third * (pp.q + qp.p + pq.p), third * (qq.p + pq.q + qp.q), qq.q};
 }
 
-// FindIntersections of Figure 12, for one voxel: where the span passes through Sigma, as fractions
-// of it, increasing. `corners` holds g - kappa.
+// Returns where the span passes through Sigma, as fractions of it, increasing: FindIntersections of
+// Figure 12 for one voxel. `corners` holds g - kappa.
 inline Roots find_intersections(const Corners& corners, const VoxelSpan& span, CubicMethod method) {
   return crossings(patch_along(corners, span.u0, span.u1), method);
 }
 
-// The line's parameter at fraction s of the span.
+// Returns the line's parameter at fraction s of the span.
 inline double parameter_at(const VoxelSpan& span, double s) {
   return greater(smaller(span.t0 + s * (span.t1 - span.t0), span.t1), span.t0);
 }
 
-// The point there (scaled frame), in the voxel. It comes from the voxel's own coordinates, not from
-// the parameter: that keeps g at kappa even where t is large.
+// Returns the point at fraction s (scaled frame), in the voxel. It comes from the voxel's own
+// coordinates, not from the parameter, so that g stays at kappa even where t is large.
 inline Vec3 point_at(const VoxelSpan& span, double s, const Volume& volume) {
   const Vec3 spacing = volume.spacing();
   const Index3 first = volume.first();

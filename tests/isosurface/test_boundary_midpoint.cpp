@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points halfway along boundary curves: within a pixel, again and again down to far below voxel
-// size, and between chain points several pixels apart, against a dense scan of the same line.
+// Points halfway along boundary curves, against a dense scan of the same line. Repeatedly within a
+// pixel, down to far below voxel size, and between chain points several pixels apart.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -86,7 +86,7 @@ TEST_CASE("between points several pixels apart it is the nearest hit of the chor
       if (distance(a, b) < 1e-3) continue;
       const auto p = boundary_midpoint(volume, kappa, face, a, b);
       const Vec3 normal = face_normal_of(face, a, b), middle = 0.5 * (a + b);
-      // The first sign change from the middle outwards, both ways at once, on a fine scan.
+      // The first sign change from the middle outwards, in both directions, on a fine scan.
       constexpr int kSteps = 2000;
       double found = 1;
       for (const double side : {-1.0, 1.0}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The oracle against brute force over all voxels, and its own promises: each hit on Sigma and in
-// its voxel, hits odd in number exactly between points on different sides.
+// The oracle against brute force over all voxels. Each hit lies on Sigma and in its voxel, and hits
+// are odd in number exactly between points on different sides.
 #include "isosurface/isosurface.h"
 
 #include <doctest/doctest.h>
@@ -15,8 +15,7 @@ using namespace deliso;
 
 namespace {
 
-// Every voxel of the volume is clipped against the line by itself and solved if that leaves a
-// piece.
+// Clips every voxel of the volume against the line and solves it if a piece is left.
 std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Range range,
                              CubicMethod method) {
   std::vector<Hit> hits;
@@ -43,14 +42,14 @@ double range_of(const Corners& c) {
   return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end());
 }
 
-// On Sigma to 1e-9 of the voxel's range, and inside the box.
+// True if the point is on Sigma to 1e-9 of the voxel's range, and inside the box.
 bool on_surface(const TestField& field, const Vec3& point) {
   const double range = range_of(field.volume.corners(field.volume.voxel_at(point)));
   return field.volume.box().contains(point) &&
          std::abs(field.volume.value(point) - field.kappa) <= 1e-9 * range;
 }
 
-// The side of the point, 0 when too near to Sigma to say.
+// Returns the side of the point, 0 if it is too near to Sigma to say.
 int side_of(const TestField& field, const Vec3& point) {
   const double g = field.volume.value(point) - field.kappa;
   const double range = range_of(field.volume.corners(field.volume.voxel_at(point)));
@@ -88,7 +87,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
         }
         found += hits.size();
 
-        // Between any two points of the segment that are clear of Sigma, by the samples alone.
+        // Between any two points of the segment clear of Sigma, by the samples alone.
         double last_t = 0;
         int last_side = 0;
         for (int step = 0; step <= 6; ++step) {
@@ -149,7 +148,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
   }
 }
 
-TEST_CASE("lines that are none have no hits") {
+TEST_CASE("lines without length, not finite or outside the box have no hits") {
   const TestField field = test_fields().front();
   const VoxelTree tree(field.volume);
   const Isosurface surface(field.volume, tree, field.kappa);

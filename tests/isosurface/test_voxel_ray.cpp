@@ -62,7 +62,7 @@ TEST_CASE("corners on one side give coefficients on that side, so nothing is sol
     const bool inside = seed % 2 == 0;
     Corners c = inside ? random_corners(random, 0, 1) : random_corners(random, -1, 0);
     for (double& value : c) {
-      // As near to zero as doubles come, and zero itself, which is inside.
+      // The doubles nearest to zero, and zero itself, which is inside.
       if (random.below(4) == 0) value = inside ? 0 : -5e-324;
       if (random.below(4) == 0) value = std::ldexp(value, -static_cast<int>(random.below(900)));
       if (!inside && value == 0) value = -5e-324;
