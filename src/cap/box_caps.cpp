@@ -201,8 +201,8 @@ void BoxCaps::split_side(FaceCap& cap, VertexId a, VertexId b) {
   const VertexId a1 = cap.on_sides.at(a), b1 = cap.on_sides.at(b);
   const VertexId a2 = other->on_sides.at(a), b2 = other->on_sides.at(b);
   if (distance2(p, q) < shortest_ * shortest_ || middle == p || middle == q) {
-    cap.refiner->refuse_side(a1, b1);
-    other->refiner->refuse_side(b2, a2);
+    cap.refiner->keep_side(a1, b1);
+    other->refiner->keep_side(b2, a2);
     return;
   }
   const auto v = VertexId(mesh_.points.size() + new_points_.size());
@@ -213,7 +213,7 @@ void BoxCaps::split_side(FaceCap& cap, VertexId a, VertexId b) {
     at->global.resize(m + 1, kNoId);
     at->global[m] = v;
     at->on_sides[v] = m;
-    at->refiner->was_split(m);
+    at->refiner->add_split(m);
   }
 }
 

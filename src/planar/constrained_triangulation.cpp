@@ -20,19 +20,20 @@ int ConstrainedTriangulation::turn(VertexId a, VertexId b, VertexId c) const {
   return orient2d(points_[a], points_[b], points_[c]);
 }
 
-VertexId ConstrainedTriangulation::beyond(FaceId t, int i) const {
+VertexId ConstrainedTriangulation::opposite_corner(FaceId t, int i) const {
   const PlaneTriangle& g = triangles_[triangles_[t].n[i]];
   return g.v[g.n[0] == t ? 0 : g.n[1] == t ? 1 : 2];
 }
 
 bool ConstrainedTriangulation::is_delaunay(FaceId t, int i) const {
   const auto& v = triangles_[t].v;
-  return incircle(points_[v[0]], points_[v[1]], points_[v[2]], points_[beyond(t, i)]) <= 0;
+  return incircle(points_[v[0]], points_[v[1]], points_[v[2]], points_[opposite_corner(t, i)]) <= 0;
 }
 
 ConstrainedTriangulation::Place ConstrainedTriangulation::locate(const Vec2& p, FaceId from) const {
   FaceId t = from;
-  // Among Delaunay triangles such a walk ends; beside segments that is not proven, hence the limit.
+  // Among Delaunay triangles such a walk terminates. Beside segments that is not proven, hence the
+  // limit.
   for (std::size_t step = 0; step <= triangles_.size(); ++step) {
     const PlaneTriangle& at = triangles_[t];
     std::optional<PlaneEdge> blocked;
@@ -85,7 +86,7 @@ VertexId ConstrainedTriangulation::split_edge(PlaneEdge edge, const Vec2& p) {
   return v;
 }
 
-// Makes g the neighbor of t across the edge opposite i, where g knew g_was.
+// Makes g the neighbor of t across the edge opposite i; g had g_was there.
 void ConstrainedTriangulation::link(FaceId t, int i, FaceId g, FaceId g_was) {
   triangles_[t].n[i] = g;
   if (g == kNoId) return;
@@ -190,7 +191,7 @@ void ConstrainedTriangulation::legalize(std::vector<std::pair<VertexId, VertexId
     edges.pop_back();
     const PlaneEdge e = find_edge(a, b);
     if (e.t == kNoId || !may_flip(e.t, e.i) || is_delaunay(e.t, e.i)) continue;
-    const VertexId p = triangles_[e.t].v[e.i], q = beyond(e.t, e.i);
+    const VertexId p = triangles_[e.t].v[e.i], q = opposite_corner(e.t, e.i);
     flip(e.t, e.i);
     edges.insert(edges.end(), {{p, a}, {a, q}, {q, b}, {b, p}});
   }
@@ -208,7 +209,7 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cons
   };
   if (mark()) return std::nullopt;
 
-  // The first edge that a-b crosses, or a vertex on the way.
+  // The first edge that a-b crosses, or a vertex on it.
   std::optional<Obstacle> obstacle;
   PlaneEdge at;
   circulate(a, [&](FaceId t, int i) {
@@ -230,21 +231,21 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cons
     const VertexId c = triangles_[at.t].v[(at.i + 1) % 3], d = triangles_[at.t].v[(at.i + 2) % 3];
     if (triangles_[at.t].side[at.i] != Side::none) return Obstacle{c, d};
     crossed.emplace_back(c, d);
-    const VertexId e = beyond(at.t, at.i);
+    const VertexId e = opposite_corner(at.t, at.i);
     if (e == b) break;
     const int side = turn(a, b, e);
     if (side == 0) return Obstacle{e, kNoId};
-    // On through the edge whose ends lie on different sides.
+    // Leave through the edge whose ends lie on different sides.
     const FaceId g = triangles_[at.t].n[at.i];
     at = {g, corner(g, side > 0 ? d : c)};
   }
 
-  std::vector<std::pair<VertexId, VertexId>> fresh;
+  std::vector<std::pair<VertexId, VertexId>> new_edges;
   while (!crossed.empty()) {
     const auto [c, d] = crossed.front();
     crossed.pop_front();
     const PlaneEdge e = find_edge(c, d);
-    const VertexId p = triangles_[e.t].v[e.i], q = beyond(e.t, e.i);
+    const VertexId p = triangles_[e.t].v[e.i], q = opposite_corner(e.t, e.i);
     if (turn(p, c, q) <= 0 || turn(q, d, p) <= 0) {
       crossed.emplace_back(c, d);
       continue;
@@ -254,11 +255,11 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cons
     if (crosses) {
       crossed.emplace_back(p, q);
     } else if (!(p == a && q == b) && !(p == b && q == a)) {
-      fresh.emplace_back(p, q);
+      new_edges.emplace_back(p, q);
     }
   }
   DELISO_CHECK(mark());
-  legalize(std::move(fresh));
+  legalize(std::move(new_edges));
   return std::nullopt;
 }
 

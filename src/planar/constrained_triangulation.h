@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A constrained Delaunay triangulation of a rectangle: of all triangulations of its points that
-// hold the given segments as edges, the one whose triangles' circles hold no vertex that they see
-// (Lee and Lin 1986; Chew 1989). Points by insertion and Lawson's flips, segments by flipping what
-// crosses them (Sloan 1993), then flips again until all is Delaunay. Every decision is exact.
+// A constrained Delaunay triangulation of a rectangle. It is the triangulation that has the given
+// segments as edges and no vertex in a triangle's circumcircle that the triangle sees (Lee and Lin
+// 1986; Chew 1989). Points enter by insertion and Lawson's flips. A segment enters by flips of the
+// edges that cross it (Sloan 1993), then of all that are not Delaunay. Every decision is exact.
 //
 // Invariants:
-//   I1  triangles are counter-clockwise and tile the rectangle;
-//   I2  neighbors are mutual; n[i] == kNoId exactly on the rectangle's sides;
-//   I3  side[i] is set on both triangles of a segment or on none;
-//   I4  no edge but segments and sides has the corner beyond it inside its triangle's circle.
+//   I1  Triangles are counter-clockwise and tile the rectangle.
+//   I2  Neighbors are mutual; n[i] == kNoId exactly on the rectangle's sides.
+//   I3  side[i] is set on both triangles of a segment or on neither.
+//   I4  Except at segments and sides, the corner across an edge is not inside the triangle's
+//       circumcircle.
 // Vertices 0 to 3 are the rectangle's corners, counter-clockwise from the low one.
 #pragma once
 
@@ -27,9 +28,9 @@ enum class Side : std::uint8_t { none, inside, outside };
 
 struct PlaneTriangle {
   std::array<VertexId, 3> v;
-  std::array<FaceId, 3> n{kNoId, kNoId, kNoId};  // n[i] is beyond the edge opposite v[i]
+  std::array<FaceId, 3> n{kNoId, kNoId, kNoId};  // n[i] is across the edge opposite v[i]
   std::array<Side, 3> side{};                    // of the segment opposite v[i], as seen from here
-  bool inside = false;                           // the user's; handed down when a triangle is split
+  bool inside = false;  // set by the user; inherited when a triangle is split
 };
 
 // An edge of triangle t: the one opposite its corner i.
@@ -49,34 +50,35 @@ class ConstrainedTriangulation {
   const PlaneTriangle& triangle(FaceId t) const { return triangles_[t]; }
   PlaneTriangle& triangle(FaceId t) { return triangles_[t]; }
 
-  // The new vertex, or the one that is at p already. pre: p lies in the closed rectangle.
+  // Returns the new vertex, or the vertex that is at p already. pre: p lies in the closed
+  // rectangle.
   VertexId insert(const Vec2& p);
-  // As insert, where the triangle is known. pre: p lies in triangle t and at none of its corners.
+  // As insert, in a known triangle. pre: p lies in triangle t and at none of its corners.
   VertexId insert_in(FaceId t, const Vec2& p);
-  // Splits an edge at p, which lies on it, exactly.
+  // Splits an edge at p and returns the new vertex. pre: p lies on the edge, exactly.
   VertexId split_edge(PlaneEdge edge, const Vec2& p);
 
-  // Why a segment a-b cannot be an edge: it crosses the segment c-d, or passes through the vertex c
-  // (then d is kNoId).
+  // The reason why a segment a-b cannot be an edge: it crosses the segment c-d, or passes through
+  // the vertex c (then d is kNoId).
   struct Obstacle {
     VertexId c, d;
   };
-  // Makes a-b an edge, with these marks on its left and right; nothing changes when it meets an
-  // obstacle, the first on the way, which is returned. pre: a != b.
+  // Makes a-b an edge, with these marks on its left and right. If a-b meets obstacles, changes
+  // nothing and returns the first one. pre: a != b.
   std::optional<Obstacle> constrain(VertexId a, VertexId b, Side left, Side right);
 
-  // The triangle that holds p, walking from `from` over edges that are no segments; when the walk
-  // ends at a segment or a side of the rectangle, that edge instead.
+  // Finds the triangle that holds p, on a walk from `from` over edges that are no segments. If the
+  // walk ends at a segment or a side of the rectangle, finds that edge instead.
   struct Place {
-    FaceId t = kNoId;                    // holds p, when not kNoId
-    std::optional<PlaneEdge> blocked{};  // absent too when the walk leads nowhere
+    FaceId t = kNoId;                    // holds p, unless kNoId
+    std::optional<PlaneEdge> blocked{};  // also absent if the walk finds nothing
   };
   Place locate(const Vec2& p, FaceId from) const;
 
-  // The edge a -> b, as its left triangle runs along it; t == kNoId when there is none.
+  // Returns the edge a -> b, as its left triangle runs along it; t == kNoId if there is none.
   PlaneEdge find_edge(VertexId a, VertexId b) const;
 
-  // Calls visit(t, i) for the triangles at v, i being v's place in t, until it returns false.
+  // Calls visit(t, i) for the triangles t at v, until it returns false. v is corner i of t.
   template <class Visit>
   void circulate(VertexId v, Visit&& visit) const {
     const FaceId start = around_[v];
@@ -103,8 +105,8 @@ class ConstrainedTriangulation {
   bool may_flip(FaceId t, int i) const {
     return triangles_[t].n[i] != kNoId && triangles_[t].side[i] == Side::none;
   }
-  // The corner beyond the edge opposite corner i of t.
-  VertexId beyond(FaceId t, int i) const;
+  // Returns the corner across the edge opposite corner i of t.
+  VertexId opposite_corner(FaceId t, int i) const;
   bool is_delaunay(FaceId t, int i) const;
   void split_triangle(FaceId t, VertexId v);
   void split_at(PlaneEdge edge, VertexId v);
@@ -114,7 +116,7 @@ class ConstrainedTriangulation {
   void legalize(std::vector<std::pair<VertexId, VertexId>> edges);
 
   std::vector<Vec2> points_;
-  std::vector<FaceId> around_;  // of every vertex, a triangle there
+  std::vector<FaceId> around_;  // for every vertex, a triangle at it
   std::vector<PlaneTriangle> triangles_;
   FaceId last_ = 0;
 };

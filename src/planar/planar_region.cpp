@@ -8,37 +8,37 @@
 
 namespace deliso {
 
-bool mark_inside(ConstrainedTriangulation& triangulation, bool otherwise) {
+bool mark_inside(ConstrainedTriangulation& triangulation, bool default_inside) {
   const std::size_t count = triangulation.triangles().size();
   std::vector<bool> seen(count, false);
-  std::vector<FaceId> part;
+  std::vector<FaceId> piece;
   for (FaceId start = 0; start < count; ++start) {
     if (seen[start]) continue;
     seen[start] = true;
-    part.assign(1, start);
+    piece.assign(1, start);
     bool inside = false, outside = false;
-    for (std::size_t n = 0; n < part.size(); ++n) {
-      const PlaneTriangle& t = triangulation.triangle(part[n]);
+    for (std::size_t n = 0; n < piece.size(); ++n) {
+      const PlaneTriangle& t = triangulation.triangle(piece[n]);
       for (int i = 0; i < 3; ++i) {
         inside |= t.side[i] == Side::inside;
         outside |= t.side[i] == Side::outside;
         if (t.side[i] != Side::none || t.n[i] == kNoId || seen[t.n[i]]) continue;
         seen[t.n[i]] = true;
-        part.push_back(t.n[i]);
+        piece.push_back(t.n[i]);
       }
     }
     if (inside && outside) return false;
-    if (!inside && !outside) inside = otherwise;
-    for (const FaceId t : part) triangulation.triangle(t).inside = inside;
+    if (!inside && !outside) inside = default_inside;
+    for (const FaceId t : piece) triangulation.triangle(t).inside = inside;
   }
   return true;
 }
 
 namespace {
 
-// Of the rectangle's diagonal: circumcenters of smaller triangles are rounded by so much of their
-// size that no ratio need ever fall.
-constexpr double kSmallest = 0x1p-40;
+// A share of the rectangle's diagonal. Smaller triangles have circumcenters so rounded that r/l may
+// never fall.
+constexpr double kMinRadiusShare = 0x1p-40;
 
 Vec2 circumcenter(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
@@ -51,9 +51,9 @@ Vec2 circumcenter(const Vec2& a, const Vec2& b, const Vec2& c) {
 RegionRefiner::RegionRefiner(ConstrainedTriangulation& triangulation, double lambda)
     : triangulation_(triangulation),
       lambda2_(lambda * lambda),
-      smallest2_(kSmallest * kSmallest *
-                 distance2(triangulation.point(0), triangulation.point(2))) {
-  for (FaceId t = 0; t < triangulation.triangles().size(); ++t) judge(t);
+      min_radius2_(kMinRadiusShare * kMinRadiusShare *
+                   distance2(triangulation.point(0), triangulation.point(2))) {
+  for (FaceId t = 0; t < triangulation.triangles().size(); ++t) enqueue_if_bad(t);
 }
 
 bool RegionRefiner::in_circle_about(FaceId t, int i, const Vec2& p) const {
@@ -62,30 +62,31 @@ bool RegionRefiner::in_circle_about(FaceId t, int i, const Vec2& p) const {
          0;
 }
 
-bool RegionRefiner::is_whole(VertexId a, VertexId b) const {
-  return std::find(whole_.begin(), whole_.end(), std::pair{a, b}) != whole_.end();
+bool RegionRefiner::is_kept(VertexId a, VertexId b) const {
+  return std::find(kept_sides_.begin(), kept_sides_.end(), std::pair{a, b}) != kept_sides_.end();
 }
 
-bool RegionRefiner::ask_for(FaceId t, int i) {
+bool RegionRefiner::request_split(FaceId t, int i) {
   const PlaneTriangle& at = triangulation_.triangle(t);
   const std::pair side{at.v[(i + 1) % 3], at.v[(i + 2) % 3]};
-  if (at.side[i] != Side::none || is_whole(side.first, side.second)) return false;
-  if (std::find(wanted_.begin(), wanted_.end(), side) == wanted_.end()) wanted_.push_back(side);
+  if (at.side[i] != Side::none || is_kept(side.first, side.second)) return false;
+  if (std::find(requested_sides_.begin(), requested_sides_.end(), side) == requested_sides_.end())
+    requested_sides_.push_back(side);
   return true;
 }
 
-void RegionRefiner::judge(FaceId t) {
+void RegionRefiner::enqueue_if_bad(FaceId t) {
   const PlaneTriangle& at = triangulation_.triangle(t);
   if (!at.inside) return;
   for (int i = 0; i < 3; ++i) {
-    if (is_side(t, i) && in_circle_about(t, i, triangulation_.point(at.v[i]))) ask_for(t, i);
+    if (is_side(t, i) && in_circle_about(t, i, triangulation_.point(at.v[i]))) request_split(t, i);
   }
   const Vec2 &a = triangulation_.point(at.v[0]), &b = triangulation_.point(at.v[1]),
              &c = triangulation_.point(at.v[2]);
   const double shortest2 = std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
   const double r2 = distance2(circumcenter(a, b, c), a), ratio2 = r2 / shortest2;
   if (ratio2 <= lambda2_) return;
-  if (r2 < smallest2_) {
+  if (r2 < min_radius2_) {
     ++refused_;
     return;
   }
@@ -93,17 +94,17 @@ void RegionRefiner::judge(FaceId t) {
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-void RegionRefiner::judge_around(VertexId v) {
+void RegionRefiner::enqueue_bad_around(VertexId v) {
   cavity_.clear();
   triangulation_.circulate(v, [&](FaceId t, int) {
     cavity_.push_back(t);
     return true;
   });
-  for (const FaceId t : cavity_) judge(t);
+  for (const FaceId t : cavity_) enqueue_if_bad(t);
 }
 
-void RegionRefiner::was_split(VertexId v) {
-  judge_around(v);
+void RegionRefiner::add_split(VertexId v) {
+  enqueue_bad_around(v);
 }
 
 void RegionRefiner::run(std::vector<std::pair<VertexId, VertexId>>& sides) {
@@ -117,9 +118,9 @@ void RegionRefiner::run(std::vector<std::pair<VertexId, VertexId>>& sides) {
     queue_.pop_back();
     if (triangulation_.triangle(bad.t).v == bad.v) refine(bad);
   }
-  for (const auto& [a, b] : std::exchange(wanted_, {})) {
+  for (const auto& [a, b] : std::exchange(requested_sides_, {})) {
     const PlaneEdge e = triangulation_.find_edge(a, b);
-    if (e.t != kNoId && is_side(e.t, e.i) && !is_whole(a, b)) sides.emplace_back(a, b);
+    if (e.t != kNoId && is_side(e.t, e.i) && !is_kept(a, b)) sides.emplace_back(a, b);
   }
 }
 
@@ -132,14 +133,14 @@ void RegionRefiner::refine(const Bad& bad) {
   }
   const auto place = triangulation_.locate(p, bad.t);
   if (place.t == kNoId) {
-    if (place.blocked && ask_for(place.blocked->t, place.blocked->i)) {
+    if (place.blocked && request_split(place.blocked->t, place.blocked->i)) {
       waiting_.push_back(bad);
     } else {
       ++refused_;
     }
     return;
   }
-  // The triangles that p would end, and what of segments and sides bounds them.
+  // The cavity of p: the triangles whose circumcircles hold p. Segments and sides bound it.
   cavity_.assign(1, place.t);
   bool refused = false, waits = false;
   for (std::size_t n = 0; n < cavity_.size(); ++n) {
@@ -147,7 +148,7 @@ void RegionRefiner::refine(const Bad& bad) {
     for (int i = 0; i < 3; ++i) {
       if (t.n[i] == kNoId || t.side[i] != Side::none) {
         if (!in_circle_about(cavity_[n], i, p)) continue;
-        if (t.n[i] == kNoId && ask_for(cavity_[n], i)) {
+        if (t.n[i] == kNoId && request_split(cavity_[n], i)) {
           waits = true;
         } else {
           refused = true;
@@ -162,7 +163,7 @@ void RegionRefiner::refine(const Bad& bad) {
       }
     }
   }
-  // A point on an edge that is a segment or side, or at a vertex, by rounding.
+  // Rounding may put p on a segment or side, or at a vertex.
   const PlaneTriangle& at = triangulation_.triangle(place.t);
   for (int i = 0; i < 3; ++i) {
     const bool kept = at.n[i] == kNoId || at.side[i] != Side::none;
@@ -176,7 +177,7 @@ void RegionRefiner::refine(const Bad& bad) {
     waiting_.push_back(bad);
   } else {
     ++inserted_;
-    judge_around(triangulation_.insert_in(place.t, p));
+    enqueue_bad_around(triangulation_.insert_in(place.t, p));
   }
 }
 

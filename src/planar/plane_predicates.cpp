@@ -6,7 +6,7 @@
 namespace deliso::predicates {
 namespace {
 
-// det[b-a, c-a] from the minors of the points themselves.
+// Returns det[b-a, c-a], from the minors of the points themselves.
 Expansion<12> turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (determinant(a.x, b.x, a.y, b.y) + determinant(b.x, c.x, b.y, c.y)) +
          determinant(c.x, a.x, c.y, a.y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The two questions a planar Delaunay triangulation asks of its points, answered without error:
-// the plane's counterpart of delaunay/predicates.h, with its range of coordinates and its layers
-// (a filter, then exact expansions; planar sets are small, so nothing stands between).
+// The two exact predicates of a planar Delaunay triangulation: the plane's counterpart of
+// delaunay/predicates.h, with its range of coordinates. A filter decides first, then exact
+// expansions; planar sets are small, so there is no stage between them.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +17,14 @@ namespace predicates {
 int orient2d_exact(const Vec2& a, const Vec2& b, const Vec2& c);
 int incircle_exact(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
-// As in delaunay/predicates.h: Shewchuk's bounds are (3 + 16 eps) eps and (10 + 96 eps) eps times
-// the permanent, and the products below bound a half of it; one more eps covers the rest.
+// As in delaunay/predicates.h. Shewchuk's bounds are (3 + 16 eps) eps and (10 + 96 eps) eps times
+// the permanent. The products below bound a half of it; one more eps covers the rest.
 inline constexpr double kOrient2dFilter = (3 * 2 + 1) * kEpsilon;
 inline constexpr double kIncircleFilter = (10 * 2 + 1) * kEpsilon;
 
 }  // namespace predicates
 
-// 1, 0 or -1: the sign of det[b-a, c-a]; 1 when a, b, c turn counter-clockwise.
+// Returns the sign of det[b-a, c-a]: 1, 0 or -1; 1 if a, b, c turn counter-clockwise.
 inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
   const double det = u.x * v.y - u.y * v.x;
@@ -34,8 +34,8 @@ inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
   return predicates::orient2d_exact(a, b, c);
 }
 
-// 1, 0 or -1: d inside, on or outside the circle through a, b, c.
-// pre: orient2d(a, b, c) > 0 (when negative, the sign turns round).
+// Returns 1, 0 or -1 for d inside, on or outside the circle through a, b, c.
+// pre: orient2d(a, b, c) > 0; if negative, the sign is reversed.
 inline int incircle(const Vec2& pa, const Vec2& pb, const Vec2& pc, const Vec2& pd) {
   const Vec2 a = pa - pd, b = pb - pd, c = pc - pd;
   const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);

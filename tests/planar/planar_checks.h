@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a constrained triangulation must be, by brute force.
+// Brute-force tests of the invariants of a constrained triangulation.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -23,7 +23,7 @@ bool cross_inside(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return orient2d(a, b, c) * orient2d(a, b, d) < 0 && orient2d(c, d, a) * orient2d(c, d, b) < 0;
 }
 
-// Whether the segment passes a vertex, or crosses a segment that is there.
+// True if the segment passes a vertex, or crosses a segment that is there.
 bool is_obstructed(const ConstrainedTriangulation& t, Segment2 s,
                    const std::vector<Segment2>& all) {
   const Vec2 &a = t.point(s.first), &b = t.point(s.second);
@@ -37,7 +37,7 @@ bool is_obstructed(const ConstrainedTriangulation& t, Segment2 s,
 
 }  // namespace
 
-TEST_CASE("every point and every free segment is there, and the rest is Delaunay") {
+TEST_CASE("every point and every segment without an obstacle is there, and the rest is Delaunay") {
   int segments = 0, obstructed = 0, duplicates = 0;
   for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     CAPTURE(seed);
@@ -97,7 +97,7 @@ TEST_CASE("every point and every free segment is there, and the rest is Delaunay
   CHECK(duplicates > 100);
 }
 
-TEST_CASE("sides and segments are split where told, and stay marked") {
+TEST_CASE("sides and segments split at a given point stay marked") {
   ConstrainedTriangulation t({0, 0}, {8, 8});
   const VertexId a = t.insert({2, 2}), b = t.insert({6, 2});
   t.insert({3, 7});

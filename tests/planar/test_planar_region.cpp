@@ -13,7 +13,7 @@ using namespace deliso;
 
 namespace {
 
-// A star-shaped polygon round a center, counter-clockwise, added with this side on its left.
+// Adds a star-shaped polygon around a center, counter-clockwise, with this side on its left.
 std::vector<VertexId> add_polygon(ConstrainedTriangulation& t, Random& random, Vec2 center,
                                   double lo, double hi, int corners) {
   std::vector<VertexId> polygon;
@@ -48,7 +48,7 @@ double area_inside(const ConstrainedTriangulation& t) {
   return sum;
 }
 
-// Works off all wishes of the refiner, halving sides.
+// Splits the sides that the refiner requests, in their middle, until it requests none.
 std::size_t refine(ConstrainedTriangulation& t, RegionRefiner& refiner) {
   std::size_t split = 0;
   while (true) {
@@ -56,7 +56,7 @@ std::size_t refine(ConstrainedTriangulation& t, RegionRefiner& refiner) {
     refiner.run(sides);
     if (sides.empty()) return split;
     for (const auto& [a, b] : sides) {
-      refiner.was_split(t.split_edge(t.find_edge(a, b), 0.5 * (t.point(a) + t.point(b))));
+      refiner.add_split(t.split_edge(t.find_edge(a, b), 0.5 * (t.point(a) + t.point(b))));
       ++split;
     }
   }
@@ -104,7 +104,7 @@ TEST_CASE("the side of the segments decides, through nested loops and islands") 
   }
 }
 
-TEST_CASE("without a segment the user's word decides; contradictions are told") {
+TEST_CASE("without a segment the default decides; contradictory segments are refused") {
   for (const bool inside : {true, false}) {
     ConstrainedTriangulation t({0, 0}, {4, 4});
     REQUIRE(mark_inside(t, inside));
