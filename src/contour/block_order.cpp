@@ -8,12 +8,12 @@
 namespace deliso {
 namespace {
 
-constexpr int kBlock = 8;
+constexpr int kBlockVoxels = 8;
 
-// So many items make a task for a thread.
-constexpr std::size_t kRun = 1 << 16;
+// Number of items in one task.
+constexpr std::size_t kItemsPerTask = 1 << 16;
 
-// Where each item goes when they are sorted by key, stably: a counting sort.
+// Returns the place of each item after a stable counting sort by key.
 std::vector<std::uint32_t> places(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
   std::vector<std::uint32_t> first(key_count + 1, 0);
   for (const std::uint32_t key : keys) ++first[key + 1];
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> places(const std::vector<std::uint32_t>& keys, std::s
 template <class T>
 void move_to(std::vector<T>& items, const std::vector<std::uint32_t>& place, int threads) {
   std::vector<T> moved(items.size());
-  for_each_run(threads, items.size(), kRun, [&](std::size_t n, std::size_t end) {
+  for_each_run(threads, items.size(), kItemsPerTask, [&](std::size_t n, std::size_t end) {
     for (; n < end; ++n) moved[place[n]] = items[n];
   });
   items = std::move(moved);
@@ -36,14 +36,16 @@ void move_to(std::vector<T>& items, const std::vector<std::uint32_t>& place, int
 
 void order_by_blocks(ContourMesh& contour, const Volume& volume, int threads) {
   const Index3 last = volume.voxels();
-  const auto blocks = [](int voxels) { return static_cast<std::uint32_t>(voxels / kBlock + 1); };
+  const auto blocks = [](int voxels) {
+    return static_cast<std::uint32_t>(voxels / kBlockVoxels + 1);
+  };
   const std::uint32_t nx = blocks(last.i), ny = blocks(last.j), nz = blocks(last.k);
 
   std::vector<std::uint32_t> block(contour.points.size());
-  for_each_run(threads, block.size(), kRun, [&](std::size_t n, std::size_t end) {
+  for_each_run(threads, block.size(), kItemsPerTask, [&](std::size_t n, std::size_t end) {
     for (; n < end; ++n) {
       const Index3 v = volume.voxel_at(contour.points[n]);
-      const auto at = [](int axis) { return static_cast<std::uint32_t>(axis / kBlock); };
+      const auto at = [](int axis) { return static_cast<std::uint32_t>(axis / kBlockVoxels); };
       block[n] = at(v.i) + nx * (at(v.j) + ny * at(v.k));
     }
   });
@@ -51,7 +53,7 @@ void order_by_blocks(ContourMesh& contour, const Volume& volume, int threads) {
   const std::vector<std::uint32_t> place = places(block, block_count);
 
   std::vector<std::uint32_t> triangle_block(contour.triangles.size());
-  for_each_run(threads, triangle_block.size(), kRun, [&](std::size_t n, std::size_t end) {
+  for_each_run(threads, triangle_block.size(), kItemsPerTask, [&](std::size_t n, std::size_t end) {
     for (; n < end; ++n) {
       std::array<VertexId, 3>& triangle = contour.triangles[n];
       triangle_block[n] = block[triangle[0]];

@@ -8,7 +8,8 @@
 
 namespace deliso {
 
-// pre: every vertex starts one segment and ends one; `component` holds component numbers.
+// Links segments into chains. pre: every vertex starts one segment and ends one; `component` holds
+// component numbers.
 BoundaryChains chain_segments(std::vector<BoundarySegment> segments);
 
 }  // namespace deliso

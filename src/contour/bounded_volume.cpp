@@ -11,7 +11,7 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
   std::vector<std::optional<Vec3>> origins(count);
   for (VertexId v = 0; v < contour.points.size(); ++v) {
     faces[contour.component[v]] |= contour.box_faces[v];
-    origins[contour.component[v]] = contour.points[v];  // near by, for accuracy
+    origins[contour.component[v]] = contour.points[v];  // a near point, for accuracy
   }
   for (std::size_t c = 0; c < count; ++c) {
     for (int axis = 0; axis < 3 && origins[c]; ++axis) {
@@ -28,24 +28,25 @@ std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
                                     std::span<const std::array<VertexId, 3>> triangles,
                                     std::span<const std::uint32_t> component,
                                     std::span<const std::optional<Vec3>> origins, int threads) {
-  // Task by task what triangles of one component in a row sum up to, then the sum of these.
-  constexpr std::size_t kRun = 1 << 16;
+  // Each task sums runs of triangles of one component; these sums are then added in order.
+  constexpr std::size_t kTrianglesPerTask = 1 << 16;
   struct Part {
     std::uint32_t component;
     double volume;
   };
-  std::vector<std::vector<Part>> parts(runs_of(triangles.size(), kRun));
-  for_each_run(
-      threads, triangles.size(), kRun, [&](std::size_t run, std::size_t begin, std::size_t end) {
-        std::vector<Part>& own = parts[run];
-        for (const std::array<VertexId, 3>& t : triangles.subspan(begin, end - begin)) {
-          const std::uint32_t c = component[t[0]];
-          if (c == kNoId || !origins[c]) continue;
-          const Vec3& o = *origins[c];
-          if (own.empty() || own.back().component != c) own.push_back({c, 0});
-          own.back().volume += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
-        }
-      });
+  std::vector<std::vector<Part>> parts(runs_of(triangles.size(), kTrianglesPerTask));
+  for_each_run(threads, triangles.size(), kTrianglesPerTask,
+               [&](std::size_t run, std::size_t begin, std::size_t end) {
+                 std::vector<Part>& own = parts[run];
+                 for (const std::array<VertexId, 3>& t : triangles.subspan(begin, end - begin)) {
+                   const std::uint32_t c = component[t[0]];
+                   if (c == kNoId || !origins[c]) continue;
+                   const Vec3& o = *origins[c];
+                   if (own.empty() || own.back().component != c) own.push_back({c, 0});
+                   own.back().volume +=
+                       dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+                 }
+               });
   std::vector<double> volumes(origins.size(), 0);
   for (const std::vector<Part>& own : parts) {
     for (const Part& part : own) volumes[part.component] += part.volume;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which way round components are: the sign of the volume that one bounds, together with the faces
-// of the box that it meets. For what is thinner than a voxel gradients do not tell.
+// The orientation of components: the sign of the volume that one bounds, together with the faces of
+// the box that it meets. For components thinner than a voxel gradients give no orientation.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,14 @@
 
 namespace deliso {
 
-// For every component of T a point in all the faces of the box that it meets: seen from there, what
-// it leaves open has no volume behind it. Nothing for those that meet opposite faces.
+// Returns for every component of T a point that lies in all faces of the box that the component
+// meets. Seen from there, its open ends bound no volume. Nothing for components that meet opposite
+// faces.
 std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, const Box3& box);
 
-// Six times the volume between triangles and the origin of their component, summed per component:
-// positive where normals point away from what is bounded. `component`: per point; kNoId: left out.
-// 0 where there is no origin.
+// Returns per component six times the volume between its triangles and its origin; 0 without an
+// origin. It is positive if normals point away from the bounded volume. `component`: per point;
+// points with kNoId are left out.
 std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
                                     std::span<const std::array<VertexId, 3>> triangles,
                                     std::span<const std::uint32_t> component,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Connected components while they grow: a union-find whose roots carry the counts of what has been
-// seen of them so far. Labels are given in scan order and a root is the smallest of its labels, so
-// the roots in order are the components by first voxel.
+// Connected components during the walk: a union-find whose roots carry counts of the pieces seen.
+// Labels are given in scan order, and a root is the smallest of its labels. So the roots in order
+// are the components by first voxel.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ class GrowingComponents {
  public:
   struct Counts {
     std::uint64_t crossings = 0, pieces = 0, tubes = 0, disks = 0;
-    // Segments between crossings, counted once per voxel they bound and twice on the box, so that
-    // every segment of the finished component has been counted twice.
+    // Segments between crossings, counted once per voxel that they bound and twice on the box. So a
+    // finished component has every segment counted twice.
     std::uint64_t half_sides = 0;
     Index3 lo, hi;
   };
@@ -37,7 +37,7 @@ class GrowingComponents {
     return label;
   }
 
-  // pre: a and b are roots. Returns the root of both.
+  // Unites two components and returns their root. pre: a and b are roots.
   std::uint32_t unite(std::uint32_t a, std::uint32_t b) {
     if (a == b) return a;
     if (b < a) std::swap(a, b);
@@ -55,18 +55,18 @@ class GrowingComponents {
     return a;
   }
 
-  // Takes in those of a later part of the scan, none of which is one of these yet. Their labels are
-  // all raised by what is returned.
+  // Appends the components of a later part of the scan, which are all new. Returns the offset added
+  // to their labels.
   std::uint32_t append(const GrowingComponents& later) {
-    const auto raised = static_cast<std::uint32_t>(parent_.size());
-    for (const std::uint32_t label : later.parent_) parent_.push_back(raised + label);
+    const auto offset = static_cast<std::uint32_t>(parent_.size());
+    for (const std::uint32_t label : later.parent_) parent_.push_back(offset + label);
     counts_.insert(counts_.end(), later.counts_.begin(), later.counts_.end());
-    return raised;
+    return offset;
   }
 
   Counts& counts(std::uint32_t root_label) { return counts_[root_label]; }
 
-  // Numbers the components; number_of[label] for every label.
+  // Appends the components in order and returns the number of each label's component.
   std::vector<std::uint32_t> finish(std::vector<ContourComponent>& components) {
     std::vector<std::uint32_t> number_of(parent_.size());
     for (std::uint32_t label = 0; label < parent_.size(); ++label) {

@@ -16,7 +16,7 @@
 namespace deliso {
 namespace {
 
-// Keeps nothing; crossings on the box are numbered so that their segments can be chained.
+// Keeps nothing. Crossings on the box are numbered, so that their segments can be chained.
 class CountingSink {
  public:
   void expect(std::size_t) {}
@@ -38,10 +38,10 @@ struct StreamResult {
   std::vector<SlabNumbers> numbers;
 };
 
-// A sink that meshes, or counts: beside what the walk asks for,
-//   expect(crossings): about how many there will be, before the first;
-//   replace_boundary(segments): may put others in place of the walk's segments on the box;
-//   vertices(): how many ids it has given.
+// A ContourSink that meshes or counts. It also has:
+//   - expect(crossings) receives an estimate of their number before the first.
+//   - replace_boundary(segments) may replace the walk's segments on the box.
+//   - vertices() returns how many ids the sink has given.
 template <class Sink>
 concept MeshSink = ContourSink<Sink> &&
     requires(Sink& sink, std::vector<BoundarySegment>& segments) {
@@ -81,7 +81,8 @@ StreamResult stream(const Volume& volume, double kappa, const std::vector<Slab>&
   return result;
 }
 
-// The mesh of what the sinks that make_sink(part of the mesh) gives are told.
+// Returns the mesh that the sinks make, one for each slab; make_sink(mesh) returns a sink that
+// fills `mesh`.
 template <class MakeSink>
 ContourMesh mesh_slabs(const Volume& volume, double kappa, const std::vector<Slab>& slabs,
                        int threads, MakeSink&& make_sink) {
@@ -138,7 +139,8 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
                           int threads) {
   const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split, threads);
   if (chosen.size() == 0) return build_contour(volume, kappa, threads);
-  // What a split voxel has on a face is named once, so none may touch the layer where slabs meet.
+  // The crossings on a split voxel's face are numbered once, so no split voxel may touch the layer
+  // in which slabs meet.
   const std::vector<Slab> slabs = cut_into_slabs(volume.dims(), threads, [&](int k) {
     return !chosen.any_in_layer(k - 1) && !chosen.any_in_layer(k - 2);
   });
@@ -157,7 +159,7 @@ ContourSummary summarize_contour(const Volume& volume, double kappa, int threads
 
 namespace {
 
-// What make() makes of the contour at the settled isovalue, which kappa becomes.
+// Returns make() at the settled isovalue, and sets kappa to it.
 template <class Make, class TiedSaddles>
 auto make_settled(const Volume& volume, double& kappa, int threads, Make&& make,
                   TiedSaddles&& tied_saddles) {

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The exact contour T of a volume: a triangle mesh with the topology of the trilinear surface
-// Sigma = g^-1(kappa), inside meaning g >= kappa. Voxel by voxel: grid edges that Sigma crosses
-// give vertices, voxel faces give the segments between them (asymptotic decider, Nielson and Hamann
-// 1991), the segments close into loops, and each loop bounds a disk unless two of them bound one
-// tube, which a plane swept through the voxel decides (contour/voxel_topology.h). It is the ground
-// truth of components, Euler number and boundary loops, and T seeds and certifies the mesh.
+// The exact contour T of a volume: a triangle mesh with the topology of the trilinear surface Sigma
+// = g^-1(kappa). Inside means g >= kappa. T is built voxel by voxel. Grid edges that Sigma crosses
+// give vertices. Voxel faces give the segments between them (asymptotic decider, Nielson and Hamann
+// 1991), and the segments close into loops. Each loop bounds a disk, unless two loops bound one
+// tube; a plane swept through the voxel decides (contour/voxel_topology.h). T is the ground truth
+// of components, Euler number and boundary loops; it seeds and certifies the mesh.
 //
 // Invariants of a ContourMesh:
-//   I1  every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel
-//       (in a split voxel also a crossing of an edge of its cells, or a point inside a cell);
-//   I2  T is an edge- and vertex-manifold, with boundary on the box of the volume only;
-//   I3  triangles are counter-clockwise seen from g < kappa;
-//   I4  a vertex lies on a face of the box exactly when its bit in `box_faces` is set, and then
-//       that coordinate is the box's to the last bit; all others lie strictly inside the box
-//       (unless they lie at a sample equal to kappa);
-//   I5  within its voxel each piece of T is what the piece of Sigma is (disk or tube), so T and
-//       Sigma are homeomorphic, component by component, and so are their boundaries;
-//   I6  everything is in scan order (x fastest, then y, z): vertices of a slab of voxels before
-//       those of the next, components by the first voxel that meets them.
+//   I1  Every vertex lies on Sigma: a crossing of a grid edge, or one more point inside a voxel. In
+//       a split voxel it may also be a crossing of a cell's edge, or a point inside a cell.
+//   I2  T is an edge- and vertex-manifold. Its boundary lies on the box of the volume only.
+//   I3  Triangles are counter-clockwise seen from g < kappa.
+//   I4  A vertex lies on a face of the box exactly if its bit in `box_faces` is set. Then that
+//       coordinate is the box's to the last bit. All others lie strictly inside the box (unless
+//       they lie at a sample equal to kappa).
+//   I5  Within its voxel each piece of T is a disk or a tube as the piece of Sigma is. So T and
+//       Sigma are homeomorphic, component by component, and so are their boundaries.
+//   I6  The order is scan order (x fastest, then y, z). Vertices of a slab of voxels precede those
+//       of the next. Components are ordered by the first voxel that they meet.
 // No piece of Sigma is closed within a voxel: g is harmonic there, so it would be constant inside.
 //
-// Samples that equal kappa are inside, by the same rule everywhere, so T keeps its topology then
-// too; only vertices may coincide. effective_isovalue() avoids that.
-// Memory beside the result: two layers of edge slots and sample bits, O(slice), for each thread;
-// with several of these T is put together from parts, and for a moment there twice.
+// Samples equal to kappa are inside, by the same rule everywhere. So T keeps its topology then, but
+// vertices may coincide. effective_isovalue() avoids that.
+// Memory besides the result, for each thread: two layers of edge slots and sample bits, O(slice).
+// With several threads T is assembled from the parts of the slabs, and for a moment exists twice.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ namespace deliso {
 struct ContourComponent {
   std::int64_t euler = 0;       // V - E + F
   std::uint64_t crossings = 0;  // grid edges it crosses
-  std::uint64_t pieces = 0;     // pieces in voxels: its voxels, those it visits twice counted so
+  std::uint64_t pieces = 0;     // pieces in voxels; a voxel with two pieces counts twice
   std::uint64_t tubes = 0;      // pieces that are tubes
   std::uint64_t boundary_loops = 0;
   Index3 lo, hi;  // first and last voxel it visits along each axis
@@ -59,7 +59,7 @@ struct ContourComponent {
 struct ContourSummary {
   std::vector<ContourComponent> components;  // by first voxel in scan order
   std::uint64_t active_voxels = 0;
-  std::uint64_t tied_saddles = 0;  // voxels with a face whose saddle is at kappa, to the last bits
+  std::uint64_t tied_saddles = 0;  // voxels with a tied saddle, one at kappa to the last bits
 
   std::int64_t euler() const;
   std::uint64_t boundary_loops() const;
@@ -72,9 +72,9 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
                                             const ComponentChoice& choice);
 
 // The closed curves in which Sigma meets the box. Chain c is vertices[first[c] .. first[c + 1]),
-// closed from the last to the first; consecutive vertices are crossings of grid edges (or of those
-// of a split voxel's cells) on one pixel of one box face. Chains run as the triangles of T do, so
-// that T lies on the left seen from where g < kappa, and each starts at its smallest vertex.
+// closed from the last to the first. Consecutive vertices are crossings of grid edges (or of edges
+// of a split voxel's cells) on one pixel of one box face. Chains run as the triangles of T do: T
+// lies on the left seen from g < kappa. Each starts at its smallest vertex.
 struct BoundaryChains {
   std::vector<std::uint32_t> first{0};
   std::vector<VertexId> vertices;
@@ -96,8 +96,8 @@ struct ContourMesh {
   BoundaryChains boundary;
   ContourSummary summary;
   std::uint64_t split_voxels = 0;  // voxels that were split
-  // The voxels whose triangles might cross, since they are made of several pieces or follow the
-  // cells of a voxel beside them; in scan order, as all triangles are.
+  // The voxels whose triangles might cross, in scan order as all triangles are. Such a voxel has
+  // several pieces, or follows the cells of a neighboring voxel.
   struct VoxelTriangles {
     std::uint64_t voxel;  // voxel_number()
     std::size_t first, end;
@@ -107,28 +107,28 @@ struct ContourMesh {
   bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
 };
 
-// T itself, in one pass over the samples, the same with any number of threads. A volume without
-// voxels (a dimension of 1) has none. Throws InputError when T would have 2^32 - 1 vertices or
-// more.
+// Returns T, from one pass over the samples; it does not depend on the number of threads. T is
+// empty if the volume has no voxels (a dimension of 1). Throws InputError if T has 2^32 - 1
+// vertices or more.
 ContourMesh build_contour(const Volume& volume, double kappa, int threads = 1);
 
 // Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
-// interpolant's own values, and becomes what the cells hold.
+// interpolant's values. Its pieces are those of its cells.
 struct ContourSplit {
-  std::vector<std::uint64_t> voxels;  // voxel_number()s, ascending; inactive ones are passed over
+  std::vector<std::uint64_t> voxels;  // voxel_number()s, ascending; inactive ones are ignored
   Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
-  // Cells of every other active voxel, >= 1, but for those that share a face with a split voxel of
-  // the list: these stay whole, so that cells of two sizes never meet.
+  // Cells of every other active voxel, >= 1. Voxels that share a face with a listed one stay whole,
+  // so that cells of two sizes never meet.
   Index3 elsewhere{1, 1, 1};
 };
 
-// Voxels counted in scan order; `dims` are the volume's, in samples.
+// Returns the voxel's number in scan order; `dims` are the volume's, in samples.
 constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
   const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
   return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
 }
 
-// The voxel of that number.
+// Returns the voxel with that number.
 constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
   const auto nx = static_cast<std::uint64_t>(dims.i - 1),
              ny = static_cast<std::uint64_t>(dims.j - 1);
@@ -136,32 +136,32 @@ constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
           static_cast<int>(number / nx / ny)};
 }
 
-// The voxel across face f of one; it may lie outside the volume.
-inline Index3 beyond(Index3 voxel, int f) {
+// Returns the voxel across face f of `voxel`; it may lie outside the volume.
+inline Index3 voxel_across(Index3 voxel, int f) {
   voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
   return voxel;
 }
 
-// T, finer where `split` says. It keeps I1-I6 and the topology of the plain T, component by
-// component: the two have equal summaries, which count crossings and pieces of the voxels, not of
-// their cells. The plain T's crossings of grid edges are vertices here too, in the same places and
-// in the same order. A voxel beside a split one keeps its own pieces, with loops that have more
-// vertices; boundary chains go from cell to cell. Where rounding would give the cells of a voxel
-// another topology than the voxel (the saddle of a face at kappa, to the last bits), it is left
-// whole. Without split voxels the result is that of build_contour(volume, kappa). Costs a second
-// look at each listed voxel beside the pass itself.
+// Returns T, made finer as `split` says. I1-I6 and the topology of the plain T hold, component by
+// component. The two summaries are equal: they count crossings and pieces of voxels, not of cells.
+// The plain T's crossings of grid edges are vertices here too, at the same places and in the same
+// order. A voxel beside a split one keeps its pieces, with more vertices on their loops. Boundary
+// chains go from cell to cell. Rounding might give the cells of a voxel another topology than the
+// voxel's (a face's saddle at kappa, to the last bits). Such a voxel stays whole. Without split
+// voxels the result is build_contour(volume, kappa). Cost: a second visit of each listed voxel
+// besides the pass itself.
 ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split,
                           int threads = 1);
 
-// The summary alone, without T: for volumes of any size.
+// Returns the summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa, int threads = 1);
 
-// The isovalue that the geometry works at: effective_isovalue(), lowered once more where saddles
-// are tied. Sigma meets itself there (a checkerboard at its mean is nothing but that); a tied
-// saddle counts as inside, so lowering kappa keeps the topology and parts what touches. Of a block
-// it is isovalue_of_blocks().
+// Returns the isovalue that the geometry uses: effective_isovalue(), lowered once more if saddles
+// are tied. Sigma meets itself at tied saddles; a checkerboard at its mean has nothing else. A tied
+// saddle counts as inside, so a lower kappa keeps the topology and separates the sheets that touch.
+// For a block it is isovalue_of_blocks().
 double settled_isovalue(const Volume& volume, double kappa, int threads = 1);
-// T, or its summary, at that isovalue, which kappa becomes.
+// Return T, or its summary, at that isovalue, and set kappa to it.
 ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 

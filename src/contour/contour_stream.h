@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One pass over the samples that walks the contour voxel by voxel, in scan order. It keeps two
 // layers of samples as bits (inside or not), and for each grid edge between them a slot with the
-// vertex on it, so nothing is ever looked up by hash. What becomes of crossings and pieces is the
-// sink's affair (contour.cpp): a mesh, or nothing where only the summary is wanted.
+// vertex on it. So it needs no hash table. A sink receives crossings and pieces (contour.cpp), and
+// makes a mesh of them, or nothing if only the summary is needed.
 //
-// A walk may be that of a slab: some layers of samples, and the voxels between each of them and the
-// layer below. It begins with the crossings in that layer below the slab, which are the slab
-// before's as well, so ids and labels are the slab's own until slabs are welded (contour/slabs.h).
+// A walk may cover a slab: some layers of samples, and the voxels between each of them and the
+// layer below. It begins with the crossings in the layer below the slab, which the slab before has
+// as well. So ids and labels are the slab's own until slabs are welded (contour/slabs.h).
 #pragma once
 
 #include <bit>
@@ -22,15 +22,15 @@
 
 namespace deliso {
 
-// A segment of T on the box, directed as the triangle that holds it.
+// A segment of T on the box, directed as in its triangle.
 struct BoundarySegment {
   VertexId from, to;
   std::uint32_t component;  // a label, later a component's number
   BoxFace face;
 };
 
-// One bit per sample of a layer, rows padded to whole words and one empty word more, so that the
-// word after any word of a row may be read.
+// One bit per sample of a layer. Rows are padded to whole words and one empty word more, so that
+// the word after any word of a row may be read.
 class LayerBits {
  public:
   LayerBits(int nx, int ny)
@@ -43,7 +43,7 @@ class LayerBits {
 
   template <class T>
   void load_row(int j, const T* samples, T threshold) {
-    // Bytes first, in a loop that vectorizes, then eight of them at a time into bits.
+    // First bytes, in a loop that vectorizes; then eight bytes at a time into bits.
     std::uint8_t* inside = buffer_.data();
     const int n = nx_;
     for (int i = 0; i < n; ++i) inside[i] = samples[i] >= threshold;
@@ -72,9 +72,9 @@ class LayerBits {
   std::vector<std::uint8_t> buffer_;
 };
 
-// What the walk finds in an active voxel.
+// The pieces of Sigma in an active voxel.
 struct VoxelPieces {
-  // Leaves vertex and label open.
+  // Leaves vertex and label uninitialized.
   VoxelPieces(Index3 at, const Corners& c, const VoxelLoops& l, Tube t)
       : voxel(at), corners(c), loops(l), tube(t) {}
 
@@ -90,11 +90,11 @@ struct VoxelPieces {
   }
 };
 
-// What takes in what the walk finds:
-//   crossing(axis, sample, c0, c1, box_faces): the grid edge from `sample` along `axis` is crossed,
-//     values minus kappa at its ends, and lies on these faces of the box; the id given back must be
-//     unique among crossings on the box;
-//   voxel(pieces): an active voxel, once all its crossings are known.
+// A receiver of crossings and active voxels.
+//   - crossing(axis, sample, c0, c1, box_faces): the grid edge from `sample` along `axis` is
+//   crossed and lies on these faces of the box. Its ends have the values c0 and c1, minus kappa.
+//   Returns an id, unique among crossings on the box.
+//   - voxel(pieces): an active voxel, once all its crossings are known.
 template <class Sink>
 concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelPieces& pieces) {
   { sink.crossing(int{}, sample, c, c, std::uint8_t{}) } -> std::same_as<VertexId>;
@@ -106,18 +106,19 @@ struct Slab {
   int begin, end;
 };
 
-// A crossing in a layer of samples that two slabs meet in.
+// A crossing in a layer of samples in which two slabs meet.
 struct SharedCrossing {
   VertexId vertex;
   std::uint32_t label;
 };
 
-// What a walk finds out beside what the sink is told.
+// The results of a walk that the sink does not receive.
 struct SlabWalk {
   GrowingComponents components;
   std::vector<BoundarySegment> boundary;
   std::uint64_t active_voxels = 0, tied_saddles = 0;
-  // In the layer below the slab and in its last one, in scan order; none at the ends of the volume.
+  // Crossings in the layer below the slab and in its last one, in scan order; none at the ends of
+  // the volume.
   std::vector<SharedCrossing> below, above;
 };
 
@@ -161,15 +162,16 @@ class ContourStream {
     if (slab_.end < dims_.k) found_.above = crossings_in_layer(slab_.end - 1);
   }
 
-  // About how many grid edges are crossed, from a few of the layers; none where these are few.
+  // Returns roughly how many grid edges are crossed, from every 16th layer; 0 if there are few
+  // layers.
   std::size_t estimate_crossings() {
-    constexpr int kEvery = 16;
+    constexpr int kLayerStride = 16;
     const std::optional<T> threshold = inside_threshold<T>(kappa_);
     if (!threshold) return 0;
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     std::size_t crossings = 0;
     const auto count = [&](int) { ++crossings; };
-    for (int k = slab_.begin + kEvery / 2; k + 1 < slab_.end; k += kEvery) {
+    for (int k = slab_.begin + kLayerStride / 2; k + 1 < slab_.end; k += kLayerStride) {
       for (int j = 0; j < dims_.j; ++j) {
         load_row(j, k, *threshold);
         load_row(j, k + 1, *threshold);
@@ -178,10 +180,10 @@ class ContourStream {
         for_each_edge_along_z(j, k, count);
       }
     }
-    return kEvery * crossings;
+    return kLayerStride * crossings;
   }
 
-  // After run().
+  // pre: run() has returned.
   SlabWalk& found() { return found_; }
 
  private:
@@ -209,7 +211,7 @@ class ContourStream {
     }
   }
 
-  // The bits of the samples one further along x.
+  // Returns the bits of the next samples along x.
   static std::uint64_t shifted(const std::uint64_t* row, int w) {
     return row[w] >> 1 | row[w + 1] << 63;
   }
@@ -229,7 +231,8 @@ class ContourStream {
     slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
   }
 
-  // The crossed edges from the samples of row (j, k), or (j, k) and the next one.
+  // Call visit(i) for the crossed edges from the samples of row (j, k), or between it and the next
+  // row.
   template <class Visit>
   void for_each_edge_along_x(int j, int k, Visit visit) const {
     const std::uint64_t* row = layer(k).row(j);
@@ -249,7 +252,7 @@ class ContourStream {
         layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; }, visit);
   }
 
-  // Vertices on the edges within the layer that row (j, k) completes.
+  // Adds vertices on the edges within the layer that row (j, k) completes.
   void cross_row_in_layer(int j, int k) {
     const bool odd = (k & 1) != 0;
     if (j > 0) {
@@ -260,7 +263,7 @@ class ContourStream {
     for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
   }
 
-  // What these calls have made of layer k, while it is one of the last two.
+  // Returns the crossings that these calls made in layer k. pre: k is one of the last two layers.
   std::vector<SharedCrossing> crossings_in_layer(int k) const {
     const bool odd = (k & 1) != 0;
     const std::vector<Slot>&x = slots_[odd ? kX1 : kX0], &y = slots_[odd ? kY1 : kY0];
@@ -274,7 +277,7 @@ class ContourStream {
     return crossings;
   }
 
-  // The active voxels of row (j, k).
+  // Visits the active voxels of row (j, k).
   void walk_row(int j, int k) {
     const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
                                     layer(k + 1).row(j + 1)};
@@ -300,7 +303,8 @@ class ContourStream {
     }
   }
 
-  // For each edge of a voxel the array of its slot, begun so that the voxel's own place finds it.
+  // Sets for each edge of a voxel the array of its slot, offset so that the voxel's place is the
+  // index.
   void aim_slots(int k) {
     for (int e = 0; e < 12; ++e) {
       const int u = e & 1, v = e >> 1 & 1;
@@ -315,7 +319,7 @@ class ContourStream {
     }
   }
 
-  // Bit f: face f of the voxel lies on the box.
+  // Returns the faces of the voxel that lie on the box: bit f for face f.
   int box_faces(Index3 voxel) const {
     int faces = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -366,18 +370,18 @@ class ContourStream {
     sink_.voxel(pieces);
   }
 
-  // Writes the loop's vertices to `out` and makes them one component, with that of `label` where
-  // there is one; returns its root.
+  // Writes the loop's vertices to `out` and makes them one component, united with that of `label`
+  // unless it is kNoId. Returns its root.
   std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, VertexId* out,
                      std::uint32_t label) {
     const std::size_t place = in_layer(voxel.i, voxel.j);
     std::array<Slot*, 12> slots;
-    std::size_t fresh = 0;
+    std::size_t new_crossings = 0;
     for (std::size_t n = 0; n < edges.size(); ++n) {
       slots[n] = edge_slots_[edges[n]] + place;
       out[n] = slots[n]->vertex;
       if (slots[n]->label == kNoId) {
-        ++fresh;
+        ++new_crossings;
         continue;
       }
       const std::uint32_t root = found_.components.root(slots[n]->label);
@@ -385,7 +389,7 @@ class ContourStream {
     }
     if (label == kNoId) label = found_.components.add(voxel);
     for (std::size_t n = 0; n < edges.size(); ++n) slots[n]->label = label;
-    found_.components.counts(label).crossings += fresh;
+    found_.components.counts(label).crossings += new_crossings;
     return label;
   }
 

@@ -24,8 +24,8 @@ void for_each_sample(Index3 dims, Visit&& visit) {
   }
 }
 
-// The two samples of the grid edge that a vertex of T lies on; nothing for other vertices, and
-// where rounding has put it on a sample.
+// Returns the two samples of the grid edge that a vertex of T lies on. Nothing for other vertices,
+// or if rounding put it on a sample.
 std::optional<std::array<Index3, 2>> grid_edge(const Volume& volume, const Vec3& p) {
   std::array<Index3, 2> ends;
   int along = 0;
@@ -46,7 +46,7 @@ struct Region {
   std::uint64_t samples = 0;
   Index3 lo, hi;
   bool inside = false;
-  std::vector<std::uint32_t> components = {};  // that bound it
+  std::vector<std::uint32_t> components = {};  // its boundary
 
   void add(const Region& other) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,7 +78,7 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
       if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) joined.unite(number(q), number(p));
     }
   });
-  // Along one side of a component there is one region, though no grid edge may run there.
+  // One side of a component belongs to one region, even where no grid edge runs along it.
   const std::vector<ContourComponent>& components = contour.summary.components;
   std::vector<std::array<std::uint32_t, 2>> sides(components.size(), {kNoId, kNoId});
   for (VertexId v = 0; v < contour.points.size(); ++v) {
@@ -103,7 +103,7 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
     for (std::uint32_t& side : sides[c]) {
       if (side == kNoId) continue;
       side = region_of[side];
-      // One whose other side nobody knows is to stay: it counts as two.
+      // A component with an unknown side must stay: it counts as two.
       regions[side].components.insert(regions[side].components.end(), is_known ? 1 : 2, c);
     }
   }
@@ -112,36 +112,36 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
   result.kept.assign(components.size(), 1);
   std::vector<std::uint32_t> into(regions.size());
   std::iota(into.begin(), into.end(), 0);
-  const auto now = [&](std::uint32_t r) {
+  const auto current = [&](std::uint32_t r) {
     while (into[r] != r) r = into[r] = into[into[r]];
     return r;
   };
-  using Leaf = std::pair<std::uint64_t, std::uint32_t>;  // by its samples
+  using Leaf = std::pair<std::uint64_t, std::uint32_t>;  // sorted by samples
   std::set<Leaf> leaves;
   const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
-  const auto look_at = [&](std::uint32_t r) {
+  const auto enqueue_leaf = [&](std::uint32_t r) {
     Region& region = regions[r];
     std::erase_if(region.components, [&](std::uint32_t c) { return !result.kept[c]; });
     if (region.components.size() == 1) leaves.emplace(region.samples, r);
   };
-  for (std::uint32_t r = 0; r < regions.size(); ++r) look_at(r);
+  for (std::uint32_t r = 0; r < regions.size(); ++r) enqueue_leaf(r);
   while (!leaves.empty()) {
     const std::uint32_t r = leaves.begin()->second;
     leaves.erase(leaves.begin());
     const std::uint32_t c = regions[r].components[0];
     const bool is_small = choice.largest > 0 || regions[r].side() < choice.min_voxels;
     if (!result.kept[c] || is_chosen[c] || !is_small) continue;
-    const std::uint32_t a = now(sides[c][0]), b = now(sides[c][1]), beyond = a == r ? b : a;
+    const std::uint32_t a = current(sides[c][0]), b = current(sides[c][1]), merged = a == r ? b : a;
     result.kept[c] = 0;
-    into[r] = beyond;
-    leaves.erase({regions[beyond].samples, beyond});
-    regions[beyond].add(regions[r]);
-    look_at(beyond);
+    into[r] = merged;
+    leaves.erase({regions[merged].samples, merged});
+    regions[merged].add(regions[r]);
+    enqueue_leaf(merged);
   }
   for (unsigned m = 0; m < 8; ++m) {
     Index3 p;
     for (int axis = 0; axis < 3; ++axis) p[axis] = (m >> axis & 1) != 0 ? dims[axis] - 1 : 0;
-    result.corner_inside[m] = regions[now(region_of[number(p)])].inside;
+    result.corner_inside[m] = regions[current(region_of[number(p)])].inside;
   }
   return result;
 }

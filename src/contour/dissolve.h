@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What --min-component and --largest mean for a solid. Every component of the surface parts the box
-// into two sides, so what it parts, the regions of inside and of outside, hang together by the
-// components as a tree. A region that one component alone bounds is dissolved into the one beyond,
-// component and all, where both are smaller than asked for: a blob goes, a cavity is filled. What
-// is left parts inside from outside again. The smallest regions go first; of the last two the one
-// with fewer samples.
+// Dissolves regions, for --min-component and --largest with a solid. Every component of the surface
+// separates the box into two sides. So the regions of inside and of outside form a tree, whose
+// edges are the components. A region bounded by one component alone is dissolved into the region
+// across it, together with the component, if the component is not chosen. So a blob is removed, a
+// cavity filled, and the rest separates inside from outside again. The smallest regions are
+// dissolved first; of the last two, the one with fewer samples.
 #pragma once
 
 #include <array>
@@ -21,8 +21,9 @@ struct Dissolved {
                                       // k of m is set
 };
 
-// Chosen components are kept, and so are those whose regions are bounded by others that are kept,
-// or are as large as choice.min_voxels along some axis. `contour` is that of the volume at kappa.
+// Returns the components to keep: those that are chosen, those whose regions span choice.min_voxels
+// voxels along some axis, and those whose regions are bounded by other kept components. pre:
+// `contour` is that of the volume at kappa.
 Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, double kappa,
                           const ComponentChoice& choice);
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Signs of polynomials in a voxel's values minus kappa, exact behind a floating-point filter.
 //
-// A polynomial is written once, as a generic lambda of "the values": c(m) is the value at corner m
-// minus kappa, d(m) is the difference along z between corner m + 4 and corner m. It is evaluated
-// first in doubles with a bound of its error, and where that cannot tell the sign, once more in
-// expansions (delaunay/expansion.h), which are exact. Both take the samples and kappa as they are,
-// so that not even the rounding of value - kappa decides a sign.
+// A polynomial is written once, as a generic lambda of the values. Here c(m) is the value at corner
+// m minus kappa, d(m) the difference along z between corner m + 4 and corner m. Doubles with an
+// error bound evaluate it first. If they cannot decide the sign, expansions (delaunay/expansion.h)
+// evaluate it exactly. Both use the samples and kappa as given, so that not even the rounding of
+// value - kappa decides a sign.
 //
-// Guaranteed, for polynomials of degree 4 at most: exact when the highest and the lowest nonzero
-// bits of the values and kappa are less than 500 binary places apart. That holds for all integer
-// and float32 samples, if kappa is not below 2^-300, and for float64 samples over 150 decimal
-// magnitudes. Beyond that, signs may be wrong, but the same values give the same sign.
+// Guarantee for polynomials of degree 4 at most. The sign is exact if the highest and the lowest
+// nonzero bits of the values and kappa are less than 500 binary places apart. That holds for all
+// integer and float32 samples, if kappa is not below 2^-300, and for float64 samples over 150
+// decimal magnitudes. Beyond that, signs may be wrong, but the same values give the same sign.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace deliso {
 
-// A voxel's values, and what they are above kappa, rounded. The rounding keeps every sign.
+// A voxel's values, and the values minus kappa, rounded. The rounding keeps every sign.
 struct VoxelValues {
   VoxelValues(const Corners& values, double isovalue) : value(values), kappa(isovalue) {
     for (int m = 0; m < 8; ++m) above[m] = value[m] - kappa;
@@ -34,12 +34,12 @@ struct VoxelValues {
   Corners above;
 };
 
-// A double and the sum of the magnitudes that went into it: the exact number differs from `value`
-// by less than kRounding * size. Leaves have relative errors of u = 2^-53; every operation adds one
-// u, and in the discriminant of a saddle there are at most 12 on the way from a leaf to the result.
+// A double and the sum of the magnitudes that went into it. The exact number differs from `value`
+// by less than kRounding * size. Leaves have relative errors of u = 2^-53, and every operation adds
+// one u. In the discriminant of a saddle at most 12 operations lie between a leaf and the result.
 struct Bounded {
   static constexpr double kRounding = 1e-14;
-  // Below this a product may have lost bits, so nothing is known of it.
+  // A smaller product may have lost bits, so nothing is known about it.
   static constexpr double kUnderflow = 1e-290;
 
   double value, size;
@@ -73,11 +73,11 @@ class BoundedValues {
   const VoxelValues& v_;
 };
 
-// Scaled by a power of two, which changes no sign, to where products of four do not overflow and
-// have room below.
+// The values scaled by a power of two, which changes no sign. Products of four then neither
+// overflow nor underflow.
 class ExactValues {
  public:
-  // Of the corners whose bits are set in `corners`.
+  // Scales by the corners whose bits are set in `corners`.
   ExactValues(const VoxelValues& v, int corners) : value_(v.value), kappa_(v.kappa) {
     constexpr int kHighestBit = 240;
     double largest = std::abs(kappa_);
@@ -98,7 +98,7 @@ class ExactValues {
   double kappa_;
 };
 
-// The sign of a polynomial in the corners whose bits are set.
+// Returns the sign of a polynomial in the corners whose bits are set.
 template <class Polynomial>
 int sign_of(const VoxelValues& v, int corners, Polynomial&& polynomial) {
   if (const auto sign = polynomial(BoundedValues(v)).sign()) return *sign;

@@ -17,48 +17,51 @@
 namespace deliso {
 namespace {
 
-// Spacings far apart would give any number of cells: so many along an axis and in a voxel.
-constexpr int kMostAlongAxis = 32, kMostCells = 4096;
-// How large cells may make T: so many times the plain one, and a little more for small volumes.
-constexpr double kGrowth = 4, kLittle = 5e5;
-// How often a cell may be longer than wide.
-constexpr double kLongest = 2;
-// Where triangles cross, cells of so many to a side are tried: hardly any two with a common
-// divisor, so that what lies on a plane between cells once lies well within one the next time. Few,
-// since each is a pass over the volume.
-constexpr std::array kParts{2, 5, 11, 15};
+// Bounds on cells along an axis and in a voxel: very unequal spacings would give any number.
+constexpr int kMaxCellsAlongAxis = 32, kMaxCellsPerVoxel = 4096;
+// Bound on the size of T in cells: kMaxGrowth times the plain one, plus some vertices for small
+// volumes.
+constexpr double kMaxGrowth = 4, kExtraVertices = 5e5;
+// Bound on the ratio of a cell's longest to its shortest side.
+constexpr double kMaxCellAspect = 2;
+// Cells per side that are tried in turn where triangles cross. Few pairs have a common divisor, so
+// what lies on a plane between cells once lies well within a cell the next time. Each is a pass over
+// the volume.
+constexpr std::array kCellsPerSide{2, 5, 11, 15};
 
-// Cells of about the side `cell`, or of up to `coarsest` where those would be too many.
+// Returns how many cells to cut a voxel into: of about the side `cell`, or larger, up to
+// `coarsest`, if those are too many.
 Index3 cells_of(Vec3 spacing, double cell, double coarsest, std::size_t voxels,
                 std::size_t plain_vertices) {
   const auto divided = [&](double side) {
     Index3 n;
     for (int axis = 0; axis < 3; ++axis) {
-      n[axis] = std::clamp(static_cast<int>(std::lround(spacing[axis] / side)), 1, kMostAlongAxis);
+      n[axis] =
+          std::clamp(static_cast<int>(std::lround(spacing[axis] / side)), 1, kMaxCellsAlongAxis);
     }
     return n;
   };
-  const double limit = kGrowth * static_cast<double>(plain_vertices) + kLittle;
+  const double limit = kMaxGrowth * static_cast<double>(plain_vertices) + kExtraVertices;
   // A voxel in cells holds about two vertices for every cell of one layer.
   const auto expected = [&](Index3 n) {
     return 2.0 / 3.0 * (n.i * n.j + n.j * n.k + n.k * n.i) * static_cast<double>(voxels);
   };
   const auto too_many = [&](Index3 n) {
-    return n.i * n.j * n.k > kMostCells || expected(n) > limit;
+    return n.i * n.j * n.k > kMaxCellsPerVoxel || expected(n) > limit;
   };
   while (cell < coarsest && too_many(divided(cell))) cell *= 1.25;
   return divided(std::min(cell, coarsest));
 }
 
-// The voxels, of those that is_asked() holds for, in which triangles of T cross; ascending.
-// Triangles of two voxels do not: each lies in its own.
-template <class IsAsked>
-std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsAsked&& is_asked) {
+// Returns the selected voxels in which triangles of T cross; ascending. Triangles of different
+// voxels never cross: each lies in its own voxel.
+template <class IsSelected>
+std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsSelected&& is_selected) {
   std::vector<std::uint64_t> out;
   std::vector<Triangle> triangles;
   std::vector<Box3> boxes;
   for (const ContourMesh::VoxelTriangles& crowd : contour.crowded) {
-    if (!is_asked(crowd.voxel)) continue;
+    if (!is_selected(crowd.voxel)) continue;
     triangles.clear();
     boxes.clear();
     for (std::size_t t = crowd.first; t < crowd.end; ++t) {
@@ -86,20 +89,20 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsAsked&& 
   return out;
 }
 
-// These voxels and those across their faces; ascending.
+// Returns these voxels and their neighbors across faces; ascending.
 std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxels, Index3 dims) {
   std::vector<std::uint64_t> out = voxels;
   for (const std::uint64_t voxel : voxels) {
     for (int f = 0; f < 6; ++f) {
-      out.push_back(voxel_number(dims, beyond(numbered_voxel(dims, voxel), f)));
+      out.push_back(voxel_number(dims, voxel_across(numbered_voxel(dims, voxel), f)));
     }
   }
   sort_out(out);
   return out;
 }
 
-// The vertices that lie where an earlier one does. Where samples of a voxel differ by many orders
-// of magnitude, points of several cells round to one place, and no site could tell them apart.
+// Returns the vertices at the same place as an earlier one. Where samples of a voxel differ by many
+// orders of magnitude, points of several cells round to one place. No site could distinguish them.
 std::vector<VertexId> coincident(const std::vector<Vec3>& points) {
   std::vector<VertexId> found, table(std::bit_ceil(2 * points.size()), kNoId);
   for (VertexId v = 0; v < points.size(); ++v) {
@@ -116,8 +119,9 @@ std::vector<VertexId> coincident(const std::vector<Vec3>& points) {
   return found;
 }
 
-// Moves each of these along T, towards the mean of its neighbors. On the box none was seen.
-void part_coincident(ContourMesh& contour, double hair) {
+// Moves each coincident vertex along T, towards the mean of its neighbors, by `perturbation`. None
+// was found on the box in tests.
+void perturb_coincident(ContourMesh& contour, double perturbation) {
   for (const VertexId v : coincident(contour.points)) {
     Vec3 along;
     for (const Triangle& t : contour.triangles) {
@@ -126,7 +130,7 @@ void part_coincident(ContourMesh& contour, double hair) {
     }
     const double size = length(along);
     if (contour.on_boundary(v) || !(size > 0)) continue;
-    contour.points[v] = contour.points[v] + (hair / size) * along;
+    contour.points[v] = contour.points[v] + (perturbation / size) * along;
   }
 }
 
@@ -137,26 +141,26 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
   const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
   ContourSplit split;
-  split.elsewhere = cells_of(spacing, std::min(kLongest * shortest, longest), longest,
+  split.elsewhere = cells_of(spacing, std::min(kMaxCellAspect * shortest, longest), longest,
                              plain.summary.active_voxels, vertices);
   ContourMesh contour = split.elsewhere == Index3{1, 1, 1}
                             ? std::move(plain)
                             : build_contour(volume, kappa, split, threads);
-  for (std::size_t part = 0; part < kParts.size();) {
-    // After the first look only what was cut, and what is beside it, has other triangles.
+  for (std::size_t trial = 0; trial < kCellsPerSide.size();) {
+    // After the first pass only split voxels and their neighbors have new triangles.
     const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());
     const std::vector<std::uint64_t> crossed = crossed_voxels(contour, [&](std::uint64_t voxel) {
       return changed.empty() || std::binary_search(changed.begin(), changed.end(), voxel);
     });
     if (crossed.empty()) break;
     std::vector<std::uint64_t> voxels = united(split.voxels, crossed);
-    if (voxels.size() == split.voxels.size() && ++part == kParts.size()) break;
+    if (voxels.size() == split.voxels.size() && ++trial == kCellsPerSide.size()) break;
     split.voxels = std::move(voxels);
-    split.factor =
-        cells_of(spacing, shortest / kParts[part], shortest / 2, split.voxels.size(), vertices);
+    split.factor = cells_of(spacing, shortest / kCellsPerSide[trial], shortest / 2,
+                            split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split, threads);
   }
-  if (contour.split_voxels > 0) part_coincident(contour, kHair * shortest);
+  if (contour.split_voxels > 0) perturb_coincident(contour, kHair * shortest);
   return contour;
 }
 

@@ -6,8 +6,9 @@
 namespace deliso {
 namespace {
 
-// Share of a part by which lattice planes stand off the even parts: no simple fraction (F3).
-constexpr double kOffset = 0.0618;
+// The share of a part by which lattice planes stand off the equal division: no simple fraction
+// (F3).
+constexpr double kPlaneOffset = 0.0618;
 
 }  // namespace
 
@@ -16,7 +17,7 @@ FineVoxel::FineVoxel(Index3 factor) : factor_(factor) {
     DELISO_CHECK(factor[axis] >= 1);
     for (int n = 0; n <= factor[axis]; ++n) {
       const bool end = n == 0 || n == factor[axis];
-      plane_[axis].push_back((n + (end ? 0 : kOffset)) / factor[axis]);
+      plane_[axis].push_back((n + (end ? 0 : kPlaneOffset)) / factor[axis]);
     }
   }
   const auto points = [&](int axis) { return static_cast<std::uint32_t>(factor[axis] + 1); };
@@ -199,9 +200,9 @@ void FineVoxel::trace() {
   }
 }
 
-// Two edges of a voxel have one face in common at most, so a chain that leads from one crossing of
-// the voxel to the next one on its loop lies on the right face. Segments that no such chain uses
-// would be other curves.
+// Two edges of a voxel have at most one face in common. So a chain from one crossing of the voxel
+// to the next on its loop lies on the right face. Segments outside such chains would be other
+// curves.
 bool FineVoxel::faces_agree(const VoxelLoops& loops) const {
   std::size_t walked = 0;
   for (int l = 0; l < loops.count; ++l) {
@@ -228,8 +229,8 @@ bool FineVoxel::agrees_with(const VoxelLoops& loops, Tube tube) {
       if ((root[l] == root[m]) != joined) return false;
     }
   }
-  // V - E + F of each piece, with twice the segments counted: two cells see a segment between them,
-  // one sees a segment on the voxel's surface.
+  // V - E + F of each piece. Segments are counted twice: two cells see a segment between them, one
+  // cell sees a segment on the voxel's surface.
   std::fill(euler_.begin(), euler_.end(), 0);
   for (const Slot s : all_edges_) {
     if (!is_crossed(s)) continue;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A voxel cut into cells: the trilinear interpolant stays what it is, so the cells, each treated
-// like a voxel, hold the same surface in finer pieces.
+// A voxel cut into cells. The trilinear interpolant is unchanged. So the cells, each treated like a
+// voxel, hold the same surface in finer pieces.
 //
 //   F1  Lattice values are interpolated along x, then y, then z, with weights 1 and 0 at the
-//       voxel's faces: two voxels get the same doubles on the face they share, so they agree on
-//       every crossing and segment there (contour/voxel_topology.h).
-//   F2  Along an edge the values are monotonic, rounding included, so a crossed edge of the voxel
+//       voxel's faces. Two voxels get the same doubles on their common face, so they agree on every
+//       crossing and segment there (contour/voxel_topology.h).
+//   F2  Along an edge the values are monotonic, rounding included. So a crossed edge of the voxel
 //       is crossed once, in one of its parts.
-//   F3  Lattice planes stand a little off the even parts: samples are often integers and isovalues
-//       often halfway between, which would put Sigma through lattice points.
+//   F3  Lattice planes stand slightly off the equal division. Samples are often integers and
+//       isovalues often halfway between, which would put Sigma through lattice points.
 //
 // A slot is a lattice edge's number: 3 * (its lower point) + axis.
 #pragma once
@@ -37,40 +37,43 @@ class FineVoxel {
     Tube tube;
   };
 
-  explicit FineVoxel(Index3 factor);  // pre: each >= 1
+  explicit FineVoxel(Index3 factor);  // pre: each component >= 1
 
   std::size_t slots() const { return next_.size(); }
 
-  // Takes the voxel with these corners (values minus kappa) and drops all that was traced.
+  // Loads the voxel with these corners (values minus kappa) and clears everything traced.
   void load(const Corners& c);
 
-  // The crossed part of edge e of the voxel. pre: the edge's ends differ.
+  // Returns the crossed part of edge e of the voxel. pre: the values at the edge's ends differ in
+  // sign.
   Slot crossed_part(int e) const;
-  // The crossed lattice edges inside face f, in an order that both voxels at the face share.
+  // Returns the crossed lattice edges inside face f, in an order that both voxels at the face
+  // share. Valid until the next call of this or of crossed_inside.
   std::span<const Slot> crossed_on_face(int f) { return crossed(face_edges_[f]); }
-  // Those inside the voxel. Valid until the next call of either, as the former.
+  // Returns the crossed lattice edges inside the voxel. Valid as above.
   std::span<const Slot> crossed_inside() { return crossed(inner_edges_); }
 
-  // Where Sigma crosses the lattice edge, in the voxel's own coordinates, [0, 1].
+  // Returns where Sigma crosses the lattice edge, in the voxel's own coordinates, [0, 1].
   Vec3 crossing(Slot slot) const;
 
-  // Traces the segments on one face, in the direction of this voxel's loops, or all cells.
+  // Trace the segments on one face, in the direction of this voxel's loops, or those of all cells.
   void trace_face(int f);
   void trace();
 
-  // After tracing: the next slot along the loop on the voxel's surface.
+  // Returns the next slot along the loop on the voxel's surface. pre: the face is traced.
   Slot next(Slot slot) const { return next_[slot]; }
-  // After trace().
+  // pre of all below: trace() has returned.
   std::span<const Cell> cells() const { return cells_; }
   CellFrame frame(const Cell& cell) const;  // in the voxel's own coordinates
   Slot slot(const Cell& cell, int e) const { return slot_of_edge(point(cell.at), e); }
-  // Faces of the voxel that the cell lies on, bit f.
+  // Returns the faces of the voxel that the cell lies on: bit f for face f.
   int outer_faces(Index3 cell) const;
-  // The piece of the voxel's Sigma that a crossing belongs to: the same slot for all of a piece.
+  // Returns the piece of the voxel's Sigma that a crossing belongs to: one slot represents the
+  // piece.
   Slot piece(Slot slot) { return pieces_.find(slot); }
 
-  // After trace(), whether the cells hold what the voxel holds: the same connections on its faces,
-  // no other curves there, and inside them the same pieces, disks and tube.
+  // True if the cells have the voxel's topology: the same connections on its faces, no other curves
+  // there, and inside the same pieces, disks and tube.
   bool agrees_with(const VoxelLoops& loops, Tube tube);
 
  private:
@@ -100,7 +103,7 @@ class FineVoxel {
   std::array<std::vector<Slot>, 12> edge_parts_;
   std::array<std::vector<Slot>, 6> face_edges_;
   std::vector<Slot> inner_edges_, all_edges_;
-  std::vector<std::uint8_t> on_edge_;  // by slot, whether it is part of an edge of the voxel
+  std::vector<std::uint8_t> on_edge_;  // by slot: is it part of an edge of the voxel?
 
   std::vector<double> values_;
   std::vector<std::uint8_t> inside_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Makes T of what is found in voxels: positions of crossings, fans and stars over loops, bands over
+// Makes T from the pieces in voxels: positions of crossings, fans and stars over loops, bands over
 // tubes.
-// The cells are voxels, or parts of voxels with the lattice values at their own corners.
+// A cell is a voxel, or a part of one with the lattice values at its own corners.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace deliso {
 
-// Where a cell lies, in voxels.
+// The place of a cell, in voxels.
 struct CellFrame {
   Vec3 low, size;
 };
@@ -23,27 +23,26 @@ inline Vec3 to_vec3(Index3 n) {
   return {static_cast<double>(n.i), static_cast<double>(n.j), static_cast<double>(n.k)};
 }
 
-// Crossings keep this share of an edge away from its ends: where samples are next to kappa they
-// would round onto the sample, and so onto each other or onto the volume's box.
+// A share of an edge. Crossings keep this distance from its ends. Next to kappa they would round
+// onto the sample, and so onto each other or onto the volume's box.
 constexpr double kCrossingMargin = 1e-11;
 
-// Neighbors on a loop that is to be a fan are no closer than this, as a share of the cell's sides:
-// of crossings that are, sites make needles that Stage 2 cannot mend.
-constexpr double kFanEdge = 0.45;
+// A share of the cell's sides. Neighbors on a loop with a fan are at least this far apart: of
+// closer crossings, sites make needles that Stage 2 cannot mend.
+constexpr double kMinFanEdge = 0.45;
 
-// Makes T: positions of crossings, fans and stars over loops, bands over tubes.
 class PieceMesher {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume)
       : mesh_(mesh), spacing_(volume.spacing()), dims_(volume.dims()), first_(volume.first()) {}
 
-  // Where a sample lies, in voxels.
+  // Returns the position of a sample, in voxels.
   Vec3 place(Index3 sample) const {
     return to_vec3({first_.i + sample.i, first_.j + sample.j, first_.k + sample.k});
   }
 
-  // Room for T, so that it need not move while it grows: hardly more vertices than crossings, two
-  // triangles per vertex.
+  // Reserves memory for T, so that it does not move while it grows: slightly more vertices than
+  // crossings, two triangles per vertex.
   void expect(std::size_t crossings) {
     mesh_.points.reserve(crossings);
     mesh_.component.reserve(crossings);
@@ -63,16 +62,16 @@ class PieceMesher {
     end_voxel(pieces.voxel, is_crowded(pieces.loops));
   }
 
-  // Around all cells of a voxel. `crowded`: its triangles might cross.
+  // To be called before and after all cells of a voxel. `crowded`: its triangles might cross.
   void begin_voxel() { first_triangle_ = mesh_.triangles.size(); }
   void end_voxel(Index3 voxel, bool crowded) {
     if (!crowded) return;
     mesh_.crowded.push_back({voxel_number(dims_, voxel), first_triangle_, mesh_.triangles.size()});
   }
-  // Several pieces, or one whose star bends far.
+  // True if a cell has several pieces, or one whose star bends far.
   static bool is_crowded(const VoxelLoops& loops) { return loops.count > 1 || loops.first[1] > 6; }
 
-  // As voxel(), for pieces of a cell. pre: the vertices lie on the cell's surface.
+  // As voxel(), for the pieces of a cell. pre: the vertices lie on the cell's surface.
   void cell(const CellFrame& frame, const VoxelPieces& pieces) {
     if (fan(frame, pieces)) return;
     for (int l = 0; l < pieces.loops.count; ++l) {
@@ -89,10 +88,10 @@ class PieceMesher {
   void replace_boundary(std::vector<BoundarySegment>&) {}
   std::size_t vertices() const { return mesh_.points.size(); }
 
-  // A fan over the cell's only loop, from where its chords are shortest, if it takes one: if every
-  // face has at most one segment of it. Then a face holds the ends of that segment and no other
-  // vertex of the loop, so no chord lies in it, where the cell beyond might have the same, and no
-  // two triangles cross.
+  // Makes a fan over the cell's only loop, from the vertex with the shortest chords. Returns false
+  // if some face has more than one segment of the loop, or an edge is short. Otherwise a face holds
+  // the ends of its segment and no other vertex of the loop. So no chord lies in a face, where the
+  // cell across might have the same chord, and no two triangles cross.
   bool fan(const CellFrame& frame, const VoxelPieces& pieces) {
     const std::size_t n = pieces.loops.first[1];
     unsigned faces = 0;
@@ -110,7 +109,7 @@ class PieceMesher {
     std::size_t from = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double edge2 = distance2(local(frame, loop[i]), local(frame, loop[(i + 1) % n]));
-      if (edge2 < kFanEdge * kFanEdge) return false;
+      if (edge2 < kMinFanEdge * kMinFanEdge) return false;
       if (chords(i) < chords(from)) from = i;
     }
     for (const VertexId v : loop) mesh_.component[v] = pieces.label[0];
@@ -120,7 +119,7 @@ class PieceMesher {
     return true;
   }
 
-  // A triangle, or a star around one more point of Sigma. `c` are the cell's corners.
+  // Makes a triangle, or a star around one more point of Sigma. `c` are the cell's corners.
   void disk(const CellFrame& cell, const Corners& c, std::span<const VertexId> loop,
             std::uint32_t label) {
     Vec3 sum;
@@ -141,9 +140,9 @@ class PieceMesher {
     }
   }
 
-  // A band between the loops, one forwards and the other backwards, cut along the shortest chords
-  // between them. Chords get a point of Sigma in the middle: it follows the neck, and no chord is
-  // left that could lie in a face, where the voxel beyond might have the same.
+  // Makes a band between the loops, one forwards and the other backwards, cut along the shortest
+  // chords between them. Chords get a point of Sigma in the middle. So the band follows the neck,
+  // and no chord lies in a face, where the voxel across might have the same chord.
   void tube(const CellFrame& cell, const Corners& c, std::span<const VertexId> a,
             std::span<const VertexId> b, std::uint32_t label) {
     for (const VertexId v : a) mesh_.component[v] = label;
@@ -184,7 +183,7 @@ class PieceMesher {
     }
   }
 
-  // A vertex at p, in voxels. Its component is that of the first piece given with it.
+  // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
   VertexId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
     return add_vertex({p.x * spacing_.x, p.y * spacing_.y, p.z * spacing_.z}, box_faces, label);
   }
@@ -204,7 +203,7 @@ class PieceMesher {
                   0, label);
   }
 
-  // Coordinates in the cell.
+  // Return coordinates in the cell.
   Vec3 local(const CellFrame& cell, VertexId v) const { return local(cell, mesh_.points[v]); }
   Vec3 local(const CellFrame& cell, const Vec3& p) const {
     return {(p.x / spacing_.x - cell.low.x) / cell.size.x,

@@ -18,13 +18,13 @@ std::vector<SlabNumbers> weld(std::vector<SlabWalk>& walks,
     SlabWalk& walk = walks[n];
     const SlabNumbers& before = numbers[n - 1];
     SlabNumbers& now = numbers[n];
-    now.raised = all.components.append(walk.components);
+    now.offset = all.components.append(walk.components);
     DELISO_CHECK(walk.below.size() == above.size());
     for (std::size_t c = 0; c < above.size(); ++c) {
       if (walk.below[c].vertex != kNoId) now.shared.push_back(before.of(above[c].vertex));
       const std::uint32_t root =
-          all.components.unite(all.components.root(before.raised + above[c].label),
-                               all.components.root(now.raised + walk.below[c].label));
+          all.components.unite(all.components.root(before.offset + above[c].label),
+                               all.components.root(now.offset + walk.below[c].label));
       --all.components.counts(root).crossings;  // counted by both
     }
     const std::size_t own = vertices[n] - now.shared.size();
@@ -32,7 +32,7 @@ std::vector<SlabNumbers> weld(std::vector<SlabWalk>& walks,
     now.first = before.end;
     now.end = VertexId(now.first + own);
     for (const BoundarySegment& s : walk.boundary) {
-      all.boundary.push_back({now.of(s.from), now.of(s.to), now.raised + s.component, s.face});
+      all.boundary.push_back({now.of(s.from), now.of(s.to), now.offset + s.component, s.face});
     }
     all.active_voxels += walk.active_voxels;
     all.tied_saddles += walk.tied_saddles;
@@ -65,7 +65,7 @@ ContourMesh weld(std::vector<ContourMesh> parts, const std::vector<SlabNumbers>&
     std::copy(part.points.begin() + shared, part.points.end(), mesh.points.begin() + first);
     std::transform(part.component.begin() + shared, part.component.end(),
                    mesh.component.begin() + first,
-                   [&](std::uint32_t label) { return now.raised + label; });
+                   [&](std::uint32_t label) { return now.offset + label; });
     std::copy(part.box_faces.begin() + shared, part.box_faces.end(),
               mesh.box_faces.begin() + first);
     std::transform(part.triangles.begin(), part.triangles.end(),

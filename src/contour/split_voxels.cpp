@@ -10,7 +10,7 @@
 namespace deliso {
 namespace {
 
-// Sees all active voxels, keeps the numbers of those whose cells agree with them.
+// A sink that keeps the numbers of the active voxels whose cells agree with them.
 class SplitChooser {
  public:
   SplitChooser(Index3 dims, Index3 factor) : dims_(dims), fine_(factor) {}
@@ -31,7 +31,7 @@ class SplitChooser {
   FineVoxel fine_;
 };
 
-// Faces of the voxel that are crossed by Sigma.
+// Returns the faces of the voxel that Sigma crosses.
 int crossed_faces(const VoxelLoops& loops) {
   int faces = 0;
   for (int n = 0; n < loops.first[loops.count]; ++n) faces |= 1 << loops.face[n];
@@ -59,8 +59,7 @@ SplitVoxels choose_listed(const Volume& volume, double kappa, const ContourSplit
   return SplitVoxels(dims, chooser.numbers);
 }
 
-// Whether a face of the voxel is shared with the next block, where cells would have crossings that
-// are not known there.
+// True if the voxel has a face in a seam: the next block does not know the crossings of its cells.
 bool lies_at_seam(const Volume& volume, Index3 voxel) {
   const Index3 last = volume.voxels();
   for (int f = 0; f < 6; ++f) {
@@ -87,9 +86,9 @@ SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
   }
   std::erase_if(numbers, [&](std::uint64_t number) {
     const Index3 voxel = numbered_voxel(dims, number);
-    bool taken = listed.contains(voxel) || lies_at_seam(volume, voxel);
-    for (int f = 0; f < 6; ++f) taken |= listed.contains(beyond(voxel, f));
-    return taken;
+    bool excluded = listed.contains(voxel) || lies_at_seam(volume, voxel);
+    for (int f = 0; f < 6; ++f) excluded |= listed.contains(voxel_across(voxel, f));
+    return excluded;
   });
   return SplitVoxels(dims, numbers);
 }
@@ -165,7 +164,7 @@ void SplitMesher::voxel(const VoxelPieces& p) {
   FacesBySize faces{};
   for (int f = 0; f < 6; ++f) {
     if ((crossed >> f & 1) == 0) continue;
-    const Size* const size = own != nullptr ? own : size_of(beyond(p.voxel, f));
+    const Size* const size = own != nullptr ? own : size_of(voxel_across(p.voxel, f));
     if (size != nullptr) faces[static_cast<std::size_t>(size - sizes_.data())] |= 1 << f;
   }
   if (faces == FacesBySize{}) {
@@ -180,10 +179,10 @@ void SplitMesher::voxel(const VoxelPieces& p) {
       size.vertex[size.fine.crossed_part(p.loops.edge[n])] = p.vertex[n];
     }
   }
-  // Face by face: the low one along x takes the id that the high one leaves for the next voxel.
+  // Face by face: the low face along x takes the id that the high face leaves for the next voxel.
   for (int f = 0; f < 6; ++f) {
     for (std::size_t s = 0; s < sizes_.size(); ++s) {
-      if ((faces[s] >> f & 1) != 0) name_face(sizes_[s], p.voxel, f);
+      if ((faces[s] >> f & 1) != 0) number_face(sizes_[s], p.voxel, f);
     }
   }
   mesher_.begin_voxel();
@@ -196,14 +195,14 @@ void SplitMesher::voxel(const VoxelPieces& p) {
   mesher_.end_voxel(p.voxel, crowded);
 }
 
-// The first id on the face between `low_voxel` and the next one along the axis.
+// Returns the first id on the face between `low_voxel` and the next one along the axis.
 VertexId& SplitMesher::first_on_face(int axis, Index3 low_voxel) {
   if (axis == 0) return first_across_x_;
   const auto i = static_cast<std::size_t>(low_voxel.i), j = static_cast<std::size_t>(low_voxel.j);
   return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
 }
 
-void SplitMesher::name_face(Size& size, Index3 voxel, int f) {
+void SplitMesher::number_face(Size& size, Index3 voxel, int f) {
   const int axis = f >> 1;
   const bool high = (f & 1) != 0, on_box = voxel[axis] == (high ? voxels_[axis] - 1 : 0);
   const auto slots = size.fine.crossed_on_face(f);
@@ -249,7 +248,7 @@ bool SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
   return crowded;
 }
 
-// Only split voxels have cells on the box, so only they call for this.
+// Only split voxels have cells on the box, so only they call this.
 void SplitMesher::add_boundary(const Size& size, const VoxelPieces& p) {
   for (int l = 0; l < p.loops.count; ++l) {
     for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
@@ -278,7 +277,7 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
     }
   }
   std::array<std::vector<VertexId>, kMaxLoops> loop;
-  bool follows = false;  // crossings on a face that the voxel has not itself
+  bool follows = false;  // a neighbor's crossings lie on its faces
   for (int l = 0; l < p.loops.count; ++l) {
     for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
       loop[l].push_back(p.vertex[n]);

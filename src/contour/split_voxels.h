@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// T made finer in some voxels. The pass over the voxels stays as it is, and with it components and
-// summary; only what a voxel puts into the mesh changes:
-//   - a split voxel puts in the pieces of its cells (contour/fine_voxel.h);
-//   - a whole voxel beside a split one follows that one's crossings on the face between them, so
-//     its loops have more vertices, and its stars and bands more triangles.
-// Cells have one of two sizes, and between split voxels of unlike cells there is a whole voxel.
-// The voxel that meets a face first names the crossings inside it, in the order both voxels share;
-// the other needs no more than the first of these ids.
+// Makes T finer in some voxels. The pass over the voxels is unchanged, and with it components and
+// summary; only a voxel's pieces in the mesh change:
+//   - A split voxel has the pieces of its cells (contour/fine_voxel.h).
+//   - A whole voxel beside a split one follows the crossings on the face between them. So its loops
+//   have more vertices, and its stars and bands more triangles.
+// Cells have one of two sizes, and a whole voxel lies between split voxels of unlike cells.
+// The voxel that meets a face first numbers the crossings inside it, in the order that both voxels
+// share. The other voxel needs only the first of these ids.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ class SplitVoxels {
   SplitVoxels(Index3 dims, const std::vector<std::uint64_t>& numbers);
 
   std::size_t size() const { return column_.size(); }
-  // Voxels outside the volume are in no set.
+  // True if the set has the voxel; voxels outside the volume are in no set.
   bool contains(Index3 voxel) const;
   bool any_in_layer(int k) const;
 
@@ -37,7 +37,7 @@ class SplitVoxels {
   std::vector<int> column_;
 };
 
-// The voxels that are to be split and whose cells agree with them.
+// The voxels to split: their cells have the voxel's topology.
 struct ChosenVoxels {
   SplitVoxels listed, elsewhere;
 
@@ -54,7 +54,7 @@ class SplitMesher {
   SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
               const ContourSplit& split);
 
-  // A split voxel adds about as many crossings as one layer of its cells has cells.
+  // Reserves memory. A split voxel adds about as many crossings as a layer of its cells has cells.
   void expect(std::size_t crossings) {
     for (const Size& size : sizes_) crossings += size.voxels.size() * size.cells_of_layer;
     mesher_.expect(crossings);
@@ -64,12 +64,12 @@ class SplitMesher {
   }
   void voxel(const VoxelPieces& pieces);
 
-  // Puts the segments of cells in place of those of the voxels they belong to.
+  // Replaces the segments of split voxels by those of their cells.
   void replace_boundary(std::vector<BoundarySegment>& segments) const;
   std::size_t vertices() const { return mesher_.vertices(); }
 
  private:
-  // Cells of one size, and the voxel at hand cut into them.
+  // Cells of one size, and the current voxel cut into them.
   struct Size {
     Size(const SplitVoxels& split, Index3 factor);
 
@@ -79,15 +79,15 @@ class SplitMesher {
     std::vector<VertexId> vertex;      // by slot
     std::vector<std::uint32_t> label;  // by piece
   };
-  // Faces of a voxel, a bit each, by the size of the cells at them.
+  // The faces of a voxel, a bit each, by the size of the cells at them.
   using FacesBySize = std::array<int, 2>;
 
-  // The size of the voxel's cells; null for whole voxels.
+  // Returns the size of the voxel's cells; null for whole voxels.
   Size* size_of(Index3 voxel);
   VertexId& first_on_face(int axis, Index3 low_voxel);
-  void name_face(Size& size, Index3 voxel, int f);
+  void number_face(Size& size, Index3 voxel, int f);
   VertexId add_crossing(const Size& size, Index3 voxel, FineVoxel::Slot slot, int box_faces);
-  bool mesh_cells(Size& size, const VoxelPieces& pieces);  // whether triangles there might cross
+  bool mesh_cells(Size& size, const VoxelPieces& pieces);  // true if their triangles might cross
   void mesh_beside(const VoxelPieces& pieces, const FacesBySize& faces);
   void add_boundary(const Size& size, const VoxelPieces& pieces);
 
@@ -97,7 +97,7 @@ class SplitMesher {
   std::vector<VertexId> first_across_y_, first_across_z_;  // first ids on the faces ahead
   VertexId first_across_x_ = kNoId;
   std::vector<BoundarySegment> boundary_;
-  std::vector<VertexId> replaced_;  // start vertices of segments that are replaced
+  std::vector<VertexId> replaced_;  // start vertices of replaced segments
 };
 
 }  // namespace deliso

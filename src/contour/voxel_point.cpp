@@ -8,20 +8,22 @@
 namespace deliso {
 namespace {
 
-// A Newton step this small leaves an error of its square: nothing.
-constexpr double kSettled = 1e-8;
-constexpr double kFar = 0.5;  // a hit further away, in voxels, is worth looking for a nearer one
+// A share of the search interval. A Newton step this small leaves its square as error: nothing.
+constexpr double kLastStep = 1e-8;
+// Voxels. If Newton's method goes further than this, other lines may have a nearer hit.
+constexpr double kMaxNewtonVoxels = 0.5;
 
-// Points are sought at this distance from the voxel's faces first. Where a face's saddle is at
-// kappa, the surface's points nearest to the centers of loops on either side of the face may be the
-// saddle itself; vertices of T there would be 1e-9 apart.
-constexpr double kClearance = 1e-3;
+// Voxels. Points are first sought at this distance from the voxel's faces. If a face's saddle is at
+// kappa, it may be the surface's nearest point for both loops at the face. Vertices of T there
+// would be 1e-9 apart.
+constexpr double kClearanceVoxels = 1e-3;
 
-// All points keep this distance, in voxels, from the voxel's faces, so that none can round onto
-// the volume's box. It moves them off Sigma by less than this share of the corners' range.
-constexpr double kMargin = 1e-11;
+// Voxels. All points keep this distance from the voxel's faces, so that none rounds onto the
+// volume's box. It moves them off Sigma by less than this share of the corners' range.
+constexpr double kMarginVoxels = 1e-11;
 
-// Largest t for which from + t * direction stays in the unit cube, so far from its faces.
+// Returns the largest t at which from + t * direction lies in the unit cube, `clearance` from its
+// faces.
 double exit_parameter(const Vec3& from, const Vec3& direction, double clearance) {
   double limit = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -36,7 +38,7 @@ Vec3 corner(int m) {
   return {static_cast<double>(m & 1), static_cast<double>(m >> 1 & 1), static_cast<double>(m >> 2)};
 }
 
-Vec3 clamp_to_inside(const Vec3& u, double clearance = kMargin) {
+Vec3 clamp_to_inside(const Vec3& u, double clearance = kMarginVoxels) {
   const double low = clearance, high = 1 - clearance;
   return {std::clamp(u.x, low, high), std::clamp(u.y, low, high), std::clamp(u.z, low, high)};
 }
@@ -78,7 +80,7 @@ std::optional<double> TrilinearPatch::newton(const Cubic& f, double limit) {
   for (int step = 0; step < 6; ++step) {
     const double next = t - f.at(t) / f.slope(t);
     if (!(next > 0 && next <= limit)) return std::nullopt;
-    if (std::abs(next - t) <= kSettled * limit) return next;
+    if (std::abs(next - t) <= kLastStep * limit) return next;
     t = next;
   }
   return std::nullopt;
@@ -87,8 +89,8 @@ std::optional<double> TrilinearPatch::newton(const Cubic& f, double limit) {
 double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
   const bool positive = f.c0 >= 0;
   if ((f.at(limit) >= 0) == positive) return -1;
-  // Newton's method, kept within a bracket whose ends have different signs; bisection where it
-  // would leave it or gains too little.
+  // Newton's method in a bracket whose ends have different signs. Bisects when a step leaves the
+  // bracket, and at every eighth step.
   double low = 0, high = limit, t = -f.c0 / f.c1;
   for (int step = 0; step < 100; ++step) {
     if (!(t > low && t < high)) t = low + 0.5 * (high - low);
@@ -96,21 +98,21 @@ double TrilinearPatch::first_sign_change(const Cubic& f, double limit) {
     if (v == 0 || t <= low || t >= high) break;
     ((v >= 0) == positive ? low : high) = t;
     const double newton = t - v / f.slope(t);
-    const bool settled = std::abs(newton - t) <= kSettled * limit;
-    t = step % 8 == 7 && !settled ? low + 0.5 * (high - low) : newton;
-    if (settled) break;
+    const bool converged = std::abs(newton - t) <= kLastStep * limit;
+    t = step % 8 == 7 && !converged ? low + 0.5 * (high - low) : newton;
+    if (converged) break;
   }
   return std::clamp(t, low, high);
 }
 
 Vec3 TrilinearPatch::surface_point_near(const Vec3& from) const {
-  // Where a sample is next to kappa, a piece around it has no point further from the faces.
+  // A piece around a sample next to kappa may have no point at this clearance.
   const auto [least, most] =
       std::minmax_element(corners_.begin(), corners_.end(),
                           [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const Vec3 clear = clamp_to_inside(from, kClearance);
-  if (from == clear || std::abs(*least) > kClearance * std::abs(*most)) {
-    if (const auto p = surface_point_within(clear, kClearance)) return *p;
+  const Vec3 clear = clamp_to_inside(from, kClearanceVoxels);
+  if (from == clear || std::abs(*least) > kClearanceVoxels * std::abs(*most)) {
+    if (const auto p = surface_point_within(clear, kClearanceVoxels)) return *p;
   }
   if (const auto p = surface_point_within(from, 0)) return *p;
   // No line hit: a corner equals kappa, up to rounding, and Sigma only touches the voxel there.
@@ -130,9 +132,9 @@ std::optional<Vec3> TrilinearPatch::surface_point_within(const Vec3& from, doubl
   if (v == 0) return clamp_to_inside(from);
   const Vec3 g = gradient(from);
   const Vec3 towards = v > 0 ? -g : g;
-  if (const auto t = newton(along(from, v, g, towards), kFar / length(g))) {
+  if (const auto t = newton(along(from, v, g, towards), kMaxNewtonVoxels / length(g))) {
     const Vec3 p = from + *t * towards;
-    if (p == clamp_to_inside(p, std::max(clearance, kMargin))) return p;
+    if (p == clamp_to_inside(p, std::max(clearance, kMarginVoxels))) return p;
   }
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<Vec3> found;

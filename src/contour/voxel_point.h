@@ -20,30 +20,30 @@ class TrilinearPatch {
   double value(const Vec3& u) const;
   Vec3 gradient(const Vec3& u) const;
 
-  // A point of Sigma near `from`, strictly within the voxel, and a thousandth of it away from its
-  // faces where that can be had: on the line along the gradient where
-  // Newton's method finds it near by (nearly always), else the nearest of those where the lines
-  // along the gradient, along the axes and to the corners on the other side change sign. Each of
-  // the latter does. (Where a corner equals kappa Sigma may only touch the voxel there; then it is
-  // the point.) pre: the corners' values have both signs (zero counts as positive).
+  // Returns a point of Sigma near `from`, strictly within the voxel, and if possible a thousandth
+  // of it from its faces. Newton's method nearly always finds one near by, on the line along the
+  // gradient. Otherwise it is the nearest sign change on the lines along the gradient, along the
+  // axes and to the corners on the other side. Each of the last has a sign change. (If a corner
+  // equals kappa, Sigma may only touch the voxel there; then the corner is the point.) pre: the
+  // corners' values have both signs (zero counts as positive).
   Vec3 surface_point_near(const Vec3& from) const;
 
  private:
-  // The values on a line, in its parameter.
+  // The values on a line, as a cubic in its parameter.
   struct Cubic {
     double c0, c1, c2, c3;
     double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
     double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
   };
-  // A point on those lines, this far from the voxel's faces; none where no line has one.
-  // pre: `from` is as far from them.
+  // Returns a point on those lines at least `clearance` from the voxel's faces; nothing if no line
+  // has one. pre: `from` is as far from them.
   std::optional<Vec3> surface_point_within(const Vec3& from, double clearance) const;
   Cubic along(const Vec3& from, double value_there, const Vec3& gradient_there,
               const Vec3& direction) const;
 
-  // A root in (0, limit], by Newton's method from 0; nothing when it strays or is slow.
+  // Returns a root in (0, limit], by Newton's method from 0; nothing if it strays or is slow.
   static std::optional<double> newton(const Cubic& f, double limit);
-  // A root in (0, limit]; negative when f has the same sign at both ends.
+  // Returns a root in (0, limit]; negative if f has the same sign at both ends.
   static double first_sign_change(const Cubic& f, double limit);
 
   Corners corners_;

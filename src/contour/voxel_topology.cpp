@@ -38,11 +38,11 @@ constexpr std::uint8_t find_ambiguous_faces(int mask) {
   return static_cast<std::uint8_t>(faces);
 }
 
-// Round a face counter-clockwise, crossings alternate between entering the inside and leaving it. A
+// Around a face, counter-clockwise, crossings alternate between entering and leaving the inside. A
 // segment runs from an entering to a leaving one, with the inside on its right seen from outside
-// the voxel: from the leaving next after it, which cuts the inside corners between them off, or,
-// where the inside corners are joined, from the one next before it. An edge is passed in opposite
-// directions by its two faces, so each crossing is the start of one segment and the end of another.
+// the voxel. It runs to the next leaving one, which cuts off the inside corners between them. If
+// the inside corners are joined, it runs to the leaving one before. The two faces of an edge pass
+// it in opposite directions, so each crossing starts one segment and ends another.
 constexpr VoxelLoops trace(int mask, std::uint8_t joined) {
   std::array<int, 12> next{}, face{};
   next.fill(-1);
@@ -95,7 +95,7 @@ constexpr MaskTable make_mask_table() {
 
 constexpr MaskTable kMasks = make_mask_table();
 
-// The rule of the header comment, for an ambiguous face. Both voxels at a face multiply the same
+// The rule of the header comment for an ambiguous face. Both voxels at a face multiply the same
 // values in the same order.
 bool inside_corners_joined(int mask, const VoxelValues& v, int f) {
   const auto& k = kFaceCorners[f];
@@ -107,7 +107,7 @@ bool inside_corners_joined(int mask, const VoxelValues& v, int f) {
   return is_inside(mask, a) ? sign >= 0 : sign <= 0;
 }
 
-// The plane swept along z. Columns are the edges along z, numbered as corners 0-3; a column's sign
+// The plane swept along z. Columns are the edges along z, numbered as corners 0-3. A column's sign
 // flips when the plane passes its crossing.
 class Sweep {
  public:
@@ -139,10 +139,10 @@ class Sweep {
  private:
   bool sign(int column) const { return is_inside(mask_, column + (passed_[column] ? 4 : 0)); }
 
-  // Whether the column gets inside on the way up, so that d > 0; else it gets outside.
+  // True if the column becomes inside on the way up, so that d > 0; otherwise it becomes outside.
   bool rises(int column) const { return !is_inside(mask_, column); }
 
-  // Whether column m's crossing, at height -c / d, comes before column n's.
+  // True if column m's crossing, at height -c / d, comes before column n's.
   bool crosses_below(int m, int n) const {
     const int sign =
         sign_of(values_, 0xff, [=](const auto& x) { return x.c(n) * x.d(m) - x.c(m) * x.d(n); });
@@ -154,8 +154,9 @@ class Sweep {
     std::replace(piece_.begin(), piece_.end(), from, to);
   }
 
-  // The loop that holds the end of the slice's arc on the side face between two columns. The face
-  // has a segment at its lower edge, one at its upper edge, or one that both columns' signs tell.
+  // Returns the loop that holds the end of the slice's arc on the side face between two columns.
+  // The arc's segment crosses the lower edge if neither column's crossing is passed, the upper edge
+  // if both are, else the passed column.
   int loop_at(int column, int other) const {
     int e = 8 + (passed_[column] ? column : other);
     if (passed_[column] == passed_[other]) {
@@ -165,7 +166,7 @@ class Sweep {
     return loop_of_edge_[e];
   }
 
-  // Arc around one column: from the face it shares with one neighboring column to the other.
+  // Unites the ends of an arc around one column, on the faces to its two neighbors.
   void unite_around(int column) { unite(loop_at(column, column ^ 1), loop_at(column, column ^ 2)); }
 
   void unite_arcs(int slab) {
@@ -192,9 +193,9 @@ class Sweep {
     }
   }
 
-  // Whether the inside columns of an alternating slab are joined at one of its ends: the slice at
-  // event number e, or at a face of the voxel. At an event a column's value is zero, so its product
-  // is, and the other product, of two values of equal sign, is positive.
+  // True if the inside columns of an alternating slab are joined at one of its ends: the slice at
+  // event number e, or a face of the voxel. At an event a column's value is zero. So its product is
+  // zero, and the other product, of two values of equal sign, is positive.
   bool joined_at(int e, bool column_0_inside) const {
     if (e < 0) return inside_corners_joined(mask_, values_, 4);
     if (e >= events_) return inside_corners_joined(mask_, values_, 5);
@@ -203,8 +204,8 @@ class Sweep {
     return !column_inside;
   }
 
-  // Whether the saddle expression, of equal sign at both ends of an alternating slab, changes it
-  // twice in between: r(z) = (product of inside columns) - (product of outside ones) has its
+  // True if the saddle expression, of equal sign at both ends of an alternating slab, changes it
+  // twice between. Then r(z) = (product of inside columns) - (product of outside ones) has its
   // extremum there, on the other side of zero (where zero counts as joined).
   bool saddle_flips(int slab, bool column_0_inside, bool joined) const {
     const int upwards = joined == column_0_inside ? 1 : -1;  // c0 c3 - c1 c2 falls, then rises
@@ -221,7 +222,7 @@ class Sweep {
   }
   static auto r0(const auto& x) { return x.c(0) * x.c(3) - x.c(1) * x.c(2); }
 
-  // The sign of its slope, r1 + 2 r2 z, at event number e or at a face of the voxel.
+  // Returns the sign of its slope, r1 + 2 r2 z, at event number e or at a face of the voxel.
   int slope_at(int e) const {
     if (e < 0) return sign_of(values_, 0xff, [](const auto& x) { return r1(x); });
     if (e >= events_) {
@@ -264,14 +265,14 @@ const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& s
 }
 
 bool has_tied_saddle(int mask, const Corners& c) {
-  // Far more than rounding, far less than what lowered_isovalue() does to the products.
-  constexpr double kTie = 1e-13;
+  // A relative difference: far more than rounding, far less than the change by lowered_isovalue().
+  constexpr double kTieTolerance = 1e-13;
   const std::uint8_t ambiguous = kMasks.ambiguous[mask];
   for (int f = 0; f < 6; ++f) {
     if ((ambiguous >> f & 1) == 0) continue;
     const auto& k = kFaceCorners[f];
     const double diagonal = c[k[0]] * c[k[2]], other = c[k[1]] * c[k[3]];
-    if (std::abs(diagonal - other) <= kTie * (diagonal + other)) return true;
+    if (std::abs(diagonal - other) <= kTieTolerance * (diagonal + other)) return true;
   }
   return false;
 }

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What Sigma looks like inside one voxel, combinatorially: the loops in which it meets the voxel's
-// surface, and which two of them, if any, bound one tube. All other loops bound disks.
+// The topology of Sigma inside one voxel: the loops in which it meets the voxel's surface, and the
+// two of them, if any, that bound one tube. All other loops bound disks.
 //
-// Numbering. Corner m is at (m & 1, m >> 1 & 1, m >> 2). Edges 0-3 run along x, at (y, z) =
-// (e & 1, e >> 1 & 1); edges 4-7 along y, at (x, z); edges 8-11 along z, at (x, y). Face 2 * axis +
-// side. A mask has bit m set where corner m is inside (value - kappa >= 0).
+// Numbering. Corner m is at (m & 1, m >> 1 & 1, m >> 2). Edges 0-3 run along x, at (y, z) = (e & 1,
+// e >> 1 & 1); edges 4-7 along y, at (x, z); edges 8-11 along z, at (x, y). Faces are 2 * axis +
+// side. A mask has bit m set if corner m is inside (value - kappa >= 0).
 //
-// The faces. Two crossings are joined. Of four, by the sign of the bilinear saddle: the two inside
-// corners are joined exactly when the saddle's value is >= kappa, that is when the product of the
-// inside corners is at least that of the outside ones. That sign is exact (contour/exact_sign.h),
-// so both voxels at a face agree.
+// The faces. Two crossings are joined. Of four, the sign of the bilinear saddle decides. The two
+// inside corners are joined exactly if the saddle's value is >= kappa: the product of the inside
+// corners is at least that of the outside ones. That sign is exact (contour/exact_sign.h), so both
+// voxels at a face agree.
 //
-// The interior. A slice across z is bilinear, with two arcs where its four corners alternate and
-// its topology changes only when a corner changes sign (at most four times) or, while they
-// alternate, when the saddle expression, a quadratic in z, does (at most twice). The order of these
-// events is exact as well. Where two columns change sign at one height, the one that gets inside
-// comes first, and a saddle at kappa counts as inside: all as if kappa were a little lower, so that
-// faces, sweep and samples equal to kappa follow one rule. Loops that an arc
-// between two events connects belong to one piece. A piece has at most two loops: with s <= 2
-// saddle events, V - E + F of the whole is (arcs at z = 0) + (arcs born) - s >= 0, and wherever
-// there are three loops or more, two of them are triangles and bring an arc each.
+// The interior. A slice across z is bilinear; where its four corners alternate, it has two arcs.
+// Its topology changes only when a corner changes sign (at most four times), or when the saddle
+// expression, a quadratic in z, does while they alternate (at most twice). The order of these
+// events is exact too. Two columns may change sign at one height; then the one that becomes inside
+// comes first. A saddle at kappa counts as inside. Both are as if kappa were a little lower, so
+// that faces, sweep and samples equal to kappa follow one rule.
+//
+// The pieces. Loops that an arc connects between two events belong to one piece. A piece has at
+// most two loops. With s <= 2 saddle events, V - E + F of the whole is (arcs at z = 0) + (arcs
+// born) - s >= 0. Of three loops or more, two are triangles and bring an arc each.
 #pragma once
 
 #include <array>
@@ -36,7 +37,7 @@ inline constexpr int kMaxLoops = 4;
 struct VoxelLoops {
   int count = 0;
   std::array<std::uint8_t, kMaxLoops + 1> first{};  // loop l is edge[first[l] .. first[l + 1])
-  std::array<std::uint8_t, 12> edge{};              // crossed edges in order round the loops
+  std::array<std::uint8_t, 12> edge{};              // crossed edges in order around the loops
   std::array<std::uint8_t, 12> face{};              // the face of the segment to the next crossing
 
   std::span<const std::uint8_t> edges(int loop) const {
@@ -50,33 +51,33 @@ struct Tube {
   explicit operator bool() const { return a != b; }
 };
 
-// Faces (bit f) whose four crossings need the saddle's sign.
+// Returns the faces (bit f) whose four crossings need the saddle's sign.
 std::uint8_t ambiguous_faces(int mask);
 
-// The loops for given decisions: bit f of `joined` set where the inside corners of an ambiguous
-// face f are joined. Loops run counter-clockwise seen from outside Sigma (value < kappa), as a
-// boundary of the piece they bound.
+// Returns the loops for given decisions: bit f of `joined` is set if the inside corners of an
+// ambiguous face f are joined. Loops run counter-clockwise seen from outside Sigma (value < kappa),
+// as a boundary of their piece.
 VoxelLoops trace_loops(int mask, std::uint8_t joined);
 
-// The loops of the voxel with these values; `mask` are the signs above kappa. The reference is to a
-// table or to `scratch`.
+// Returns the loops of the voxel with these values; `mask` holds the signs above kappa. The
+// reference is to a table or to `scratch`.
 const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& scratch);
 
-// Whether the saddle of an ambiguous face is at kappa, to the last bits: there two arcs of Sigma on
-// the face meet in a point, and across the face Sigma is no surface.
+// True if the saddle of an ambiguous face is at kappa, to the last bits. There two arcs of Sigma on
+// the face meet in a point, and Sigma is no surface.
 bool has_tied_saddle(int mask, const Corners& c);
 
-// pre: loops are those of the values.
+// Returns the tube, if there is one. pre: `loops` are those of the values.
 Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops);
 
-// The mask of values minus kappa.
+// Returns the mask of values minus kappa.
 constexpr int mask_of(const Corners& c) {
   int mask = 0;
   for (int m = 0; m < 8; ++m) mask |= (c[m] >= 0) << m;
   return mask;
 }
 
-// The two corners of an edge, the lower first.
+// Returns the two corners of an edge, the lower first.
 constexpr std::array<int, 2> corners_of_edge(int e) {
   const int u = e & 1, v = e >> 1 & 1;
   if (e < 4) return {2 * u + 4 * v, 1 + 2 * u + 4 * v};

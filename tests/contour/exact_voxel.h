@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The topology of Sigma in one voxel in exact arithmetic, for any finite samples: values minus
-// kappa as integers of any width, and nothing shared with src/ but the numbering of edges.
+// The topology of Sigma in one voxel in exact arithmetic, for any finite samples. Values minus
+// kappa are integers of any width; src/ shares only the numbering of edges.
 //
-// The voxel is swept along an axis. A slice is bilinear; the heights where it can change are the
-// zeros of its four corners (rational) and of its saddle product E = c0 c3 - c1 c2. The sign of E
-// is taken at the ends of each slab between two corner events and at E's extremum, if that lies
-// within: E is monotonic on both sides of it. So every height looked at is rational. Arcs of slices
-// are joined through the slabs, and V - E + F is counted as disks of slabs minus arcs of slices.
-// The three axes must agree; where they do not, the oracle itself is wrong: `resolved` is false.
+// The voxel is swept along an axis. A slice is bilinear. It can change at the zeros of its four
+// corners (rational) and of its saddle product E = c0 c3 - c1 c2. The sign of E is evaluated at the
+// ends of each slab between two corner events, and at E's extremum if that lies within. E is
+// monotonic on both sides of it. So every height examined is rational. Arcs of slices are joined
+// through the slabs, and V - E + F is counted as disks of slabs minus arcs of slices. The three
+// axes must agree; if they do not, the oracle itself is wrong: `resolved` is false.
 //
 // "Inside is >= kappa" means Sigma at a kappa that is lowered by less than any distance between two
-// events. Integers tell how much less: with values as integers below 2^n, a polynomial of degree 4
-// is 0 or at least 1, and moves by less than 1 when they move by 2^-(4 n). So all values are
-// raised by 2^-(4 n), after which nothing is tied but columns that are equal.
+// events. Integers say how much less. With values as integers below 2^n, a polynomial of degree 4
+// is 0 or at least 1. It moves by less than 1 when the values move by 2^-(4 n). So all values are
+// raised by 2^-(4 n); after that only equal columns are tied.
 #pragma once
 
 #include <algorithm>
@@ -93,8 +93,8 @@ class ExactVoxel {
     std::vector<std::pair<int, int>> parts;  // an element of each disk of a slab, and 1 or -1
     for (int t = 0; t < stages; ++t) {
       unite_arcs(whole, slices[t], [&](int s) { return side(t, s); });
-      // Down to the voxel's face or to the middle of the slab below, and up likewise: arcs times
-      // an interval, which count for nothing but at the two faces.
+      // Down to the voxel's face or to the middle of the slab below, and up likewise. These are
+      // arcs times an interval, which count only at the two faces.
       for (int s = 0; s < 4; ++s) {
         if (!slices[t].crosses(s)) continue;
         const int from = ring[s], to = ring[(s + 1) % 4], along = s % 2 == 0 ? u : v;

@@ -24,8 +24,8 @@ inline GluedTopology topology_of(const ContourSummary& summary) {
   return kinds;
 }
 
-// solve(samples, kappa) gives a voxel's VoxelTruth. Nothing where it cannot tell, or where two
-// voxels do not see the same arcs on the face between them (then `faces_agree` becomes false).
+// solve(samples, kappa) returns a voxel's VoxelTruth. Returns nothing if it cannot decide, or if
+// two voxels see different arcs on the face between them (then `faces_agree` becomes false).
 template <class Solve>
 std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa, Solve&& solve,
                                          bool& faces_agree) {

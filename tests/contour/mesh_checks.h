@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An independent checker of contour meshes: first broken rule as text, by the numbers of
-// contour/contour.h. It looks at nothing but the mesh and the volume.
+// An independent checker of contour meshes: returns the first broken rule as text, by the numbers
+// of contour/contour.h. It uses only the mesh and the volume.
 #pragma once
 
 #include <cmath>
@@ -61,8 +61,8 @@ inline MeshTopology measure_topology(const ContourMesh& mesh) {
   return topology;
 }
 
-// I2, as far as combinatorics goes: no triangle twice at an edge in one direction, and the
-// triangles at each vertex are one cycle, or one path whose ends are boundary edges on the box.
+// The combinatorial half of I2: no triangle is twice at an edge in one direction. The triangles at
+// each vertex are one cycle, or one path whose ends are boundary edges on the box.
 inline std::string check_manifold(const ContourMesh& mesh) {
   std::vector<std::map<VertexId, VertexId>> link(mesh.points.size());
   for (const auto& t : mesh.triangles) {
@@ -108,7 +108,8 @@ inline bool at_sample_equal_to(double kappa, const Vec3& p, const Volume& volume
   return distance(p, volume.position(s)) < 1e-9 && volume.sample(s.i, s.j, s.k) == kappa;
 }
 
-// I1 and I4: on Sigma to 1e-10 of the volume's range, on the box exactly where it is said so.
+// I1 and I4: vertices are on Sigma to 1e-10 of the volume's range, and on the box exactly where
+// their bits say so.
 inline std::string check_points(const ContourMesh& mesh, const Volume& volume, double kappa) {
   const Box3 box = volume.box();
   const ValueRange range = value_range(volume);
@@ -132,8 +133,8 @@ inline std::string check_points(const ContourMesh& mesh, const Volume& volume, d
   return "";
 }
 
-// The chains are the mesh's boundary: same directed edges, closed, each segment on one pixel of the
-// face it names, turning exactly at vertices on the box's edges.
+// The chains are the mesh's boundary: the same directed edges, closed, turning exactly at vertices
+// on the box's edges. Each segment is on one pixel of its face.
 inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
   std::set<std::pair<VertexId, VertexId>> directed, boundary;
   for (const auto& t : mesh.triangles) {
@@ -169,7 +170,7 @@ inline std::string check_chains(const ContourMesh& mesh, const Volume& volume) {
   return "";
 }
 
-// The summary says of each component what its triangles say.
+// The summary of each component agrees with its triangles.
 inline std::string check_summary(const ContourMesh& mesh) {
   const auto& components = mesh.summary.components;
   std::vector<std::int64_t> euler(components.size());

@@ -36,7 +36,7 @@ int block_of(const Volume& volume, const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("the same contour in another order: blocks rise, nothing else changes") {
+TEST_CASE("the contour is the same but for its order, and blocks ascend") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     Random random(seed);

@@ -26,7 +26,8 @@ Volume sampled(Field&& field) {
 
 }  // namespace
 
-TEST_CASE("a sphere's volume, of what the box leaves of it, and its sign") {
+TEST_CASE(
+    "the volume of a sphere, whole or cut by the box, has the formula's value and the right sign") {
   constexpr double kRadius = 9.3, kMiddle = 16.1, kEnd = kSamples - 1;
   const double sphere = 4.0 / 3 * std::numbers::pi * kRadius * kRadius * kRadius;
   struct Case {
@@ -53,7 +54,7 @@ TEST_CASE("a sphere's volume, of what the box leaves of it, and its sign") {
   }
 }
 
-TEST_CASE("what meets opposite faces of the box has no volume of its own") {
+TEST_CASE("a component that meets opposite faces of the box has no volume of its own") {
   const Volume volume = sampled([](int i, int j, int) { return 5 - std::hypot(i - 12, j - 15); });
   const ContourMesh contour = build_contour(volume, 0);
   const auto origins = component_origins(contour, volume.box());

@@ -80,7 +80,7 @@ TEST_CASE("random volumes of every sample type give a valid contour") {
   CHECK(with_tubes > 50);
 }
 
-TEST_CASE("samples equal to kappa break nothing") {
+TEST_CASE("with samples equal to kappa the contour is valid") {
   Random random(8);
   for (int trial = 0; trial < 300; ++trial) {
     CAPTURE(trial);
@@ -93,8 +93,8 @@ TEST_CASE("samples equal to kappa break nothing") {
   }
 }
 
-// Half-way between integers saddles are at kappa, and kappa is lowered by 1e-9 of the range. The
-// points inside two voxels, each near such a saddle of the face between them, were 1e-9 apart.
+// Halfway between integers saddles are at kappa, and kappa is lowered by 1e-9 of the range. Points
+// inside two voxels, each near such a saddle of the face between them, were once 1e-9 apart.
 TEST_CASE("vertices keep a thousandth of a voxel where saddles are at kappa") {
   Random random(17);
   std::size_t lowered = 0;
@@ -124,7 +124,7 @@ TEST_CASE("vertices keep a thousandth of a voxel where saddles are at kappa") {
   CHECK(lowered > 20);
 }
 
-TEST_CASE("fields of known topology") {
+TEST_CASE("fields of known topology have a contour of that topology") {
   const auto distance_to = [](double x, double y, double z) {
     return std::sqrt(x * x + y * y + z * z);
   };
@@ -201,7 +201,7 @@ TEST_CASE("built-in fields have the topology they state") {
   CHECK(known >= 8);
 }
 
-TEST_CASE("rows of all lengths round a machine word") {
+TEST_CASE("rows of every length around a machine word have all their crossings") {
   Random random(9);
   for (const int nx : {2, 62, 63, 64, 65, 66, 127, 128, 129, 200}) {
     CAPTURE(nx);
@@ -238,7 +238,7 @@ TEST_CASE("the same input gives the same mesh") {
   CHECK(a.boundary.vertices == b.boundary.vertices);
 }
 
-TEST_CASE("inside is decided in the samples' own type as it is in double") {
+TEST_CASE("the samples' own type decides inside as double does") {
   Random random(10);
   const auto check = []<class T>(T low, T high, double kappa) {
     const bool differ = (static_cast<double>(low) >= kappa) != (static_cast<double>(high) >= kappa);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// T's topology is Sigma's for every finite sample: against an oracle in exact arithmetic, where
-// doubles decide nothing (values over 24 magnitudes, saddles at kappa to the last bit).
+// T's topology is Sigma's for every finite sample, against an oracle in exact arithmetic. Where
+// doubles decide nothing: values over 24 magnitudes, saddles at kappa to the last bit.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -89,9 +89,9 @@ TEST_CASE("small volumes over magnitudes and with tied saddles have the exact to
   }
 }
 
-// Found by random search: wrong by a tunnel when the sign of a discriminant, or the order of two
-// heights that both round to 1, was left to doubles.
-TEST_CASE("voxels whose tunnels hang on the last bits") {
+// Found by random search. They were wrong by a tunnel when doubles decided the sign of a
+// discriminant, or the order of two heights that both round to 1.
+TEST_CASE("voxels whose tunnels depend on the last bits have the exact topology") {
   const std::vector<WideValues> voxels{
       {{0x1.c4c9b1d2e16dfp+29, -0x1.a125513378edap+25, -0x1.2ac48ff4bf3f0p+13,
         -0x1.ba22b00f0aff8p-18, -0x1.ea81d04424e05p-3, -0x1.d985bdf5289dbp-1, 0x1.f54b6a1dd3451p-24,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// T as Stage 1 wants it, on random volumes: whatever the samples, no two of its triangles cross, by
-// all pairs of each voxel and of all voxels, and it is the plain contour's in kind.
+// T for Stage 1, on random volumes. No two of its triangles cross, by all pairs of each voxel and
+// of all voxels, and it has the topology of the plain contour.
 #include "contour/fine_contour.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ struct Noise {
   double kappa;
 };
 
-// Pure noise, in every third volume of a few values only, in every fifth with long voxels.
+// Pure noise; every third volume has only a few values, every fifth long voxels.
 Noise random_noise(std::uint64_t seed) {
   Random random(seed);
   const auto side = [&] { return 3 + static_cast<int>(random.below(5)); };
@@ -47,7 +47,7 @@ std::size_t crossings(const ContourMesh& contour) {
 
 }  // namespace
 
-TEST_CASE("no two triangles of T cross, and T is what the plain contour is") {
+TEST_CASE("no two triangles of T cross, and T has the plain contour's summary") {
   std::size_t crossed = 0, crossings_before = 0, cut = 0, unchanged = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     CAPTURE(seed);
@@ -73,7 +73,8 @@ TEST_CASE("no two triangles of T cross, and T is what the plain contour is") {
   CHECK(unchanged > 50);
 }
 
-// What crowded says is where triangles may cross: in all other voxels none do, whatever is split.
+// `crowded` lists all voxels where triangles may cross: none cross in any other voxel, whichever
+// are split.
 TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
   constexpr int kSide = 7;
   std::size_t crossed = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// T made in threads: slab by slab, and what comes of them is what one walk makes, number by number.
+// T made in threads, slab by slab, is what one walk makes, number by number.
 #include "contour/slabs.h"
 
 #include <doctest/doctest.h>
@@ -90,7 +90,7 @@ TEST_CASE("T is the same with any number of threads") {
   }
 }
 
-TEST_CASE("T cut finer is the same with any number of threads") {
+TEST_CASE("T in cells is the same with any number of threads") {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
     const Index3 dims{40, 45, 280};

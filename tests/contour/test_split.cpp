@@ -41,8 +41,7 @@ bool keeps_crossings(const ContourMesh& plain, const ContourMesh& finer, const V
   return true;
 }
 
-// The volume within each component without boundary, positive where the triangles look outwards
-// from it.
+// The volume within each component without boundary, positive if the triangles face outwards.
 std::vector<double> enclosed_volumes(const ContourMesh& mesh) {
   std::vector<double> sum(mesh.summary.components.size());
   std::vector<std::optional<Vec3>> origin(sum.size());  // near by: some are tiny
@@ -72,7 +71,7 @@ Index3 random_dims(Random& random, int from, int to) {
   return {pick(), pick(), pick()};
 }
 
-// Each voxel with the given probability, and every other time all others into other cells.
+// Splits each voxel with the given probability; every other time all other voxels get other cells.
 ContourSplit random_split(Random& random, const Volume& volume, double share) {
   ContourSplit split;
   split.factor = random_dims(random, 1, 4);
@@ -90,7 +89,7 @@ struct Tally {
   std::uint64_t split = 0, expected = 0, tubes = 0, with_boundary = 0, closed = 0;
 };
 
-// How many voxels should be split when none is degenerate.
+// How many voxels should be split if none is degenerate.
 std::uint64_t split_by(const ContourSplit& split, const Volume& volume, double kappa) {
   const Index3 count = volume.voxels();
   const auto is_active = [&](Index3 voxel) {
@@ -174,7 +173,8 @@ TEST_CASE("random volumes, split at random, keep their topology") {
   CHECK(tally.closed > 500);
 }
 
-TEST_CASE("few integers: exact saddles, halfway isovalues, samples equal to kappa") {
+TEST_CASE(
+    "volumes of few integers, with tied saddles and samples equal to kappa, keep their topology") {
   Random random(22);
   Tally tally;
   for (int trial = 0; trial < 3000; ++trial) {
@@ -190,7 +190,7 @@ TEST_CASE("few integers: exact saddles, halfway isovalues, samples equal to kapp
   CHECK(tally.expected - tally.split < tally.expected / 10);
 }
 
-TEST_CASE("single voxels, tubes among them") {
+TEST_CASE("single voxels, some with tubes, keep their topology when split") {
   Random random(23);
   Tally tally;
   for (int trial = 0; trial < 8000; ++trial) {
@@ -208,7 +208,7 @@ TEST_CASE("single voxels, tubes among them") {
   CHECK(tally.tubes > 500);
 }
 
-TEST_CASE("triangles look outwards and come closer to the surface as cells get smaller") {
+TEST_CASE("triangles face outwards and come closer to the surface as cells get smaller") {
   const double radius = 6.3;
   const Vec3 center{9.1, 8.9, 9.2};
   const Volume volume = sampled_field({19, 19, 19}, [&](double x, double y, double z) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Topology against an oracle that knows none of the rules: random voxels, each of the known cases
-// of trilinear voxels (Chernyaev 1995, Lewiner et al. 2003), and small random volumes.
+// Topology against an oracle that knows none of the rules. For random voxels, each of the known
+// cases of trilinear voxels (Chernyaev 1995, Lewiner et al. 2003), and small random volumes.
 #include "contour/voxel_topology.h"
 
 #include <doctest/doctest.h>
@@ -46,8 +46,8 @@ Volume volume_of(const Corners& c) {
   return Volume::from_samples<double>({2, 2, 2}, {1, 1, 1}, {c.begin(), c.end()});
 }
 
-// The edge of a single voxel on which a vertex of T lies, -1 for inner points: on an edge, two
-// faces of the box meet.
+// Returns the edge of a single voxel on which a vertex of T lies, where two faces of the box meet;
+// -1 for inner points.
 int edge_of(std::uint8_t box_faces) {
   for (int e = 0; e < 12; ++e) {
     const auto [low, high] = corners_of_edge(e);
@@ -74,7 +74,8 @@ std::vector<VoxelPiece> pieces_of(const ContourMesh& mesh) {
   return pieces;
 }
 
-// T of the voxel is valid and has the oracle's pieces. Returns whether the oracle could tell.
+// Checks that T of the voxel is valid and has the oracle's pieces. Returns whether the oracle could
+// decide.
 bool agrees_with_oracle(const Corners& c, const VoxelTruth& truth) {
   const Volume volume = volume_of(c);
   const ContourMesh mesh = build_contour(volume, 0);
@@ -84,8 +85,8 @@ bool agrees_with_oracle(const Corners& c, const VoxelTruth& truth) {
   return true;
 }
 
-// Whether the oracle joins the inside corners of an ambiguous face: then an edge is joined to the
-// one with which it shares an outside corner.
+// True if the oracle joins the inside corners of an ambiguous face: then an edge is joined to the
+// edge with which it shares an outside corner.
 bool joined_inside(const VoxelTruth& truth, int mask, int face) {
   for (int e = 0; e < 12; ++e) {
     const int mate = truth.mate[face][e];

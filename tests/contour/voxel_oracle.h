@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What Sigma is inside one voxel, found without face rule, sweep or table: the voxel is cut by
-// planes into cells until each is simple, and the cells are counted.
-//
-// The trilinear value and its derivatives take their extremes over a cell at its corners, so the
+// The trilinear value and its derivatives have their extremes over a cell at its corners. So the
 // following can be certified from corners alone. A cell without a change of sign holds no piece of
-// Sigma. A cell is simple when one partial derivative has one sign in it, and in each of its faces
-// with a change of sign one of the two derivatives along the face has. Then Sigma is a graph over a
-// face of the cell there, each face holds at most one arc, and the cell one disk. So V - E + F is
-// counted over cells, faces and edges with a change of sign, and components and boundary loops are
-// joined through them. The intervals of a cell that is not simple are cut in two along all axes, so
-// the grid is fine only near where a saddle is close to Sigma. Where kMaxPlanes planes along an
-// axis do not do, a saddle lies on Sigma to within rounding: not resolved.
+// Sigma. A cell is simple if one partial derivative has one sign in it. Moreover, in each face with
+// a change of sign, one of the two derivatives along the face must have one sign. Then Sigma is a
+// graph over a face of the cell, each face holds at most one arc, and the cell one disk. So V - E +
+// F is counted over cells, faces and edges with a change of sign. Components and boundary loops are
+// joined through them. A cell that is not simple has its intervals cut in two along all axes, so
+// the grid is fine only where a saddle is close to Sigma. If kMaxPlanes planes along an axis do not
+// suffice, a saddle lies on Sigma to within rounding: not resolved.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Voxels and small volumes whose topology hangs on the last bits: values over magnitudes, and
+// Voxels and small volumes whose topology depends on the last bits: values over magnitudes, and
 // saddles at kappa or next to it.
 #pragma once
 
