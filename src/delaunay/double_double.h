@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Numbers of about 106 bits as unevaluated sums of two doubles (Dekker 1971). The product is the
-// one whose relative error Joldes, Muller and Popescu (2017, "Tight and rigorous error bounds for
-// basic building blocks of double-word arithmetic", algorithm 10) prove to be below 7 * 2^-106. The
-// sum is Dekker's: its error is below 4 * 2^-106 of |a| + |b|, which is all that a bound from a
-// permanent asks for (three roundings, of the low parts' sum and of what is added to it, all below
-// 2^-52 (|a| + |b|)). Half the work of a sum accurate under cancellation. About fifteen times as
-// slow as doubles, a tenth of the time of expansions.
+// Numbers of about 106 bits as unevaluated sums of two doubles (Dekker 1971).
+//
+// The product has a relative error below 7 * 2^-106 (Joldes, Muller and Popescu 2017, "Tight and
+// rigorous error bounds for basic building blocks of double-word arithmetic", algorithm 10).
+//
+// The sum is Dekker's, with an error below 4 * 2^-106 of |a| + |b|. It has three roundings, each
+// below 2^-52 (|a| + |b|). A bound from a permanent needs no more, and a sum accurate under
+// cancellation costs twice the work.
+//
+// About fifteen times as slow as doubles, a tenth of the time of expansions.
 #pragma once
 
 #include "base/vec3.h"
@@ -28,8 +31,8 @@ struct DoubleDouble {
   friend DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
   friend DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
     const TwoTerms s = two_sum(a.high, b.high);
-    // Where the low parts outweigh s.value, it is still a multiple of the unit in their last place,
-    // and fast_two_sum is exact.
+    // Even if the low parts outweigh s.value, it is a multiple of the unit in their last place, and
+    // fast_two_sum is exact.
     const TwoTerms t = fast_two_sum(s.value, s.error + (a.low + b.low));
     return {t.value, t.error};
   }

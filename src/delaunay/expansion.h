@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Exact arithmetic on sums of doubles (Shewchuk 1997, "Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates"; Dekker 1971; Knuth 1969).
+// Exact arithmetic on sums of doubles (Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic
+// and Fast Robust Geometric Predicates"; Dekker 1971; Knuth 1969).
 //
-// An Expansion is the exact sum of its terms. Every routine keeps these, given round-to-even and
-// neither overflow nor underflow (predicates.h says for which coordinates that holds):
-//   X1  terms grow in magnitude, and no bit of one lies below the top bit of a smaller one
-//       ("strongly nonoverlapping"), so the last term has the sign of the sum;
-//   X2  no term is zero; the empty expansion is 0;
-//   X3  the bound N on the number of terms is part of the type and follows from the operation:
-//       a sum of M and N terms appends at most M + N, a product by a double at most 2 N, by their
-//       loops alone, NaN and infinities included; a product of M and N terms 2 M N.
+// An Expansion is the exact sum of its terms. Every routine keeps X1 to X3, given round-to-even and
+// neither overflow nor underflow. (predicates.h says for which coordinates that holds.)
+//   X1  Terms grow in magnitude, and no bit of one lies below the top bit of a smaller one
+//       ("strongly nonoverlapping"). So the last term has the sign of the sum.
+//   X2  No term is zero; the empty expansion is 0.
+//   X3  The type has the bound N on the number of terms, which follows from the operation. A sum of
+//       M and N terms appends at most M + N, a product by a double at most 2 N. Their loops alone
+//       guarantee it, for NaN and infinities too. A product of M and N terms has 2 M N.
 #pragma once
 
 #include <algorithm>
@@ -30,6 +30,7 @@ struct TwoTerms {
   double value, error;
 };
 
+// Return the exact sum of a and b.
 inline TwoTerms two_sum(double a, double b) {
   const double sum = a + b;
   const double b_seen = sum - a, a_seen = sum - b_seen;
@@ -42,13 +43,13 @@ inline TwoTerms fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-// The error of the difference a - b that was rounded to `difference`.
+// Returns the error of the difference a - b that was rounded to `difference`.
 inline double difference_error(double a, double b, double difference) {
   const double b_seen = a - difference, a_seen = difference + b_seen;
   return (a - a_seen) + (b_seen - b);
 }
 
-// high + low == a, each with at most half of the 53 bits, so that their products are exact.
+// high + low == a, each with at most half of the 53 bits, so their products are exact.
 struct Halves {
   double high, low;
 };
@@ -61,6 +62,7 @@ inline Halves split(double a) {
   return {high, a - high};
 }
 
+// Return the exact product of a and b.
 inline TwoTerms two_product(double a, double b, Halves b_halves) {
   const double product = a * b;
   const Halves a_halves = split(a);
@@ -76,14 +78,14 @@ inline TwoTerms two_product(double a, double b) {
 template <int N>
 class Expansion {
  public:
-  // The terms beyond size() stay uninitialized: the longest types fill tens of kilobytes.
+  // Leaves the terms from size() on uninitialized: the longest types fill tens of kilobytes.
   Expansion() {}  // NOLINT(modernize-use-equals-default)
   explicit Expansion(TwoTerms t) requires(N >= 2) {
     append(t.error);
     append(t.value);
   }
 
-  // Copies the terms there are.
+  // Copies size() terms only.
   Expansion(const Expansion& e) : size_(e.size_) {
     std::copy_n(e.term_.begin(), e.size_, term_.begin());
   }
@@ -96,7 +98,7 @@ class Expansion {
     if (size_ == 0) return 0;
     return term_[size_ - 1] > 0 ? 1 : -1;
   }
-  // The sum, rounded a few times: relative error below 2 epsilon by X1.
+  // Returns the sum, rounded a few times: relative error below 2 epsilon by X1.
   double estimate() const {
     double sum = 0;
     for (int i = 0; i < size_; ++i) sum += term_[i];
@@ -122,7 +124,7 @@ Expansion<N> operator-(const Expansion<N>& e) {
   return h;
 }
 
-// Shewchuk's fast expansion sum, h = e + f: merge by magnitude, then carry upwards.
+// Sets h = e + f by Shewchuk's fast expansion sum: merge by magnitude, then carry upwards.
 template <int L, int M, int N>
 void add(const Expansion<M>& e, const Expansion<N>& f, Expansion<L>& h) {
   h.clear();
@@ -154,7 +156,7 @@ Expansion<M + N> operator-(const Expansion<M>& e, const Expansion<N>& f) {
   return e + (-f);
 }
 
-// Shewchuk's scale expansion.
+// Returns e * b, by Shewchuk's scale expansion.
 template <int N>
 Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   Expansion<2 * N> h;
@@ -175,7 +177,7 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   return h;
 }
 
-// Term by term of the second factor.
+// Returns e * f, term by term of f.
 template <int M, int N>
 Expansion<2 * M * N> operator*(const Expansion<M>& e, const Expansion<N>& f) {
   Expansion<2 * M * N> sum, other;
@@ -189,7 +191,7 @@ Expansion<2 * M * N> operator*(const Expansion<M>& e, const Expansion<N>& f) {
   return f.size() % 2 == 0 ? sum : other;
 }
 
-// a * d - b * c
+// Returns a * d - b * c.
 inline Expansion<4> determinant(double a, double b, double c, double d) {
   return Expansion<2>(two_product(a, d)) - Expansion<2>(two_product(b, c));
 }

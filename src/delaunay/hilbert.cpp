@@ -13,10 +13,10 @@ namespace deliso {
 
 namespace {
 
-// Skilling 2004, "Programming the Hilbert curve", works on whole coordinates, level by level from
-// the highest bits: where an axis has the level's bit, the first axis is inverted below it, else
-// the two are swapped there; then comes a Gray code. So what happens to the bits of a level depends
-// on the levels above only by which axis is where, what is inverted, and the Gray code's parity.
+// The state of Skilling's algorithm (2004, "Programming the Hilbert curve"). It processes whole
+// coordinates, level by level from the highest bits. If an axis has the level's bit, the first axis
+// is inverted below it; otherwise the two are swapped there. A Gray code follows. So the levels
+// above affect a level only by the order of the axes, the inversions and the Gray code's parity.
 struct HilbertState {
   std::array<std::uint8_t, 3> axis = {0, 1, 2};
   std::array<bool, 3> is_inverted = {};
@@ -24,8 +24,9 @@ struct HilbertState {
   friend constexpr bool operator==(const HilbertState&, const HilbertState&) = default;
 };
 
-// For each such state and each octant (the bits of x, y, z at a level, x the lowest), the three
-// bits of the index and the state of the level below. State 0 is that of the highest level.
+// For each such state and each octant: the three bits of the index and the state of the level
+// below. An octant is the bits of x, y, z at a level, x the lowest. State 0 is that of the highest
+// level.
 struct HilbertTable {
   struct Step {
     std::uint8_t digit, next;
@@ -78,7 +79,8 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, i
 }
 
 std::vector<std::uint32_t> biased_hilbert_order(std::span<const Vec3> points) {
-  // Each point goes to the last round with probability 7/8, else to the one before with 7/8, ...
+  // Each point goes to the last round with probability 7/8, else to the one before with 7/8, and so
+  // on.
   constexpr int kRounds = 16, kBits = 20;
   static_assert(3 * kBits + std::bit_width(unsigned{kRounds - 1}) <= 64);
   if (points.empty()) return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One point: where it is, what it destroys, what takes the place (Bowyer 1981, Watson 1981).
+// Insertion of one point: locate it, find the cells in conflict, replace them (Bowyer 1981, Watson
+// 1981).
 #include "delaunay/triangulation.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ CellId Triangulation::locate(const Vec3& p, CellId hint, std::size_t& walked) co
   CellId c = hint < cells_.size() && is_live(hint) ? hint : last_created_;
   if (is_infinite(c)) c = neighbor(c, 0);
 
-  // Cross any facet that has p strictly on its other side, except the one just crossed.
+  // Cross any facet with p strictly on its other side, except the one just crossed.
   int entered = -1;
   while (true) {
     std::array<const Vec3*, 4> corner = corners(c);
@@ -41,23 +42,23 @@ bool Triangulation::is_in_conflict(CellId c, const Vec3& p) const {
   if (!is_infinite(c)) return insphere(*v[0], *v[1], *v[2], *v[3], p) > 0;
   v[0] = &p;
   const int side = orient3d(*v[0], *v[1], *v[2], *v[3]);
-  // In the plane of the hull facet, its circumcircle is where the sphere of the finite cell
-  // behind it cuts that plane: no further predicate is needed.
+  // In the plane of the hull facet, the sphere of the finite cell behind it cuts out the facet's
+  // circumcircle. So no further predicate is needed.
   return side != 0 ? side > 0 : is_in_conflict(neighbor(c, 0), p);
 }
 
-// Makes all marks those of earlier searches.
+// Starts a search: all marks become those of earlier searches.
 void Triangulation::begin_search() const {
-  constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max() - 3;
-  if (in_conflict_ >= kLast) {
+  constexpr std::uint32_t kMaxMark = std::numeric_limits<std::uint32_t>::max() - 3;
+  if (in_conflict_ >= kMaxMark) {
     std::fill(marks_.begin(), marks_.end(), 0);
     in_conflict_ = 0;
   }
   in_conflict_ += 2;
 }
 
-// Two at a time. Whether a cell is in conflict is as good as random, so no branch depends on it:
-// the list is written in any case, and grows or does not.
+// Tests two cells at a time. Conflicts are as good as random, so no branch depends on them: the
+// list is written in any case, and grows or does not.
 void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
                                    std::vector<CellId>& cells) const {
   std::size_t kept = begin;
@@ -70,7 +71,7 @@ void Triangulation::keep_conflicts(const Vec3& p, std::size_t begin,
     cells[kept] = first;
     marks_[first] -= in_conflict[0];
     kept += in_conflict[0];
-    if (!is_pair) break;  // no room for a second; only the last round, so it is foreseen
+    if (!is_pair) break;  // no room for a second; only in the last round, so predictable
     cells[kept] = second;
     marks_[second] -= in_conflict[1];
     kept += in_conflict[1];
@@ -91,7 +92,7 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
     }
   }
 
-  // Flood fill from the cell that holds p, each round from the cells the last one found.
+  // Flood fill from the cell that holds p, each round from the cells found in the last one.
   begin_search();
   const std::uint32_t in_conflict = in_conflict_;
   std::uint32_t* const marks = marks_.data();
@@ -115,8 +116,8 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
     keep_conflicts(p, end, zone.cells);
   }
 
-  // The zone is connected by its inner facets, at least one less than it has cells: the others of
-  // their four facets are at most so many. One more entry is written in vain.
+  // Inner facets connect the zone: at least one less than it has cells. So at most 2 cells + 2 of
+  // the cells' facets are on its boundary. One more entry is a dummy write.
   zone.boundary.resize(2 * zone.cells.size() + 3);
   Facet* to = zone.boundary.data();
   for (CellId c : zone.cells) {
@@ -128,7 +129,7 @@ void Triangulation::find_conflicts(const Vec3& p, CellId hint, ConflictZone& zon
   zone.boundary.resize(static_cast<std::size_t>(to - zone.boundary.data()));
 }
 
-void Triangulation::take_cells(std::size_t count, std::vector<CellId>& taken) {
+void Triangulation::allocate_cells(std::size_t count, std::vector<CellId>& taken) {
   const std::size_t reused = std::min(count, free_.size());
   taken.assign(free_.rbegin(), free_.rbegin() + static_cast<std::ptrdiff_t>(reused));
   free_.resize(free_.size() - reused);
@@ -140,9 +141,9 @@ void Triangulation::take_cells(std::size_t count, std::vector<CellId>& taken) {
   }
 }
 
-// Two new cells meet behind each edge of the zone's boundary. One boundary facet turns around it
-// from its first vertex to the second, the other back. So a table of vertex pairs joins them: no
-// entry is read before it is written, and no branch depends on the data.
+// Links the new cells. Two of them meet behind each edge of the zone's boundary. One boundary facet
+// passes the edge from its first vertex to the second, the other back. So a table of vertex pairs
+// joins them: no entry is read before it is written, and no branch depends on the data.
 void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<CellId>& created) {
   if (first_rank_ > std::numeric_limits<std::uint32_t>::max() - kTableVertices) {
     std::fill(ranks_.begin(), ranks_.end(), 0);
@@ -175,8 +176,8 @@ void Triangulation::link_by_table(const ConflictZone& zone, const std::vector<Ce
   first_rank_ = next_rank;
 }
 
-// The same for zones of any size, where such a table would be too large: sorted by the edge, the
-// two that meet there stand together.
+// Links the new cells of a zone of any size, if such a table would be too large. Sorted by edge,
+// the two cells that meet there are adjacent.
 void Triangulation::link_by_sorting(const ConflictZone& zone, const std::vector<CellId>& created) {
   struct Side {
     SiteId low, high;
@@ -207,7 +208,7 @@ SiteId Triangulation::insert_in_zone(const Vec3& p, const ConflictZone& zone,
   ranks_.push_back(0);
 
   // The new cells and their links to the cells outside. Links between zone cells stay as they are.
-  take_cells(zone.boundary.size(), created);
+  allocate_cells(zone.boundary.size(), created);
   for (std::size_t k = 0; k < created.size(); ++k) {
     const CellId c = created[k];
     const Facet f = zone.boundary[k];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// insphere for one point and two cells at once: the same operations as for one cell, but each on
-// two numbers side by side, which every processor of today does in one instruction. The compiler's
-// vectors (GCC's, understood by clang) round as doubles do, so nothing else is different.
+// insphere for one point and two cells at once. The operations are those for one cell, each on two
+// numbers side by side, which common processors do in one instruction. The compiler's vectors
+// (GCC's, known to clang) round as doubles do, so the results are the same.
 #pragma once
 
 #include <array>
@@ -26,17 +26,17 @@ struct Vec3Pair {
   }
 };
 
-// A bound that needs no magnitudes of single coordinates. With S the sum of all squared lengths,
-// the largest coordinates mx, my, mz have mx^2 + my^2 + mz^2 <= S, hence mx my mz <= (S / 3)^1.5,
-// and the scale of insphere_scale is at most S^2.5 / sqrt(27). Squared, this needs no root. Squares
-// of a determinant that underflow are below kSquareUnderflow, and then nothing is sure.
+// A bound that needs no magnitudes of single coordinates. Let S be the sum of all squared lengths.
+// The largest coordinates have mx^2 + my^2 + mz^2 <= S, hence mx my mz <= (S / 3)^1.5. So the scale
+// of insphere_scale is at most S^2.5 / sqrt(27); squared, this needs no root. A determinant that
+// underflows has a square below kSquareUnderflow, and its sign is uncertain.
 inline constexpr double kInsphereSquaredFilter = kInsphereFilter * kInsphereFilter / 27;
 inline constexpr double kSquareUnderflow = 0x1p-900;
 
 }  // namespace predicates
 
-// Whether p is strictly inside the circumsphere of the first cell, and of the second, each given by
-// its corners. pre: as for insphere.
+// True for each of two cells, given by their corners, if p is strictly inside its circumsphere.
+// pre: as for insphere.
 inline std::array<bool, 2> inside_spheres(const std::array<const Vec3*, 4>& first,
                                           const std::array<const Vec3*, 4>& second, const Vec3& p) {
   using namespace predicates;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Beyond the filters of predicates.h: double-doubles, then expansions.
+// The layers behind the filters of predicates.h: double-doubles, then expansions.
 #include "delaunay/predicates.h"
 
 #include <initializer_list>
@@ -13,22 +13,22 @@ namespace {
 using predicates::largest;
 
 // Rounding error of the determinants in double-doubles, relative to a sixth of the permanent.
-// Differences of coordinates are exact; a term of orient3d passes through at most 5 rounded
+// Differences of coordinates are exact. A term of orient3d passes through at most 5 rounded
 // operations, of insphere 11. One more covers products of errors and the rounding of the bound.
 constexpr double kOrient3dBound = 6 * 6 * kDoubleDoubleEpsilon;
 constexpr double kInsphereBound = 12 * 6 * kDoubleDoubleEpsilon;
 
-// With all differences integers below 2^k in one unit, orient3d is below 6 * 2^3k and the partial
-// sums of insphere are below 24 * 3 * 2^5k units: exact in 53 bits for these k.
-constexpr int kOrient3dShort = 16;
-constexpr int kInsphereShort = 9;
-static_assert(6.0 * (1LL << 3 * kOrient3dShort) < 0x1p53);
-static_assert(72.0 * (1LL << 5 * kInsphereShort) < 0x1p53);
+// If all differences are integers below 2^k in one unit, orient3d is below 6 * 2^3k units. The
+// partial sums of insphere are below 24 * 3 * 2^5k. Both are exact in 53 bits for these k.
+constexpr int kOrient3dShortBits = 16;
+constexpr int kInsphereShortBits = 9;
+static_assert(6.0 * (1LL << 3 * kOrient3dShortBits) < 0x1p53);
+static_assert(72.0 * (1LL << 5 * kInsphereShortBits) < 0x1p53);
 
-// Whether all coordinates are such integers, in whatever unit. Adding a large number and taking it
-// away rounds to a multiple of the unit in its last place, at least 2^-k of the largest coordinate;
-// or of half of that where the sum falls below a power of two, and the largest coordinate may be
-// almost twice that power: hence two bits to spare.
+// True if all coordinates are such integers, in any unit. Adding and subtracting a large number
+// rounds to a multiple of the unit in its last place, at least 2^-k of the largest coordinate. If
+// the sum falls below a power of two, the unit is half of that. The largest coordinate may be
+// almost twice that power. Hence two bits to spare.
 bool are_short(std::initializer_list<Vec3> vectors, int k) {
   double size = 0;
   for (const Vec3& v : vectors) size = std::max(size, largest(v.x, v.y, v.z));
@@ -48,12 +48,12 @@ int sign_beyond(double bound, const DoubleDouble& x) {
   return (x.high > bound) - (x.high < -bound);
 }
 
-// The x, y rows of two vectors.
+// Returns the minor of the x, y rows of two vectors.
 Expansion<4> minor2(const Vec3& a, const Vec3& b) {
   return determinant(a.x, b.x, a.y, b.y);
 }
 
-// det[a, b, c] from the minors of its x, y rows.
+// Returns det[a, b, c] from the minors of its x, y rows.
 Expansion<24> minor3(const Vec3& a, const Vec3& b, const Vec3& c, const Expansion<4>& bc,
                      const Expansion<4>& ca, const Expansion<4>& ab) {
   return bc * a.z + ca * b.z + ab * c.z;
@@ -63,13 +63,13 @@ Expansion<24> minor3(const Vec3& a, const Vec3& b, const Vec3& c) {
   return minor3(a, b, c, minor2(b, c), minor2(c, a), minor2(a, b));
 }
 
-// det[b-a, c-a, d-a] from the determinants of three points each.
+// Returns det[b-a, c-a, d-a] from the determinants of three points each.
 Expansion<96> minor4(const Expansion<24>& bcd, const Expansion<24>& acd, const Expansion<24>& abd,
                      const Expansion<24>& abc) {
   return (bcd - acd) + (abd - abc);
 }
 
-// m * |v|^2
+// Returns m * |v|^2.
 template <int N>
 Expansion<12 * N> times_length2(const Expansion<N>& m, const Vec3& v) {
   return m * v.x * v.x + m * v.y * v.y + m * v.z * v.z;
@@ -97,7 +97,7 @@ int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, c
   return (((lifted_b - lifted_a) + (lifted_d - lifted_c)) - lifted_e).sign();
 }
 
-// The same with e at the origin.
+// As above, with e at the origin.
 int insphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Expansion<4> ab = minor2(a, b), bc = minor2(b, c), cd = minor2(c, d);
   const Expansion<4> da = minor2(d, a), ac = minor2(a, c), bd = minor2(b, d);
@@ -117,14 +117,14 @@ int orient3d_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
              fine_w = DoubleDouble3::difference(pd, pa);
   const Vec3 u = fine_u.rounded(), v = fine_v.rounded(), w = fine_w.rounded();
   const bool are_doubles = fine_u.is_double() && fine_v.is_double() && fine_w.is_double();
-  if (are_doubles && are_short({u, v, w}, kOrient3dShort))
+  if (are_doubles && are_short({u, v, w}, kOrient3dShortBits))
     return sign_of(orient3d_determinant(u, v, w));
 
   const DoubleDouble det = orient3d_determinant(fine_u, fine_v, fine_w);
   const double bound = kOrient3dBound * orient3d_scale(u, v, w);
   if (const int sign = sign_beyond(bound, det)) return sign;
 
-  // Expansions are much shorter on differences, when these are doubles.
+  // Expansions are much shorter on differences, if these are doubles.
   return are_doubles ? minor3(u, v, w).sign() : orient3d_exact(pa, pb, pc, pd).sign();
 }
 
@@ -135,7 +135,7 @@ int insphere_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
   const Vec3 a = fine_a.rounded(), b = fine_b.rounded(), c = fine_c.rounded(), d = fine_d.rounded();
   const bool are_doubles =
       fine_a.is_double() && fine_b.is_double() && fine_c.is_double() && fine_d.is_double();
-  if (are_doubles && are_short({a, b, c, d}, kInsphereShort))
+  if (are_doubles && are_short({a, b, c, d}, kInsphereShortBits))
     return sign_of(insphere_determinant(a, b, c, d));
 
   const DoubleDouble det = insphere_determinant(fine_a, fine_b, fine_c, fine_d);
@@ -150,7 +150,7 @@ int insphere_adaptive(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
   // One coordinate pair at a time: (b-a) x (c-a) = ab + bc + ca of the plane's minors.
   const auto flat = [](double ax, double ay, double bx, double by, double cx, double cy) {
-    // Shewchuk 1997, Figure 21's bound A of orient2d.
+    // Bound A of orient2d in Shewchuk 1997, Figure 21.
     constexpr double kFilter = 3.3306690738754716e-16;
     const double left = (ax - cx) * (by - cy), right = (ay - cy) * (bx - cx);
     if (std::fabs(left - right) > kFilter * (std::fabs(left) + std::fabs(right))) return false;

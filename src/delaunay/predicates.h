@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two questions a Delaunay triangulation asks of its points, answered without error.
+// The two exact predicates of a Delaunay triangulation.
 //
 //        d                 orient3d(a, b, c, d) > 0  iff  det[b-a, c-a, d-a] > 0, as here:
 //        |  c              seen from d, the triangle a b c turns counter-clockwise.
@@ -7,16 +7,17 @@
 //        a --- b           insphere(a, b, c, d, e) > 0  iff  e lies strictly inside the sphere
 //                          through a, b, c, d, where orient3d(a, b, c, d) > 0.
 //
-// Evaluation in layers, each entered only when the one before cannot tell: doubles with an error
-// bound from the largest coordinate differences (inline, below); doubles again, when differences
-// have so few bits that nothing is rounded (points of grids); double-doubles with such a bound;
-// exact expansions.
+// Evaluation in layers, each entered only if the one before cannot decide:
+//   - doubles with an error bound from the largest coordinate differences (inline, below);
+//   - doubles again, if differences have so few bits that nothing is rounded (points of grids);
+//   - double-doubles with such a bound;
+//   - exact expansions.
 //
-// Guaranteed: the sign is right when every coordinate is 0 or has magnitude in
-// [kSmallestCoordinate, kLargestCoordinate]. Then every coordinate is a multiple of 2^-192, every
-// product of five coordinates or differences a multiple of 2^-960: nothing underflows, not even
-// an error bound; and five factors below 2^201, times the 120 terms of a determinant, stay below
-// 2^1023. Beyond that range, and for NaN and infinities, nothing is promised but a return value.
+// Guarantee: the sign is right if every coordinate is 0 or has magnitude in [kSmallestCoordinate,
+// kLargestCoordinate]. Then every coordinate is a multiple of 2^-192, and every product of five
+// coordinates or differences a multiple of 2^-960. So nothing underflows, not even an error bound.
+// Five factors below 2^201, times the 120 terms of a determinant, stay below 2^1023. Outside that
+// range, and for NaN and infinities, only a return value is guaranteed.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +37,7 @@ inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
 
 namespace predicates {
 
-// The determinants, for vectors of doubles or of more precise numbers.
+// Return the determinants, for vectors of doubles or of more precise numbers.
 template <class Vector>
 inline auto orient3d_determinant(const Vector& u, const Vector& v, const Vector& w) {
   return u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y) +
@@ -54,8 +55,8 @@ inline auto insphere_determinant(const Vector& a, const Vector& b, const Vector&
   return (dot(a, a) * bcd - dot(b, b) * cda) + (dot(c, c) * dab - dot(d, d) * abc);
 }
 
-// Bounds on a sixth of the permanent, that is, of the determinant with every sign made plus: a
-// 3 x 3 determinant has six terms, each at most the product of the largest differences per axis.
+// Return bounds on a sixth of the permanent, the determinant with every sign made plus. A 3 x 3
+// determinant has six terms, each at most the product of the largest differences per axis.
 inline double largest(double p, double q, double r) {
   return std::max(std::max(std::fabs(p), std::fabs(q)), std::fabs(r));
 }
@@ -70,17 +71,17 @@ inline double insphere_scale(const Vec3& a, const Vec3& b, const Vec3& c, const 
 }
 
 // Shewchuk's error bounds for these determinants of rounded differences are (7 + 56 eps) eps and
-// (16 + 224 eps) eps times the permanent; one more eps covers the eps^2 and the rounding here.
+// (16 + 224 eps) eps times the permanent. One more eps covers the eps^2 and the rounding here.
 inline constexpr double kOrient3dFilter = (7 * 6 + 1) * kEpsilon;
 inline constexpr double kInsphereFilter = (16 * 6 + 1) * kEpsilon;
 
-// Beyond the filter: never wrong, slower. Same arguments and signs as the functions below.
+// Behind the filter: never wrong, slower. Arguments and signs are those of the functions below.
 int orient3d_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int insphere_adaptive(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 }  // namespace predicates
 
-// 1, 0 or -1: the sign of det[b-a, c-a, d-a].
+// Returns the sign of det[b-a, c-a, d-a]: 1, 0 or -1.
 inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double det = predicates::orient3d_determinant(u, v, w);
@@ -89,8 +90,8 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   return predicates::orient3d_adaptive(a, b, c, d);
 }
 
-// 1, 0 or -1: e inside, on or outside the sphere through a, b, c, d.
-// pre: orient3d(a, b, c, d) > 0 (when negative, the sign turns round).
+// Returns 1, 0 or -1 for e inside, on or outside the sphere through the other four points. pre:
+// orient3d(a, b, c, d) > 0; if negative, the sign is reversed.
 inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& pd,
                     const Vec3& pe) {
   const Vec3 a = pa - pe, b = pb - pe, c = pc - pe, d = pd - pe;
@@ -100,11 +101,11 @@ inline int insphere(const Vec3& pa, const Vec3& pb, const Vec3& pc, const Vec3& 
   return predicates::insphere_adaptive(pa, pb, pc, pd, pe);
 }
 
-// Whether a, b, c lie on one line (or coincide). Exact, behind a filter.
+// True if a, b, c lie on one line or coincide. Exact, behind a filter.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// det[b-a, c-a, d-a], six times the volume, with a relative error of a few kEpsilon however flat
-// the cell. Slow.
+// Returns det[b-a, c-a, d-a], six times the volume, with a relative error of a few kEpsilon however
+// flat the cell. Slow.
 double orient3d_value(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace deliso

@@ -12,7 +12,7 @@
 namespace deliso {
 namespace {
 
-// The first four points, in the given order, that span a tetrahedron; positively oriented.
+// Returns the first four points, in the given order, that span a tetrahedron; positively oriented.
 std::optional<std::array<std::uint32_t, 4>> first_tetrahedron(
     std::span<const Vec3> points, std::span<const std::uint32_t> order) {
   std::array<std::uint32_t, 4> corner;
@@ -69,14 +69,14 @@ void Triangulation::create_first_cells(const std::array<Vec3, 4>& corners) {
 }
 
 bool Triangulation::build(std::span<const Vec3> points, std::vector<SiteId>& ids,
-                          std::size_t most_cells) {
+                          std::size_t max_cells) {
   clear();
   ids.assign(points.size(), kNoId);
   const std::vector<std::uint32_t> order = biased_hilbert_order(points);
   const auto first = first_tetrahedron(points, order);
   if (!first) return false;
 
-  // Random points have 6.8 cells each; what is not used is never touched.
+  // Random points have 6.8 cells each; unused memory is never touched.
   const std::size_t expected_cells = 7 * points.size() + 100;
   points_.reserve(points.size() + 1);
   incident_.reserve(points.size() + 1);
@@ -87,17 +87,18 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<SiteId>& ids
   const auto& f = *first;
   create_first_cells({points[f[0]], points[f[1]], points[f[2]], points[f[3]]});
   for (int k = 0; k < 4; ++k) ids[f[k]] = SiteId(1 + k);
-  // The order jumps about in memory where the points do not.
-  constexpr std::size_t kAhead = 8;
+  // The order jumps in memory where the points do not: prefetch.
+  constexpr std::size_t kPrefetchedPoints = 8;
   std::size_t work = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::uint32_t i = order[k], ahead = order[std::min(k + kAhead, order.size() - 1)];
+    const std::uint32_t i = order[k],
+                        ahead = order[std::min(k + kPrefetchedPoints, order.size() - 1)];
     __builtin_prefetch(&points[ahead]);
     __builtin_prefetch(&ids[ahead]);
     if (ids[i] != kNoId) continue;
     ids[i] = insert(points[i]);
     work += scratch_created_.size() + scratch_zone_.walked;
-    if (work / most_cells > points.size()) {
+    if (work / max_cells > points.size()) {
       clear();
       return false;
     }

@@ -1,27 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The Delaunay triangulation of points in space, grown point by point (Bowyer 1981, Watson 1981).
-//
-// Cells live in a flat array: four vertex ids and four links each, with a free list. There is one
-// infinite vertex instead of a huge first tetrahedron, so every facet has two cells and the hull
-// needs no special case.
-//
-// Invariants (tests/delaunay/check_triangulation.h tests them by these numbers):
-//   I1  neighbors are mutual and share the three other vertices;
-//   I2  finite cells are positively oriented: orient3d(v0, v1, v2, v3) > 0; in a cell at infinity,
-//       replacing the infinite vertex by a point beyond its hull facet gives a positive cell;
-//   I3  no vertex lies strictly inside the circumsphere of a finite cell, or strictly beyond the
-//       hull facet of an infinite one (or in its plane and strictly inside its circumcircle);
-//   I4  every vertex's incident cell holds it;
-//   I5  the infinite vertex is the first of its cells (new cells at infinity come from others, with
-//       a finite vertex replaced).
-//
-// Why no flat cell is ever made, without symbolic perturbation: a cell is in conflict with p only
-// when p is strictly inside. If p lay in the plane of a facet of the zone's boundary, the spheres
-// of both its cells would cut that plane in the facet's circumcircle, so p would be in conflict
-// with both or with neither. This is the limit of lifting each new point infinitely more than all
-// before it, so the result is a regular triangulation even where many points are cospherical.
-// Therefore the visibility walk of locate() ends: it never comes back to a cell (Edelsbrunner
-// 1990, "An acyclicity theorem for cell complexes in d dimensions"), given exact predicates.
+// The strict rule is the limit of lifting each new point infinitely more than all before it. So the
+// result is a regular triangulation even if many points are cospherical. Hence the visibility walk
+// of locate() never returns to a cell and terminates, given exact predicates (Edelsbrunner 1990,
+// "An acyclicity theorem for cell complexes in d dimensions").
 #pragma once
 
 #include <array>
@@ -36,7 +17,7 @@
 
 namespace deliso {
 
-// The vertices of facet i of a cell 0 1 2 3, the one opposite to vertex i: counter-clockwise seen
+// The vertices of facet i, opposite to vertex i, of a cell 0 1 2 3. They are counter-clockwise seen
 // from outside, as the vertices 0 1 2 3 are positively oriented (predicates.h).
 inline constexpr std::array<std::array<int, 3>, 4> kFacetVertices = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -48,36 +29,34 @@ struct Facet {
   friend bool operator==(const Facet&, const Facet&) = default;
 };
 
-// Three sites, as a facet's vertices.
+// The three sites of a facet.
 using SiteTriangle = std::array<SiteId, 3>;
 
-// The same three as corners in a mesh whose vertices have the sites' numbers.
+// Returns the three as corners in a mesh whose vertices have the sites' numbers.
 inline std::array<VertexId, 3> as_mesh_triangle(const SiteTriangle& t) {
   return {VertexId(t[0].number()), VertexId(t[1].number()), VertexId(t[2].number())};
 }
 
-// What inserting a point would destroy: the cells whose circumspheres hold it, a star-shaped region
-// around it. Reused from insertion to insertion to save allocations.
+// The cells that a new point would destroy: their circumspheres hold it. They are a star-shaped
+// region around it. Reused from insertion to insertion to save allocations.
 struct ConflictZone {
   std::vector<CellId> cells;
   std::vector<Facet> boundary;  // facets of conflict cells whose other cell stays
-  SiteId duplicate = kNoId;     // the vertex at this very position; then nothing is in conflict
-  std::size_t walked = 0;       // cells on the way to it
+  SiteId duplicate = kNoId;     // the vertex at p itself; then nothing is in conflict
+  std::size_t walked = 0;       // cells on the way to p
 };
 
-// Coordinates: finite, any unit, in the range of predicates.h. Up to 2^30 cells.
-// Const functions may run in several threads at once, except find_conflicts (it marks cells).
+// Coordinates: finite, any unit, in the range of predicates.h. Up to 2^30 cells. Const functions
+// may run in several threads at once, except find_conflicts (it marks cells).
 class Triangulation {
  public:
   static constexpr SiteId kInfinite = 0;  // finite vertices are 1, 2, ...
 
-  // Inserts all points in a biased randomised Hilbert order (Amenta, Choi and Rote 2003) that
-  // depends on nothing but the points and their order. ids[i] is the vertex of points[i];
-  // duplicates share one. Returns false, and stays empty, when all points lie in one plane, or when
-  // it would make or walk through more than `most_cells` cells for each point, those counted that
-  // are gone again.
-  bool build(std::span<const Vec3> points, std::vector<SiteId>& ids,
-             std::size_t most_cells = kNoId);
+  // Inserts all points in a biased randomized Hilbert order (Amenta, Choi and Rote 2003), which
+  // depends only on the points and their order. Vertex ids[i] is points[i]; duplicates share one.
+  // Returns false, and stays empty, if all points lie in one plane. The same if it would create or
+  // walk through more than `max_cells` cells for each point, destroyed ones included.
+  bool build(std::span<const Vec3> points, std::vector<SiteId>& ids, std::size_t max_cells = kNoId);
 
   std::size_t vertex_capacity() const { return points_.size(); }  // ids are below; 0 is infinite
   std::size_t cell_capacity() const { return cells_.size(); }     // ids are below; some are free
@@ -88,31 +67,32 @@ class Triangulation {
   CellId neighbor(CellId c, int i) const { return facet(cells_[c].links[i]).cell; }
   const std::array<SiteId, 4>& vertices(CellId c) const { return cells_[c].vertices; }
   bool is_infinite(CellId c) const { return cells_[c].vertices[0] == kInfinite; }
-  // Which vertex of c is the infinite one (I5); -1 when c is finite.
+  // Returns which vertex of c is the infinite one (I5); -1 if c is finite.
   int infinite_index(CellId c) const { return is_infinite(c) ? 0 : -1; }
   CellId incident_cell(SiteId v) const { return incident_[v]; }
-  // The same facet seen from its other cell.
+  // Returns the facet as its other cell sees it.
   Facet mirror(Facet f) const { return facet(cells_[f.cell].links[f.index]); }
 
-  // The cell that holds p (finite, or infinite when p is beyond the hull), by a remembering walk
-  // from `hint` (kNoId or a cell that is no more: from the last cell created). Each step adds one
-  // to `walked`. pre: build() has succeeded, here and below.
+  // Returns the cell that holds p (an infinite one if p is outside the hull), by a remembering walk
+  // from `hint`. Each step adds one to `walked`. If `hint` is kNoId or a free cell, the walk starts
+  // at the last cell created. pre, here and below: build() has succeeded.
   CellId locate(const Vec3& p, CellId hint, std::size_t& walked) const;
-  // The conflict zone of p. Const: nothing changes until insert_in_zone.
+  // Finds the conflict zone of p. Const: nothing changes until insert_in_zone.
   void find_conflicts(const Vec3& p, CellId hint, ConflictZone& zone) const;
-  // Stars the zone from p. created[k] is the new cell on zone.boundary[k] = (c, i): it has the
-  // vertices of c with p in place of number i, so that the surviving facet keeps its index.
-  // Ids of the zone's cells become free; `created` uses ids freed earlier, or new ones.
-  // pre: find_conflicts(p) gave this zone, nothing inserted since, no duplicate.
+  // Stars the zone from p and returns the new vertex. created[k] is the new cell on
+  // zone.boundary[k] = (c, i). It has the vertices of c with p in place of number i, so the
+  // surviving facet keeps its index. The ids of the zone's cells become free. `created` uses ids
+  // freed earlier, or new ones. pre: find_conflicts(p) made this zone, nothing was inserted since,
+  // and p is no duplicate.
   SiteId insert_in_zone(const Vec3& p, const ConflictZone& zone, std::vector<CellId>& created);
-  // locate + find_conflicts + insert_in_zone; returns the existing vertex for a duplicate.
+  // Runs locate, find_conflicts and insert_in_zone; returns the existing vertex for a duplicate.
   SiteId insert(const Vec3& p, CellId hint = kNoId);
 
  private:
   friend class TriangulationVandal;  // breaks invariants, to test the checkers
 
-  // A link names a facet in one word: 4 * cell + index. links[i] is the facet opposite to vertex i
-  // as the neighbor sees it, so that walking needs no search. One cell is half a cache line.
+  // A link names a facet in one word, 4 * cell + index. Here links[i] is the facet opposite to
+  // vertex i as the neighbor sees it, so a walk needs no search. One cell is half a cache line.
   using Link = std::uint32_t;
   struct alignas(32) Cell {
     std::array<SiteId, 4> vertices;  // vertices[0] == kNoId: free
@@ -132,11 +112,11 @@ class Triangulation {
   }
   void create_first_cells(const std::array<Vec3, 4>& corners);
   bool is_in_conflict(CellId c, const Vec3& p) const;
-  // Of the cells from number `begin` on keeps those in conflict with p, in their order, and marks
+  // Keeps, of the cells from number `begin` on, those in conflict with p, in their order, and marks
   // them. pre: they are marked as tested.
   void keep_conflicts(const Vec3& p, std::size_t begin, std::vector<CellId>& cells) const;
-  // Ids for so many new cells: of those freed the last first, then new ones.
-  void take_cells(std::size_t count, std::vector<CellId>& taken);
+  // Sets `taken` to ids for `count` new cells: freed ones, the last freed first, then new ones.
+  void allocate_cells(std::size_t count, std::vector<CellId>& taken);
   void begin_search() const;
   void link_by_table(const ConflictZone& zone, const std::vector<CellId>& created);
   void link_by_sorting(const ConflictZone& zone, const std::vector<CellId>& created);
@@ -147,11 +127,11 @@ class Triangulation {
   std::vector<CellId> free_;
   CellId last_created_ = kNoId;
 
-  // Marks of the last search: in_conflict_ or in_conflict_ + 1 (tested, not in conflict).
+  // Marks of the last search: in_conflict_, or in_conflict_ + 1 for a tested cell without conflict.
   mutable std::vector<std::uint32_t> marks_;
   mutable std::uint32_t in_conflict_ = 0;
-  // Numbers the vertices of a zone's boundary from 0: ranks_[v] - first_rank_. Smaller ranks are of
-  // earlier insertions.
+  // Numbers the vertices of a zone's boundary from 0: ranks_[v] - first_rank_. Smaller ranks are
+  // those of earlier insertions.
   static constexpr std::uint32_t kTableVertices = 64;
   std::vector<std::uint32_t> ranks_;
   std::uint32_t first_rank_ = 1;
@@ -161,7 +141,7 @@ class Triangulation {
   std::vector<CellId> scratch_created_;
 };
 
-// The vertices of f, counter-clockwise seen from outside f.cell.
+// Returns the vertices of f, counter-clockwise seen from outside f.cell.
 inline SiteTriangle facet_vertices(const Triangulation& t, Facet f) {
   const auto& v = t.vertices(f.cell);
   const auto& index = kFacetVertices[f.index];

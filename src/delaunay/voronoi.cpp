@@ -11,23 +11,24 @@
 namespace deliso {
 namespace {
 
-// Below these sizes, relative to what they are computed from, a squared sine or a height has lost
-// too many of its 53 bits to keep the accuracy promised.
-constexpr double kThin = 1e-6;
-constexpr double kFlat = 1e-6;
-// The same for the 106 bits of a double-double.
-constexpr double kVeryFlat = 1e-22;
+// Relative to the numbers that they are computed from. A smaller squared sine or height has lost
+// too many of its 53 bits for the promised accuracy.
+constexpr double kMinSquaredSine = 1e-6;
+constexpr double kMinHeight = 1e-6;
+// As kMinHeight, for the 106 bits of a double-double.
+constexpr double kMinDoubleDoubleHeight = 1e-22;
 
-// 2 det[u, v, w] times the circumcenter of 0, u, v, w.
+// Returns 2 det[u, v, w] times the circumcenter of 0, u, v, w.
 template <class Vector>
 Vector scaled_circumcenter(const Vector& u, const Vector& v, const Vector& w) {
   return dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
 }
 
-// det[b-a, c-a, d-a] given as a double-double; the exact one where that has no digit left.
+// Returns det[b-a, c-a, d-a], given as a double-double, or exactly if that has no digit left.
 double resolved_determinant(DoubleDouble det, double size, const Vec3& a, const Vec3& b,
                             const Vec3& c, const Vec3& d) {
-  return std::fabs(det.high) > kVeryFlat * size ? det.rounded() : orient3d_value(a, b, c, d);
+  return std::fabs(det.high) > kMinDoubleDoubleHeight * size ? det.rounded()
+                                                             : orient3d_value(a, b, c, d);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ double resolved_determinant(DoubleDouble det, double size, const Vec3& a, const 
 FacetLine facet_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, n = cross(u, v);
   const double u2 = length2(u), v2 = length2(v), n2 = length2(n);
-  if (n2 >= kThin * u2 * v2) {
+  if (n2 >= kMinSquaredSine * u2 * v2) {
     const Vec3 offset = (0.5 / n2) * (u2 * cross(v, n) + v2 * cross(n, u));
     return {a + offset, (1 / std::sqrt(n2)) * n, offset, length(offset)};
   }
@@ -53,7 +54,7 @@ double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const 
   // The numerator is rounded by about epsilon w (w + 2 r) <= epsilon (2 w^2 + r^2).
   const Vec3 w = d - a;
   const double height = dot(line.normal, w), w2 = length2(w);
-  if (std::fabs(height) * line.radius >= kFlat * (2 * w2 + line.radius * line.radius))
+  if (std::fabs(height) * line.radius >= kMinHeight * (2 * w2 + line.radius * line.radius))
     return dot(w, w - 2 * line.offset) / (2 * height);
 
   const auto du = DoubleDouble3::difference(b, a), dv = DoubleDouble3::difference(c, a),
@@ -67,8 +68,8 @@ double equidistant_parameter(const Vec3& a, const Vec3& b, const Vec3& c, const 
 FacetDual facet_dual(const Triangulation& t, Facet f) {
   const auto corner = [&](int k) { return t.vertex(f.cell, kFacetVertices[f.index][k]); };
   const SiteId x = corner(0), y = corner(1), z = corner(2);
-  // Sorted by id. This turns the normal, which began by pointing out of f.cell, when the number of
-  // inversions is odd. (Ids come in no order: sorting by branches would mispredict half of them.)
+  // Sorted by id. The normal, which points out of f.cell at first, is reversed if the number of
+  // inversions is odd. (Ids have no order: branches of a sort would mispredict half of them.)
   const SiteId low = std::min(std::min(x, y), z), high = std::max(std::max(x, y), z);
   const SiteId middle(x ^ y ^ z ^ low ^ high);
   const bool outwards = !((x > y) ^ (y > z) ^ (x > z));
@@ -83,7 +84,7 @@ FacetDual facet_dual(const Triangulation& t, Facet f) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Facet g = t.mirror(f);
   const double t_lo = end(outwards ? f : g, -kInfinity), t_hi = end(outwards ? g : f, kInfinity);
-  // Exact ends never cross; those of cells with (nearly) one circumsphere may by rounding.
+  // Exact ends never cross; rounded ones may, if the cells have (nearly) one circumsphere.
   return {line.center,          line.normal,          line.radius,
           std::min(t_lo, t_hi), std::max(t_lo, t_hi), outwards};
 }
@@ -92,7 +93,7 @@ Circumsphere circumsphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
   const Vec3 u = b - a, v = c - a, w = d - a;
   const double det = dot(u, cross(v, w));
   const double size = length(u) * length(v) * length(w);
-  if (std::fabs(det) >= kFlat * size) {
+  if (std::fabs(det) >= kMinHeight * size) {
     const Vec3 offset = scaled_circumcenter(u, v, w) / (2 * det);
     return {a + offset, length(offset)};
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The oracle of the predicate tests: integers of up to 41,000 bits, and determinants of doubles
-// taken as integers over a common power of two. School arithmetic, nothing shared with src/.
+// read as integers over a common power of two. School arithmetic; it shares nothing with src/.
 #pragma once
 
 #include <algorithm>
@@ -209,7 +209,7 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   return orient3d(a, b, c, d, common_unit({a, b, c, d})).sign();
 }
 
-// By lifting from a, so that it shares no formula with the code under test: e is inside when the
+// By lifting from a, so that it shares no formula with the code under test: e is inside if the
 // lifted e lies below the hyperplane of the others.
 inline int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
   const int unit = common_unit({a, b, c, d, e});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slow, independent checks of a triangulation against the invariants of triangulation.h. Each
-// returns the first broken rule as a sentence that names its number, ids and coordinates, or the
-// empty string.
+// returns the first broken rule as a sentence with its number, ids and coordinates, or the empty
+// string.
 #pragma once
 
 #include <algorithm>
@@ -40,15 +40,15 @@ std::string sentence(const Parts&... parts) {
   return out.str();
 }
 
-// The sign of orient3d with p in place of vertex i of c. pre: the three others are finite.
+// Returns the sign of orient3d with p in place of vertex i of c. pre: the three others are finite.
 inline int side(const Triangulation& t, CellId c, int i, const Vec3& p) {
   std::array<Vec3, 4> corner;
   for (int k = 0; k < 4; ++k) corner[k] = k == i ? p : t.point(t.vertex(c, k));
   return orient3d(corner[0], corner[1], corner[2], corner[3]);
 }
 
-// Whether p is strictly inside the circumcircle of the finite facet (c, i) in whose plane it lies:
-// strictly inside the sphere through the facet and any vertex off that plane.
+// True if p is strictly inside the circumcircle of the finite facet (c, i) in whose plane it lies.
+// Then it is strictly inside the sphere through the facet and any vertex off that plane.
 inline bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3& p) {
   for (SiteId v = 1; v < t.vertex_capacity(); ++v) {
     const int s = side(t, c, i, t.point(v));
@@ -60,8 +60,8 @@ inline bool in_circumcircle(const Triangulation& t, CellId c, int i, const Vec3&
   return false;
 }
 
-// I1, I2, I4, and what follows from them for the whole: no facet in three cells, Euler's relation
-// (vertices - edges + facets - cells = 0 with the infinite vertex). O(cells log cells).
+// I1, I2, I4, and two consequences for the whole: no facet is in three cells, and Euler's relation
+// holds (vertices - edges + facets - cells = 0 with the infinite vertex). O(cells log cells).
 inline std::string check_triangulation(const Triangulation& t) {
   std::map<std::array<SiteId, 3>, std::vector<Facet>> facets;
   std::set<std::array<SiteId, 2>> edges;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point sets that are hard on a Delaunay triangulation, each from its seed.
+// Hard point sets for a Delaunay triangulation, each from its seed.
 #pragma once
 
 #include <algorithm>

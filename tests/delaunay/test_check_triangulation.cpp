@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The checkers must find what is broken: break one rule at a time.
+// The checkers must find every broken rule: break one at a time.
 #include "delaunay/check_triangulation.h"
 
 #include <doctest/doctest.h>
@@ -68,7 +68,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Fixture, "I1: a link that leads elsewhere") {
+TEST_CASE_FIXTURE(Fixture, "I1: a link to a wrong facet") {
   vandal.relink(finite, 2, t.mirror({finite, 1}));
   expect("I1");
 }
@@ -83,12 +83,12 @@ TEST_CASE_FIXTURE(Fixture, "I1: a vertex twice in a cell") {
   expect("I1");
 }
 
-TEST_CASE_FIXTURE(Fixture, "I2: a finite cell turned over") {
+TEST_CASE_FIXTURE(Fixture, "I2: a finite cell of negative orientation") {
   turn_over(finite, 0, 1);
   expect("I2");
 }
 
-TEST_CASE_FIXTURE(Fixture, "I2: a cell at infinity turned over") {
+TEST_CASE_FIXTURE(Fixture, "I2: a cell at infinity of negative orientation") {
   turn_over(infinite, 1, 2);
   expect("I2");
 }

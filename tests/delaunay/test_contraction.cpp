@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Floating point as the predicates need it: every product rounded by itself. A compiler that makes
-// one fused operation of a * b + c breaks error terms, and with them every sign that is close. The
-// flag -ffp-contract=off forbids it; these cases fail where the flag got lost and the machine
-// fuses.
+// The predicates need every product rounded by itself. A compiler that fuses a * b + c into one
+// operation breaks error terms, and with them every sign that is close. The flag -ffp-contract=off
+// forbids it. These cases fail if the flag got lost and the machine fuses.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -17,7 +16,7 @@ using namespace deliso;
 
 namespace {
 
-// Not inlined, so that nothing is worked out by the compiler; nothing keeps it from fusing within.
+// Not inlined, so that the compiler computes nothing; it may still fuse within.
 #if defined(__GNUC__)
 [[gnu::noinline]]
 #endif
@@ -65,12 +64,12 @@ double random_double(Random& random) {
 }  // namespace
 
 TEST_CASE("a product is rounded before something is added to it") {
-  // (1 + e)^2 = 1 + 2e + e^2 rounds to 1 + 2e; fused, what is left after taking that away is e^2.
+  // (1 + e)^2 = 1 + 2e + e^2 rounds to 1 + 2e. Fused, subtracting that leaves e^2.
   const double e = std::ldexp(1, -30), x = 1 + e, rounded = 1 + 2 * e;
   CHECK(std::fma(x, x, -rounded) == e * e);
   CHECK(product_plus(x, x, -rounded) == 0);
   CHECK(cross_product(x, 1, rounded, x) == 0);
-  // Of parallel vectors: rounded one way by a fused operation, and the other way by the other.
+  // Of parallel vectors: one fused operation rounds it one way, the other the other way.
   CHECK(cross_product(0.1, 0.1, 0.3, 0.3) == 0);
 
   Random random(1);
@@ -90,19 +89,19 @@ TEST_CASE("sums and products have the precision of a double, no more") {
   CHECK(sum(product(1 + 4 * half_ulp, 1 + 4 * half_ulp), -1) == 8 * half_ulp);
 }
 
-TEST_CASE("two_product and two_sum leave exactly what rounding took away") {
+TEST_CASE("two_product and two_sum give exactly the rounding error") {
   Random random(2);
   int inexact = 0;
   for (int n = 0; n < 100000; ++n) {
     const double a = random_double(random), b = random_double(random);
     const auto p = two_product(a, b);
     REQUIRE(same_bits(p.value, product(a, b)));
-    // A fused operation gives the error of a product exactly: here it is the oracle.
+    // A fused operation gives the error of a product exactly; here it is the oracle.
     REQUIRE(p.error == std::fma(a, b, -p.value));
     inexact += p.error != 0;
     const auto s = two_sum(a, b);
     REQUIRE(same_bits(s.value, sum(a, b)));
-    // The larger of the two first: then what is left is a difference without rounding.
+    // The larger of the two first: then the rest is a difference without rounding.
     const double large = std::fabs(a) >= std::fabs(b) ? a : b, small = large == a ? b : a;
     REQUIRE(s.error == sum(small, -sum(s.value, -large)));
   }

@@ -109,8 +109,9 @@ TEST_CASE("sums and products of expansions are exact and keep X1 and X2") {
   CHECK(zeros > 30'000);
 }
 
-// With NaN or infinities every error term is one, and a sum wrote one term behind its array.
-TEST_CASE("what is no number cannot make an expansion longer than its type says") {
+// With NaN or infinities every error term is one of them; a sum once wrote one term behind its
+// array.
+TEST_CASE("NaN and infinities make no expansion longer than its type says") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const double values[] = {nan, infinity, -infinity, 1e308, 1, 0};

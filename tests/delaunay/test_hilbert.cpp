@@ -11,7 +11,7 @@
 
 using namespace deliso;
 
-TEST_CASE("Hilbert's curve visits every cell once, and goes from face to face") {
+TEST_CASE("Hilbert's curve visits every cell once, and each sharing a face with the last") {
   for (int bits = 1; bits <= 5; ++bits) {
     CAPTURE(bits);
     const std::uint32_t side = 1u << bits;
@@ -32,8 +32,7 @@ TEST_CASE("Hilbert's curve visits every cell once, and goes from face to face") 
   }
 }
 
-TEST_CASE(
-    "biased_hilbert_order is a permutation, also of nothing, one point, and one point often") {
+TEST_CASE("biased_hilbert_order is a permutation, also of no point, one point and equal points") {
   for (std::size_t n : {0, 1, 2, 1000}) {
     for (bool same : {false, true}) {
       std::vector<Vec3> points;
@@ -47,7 +46,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("successive points of the order are near each other") {
+TEST_CASE("successive points of the order are close together") {
   // In a random order of n points in the unit cube the mean step is 0.66.
   const auto points = oracle::make_point_set(oracle::PointSet::kRandom, 100'000, 3);
   const auto order = biased_hilbert_order(points);

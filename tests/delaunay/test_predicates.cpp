@@ -52,7 +52,7 @@ Vec3 scaled(const Vec3& p, int exponent) {
 
 using Points = std::array<Vec3, 5>;
 
-// Families of inputs: random ones, and ones where the determinant is zero or all but zero.
+// Families of inputs: random ones, and ones with a determinant that is zero or nearly zero.
 Points random_points(Random& random, int trial) {
   Points p;
   const int kind = trial % 3, exponent = within(random, 99);
@@ -128,7 +128,7 @@ Points near_cospherical_points(Random& random, int trial) {
 
 using Family = Points (*)(Random&, int);
 
-// How often each sign came up, so that no family can be degenerate in the wrong way.
+// Counts each sign, so that no family is degenerate in the wrong way.
 using SignCounts = std::array<int, 3>;
 
 SignCounts orient3d_signs(Family family) {
@@ -170,7 +170,7 @@ SignCounts insphere_signs(Family family) {
 
 }  // namespace
 
-TEST_CASE("the sign convention") {
+TEST_CASE("a positive cell and a point inside its sphere have sign 1") {
   const Vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   CHECK(orient3d(o, x, y, z) == 1);
   CHECK(orient3d(x, o, y, z) == -1);
@@ -182,29 +182,29 @@ TEST_CASE("the sign convention") {
   CHECK(insphere(x, o, y, z, Vec3{0.5, 0.5, 0.5}) == -1);
 }
 
-TEST_CASE("orient3d on random points") {
+TEST_CASE("orient3d has the exact sign on random points") {
   const SignCounts counts = orient3d_signs(random_points);
   CHECK(counts[0] > kCases / 3);
   CHECK(counts[2] > kCases / 3);
 }
 
-TEST_CASE("orient3d on points all but coplanar") {
+TEST_CASE("orient3d has the exact sign on nearly coplanar points") {
   const SignCounts counts = orient3d_signs(near_coplanar_points);
   for (int n : counts) CHECK(n > kCases / 8);
 }
 
-TEST_CASE("insphere on random points") {
+TEST_CASE("insphere has the exact sign on random points") {
   const SignCounts counts = insphere_signs(random_points);
   CHECK(counts[0] > kCases / 5);
   CHECK(counts[2] > kCases / 5);
 }
 
-TEST_CASE("insphere on points all but cospherical") {
+TEST_CASE("insphere has the exact sign on nearly cospherical points") {
   const SignCounts counts = insphere_signs(near_cospherical_points);
   for (int n : counts) CHECK(n > kCases / 8);
 }
 
-TEST_CASE("the ends of the guaranteed range") {
+TEST_CASE("signs are exact at both ends of the guaranteed range") {
   for (int trial = 0; trial < 20'000; ++trial) {
     CAPTURE(trial);
     Random random(trial);
@@ -227,7 +227,7 @@ TEST_CASE("the ends of the guaranteed range") {
   }
 }
 
-TEST_CASE("orient3d: a walk over the nextafter grid round a coplanar point, all even orders") {
+TEST_CASE("orient3d: a walk over the nextafter grid around a coplanar point, all even orders") {
   // After the best test of Shewchuk's ports: 64 x 64 neighboring doubles, every order of points.
   const Vec3 a{12, 12, 12}, b{24, 24, 24.5}, c{0.5, 0.5, 1}, base{0.5, 0.5, 0.75};
   int zeros = 0;
@@ -248,7 +248,7 @@ TEST_CASE("orient3d: a walk over the nextafter grid round a coplanar point, all 
   CHECK(zeros == 64);
 }
 
-TEST_CASE("collinear and orient3d_value") {
+TEST_CASE("collinear is exact, and orient3d_value accurate for flat cells") {
   for (int trial = 0; trial < 100'000; ++trial) {
     CAPTURE(trial);
     Random random(trial);

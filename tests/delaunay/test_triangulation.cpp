@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangulation against brute force, on point sets of every unpleasant kind.
+// The triangulation against brute force, on many kinds of degenerate point sets.
 #include "delaunay/triangulation.h"
 
 #include <doctest/doctest.h>
@@ -53,7 +53,7 @@ void check_all(const Triangulation& t) {
 
 }  // namespace
 
-// An apex put behind a facet seen from outside makes a positive cell: (i, facet i) is an even
+// An apex behind a facet seen from outside makes a positive cell: (i, facet i) is an even
 // permutation of 0 1 2 3.
 TEST_CASE("the facets of a cell point outwards") {
   for (int i = 0; i < 4; ++i) {
@@ -67,7 +67,7 @@ TEST_CASE("the facets of a cell point outwards") {
   }
 }
 
-TEST_CASE("build: brute force finds nothing on 300 point sets") {
+TEST_CASE("build: brute force finds no broken invariant on 300 point sets") {
   for (int trial = 0; trial < 300; ++trial) {
     CAPTURE(trial);
     const auto points =
@@ -108,7 +108,7 @@ TEST_CASE("insert: every invariant after every insertion") {
   }
 }
 
-TEST_CASE("find_conflicts finds what the definition says; insert_in_zone keeps its contract") {
+TEST_CASE("find_conflicts finds the cells of the definition; insert_in_zone keeps its contract") {
   for (int trial = 0; trial < 12 * kKinds; ++trial) {
     CAPTURE(trial);
     const auto points = make_point_set(static_cast<PointSet>(trial % kKinds), 30, 2000 + trial);
@@ -222,7 +222,7 @@ TEST_CASE("point sets without volume are refused") {
   check_all(t);
 }
 
-TEST_CASE("four points, and duplicates alone beside them") {
+TEST_CASE("four points and duplicates of them make one cell") {
   const Vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const std::vector<Vec3> points{o, o, x, y, x, z, z, o};
   Triangulation t;
@@ -237,7 +237,7 @@ TEST_CASE("four points, and duplicates alone beside them") {
   CHECK(ids[5] == ids[6]);
 }
 
-TEST_CASE("build does the same every time") {
+TEST_CASE("build gives the same triangulation every time") {
   for (int kind = 0; kind < kKinds; ++kind) {
     CAPTURE(kind);
     const auto points = make_point_set(static_cast<PointSet>(kind), 300, 17);
@@ -256,7 +256,7 @@ TEST_CASE("build does the same every time") {
   }
 }
 
-TEST_CASE("points in general position have one Delaunay triangulation, whatever the order") {
+TEST_CASE("points in general position give the same triangulation in any order") {
   for (int trial = 0; trial < 20; ++trial) {
     CAPTURE(trial);
     auto points = make_point_set(PointSet::kRandom, 200, 4000 + trial);

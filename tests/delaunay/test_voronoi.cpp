@@ -84,7 +84,7 @@ long double distance(const LongVec3& a, const LongVec3& b) {
   return norm({a.x - b.x, a.y - b.y, a.z - b.z});
 }
 
-// Four points of a cell that is decent, flat, thin or cocircular, down to the last bit.
+// The four points of a cell that is well shaped, flat, thin or cocircular, down to the last bit.
 std::array<Vec3, 4> some_cell(Random& random, int trial) {
   const auto in_cube = [&] {
     return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -150,7 +150,7 @@ TEST_CASE("facet lines, their ends and circumspheres agree with exact solutions"
   CHECK(flat > 1000);
 }
 
-TEST_CASE("facet_dual: both ends, hull, sides and stability") {
+TEST_CASE("facet_dual is the same from both cells, with ends at circumcenters or infinity") {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (int trial = 0; trial < 10 * static_cast<int>(oracle::PointSet::kCount); ++trial) {
     CAPTURE(trial);
