@@ -90,7 +90,7 @@ std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triang
     star.clear();
     for (const std::uint32_t f : at) star.push_back(triangles[f]);
     const VertexLink link = link_of(v, star);
-    // No edge is of more than two facets, or I4 would not hold.
+    // By I4 no edge has more than two facets.
     const bool covered = link.fans == 1 && link.closed() && link.vertices < 3;
     if (link.fans <= 1 && !covered) continue;
     std::string opening = text("I5: at ", describe_vertex(mesh, v), " the facets");
@@ -143,7 +143,7 @@ std::vector<std::uint32_t> vertex_components(std::size_t vertices,
       connected.unite(t[0], v);
     }
   }
-  // Number the components by their smallest vertex, which is also their representative.
+  // Number the components by their smallest vertex, which also represents them.
   std::vector<std::uint32_t> component(vertices, kNoId);
   std::uint32_t count = 0;
   for (VertexId v = 0; v < vertices; ++v) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Says what a triangle mesh is and what is wrong with it. Slow (it sorts all edges and all corners)
-// and independent of the fast path: it trusts no stored neighbor, and shares no code with
+// Counts the topology of a triangle mesh and finds its faults. Slow (it sorts all edges and all
+// corners) and independent of the fast path: it trusts no stored neighbor, and shares no code with
 // link_faces.
 #pragma once
 
@@ -17,14 +17,15 @@
 
 namespace deliso {
 
-// A broken rule of tri_mesh.h as one line that opens with its number and names the ids and
-// coordinates; empty when all of them hold. I1 comes first, then I2 to I4 edge by edge, I5, I6;
-// each is only looked at while the ones before hold.
+// Returns the first broken invariant of tri_mesh.h as one line with its number, the ids and
+// coordinates; empty if all hold. I1 is tested first, then I2 to I4 edge by edge, I5, I6; each only
+// if those before hold.
 std::string check_mesh(const TriMesh& mesh);
 
-// Paper §5: a surface may end only where the volume ends. Names the first facet without a neighbor
-// across an edge whose ends do not lie on one common face of `box`, by exact equality of a
-// coordinate; empty when there is none. pre: I1, linked. `box` is in the frame of the points.
+// Returns the first facet without a neighbor across an edge whose ends do not lie on one common
+// face of `box`; empty if there is none. A surface may end only where the volume ends (paper §5).
+// Coordinates are compared for exact equality; `box` is in the frame of the points. pre: I1,
+// linked.
 std::string check_boundary_on_box(const TriMesh& mesh, const Box3& box);
 
 struct ComponentTopology {
@@ -38,9 +39,9 @@ struct ComponentTopology {
   bool closed() const { return boundary_edges == 0; }
 };
 
-// Counted on the corners alone. A component is a set of facets connected through shared vertices.
-// An edge is a boundary edge when one facet holds it; boundary loops are the connected pieces of
-// the boundary edges, which are loops wherever the mesh is a manifold.
+// The topology of a mesh, counted from the corners alone. A component is a set of facets connected
+// through shared vertices. A boundary edge has one facet. Boundary loops are the connected pieces
+// of the boundary edges; they are loops if the mesh is a manifold.
 struct MeshTopology {
   std::size_t vertices_used = 0;
   std::size_t edges = 0, faces = 0;
@@ -53,14 +54,14 @@ struct MeshTopology {
   TopologyCounts counts() const { return {components.size(), euler(), boundary_loops}; }
 };
 
-// The component of every vertex by its number in MeshTopology::components; kNoId of isolated ones.
-// pre: all corners are below the vertex count.
+// Returns the component of every vertex by its number in MeshTopology::components; kNoId for
+// isolated vertices. pre: all corners are below the vertex count.
 std::vector<std::uint32_t> vertex_components(std::size_t vertices,
                                              std::span<const Triangle> triangles);
 std::vector<std::uint32_t> vertex_components(const TriMesh& mesh);
 
-// pre: all corners are below the vertex count; `uses` are edge_uses() of these triangles, and
-// `component` is vertex_components().
+// Counts the topology. pre: all corners are below the vertex count; `uses` are edge_uses() of these
+// triangles, and `component` is vertex_components().
 MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            std::span<const EdgeUse> uses, std::span<const std::uint32_t> component);
 MeshTopology mesh_topology(const TriMesh& mesh);

@@ -24,7 +24,7 @@ bool Disk::link() {
   edge_.assign(vertices * vertices, kNone);
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
     std::uint32_t& same = edge_[ends_[e].from * vertices + ends_[e].to];
-    if (same != kNone) return false;  // two facets run along it alike
+    if (same != kNone) return false;  // two facets run along it in one direction
     same = e;
   }
   leaves_.assign(vertices, kNone);
@@ -40,14 +40,14 @@ bool Disk::link() {
     boundary.push_back({corners_[from], corners_[to], e / 3, static_cast<int>(e % 3)});
   }
   if (boundary.size() < 3 || 2 * vertices != n + boundary.size() + 2) return false;
-  // One cycle.
+  // The boundary is one cycle.
   std::size_t length = 0;
   const std::uint32_t first = 3 * boundary[0].facet + static_cast<std::uint32_t>(boundary[0].side);
   for (std::uint32_t e = first; e != kNone && (e != first || length == 0); ++length) {
     e = leaves_[ends_[e].to];
   }
   if (length != boundary.size()) return false;
-  // One piece: a closed piece beside the disk could make up for a handle.
+  // The facets are one piece: a closed piece besides the disk could make up for a handle.
   reached_.assign(1, 0);
   is_reached_.assign(n, 0);
   is_reached_[0] = 1;

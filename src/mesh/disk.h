@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A disk of facets: what Stage 2 replaces, and by what.
+// A disk of facets: Stage 2 replaces one disk by another.
 #pragma once
 
 #include <array>
@@ -12,35 +12,35 @@
 
 namespace deliso {
 
-// A disk of facets, each by its corners, and how they hang together. Linking them takes a step for
-// every two corners.
+// A disk of facets, each by its corners, with their adjacency. Linking takes a step for every two
+// corners.
 struct Disk {
   static constexpr std::uint32_t kNone = 0xffffffff;
   struct BoundaryEdge {
-    VertexId from, to;    // as the facet runs
+    VertexId from, to;    // in the direction of the facet
     std::uint32_t facet;  // its number in the disk
     int side;             // of that facet
   };
   std::vector<Triangle> facets;
-  std::vector<std::array<std::uint32_t, 3>> across;  // facet across side i; kNone
+  std::vector<std::array<std::uint32_t, 3>> across;  // facet across side i, or kNone
   std::vector<BoundaryEdge> boundary;
 
-  // Links `facets`. True if they are a disk: connected, with one simple boundary and
-  // V - E + F = 1, which only a disk has.
+  // Links `facets`. Returns true if they are a disk: connected, with one simple boundary and V - E
+  // + F = 1, which only a disk has.
   bool link();
-  // Of the facets linked last.
+  // Returns the vertices of the facets linked last.
   std::span<const VertexId> vertices() const { return corners_; }
-  // Vertices that are not on the boundary. pre: a disk.
+  // Returns how many vertices are not on the boundary. pre: a disk.
   std::size_t inner_vertices() const { return corners_.size() - boundary.size(); }
 
  private:
   std::vector<VertexId> corners_;
-  // By places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
+  // Places in corners_. An edge is a side of a facet, numbered 3 * facet + side.
   struct Ends {
     std::size_t from, to;
   };
   std::vector<Ends> ends_;             // per edge
-  std::vector<std::uint32_t> edge_;    // per two corners: the edge that runs from one to the other
+  std::vector<std::uint32_t> edge_;    // per two corners: the edge from one to the other
   std::vector<std::uint32_t> leaves_;  // per corner: the boundary edge that leaves it
   std::vector<std::uint32_t> reached_;
   std::vector<std::uint8_t> is_reached_;

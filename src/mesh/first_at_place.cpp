@@ -13,7 +13,7 @@ std::vector<VertexId> first_at_place(std::span<const Vec3> points) {
     std::array<std::uint64_t, 3> bits;
     VertexId point;
   };
-  // Equal positions stand together, the first point in front.
+  // Equal positions are adjacent, the first point in front.
   std::vector<Place> places(points.size());
   for (VertexId v = 0; v < points.size(); ++v) {
     const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(points[v][axis] + 0.0); };

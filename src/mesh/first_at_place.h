@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which points are at one position.
+// Points at one position.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace deliso {
 
-// Per point the first one at its position. Coordinates are compared by their bits, so that any are
-// in order, but for -0, which is 0. O(n log n).
+// Returns for each point the first one at its position. Coordinates are compared by their bits, so
+// that NaNs have an order too; -0 counts as 0. O(n log n).
 std::vector<VertexId> first_at_place(std::span<const Vec3> points);
 
 }  // namespace deliso

@@ -30,7 +30,7 @@ std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> t
 
 TrianglesAtVertices::TrianglesAtVertices(std::size_t vertices, std::span<const Triangle> triangles)
     : begin_(vertices + 2, 0), triangles_(3 * triangles.size()) {
-  // begin_[v + 1] runs from the first triangle of v to the first of the next.
+  // begin_[v + 1] advances from the first triangle of v to the first of the next.
   for (const Triangle& t : triangles) {
     for (const VertexId v : t) ++begin_[v + 2];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which triangles are at an edge, and which at a vertex, from the corners alone: for checks, which
-// trust no stored neighbor and share no code with link_faces. Counting sorts: linear but for
-// vertices of huge degree, where it is n log n.
+// The triangles at an edge and at a vertex, from the corners alone: for checks, which trust no
+// stored neighbor and share no code with link_faces. Counting sorts, linear except for vertices of
+// huge degree, which cost n log n.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ struct EdgeUse {
   bool forward;
 };
 
-// All sides of all triangles: edges in the order of (lo, hi), the uses of an edge next to each
-// other in the order of the triangles. pre: corners are below `vertices`.
+// Returns all sides of all triangles. Edges are in the order of (lo, hi); the uses of an edge are
+// adjacent, in the order of the triangles. pre: corners are below `vertices`.
 std::vector<EdgeUse> edge_uses(std::size_t vertices, std::span<const Triangle> triangles);
 
 // Calls visit(span of uses) once per edge until it returns false.
@@ -35,7 +35,7 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
   }
 }
 
-// The triangles at every vertex, ascending, those twice that name it twice.
+// The triangles at every vertex, ascending; a triangle that names it twice is there twice.
 class TrianglesAtVertices {
  public:
   // pre: corners are below `vertices`.
@@ -49,8 +49,8 @@ class TrianglesAtVertices {
   std::vector<std::uint32_t> triangles_;
 };
 
-// Triangles by their corners in ascending order: those on the same three next to each other, in the
-// order of their numbers.
+// Triangles sorted by their ascending corners. Those on the same three are adjacent, in the order
+// of their numbers.
 class TrianglesByCorners {
  public:
   struct Entry {
@@ -60,11 +60,11 @@ class TrianglesByCorners {
   // pre: corners are below `vertices`.
   TrianglesByCorners(std::size_t vertices, std::span<const Triangle> triangles);
   std::span<const Entry> all() const { return entries_; }
-  // Number of the first triangle on these corners, ascending; kNoId where there is none.
+  // Returns the number of the first triangle on these ascending corners; kNoId if there is none.
   std::uint32_t find(const Triangle& corners) const;
 
  private:
-  std::vector<std::size_t> begin_;  // of those with this smallest corner
+  std::vector<std::size_t> begin_;  // of the entries with this smallest corner
   std::vector<Entry> entries_;
 };
 

@@ -20,7 +20,7 @@ struct Shape {
 Shape shape_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double twice_area = length(area_normal(a, b, c));
   Shape s{{distance(b, c), distance(c, a), distance(a, b)}, {}, 0.5 * twice_area, 0, 0};
-  // tan = |u x v| / (u . v) is accurate for every angle, where the cosine alone is not near 0.
+  // tan = |u x v| / (u . v) is accurate for every angle; the cosine alone only where it is near 0.
   const auto degrees = [twice_area](const Vec3& u, const Vec3& v) {
     return std::atan2(twice_area, dot(u, v)) * (180 / std::numbers::pi);
   };
@@ -78,7 +78,7 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
     for (int i = 0; i < 3; ++i) {
       q.min_edge = std::min(q.min_edge, s.edge[i]);
       q.max_edge = std::max(q.max_edge, s.edge[i]);
-      if (face.n[i] < f) continue;  // counted there; kNoId is larger than any id
+      if (face.n[i] < f) continue;  // counted at the neighbor; kNoId is larger than any id
       edge_sum += s.edge[i];
       ++edges;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a mesh's triangles, in one summary. r is a triangle's circumradius, l its shortest
-// edge (paper §3.1): r/l <= lambda bounds the smallest angle from below by asin(1 / (2 lambda)).
+// The shapes of a mesh's triangles in one summary. Here r is a triangle's circumradius, l its
+// shortest edge (paper §3.1). If r/l <= lambda, no angle is below asin(1 / (2 lambda)).
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ struct MeshQuality {
   static constexpr std::size_t kAngleBins = 12;
 
   std::size_t faces = 0;
-  std::size_t degenerate_faces = 0;  // of no area: r/l and r are infinite
+  std::size_t degenerate_faces = 0;  // without area: r/l and r are infinite
 
-  // Degrees. The facets are the first that have the value; kNoId in an empty mesh.
+  // In degrees, and the first facets that have these values; kNoId in an empty mesh.
   double min_angle = 0, max_angle = 0;
   FaceId min_angle_face = kNoId, max_angle_face = kNoId;
   // Facets by their smallest angle, in steps of 5 degrees: [0, 5), ... [55, 60].
@@ -25,7 +25,7 @@ struct MeshQuality {
 
   double max_r_over_l = 0;
   FaceId max_r_over_l_face = kNoId;
-  // r/l at the quantiles kQuantiles: the smallest value that so large a share does not exceed.
+  // r/l at the quantiles kQuantiles: the smallest value not exceeded by that share of the facets.
   std::array<double, kQuantiles.size()> r_over_l_quantiles{};
   double max_r_over_l_above_r_min = 0;  // of facets with r > r_min
   std::size_t over_lambda = 0;          // r/l > lambda, at any size
@@ -33,15 +33,15 @@ struct MeshQuality {
 
   double max_radius = 0;
   double min_area = 0, area = 0;
-  double min_edge = 0, mean_edge = 0, max_edge = 0;  // each edge once, as far as facets are linked
+  double min_edge = 0, mean_edge = 0, max_edge = 0;  // each edge of linked facets once
 };
 
-// Lengths are in the unit of the points, and so is r_min. All zeros for a mesh without facets.
-// pre: I1.
+// Returns the quality; all zeros for a mesh without facets. Lengths, r_min too, are in the unit of
+// the points. pre: I1.
 MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min);
 
-// The volume that the facets enclose, positive where they are counter-clockwise seen from outside.
-// Means something for closed meshes only. pre: linked.
+// Returns the volume that the facets enclose, positive if they are counter-clockwise seen from
+// outside. Defined for closed meshes only. pre: linked.
 double enclosed_volume(const TriMesh& mesh);
 
 }  // namespace deliso

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A vertex that two or more parts of a mesh have in common, when a volume is meshed block by block
-// (blocks/seam.h), and how it is known in all of them: by the edge of the volume's grid on which
-// it lies.
+// A vertex that the meshes of two or more blocks share (blocks/seam.h). All of them identify it by
+// the edge of the volume's grid on which it lies.
 #pragma once
 
 #include <array>
@@ -12,7 +11,7 @@
 
 namespace deliso {
 
-// From sample `low` of the whole volume along `axis`. An edge has one vertex at most.
+// The edge from sample `low` of the whole volume along `axis`. An edge has one vertex at most.
 struct GridEdge {
   std::int32_t axis = 0;
   std::array<std::int32_t, 3> low{};
@@ -27,7 +26,7 @@ struct SeamVertex {
   GridEdge at;
 };
 
-// What PLY files call these, in this order, in an element `seam`.
+// The names of these in PLY files, in this order, in an element `seam`.
 inline constexpr std::array<const char*, 5> kSeamProperties{"vertex", "axis", "i", "j", "k"};
 
 }  // namespace deliso

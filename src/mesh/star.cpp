@@ -19,7 +19,7 @@ struct LinkEdge {
   VertexId a, b;
 };
 
-// The side of t opposite q; a == b == q when t is degenerate in a way that leaves no such side.
+// Returns the side of t opposite q; a == b == q if t is degenerate and has none.
 LinkEdge link_edge(VertexId q, const Triangle& t) {
   const int i = t[0] == q ? 0 : t[1] == q ? 1 : 2;
   DELISO_ASSERT(t[i] == q);
@@ -32,8 +32,7 @@ bool is_degenerate(VertexId q, const LinkEdge& e) {
 
 enum class Step { moved, stuck, branched };
 
-// Moves `end` along the only edge of `rest` that holds it and takes that edge out of `rest`: it
-// stands behind, then.
+// Moves `end` along the only edge of `rest` that holds it, and removes that edge from `rest`.
 Step advance(VertexId& end, std::span<LinkEdge>& rest) {
   std::size_t found = rest.size();
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -48,8 +47,8 @@ Step advance(VertexId& end, std::span<LinkEdge>& rest) {
   return Step::moved;
 }
 
-// Walks from the first edge both ways. An edge once walked is gone, and a vertex is left only when
-// it has no other edge, so the walk is simple; what remains lies apart from it.
+// Walks from the first edge in both directions. A walked edge is removed, and a vertex is left only
+// if it has no other edge. So the walk is simple, and the remaining edges are apart from it.
 Star walk_small_link(std::span<LinkEdge> edges) {
   const std::size_t count = edges.size();
   VertexId head = edges[0].a, tail = edges[0].b;
@@ -79,8 +78,8 @@ Star classify_star(VertexId q, std::span<const Triangle> triangles) {
   for (const Triangle& t : triangles) {
     if (is_degenerate(q, link_edge(q, t))) return Star::singular;
   }
-  // Connected with as many vertices as edges, and none loose, it is a cycle; a tree with two loose
-  // ends is a path.
+  // Connected, with as many vertices as edges and no loose end, the link is a cycle. A tree with
+  // two loose ends is a path.
   const VertexLink link = link_of(q, triangles);
   if (link.fans != 1) return Star::singular;
   if (link.vertices == count && link.loose_ends == 0 && count > 2) return Star::disk;

@@ -18,7 +18,7 @@ Side side_of(const Face& face, std::uint32_t i) {
   return {face.v[(i + 1) % 3], face.v[(i + 2) % 3]};
 }
 
-// The half-edges of one undirected edge, given as the keys of link_faces.
+// Links the half-edges of one undirected edge, given as the keys of link_faces.
 void link_edge(TriMesh& mesh, std::span<const std::uint64_t> edge, LinkResult& result) {
   const auto half_edge = [](std::uint64_t key) { return static_cast<std::uint32_t>(key); };
   if (edge.size() == 1) {
@@ -54,7 +54,7 @@ Quad quad_at(const TriMesh& mesh, FaceId f, int i) {
 VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p) {
   const auto m = VertexId(mesh.points.size());
   mesh.points.push_back(p);
-  // Facet g, where there is one, has `now` for a neighbor where it had `was`.
+  // In facet g, if there is one, replaces the neighbor `was` by `now`.
   const auto replace_neighbor = [&](FaceId g, FaceId was, FaceId now) {
     if (g != kNoId) mesh.faces[g].n[neighbor_index(mesh.faces[g], was)] = now;
   };
@@ -81,8 +81,8 @@ void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId
   for (std::size_t n = 0; n < star.size(); ++n) {
     const Face& face = mesh.faces[star[n]];
     const int i = corner_index(face, v);
-    // A neighbor that is there already is the facet it was come from, or the end of the other way
-    // round: one of the last few.
+    // A neighbor found before is the facet that the walk came from, or the end of the walk in the
+    // other direction: one of the last few.
     const auto recent = static_cast<std::ptrdiff_t>(n - std::min<std::size_t>(n, 2));
     for (const FaceId g : {face.n[(i + 1) % 3], face.n[(i + 2) % 3]}) {
       if (g != kNoId && std::find(star.begin() + recent, star.end(), g) == star.end()) {
@@ -106,8 +106,8 @@ LinkResult link_faces(TriMesh& mesh) {
   }
   for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
 
-  // A key holds the larger end above the half-edge, so that sorting a bucket brings the half-edges
-  // of an edge together, in the order of their ids.
+  // A key holds the larger end above the half-edge. So a sorted bucket has the half-edges of an
+  // edge together, in the order of their ids.
   std::vector<std::uint64_t> keys(begin.back());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A plain triangle mesh: vertices, facets, and for each facet its three neighbors. It knows
-// neither tetrahedra nor voxels.
+// A plain triangle mesh: vertices, facets, and for each facet its three neighbors. It knows neither
+// tetrahedra nor voxels.
 //
 // Invariants (check_mesh tests them by these numbers):
-//   I1  every facet has three different vertices, all below vertex count;
-//   I2  n[i] is the other facet at the edge opposite v[i], kNoId where there is none;
-//   I3  orientation is consistent: f and g run along their common edge in opposite directions;
-//   I4  an edge belongs to at most two facets;
-//   I5  the facets at a vertex form one disk or one half disk (vertex-manifold);
-//   I6  all points are finite.
+//   I1  Every facet has three different vertices, all below the vertex count.
+//   I2  n[i] is the other facet at the edge opposite v[i], kNoId if there is none.
+//   I3  Orientation is consistent: f and g run along their common edge in opposite directions.
+//   I4  An edge belongs to at most two facets.
+//   I5  The facets at a vertex form one disk or one half disk (vertex-manifold).
+//   I6  All points are finite.
 // Facets are counter-clockwise seen from the side where f < kappa.
 #pragma once
 
@@ -28,14 +28,15 @@ struct Face {
   std::array<FaceId, 3> n;    // n[i] shares the edge opposite v[i]; kNoId on the boundary
 };
 
-// Facets that Stage 2 takes out stay in place, dead, until remove_dead() (surface/surface_mesh.h).
+// True if Stage 2 removed the facet. It stays in place until remove_dead()
+// (surface/surface_mesh.h).
 inline bool is_dead(const Face& face) {
   return face.v[0] == kNoId;
 }
 
 using Triangle = std::array<VertexId, 3>;
 
-// That of the vertices with these numbers.
+// Returns the triangle of the vertices with these numbers.
 constexpr Triangle triangle_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return {VertexId(a), VertexId(b), VertexId(c)};
 }
@@ -46,12 +47,13 @@ struct TriMesh {
   Frame frame;  // from the points to the world
 };
 
-// Index of the corner of f opposite its neighbor g, i.e. f.n[i] == g. pre: they are neighbors.
+// Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are
+// neighbors.
 inline int neighbor_index(const Face& f, FaceId g) {
   return f.n[0] == g ? 0 : f.n[1] == g ? 1 : 2;
 }
 
-// Index of the corner v of f. pre: it is one.
+// Returns the index of the corner v of f. pre: v is a corner of f.
 inline int corner_index(const Face& f, VertexId v) {
   return f.v[0] == v ? 0 : f.v[1] == v ? 1 : 2;
 }
@@ -60,36 +62,36 @@ inline bool has_corner(const Triangle& t, VertexId v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
-// The two facets at the edge of f opposite its corner i: a = that corner, edge from b to c as f
-// runs along it, d = the corner of the facet beyond.
+// The two facets at the edge of f opposite its corner i. Corner a is that one, the edge runs from b
+// to c in f, and d is the corner of the facet across it.
 struct Quad {
   FaceId f, g;
   VertexId a, b, c, d;
 };
 
-// pre: f has a neighbor there.
+// Returns the quad at the edge of f opposite its corner i. pre: f has a neighbor there.
 Quad quad_at(const TriMesh& mesh, FaceId f, int i);
 
 // Splits the edge of f opposite its corner i at p; its one or two facets become two or four. Facet
-// f keeps that corner and the edge's first end, as f runs along it. Returns the new vertex. Keeps
+// f keeps that corner and the edge's first end in the direction of f. Returns the new vertex. Keeps
 // I1 to I5.
 VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p);
 
-// The facets at the corner v of facet f, walking from there over neighbors; f comes first.
+// Sets `star` to the facets at the corner v of facet f, f first, then by a walk over neighbors.
 // pre: neighbors are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);
 
-// Fills the neighbors from the corners, in O(V + F) but for vertices of huge degree. An edge of
-// more than two facets, or of two that run along it in the same direction, is left without
-// neighbors on all of them and counted. Dead facets have none. pre: all corners of the others are
-// below the vertex count.
+// Sets the neighbors from the corners, in O(V + F) except for vertices of huge degree. An edge of
+// more than two facets, or of two that run along it in the same direction, is counted as
+// non-manifold. All its facets stay without neighbors there. Dead facets have none. pre: all
+// corners of live facets are below the vertex count.
 struct LinkResult {
   std::size_t non_manifold_edges = 0;
   std::size_t boundary_edges = 0;
 };
 LinkResult link_faces(TriMesh& mesh);
 
-// A mesh of `triangles` over `points`, linked. Vertices that no triangle uses are kept.
+// Returns a linked mesh of `triangles` over `points`. Unused vertices are kept.
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles);
 
 }  // namespace deliso

@@ -134,8 +134,8 @@ class RandomMesh {
   RandomMesh(const Triangles& triangles, std::uint64_t seed)
       : mesh_(mesh_of(triangles)), random_(seed) {}
 
-  // One random move: a facet split in three, an edge with its two facets split in four, or an edge
-  // flipped (unless the new edge is there already). Boundary edges are left alone.
+  // Makes one random move: a facet split in three, an edge with its two facets split in four, or an
+  // edge flipped (unless the new edge exists). Boundary edges are left alone.
   void change() {
     Triangles t = triangles();
     const FaceId f(random_.below(static_cast<std::uint32_t>(t.size())));
@@ -195,7 +195,7 @@ class RandomMesh {
   Random random_;
 };
 
-// Puts three facets around a new vertex at p in place of facet f.
+// Replaces facet f by three facets around a new vertex at p.
 inline void split_facet(TriMesh& mesh, FaceId f, const Vec3& p) {
   Triangles triangles;
   for (const Face& face : mesh.faces) triangles.push_back(face.v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The checker finds nothing in sound meshes and, after one fault is put in, that fault by its
-// number.
+// The checker finds no fault in sound meshes, and after one fault is made, it finds that fault by
+// its number.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -27,7 +27,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("sound meshes, with their topology") {
+TEST_CASE("sound meshes have no fault and their known topology") {
   struct Case {
     const char* name;
     Triangles triangles;
@@ -66,7 +66,7 @@ TEST_CASE("sound meshes, with their topology") {
   }
 }
 
-TEST_CASE("each named fault by its number, its ids and its coordinates") {
+TEST_CASE("each fault is reported with its number, its ids and its coordinates") {
   struct Case {
     const char* name;
     Triangles triangles;
@@ -94,7 +94,7 @@ TEST_CASE("each named fault by its number, its ids and its coordinates") {
   }
 }
 
-TEST_CASE("one fault put into random sound meshes") {
+TEST_CASE("one fault made in a random sound mesh is found by its number") {
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     CAPTURE(seed);
     RandomMesh source(seed % 2 ? octahedron() : torus_grid(4, 4), seed);
@@ -158,7 +158,7 @@ TEST_CASE("one fault put into random sound meshes") {
     CHECK(rule(mesh_of(triangles)) == "I5");
     CHECK(contains(check_mesh(mesh_of(triangles)), "vertex " + std::to_string(q) + " "));
 
-    // A facet taken out leaves a sound mesh with one hole and one facet less.
+    // A removed facet leaves a sound mesh with one hole and one facet less.
     triangles = source.triangles();
     triangles.erase(triangles.begin() + f);
     mesh = make_tri_mesh(sound.points, triangles);
@@ -172,7 +172,7 @@ TEST_CASE("one fault put into random sound meshes") {
   }
 }
 
-TEST_CASE("arbitrary soups: sound exactly when edges and stars say so") {
+TEST_CASE("a triangle soup is sound exactly if its edges and stars are") {
   std::size_t sound = 0, faulty = 0;
   for (std::uint64_t seed = 1; seed <= 40000; ++seed) {
     CAPTURE(seed);
@@ -215,7 +215,7 @@ TEST_CASE("arbitrary soups: sound exactly when edges and stars say so") {
   CHECK(faulty > 5000);
 }
 
-TEST_CASE("arbitrary soups: the topology against sets and flood fills") {
+TEST_CASE("the topology of a triangle soup is that counted by sets and flood fills") {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -246,7 +246,7 @@ TEST_CASE("arbitrary soups: the topology against sets and flood fills") {
       rim[*edge.begin()].insert(*edge.rbegin());
       rim[*edge.rbegin()].insert(*edge.begin());
     }
-    // The connected parts of a graph, each as its set of vertices.
+    // The connected pieces of a graph, each as its set of vertices.
     const auto parts = [](const std::map<VertexId, std::set<VertexId>>& graph) {
       std::set<std::set<VertexId>> all;
       for (const auto& [start, unused] : graph) {
@@ -306,7 +306,7 @@ TEST_CASE("components are listed by their smallest vertex, with their boxes") {
   CHECK(topology.components[1].boundary_edges == 3);
 }
 
-TEST_CASE("boundary edges only on the box") {
+TEST_CASE("a boundary edge off the box is reported, and no other") {
   const Box3 box{{0, 0, 0}, {4, 4, 4}};
   const Triangles triangle{{0, 1, 2}};
   // All three edges on the face z = 4.
@@ -319,9 +319,9 @@ TEST_CASE("boundary edges only on the box") {
   mesh = make_tri_mesh({{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}, triangle);
   CHECK(contains(check_boundary_on_box(mesh, box),
                  "facet 0 (0, 1, 2) ends inside the box at the edge from vertex 0 (0, 1, 1)"));
-  // One step of the floating point numbers off the face.
+  // One floating-point step off the face.
   mesh = make_tri_mesh({{0, 0, 4}, {3, 1, std::nextafter(4.0, 0.0)}, {1, 2, 4}}, triangle);
   CHECK(check_boundary_on_box(mesh, box) != "");
-  // Closed meshes have no boundary to be anywhere.
+  // Closed meshes have no boundary.
   CHECK(check_boundary_on_box(mesh_of(octahedron()), box) == "");
 }

@@ -26,7 +26,7 @@ doctest::Approx near(double value) {
 
 }  // namespace
 
-TEST_CASE("special triangles") {
+TEST_CASE("special triangles have the angles and radii of their formulas") {
   const double root3 = std::numbers::sqrt3;
   MeshQuality q = quality_of({0, 0, 0}, {1, 0, 0}, {0.5, root3 / 2, 0});
   CHECK(q.min_angle == near(60));
@@ -47,7 +47,7 @@ TEST_CASE("special triangles") {
   CHECK(q.degenerate_faces == 0);
 }
 
-TEST_CASE("triangles of no area") {
+TEST_CASE("triangles without area are counted, with infinite r/l") {
   for (const Vec3& c : {Vec3{0.25, 0, 0}, Vec3{3, 0, 0}, Vec3{1, 0, 0}}) {
     const MeshQuality q = quality_of({0, 0, 0}, {1, 0, 0}, c);
     CHECK(q.degenerate_faces == 1);
@@ -59,7 +59,7 @@ TEST_CASE("triangles of no area") {
   }
 }
 
-TEST_CASE("nothing") {
+TEST_CASE("an empty mesh has a quality of zeros") {
   const MeshQuality q = measure_quality(mesh_of({}), 2, 0);
   CHECK(q.faces == 0);
   CHECK(q.min_angle == 0);
@@ -67,7 +67,7 @@ TEST_CASE("nothing") {
   CHECK(q.min_angle_face == kNoId);
 }
 
-TEST_CASE("random meshes against the law of cosines, facet by facet") {
+TEST_CASE("random meshes have the quality that the law of cosines gives, facet by facet") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     CAPTURE(seed);
     RandomMesh source(octahedron(), seed);
@@ -123,7 +123,8 @@ TEST_CASE("random meshes against the law of cosines, facet by facet") {
     CHECK(q.mean_edge == expected(edge_sum / (1.5 * static_cast<double>(mesh.faces.size()))));
     for (int i = 0; i < 12; ++i) CHECK(q.angle_histogram[i] == histogram[i]);
     for (std::size_t i = 0; i < q.r_over_l_quantiles.size(); ++i) {
-      // The definition: so large a share of the facets does not exceed it, and no smaller one has.
+      // The definition: this share of the facets does not exceed it, and no smaller value has that
+      // property.
       const double value = q.r_over_l_quantiles[i] * (1 + 1e-9);
       const double share = static_cast<double>(
           std::upper_bound(ratios.begin(), ratios.end(), value) - ratios.begin());
@@ -145,7 +146,7 @@ TEST_CASE("lambda bounds the smallest angle") {
   }
 }
 
-TEST_CASE("the volume within closed meshes, however small and far apart they are") {
+TEST_CASE("enclosed_volume is accurate for closed meshes, however small and far apart") {
   const TriMesh unit = mesh_of(tetrahedron());
   const double size = enclosed_volume(unit);
   REQUIRE(size != 0);

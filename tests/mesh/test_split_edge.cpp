@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splits keep closed and open meshes what they are: neighbors, orientation, Euler number.
+// Splits keep neighbors, orientation and Euler number of closed and open meshes.
 #include "mesh/tri_mesh.h"
 
 #include <doctest/doctest.h>

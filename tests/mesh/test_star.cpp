@@ -84,7 +84,7 @@ Triangles cycle(const std::vector<VertexId>& v) {
 
 }  // namespace
 
-TEST_CASE("every set of link edges over up to seven vertices") {
+TEST_CASE("every set of link edges over up to seven vertices is classified by the definition") {
   for (int n = 2; n <= 7; ++n) {
     const Links links(n);
     std::size_t wrong = 0, counts[4] = {};
@@ -151,11 +151,11 @@ TEST_CASE(
   CHECK(wrong == 0);
 }
 
-TEST_CASE("long links, whole and broken in each way") {
+TEST_CASE("long links, whole and broken in each way, are classified correctly") {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    // Both sides of the 64 triangles up to which nothing is allocated.
+    // Both sides of the limit of 64 triangles, up to which nothing is allocated.
     const std::size_t n = 4 + random.below(140);
     const std::vector<VertexId> v = labels(n + 3, random);
     const std::vector<VertexId> ring(v.begin(), v.end() - 3);
@@ -187,7 +187,7 @@ TEST_CASE("long links, whole and broken in each way") {
     Triangles two = whole;
     for (const Triangle& t : cycle({v[n], v[n + 1], v[n + 2]})) two.push_back(t);
     REQUIRE(classify(two) == Star::singular);
-    // Two of the ring's vertices made one: a figure of eight.
+    // Two of the ring's vertices are merged: a figure of eight.
     Triangles pinched = whole;
     for (Triangle& t : pinched) std::replace(t.begin(), t.end(), ring[n - 1], ring[1]);
     REQUIRE(classify(pinched) == Star::singular);

@@ -63,7 +63,7 @@ void compare(const Triangles& triangles) {
 
 }  // namespace
 
-TEST_CASE("named meshes") {
+TEST_CASE("named meshes are linked as all pairs of sides say") {
   for (const Triangles& triangles : {Triangles{},
                                      tetrahedron(),
                                      octahedron(),
@@ -88,7 +88,7 @@ TEST_CASE("named meshes") {
   }
 }
 
-TEST_CASE("arbitrary soups of triangles") {
+TEST_CASE("triangle soups are linked as all pairs of sides say") {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -101,7 +101,8 @@ TEST_CASE("arbitrary soups of triangles") {
   }
 }
 
-TEST_CASE("spheres, tori and disks under random flips and splits stay what they are") {
+TEST_CASE(
+    "spheres, tori and disks keep their linking and Euler number under random flips and splits") {
   struct Start {
     Triangles triangles;
     std::ptrdiff_t euler;
@@ -129,7 +130,7 @@ TEST_CASE("spheres, tori and disks under random flips and splits stay what they 
   }
 }
 
-TEST_CASE("neighbor_index names the side shared") {
+TEST_CASE("neighbor_index returns the shared side") {
   const TriMesh mesh = mesh_of(torus_grid(4, 4));
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     for (int i = 0; i < 3; ++i) CHECK(neighbor_index(mesh.faces[f], mesh.faces[f].n[i]) == i);
