@@ -50,7 +50,7 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
     if (from[axis] == box.lo[axis]) inwards[axis] = 1;
     if (from[axis] == box.hi[axis]) inwards[axis] = -1;
   }
-  double off = kHair * r.parameters.voxel;
+  double off = kPerturbationVoxels * r.parameters.voxel;
   for (int step = 0; step < kSteps; ++step, off *= kNearer) {
     change.place = from + off * inwards;
     if (r.replace(change, [] { return true; })) continue;

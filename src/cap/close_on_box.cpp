@@ -118,7 +118,7 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
   report[Counter::cap_not_lifted] += leave_box(s, surface, curves, kAllFaces, parameters, report);
-  CrossingParter parter(s, curves, volume.box(), kHair * parameters.voxel, report);
+  CrossingParter parter(s, curves, volume.box(), kPerturbationVoxels * parameters.voxel, report);
   std::optional<BoxCaps> caps;
   for (int round = 0; round < kRounds; ++round) {
     caps.emplace(mesh, volume.box(), inside);

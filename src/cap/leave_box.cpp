@@ -30,7 +30,7 @@ std::vector<double> distances_off(const Volume& volume, double voxel) {
     largest = std::max({largest, volume.box().hi[axis], std::fabs(volume.frame().origin[axis])});
   }
   const double least = kOff * largest;
-  for (double d = kHair * voxel; off.empty() || d > least; d *= kNearer) {
+  for (double d = kPerturbationVoxels * voxel; off.empty() || d > least; d *= kNearer) {
     off.push_back(std::max(d, 2 * least));
   }
   return off;

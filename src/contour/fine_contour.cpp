@@ -160,7 +160,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
                             split.voxels.size(), vertices);
     contour = build_contour(volume, kappa, split, threads);
   }
-  if (contour.split_voxels > 0) perturb_coincident(contour, kHair * shortest);
+  if (contour.split_voxels > 0) perturb_coincident(contour, kPerturbationVoxels * shortest);
   return contour;
 }
 

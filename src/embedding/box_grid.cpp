@@ -12,9 +12,9 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kFewest = 64;
+constexpr std::size_t kMinLists = 64;
 
-// The box of a place without anything.
+// The box of an empty place.
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
                                 {-kInfinity, -kInfinity, -kInfinity}};
@@ -24,7 +24,7 @@ constexpr BoxGrid::Box kNowhere{{kInfinity, kInfinity, kInfinity},
 BoxGrid::BoxGrid(const Box3& box, double cell) {
   const Vec3 size = box.size();
   const double longest = std::max({size.x, size.y, size.z});
-  // Coordinates stay below 2^20 cells, and above one, so that cutting off rounds down.
+  // Coordinates stay below 2^20 cells, and above one, so that truncation rounds down.
   const double side = std::max(cell, longest * 0x1p-20);
   per_cell_ = side > 0 ? 1 / side : 1;
   margin_ = static_cast<float>((longest * per_cell_ + 2) * 0x1p-22);
@@ -57,7 +57,7 @@ BoxGrid::Box BoxGrid::box_around(const Vec3& center, double radius) const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = static_cast<int>(axis);
     const auto x = static_cast<float>((center[a] - origin_[a]) * per_cell_);
-    // Outside the grid's box there is nothing to find.
+    // The grid has nothing outside its box.
     box.lo[axis] = std::clamp(x - reach, 1.0f, 0x1p21f);
     box.hi[axis] = std::clamp(x + reach, 1.0f, 0x1p21f);
   }
@@ -99,7 +99,7 @@ void BoxGrid::Block::put(std::size_t i, Id what, const Box& box) {
 }
 
 void BoxGrid::append(List& in, Id id, const Box& box) {
-  if (in.size == in.room * kWide) {  // move to a run twice as long
+  if (in.size == in.room * kLanes) {  // move to a run twice as long
     const auto power = static_cast<std::size_t>(std::bit_width(in.room));
     DELISO_CHECK(power < free_.size());
     std::uint32_t to;
@@ -115,36 +115,36 @@ void BoxGrid::append(List& in, Id id, const Box& box) {
     in.first = to;
     in.room = std::uint32_t{1} << power;
   }
-  Block& block = blocks_[in.first + in.size / kWide];
-  if (in.size % kWide == 0) {
-    for (std::size_t i = 0; i < kWide; ++i) block.put(i, kNobody, kNowhere);
+  Block& block = blocks_[in.first + in.size / kLanes];
+  if (in.size % kLanes == 0) {
+    for (std::size_t i = 0; i < kLanes; ++i) block.put(i, kNoElement, kNowhere);
   }
-  block.put(in.size++ % kWide, id, box);
+  block.put(in.size++ % kLanes, id, box);
 }
 
 void BoxGrid::remove(Id id) {
   Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
   List& in = level.list(places_[id].number);
-  const auto block = [&](std::uint32_t n) -> Block& { return blocks_[in.first + n / kWide]; };
+  const auto block = [&](std::uint32_t n) -> Block& { return blocks_[in.first + n / kLanes]; };
   std::uint32_t n = 0;
-  while (block(n).id[n % kWide] != id) ++n;
+  while (block(n).id[n % kLanes] != id) ++n;
   DELISO_ASSERT(n < in.size);
   const std::uint32_t last = --in.size;
-  block(n).put(n % kWide, block(last).id[last % kWide], block(last).box(last % kWide));
-  block(last).put(last % kWide, kNobody, kNowhere);
+  block(n).put(n % kLanes, block(last).id[last % kLanes], block(last).box(last % kLanes));
+  block(last).put(last % kLanes, kNoElement, kNowhere);
   --level.size;
   places_[id] = {};
 }
 
-// To twice as many lists.
+// Doubles the number of lists.
 void BoxGrid::grow(Level& level) {
-  const std::size_t size = std::max(kFewest, 2 * level.lists.size());
+  const std::size_t size = std::max(kMinLists, 2 * level.lists.size());
   const std::vector<List> before = std::exchange(level.lists, std::vector<List>(size));
   for (const List& in : before) {
     for (std::uint32_t n = 0; n < in.size; ++n) {
-      const Block block = blocks_[in.first + n / kWide];
-      const Id id = block.id[n % kWide];
-      append(level.list(places_[id].number), id, block.box(n % kWide));
+      const Block block = blocks_[in.first + n / kLanes];
+      const Id id = block.id[n % kLanes];
+      append(level.list(places_[id].number), id, block.box(n % kLanes));
     }
     if (in.room > 0)
       free_[static_cast<std::size_t>(std::bit_width(in.room)) - 1].push_back(in.first);

@@ -4,11 +4,11 @@
 // mesh.
 //
 // There are grids of several sizes, each four times as coarse as the one before. A box is listed
-// once: in the cell that holds its low corner, in a grid with cells at least as large as the box.
-// The cells of a grid are wrapped into one table, those of a row side by side in memory. A list
-// holds the boxes themselves, in single precision, rounded outwards, in units of the smallest cell.
-// Four boxes are compared at once. So a look-up reads few and short runs of memory, and rejects
-// nearly all boxes without a look at the mesh.
+// once: in the cell of its low corner, in a grid with cells at least as large as the box. The cells
+// of a grid are wrapped into one table, those of a row side by side in memory. A list holds the
+// boxes themselves, in single precision, rounded outwards, in units of the smallest cell. Four
+// boxes are compared at once. So a query reads few and short runs of memory, and rejects nearly all
+// boxes without access to the mesh.
 #pragma once
 
 #include <array>
@@ -27,30 +27,31 @@ class BoxGrid {
  public:
   using Id = std::uint32_t;  // the caller's; small numbers
 
-  // In cells; holds what it is the box of.
+  // A box in cells, which holds its element.
   struct Box {
     std::array<float, 3> lo, hi;
   };
 
-  // For points in `box`. `cell`: about as large as most of the boxes, or larger.
+  // A grid for points in `box`. `cell`: about as large as most of the boxes, or larger.
   BoxGrid(const Box3& box, double cell);
 
+  // Returns the box of these points, rounded outwards.
   Box box_of(std::span<const Vec3> points) const;
   Box box_of(const Vec3& point) const { return box_of(std::span(&point, 1)); }
   Box box_of(const std::vector<Vec3>& points, const Triangle& t) const;
-  // Of a ball, which may reach out of the grid's box.
+  // Returns the box of a ball, which may extend outside the grid's box.
   Box box_around(const Vec3& center, double radius) const;
 
   void add(Id id, const Box& box);
   void remove(Id id);
 
-  // Whether pred(Element(id), its box) holds for anything whose box meets this one; it may be asked
-  // twice.
+  // Returns true if pred(Element(id), its box) holds for any element whose box meets `query`. May
+  // call pred twice for an element.
   template <class Element = FaceId, class Predicate>
   bool any(const Box& query, Predicate&& pred) const;
 
   static bool meet(const Box& a, const Box& b) {
-    // No short cuts: six comparisons that run side by side beat six branches.
+    // No short cuts: six comparisons side by side are faster than six branches.
     int overlaps = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       overlaps &= static_cast<int>(a.lo[axis] <= b.hi[axis]);
@@ -60,36 +61,36 @@ class BoxGrid {
   }
 
  private:
-  static constexpr Id kNobody = 0xffffffff;
+  static constexpr Id kNoElement = 0xffffffff;
   static constexpr int kLevels = 12;
-  static constexpr std::size_t kWide = 4;
-  using Four [[gnu::vector_size(kWide * sizeof(float))]] = float;
-  // Places without anything have a box that meets none.
+  static constexpr std::size_t kLanes = 4;
+  using Four [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+  // An empty place has a box that meets none.
   struct Block {
     std::array<Four, 3> lo, hi;
-    std::array<Id, kWide> id;
+    std::array<Id, kLanes> id;
 
     Box box(std::size_t i) const {
       return {{lo[0][i], lo[1][i], lo[2][i]}, {hi[0][i], hi[1][i], hi[2][i]}};
     }
     void put(std::size_t i, Id what, const Box& box);
   };
-  // What is in all cells that are wrapped into one place: in `room` blocks from blocks_[first] on,
-  // the first places of them.
+  // The elements of all cells that are wrapped into one list: the first `size` places of the `room`
+  // blocks from blocks_[first] on.
   struct List {
     std::uint32_t first = 0, size = 0, room = 0;
-    std::size_t end() const { return first + (size + kWide - 1) / kWide; }
+    std::size_t end() const { return first + (size + kLanes - 1) / kLanes; }
   };
-  // Where something is listed, before wrapping, and in which grid.
+  // Where an element is listed, before wrapping, and in which grid.
   struct Place {
     std::uint32_t number = 0;
     std::int32_t level = -1;
   };
   // One of the grids.
   struct Level {
-    std::vector<List> lists;  // a power of two of them, once there is anything
+    std::vector<List> lists;  // none, or a power of two of them
     std::size_t size = 0;
-    float extent = 0;  // the largest of any box that was here
+    float extent = 0;  // of the largest box ever added
     List& list(std::uint32_t number) { return lists[number & (lists.size() - 1)]; }
     const List& list(std::uint32_t number) const { return lists[number & (lists.size() - 1)]; }
   };
@@ -107,14 +108,14 @@ class BoxGrid {
 
   Vec3 origin_;
   double per_cell_;
-  float margin_;  // more than what rounding to single precision can do
+  float margin_;  // more than the rounding to single precision
   std::array<Level, kLevels> levels_;
   std::vector<Block> blocks_;
   std::array<std::vector<std::uint32_t>, 32> free_;  // runs of blocks, by the power of their size
   std::vector<Place> places_;                        // per id
 };
 
-// Cells for these triangles: a little more than the mean of their longest edges.
+// Returns a cell size for these triangles: a little more than the mean of their longest edges.
 double fitting_cell(const std::vector<Vec3>& points, std::span<const Triangle> triangles);
 
 template <class Element, class Predicate>
@@ -132,7 +133,7 @@ bool BoxGrid::any(const Box& query, Predicate&& pred) const {
                             (block.hi[1] >= lo[1]) & (block.hi[2] >= lo[2]);
       const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(overlaps);
       if ((halves[0] | halves[1]) == 0) continue;
-      for (std::size_t i = 0; i < kWide; ++i) {
+      for (std::size_t i = 0; i < kLanes; ++i) {
         if (overlaps[i] != 0 && pred(Element(block.id[i]), block.box(i))) return true;
       }
     }
@@ -145,14 +146,14 @@ bool BoxGrid::any(const Box& query, Predicate&& pred) const {
     std::array<std::uint32_t, 3> low, high;
     std::size_t cells = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // Where the low corner of a box that meets the query may lie: up to a cell below zero, so one
-      // is added before what cutting off would round up.
+      // Where the low corner of a box that meets the query may lie: up to a cell below zero. So one
+      // is added before truncation, which rounds towards zero.
       const float first = (query.lo[axis] - level.extent) * scale;
       low[axis] = static_cast<std::uint32_t>(first + 1) - 1;
       high[axis] = static_cast<std::uint32_t>(query.hi[axis] * scale) + 1;
       cells *= high[axis] - low[axis];
     }
-    if (cells > level.lists.size()) {  // then the lists are fewer
+    if (cells > level.lists.size()) {  // scanning all lists is cheaper
       for (const List& in : level.lists) {
         if (look(in)) return true;
       }

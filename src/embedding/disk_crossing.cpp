@@ -11,7 +11,7 @@
 namespace deliso {
 namespace {
 
-// Of the size of what is compared: far above what rounding can do.
+// A share of the size of the compared terms, far above rounding.
 constexpr double kMargin = 1e-10;
 
 double size_of(const Vec3& v) {
@@ -34,11 +34,11 @@ bool DiskCrossing::begin(const std::vector<Vec3>& points, const Disk& disk,
   ++stamp_;
   known_.resize(points.size());
   for (const Disk::BoundaryEdge& edge : disk.boundary) {
-    const Plane plane = upright(disk.facets[edge.facet], normals_[edge.facet], edge.side);
-    const auto is_before = [&](VertexId v) {
-      return v == plane.from || v == plane.to || is_off(plane, v, -1);
+    const Plane plane = plane_through(disk.facets[edge.facet], normals_[edge.facet], edge.side);
+    const auto is_inside = [&](VertexId v) {
+      return v == plane.from || v == plane.to || is_on_side(plane, v, -1);
     };
-    if (planes_.size() < kMaxPlanes && std::ranges::all_of(disk.vertices(), is_before)) {
+    if (planes_.size() < kMaxPlanes && std::ranges::all_of(disk.vertices(), is_inside)) {
       planes_.push_back(plane);
     }
   }
@@ -68,15 +68,17 @@ bool DiskCrossing::crosses_itself(VertexId apex) const {
 }
 
 bool DiskCrossing::crosses(const Triangle& t, const BoxGrid::Box& box) {
-  if ((planes_before(t[0]) & planes_before(t[1]) & planes_before(t[2])) != 0) return false;
+  if ((planes_with_outside(t[0]) & planes_with_outside(t[1]) & planes_with_outside(t[2])) != 0)
+    return false;
   for (std::size_t f = 0; f < boxes_.size(); ++f) {
     if (BoxGrid::meet(boxes_[f], box) && meet(f, t)) return true;
   }
   return false;
 }
 
-// True if the facets lie side by side around their apex: seen along the mean of their normals, by
-// more than rounding, each runs around the apex the same way, and all of them together once.
+// True if the facets lie side by side around their apex. That is tested along the mean of their
+// normals, by more than rounding. Each facet runs around the apex in the same direction, and all of
+// them together once.
 bool DiskCrossing::is_fan(VertexId apex) const {
   const std::vector<Triangle>& facets = disk_->facets;
   const Vec3& center = point(apex);
@@ -101,36 +103,37 @@ bool DiskCrossing::is_fan(VertexId apex) const {
   return rounds == 1;
 }
 
-std::uint32_t DiskCrossing::planes_before(VertexId v) {
+std::uint32_t DiskCrossing::planes_with_outside(VertexId v) {
   Known& known = known_[v];
   if (known.stamp == stamp_) return known.planes;
   known = {stamp_, 0};
   for (std::size_t n = 0; n < planes_.size(); ++n) {
     const Plane& plane = planes_[n];
-    const bool is_beyond = v == plane.from || v == plane.to || is_off(plane, v, 1);
-    known.planes |= static_cast<std::uint32_t>(is_beyond) << n;
+    const bool is_outside = v == plane.from || v == plane.to || is_on_side(plane, v, 1);
+    known.planes |= static_cast<std::uint32_t>(is_outside) << n;
   }
   return known.planes;
 }
 
-DiskCrossing::Plane DiskCrossing::upright(const Triangle& t, const Vec3& normal, int side) const {
+DiskCrossing::Plane DiskCrossing::plane_through(const Triangle& t, const Vec3& normal,
+                                                int side) const {
   const VertexId from = t[(side + 1) % 3], to = t[(side + 2) % 3];
   const Vec3& origin = point(from);
   const Vec3 outwards = cross(point(to) - origin, normal);
   return {from, to, origin, outwards, kMargin * size_of(outwards)};
 }
 
-bool DiskCrossing::is_off(const Plane& plane, VertexId v, double sign) const {
+bool DiskCrossing::is_on_side(const Plane& plane, VertexId v, double sign) const {
   const Vec3 w = point(v) - plane.origin;
   return sign * dot(plane.outwards, w) > plane.margin * size_of(w);
 }
 
 inline bool DiskCrossing::separates(const Plane& plane, VertexId inside,
                                     const Triangle& other) const {
-  const auto is_beyond = [&](VertexId v) {
-    return v == plane.from || v == plane.to || is_off(plane, v, 1);
+  const auto is_outside = [&](VertexId v) {
+    return v == plane.from || v == plane.to || is_on_side(plane, v, 1);
   };
-  return std::ranges::all_of(other, is_beyond) && is_off(plane, inside, -1);
+  return std::ranges::all_of(other, is_outside) && is_on_side(plane, inside, -1);
 }
 
 bool DiskCrossing::meet(std::size_t f, const Triangle& t) const {
@@ -138,13 +141,13 @@ bool DiskCrossing::meet(std::size_t f, const Triangle& t) const {
   // Side 2 first: a cone has it on the boundary.
   for (const int side : {2, 0, 1}) {
     const auto inside = s[static_cast<std::size_t>(side)];
-    if (separates(upright(s, normals_[f], side), inside, t)) return false;
+    if (separates(plane_through(s, normals_[f], side), inside, t)) return false;
   }
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
   const Vec3 normal = area_normal(a, b, c);
   for (int side = 0; side < 3; ++side) {
     const auto inside = t[static_cast<std::size_t>(side)];
-    if (separates(upright(t, normal, side), inside, s)) return false;
+    if (separates(plane_through(t, normal, side), inside, s)) return false;
   }
   return !collinear(a, b, c) && triangles_intersect(*points_, s, t);
 }

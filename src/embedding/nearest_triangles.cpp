@@ -12,10 +12,10 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kPointsAtOnce = 1u << 14;  // a task
-constexpr std::size_t kPatch = 16;               // points that lie together
+constexpr std::size_t kPointsPerTask = 1u << 14;
+constexpr std::size_t kPatchPoints = 16;  // neighbors that share one query
 
-// Some points' numbers, cube of space by cube of space, of which there are about as many as points.
+// The numbers of points, sorted by cubes of space, of which there are about as many as points.
 struct Cubes {
   std::vector<std::uint32_t> end, order;  // the points of cube n are order[end[n - 1] .. end[n])
 };
@@ -54,15 +54,15 @@ class RunOfPoints {
     const Cubes cubes = sort_into_cubes(points_);
     std::size_t begin = 0;
     for (const std::size_t end : cubes.end) {
-      for (; begin < end; begin += std::min(kPatch, end - begin)) {
-        measure_patch(std::span(cubes.order).subspan(begin, std::min(kPatch, end - begin)));
+      for (; begin < end; begin += std::min(kPatchPoints, end - begin)) {
+        measure_patch(std::span(cubes.order).subspan(begin, std::min(kPatchPoints, end - begin)));
       }
     }
   }
 
  private:
-  // The triangles near a patch are looked up once. They are no further from any of its points than
-  // the one nearest to the first.
+  // One query finds the triangles near a patch. For each point of the patch, the nearest triangle
+  // is no further than the one nearest to the first point.
   void measure_patch(std::span<const std::uint32_t> patch) {
     const Vec3& first = points_[patch[0]];
     const double least = tree_.distance2(near_, first);
@@ -75,7 +75,7 @@ class RunOfPoints {
     found_[patch[0]] = {near_, nearest.distance2};
     if (patch.size() == 1) return;
 
-    std::array<NearestTriangle, kPatch> best{};
+    std::array<NearestTriangle, kPatchPoints> best{};
     double most = 0;
     Box3 box{first, first};
     for (std::size_t n = 0; n < patch.size(); ++n) {
@@ -85,14 +85,15 @@ class RunOfPoints {
       most = std::max(most, best[n].distance2);
     }
     const double reach = std::sqrt(most);
-    std::array<std::pair<std::size_t, const Box3*>, kMostLeaves> leaves;
-    std::size_t count = 0, looked = 0;
+    std::array<std::pair<std::size_t, const Box3*>, kMaxPatchLeaves> leaves;
+    std::size_t count = 0, boxes_tested = 0;
     bool room = true;
-    tree_.for_each_leaf_near(box, reach, 0, looked, [&](std::size_t leaf, const Box3& of_leaf) {
-      room = count < kMostLeaves;
-      if (room) leaves[count++] = {leaf, &of_leaf};
-      return room;
-    });
+    tree_.for_each_leaf_near(box, reach, 0, boxes_tested,
+                             [&](std::size_t leaf, const Box3& of_leaf) {
+                               room = count < kMaxPatchLeaves;
+                               if (room) leaves[count++] = {leaf, &of_leaf};
+                               return room;
+                             });
     leaves_left_ -= std::min(leaves_left_, count);
     if (!room) {
       measure_patch(patch.first(patch.size() / 2));
@@ -109,12 +110,12 @@ class RunOfPoints {
     }
   }
 
-  static constexpr std::size_t kMostLeaves = 16;
+  static constexpr std::size_t kMaxPatchLeaves = 16;
 
   std::span<const Vec3> points_;
   const TriangleTree& tree_;
   std::span<NearestTriangle> found_;
-  std::size_t leaves_left_ = kMostLeavesOfRun;
+  std::size_t leaves_left_ = kMaxLeavesPerTask;
   FaceId near_ = 0;
 };
 
@@ -124,7 +125,7 @@ std::vector<NearestTriangle> nearest_triangles(std::span<const Vec3> points,
                                                const TriangleTree& tree, int threads) {
   std::vector<NearestTriangle> found(points.size());
   if (tree.leaf_count() == 0) return found;
-  for_each_run(threads, points.size(), kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
+  for_each_run(threads, points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
     RunOfPoints(points.subspan(begin, end - begin), tree,
                 std::span(found).subspan(begin, end - begin))
         .measure();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a mesh that are nearest to many points.
+// The nearest triangles of a mesh to many points.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace deliso {
 
-// Leaves of the tree that are looked at for each run of 2^14 points. A mesh has some five near a
-// point; where very many overlap, what is left of a run is given up.
-inline constexpr std::size_t kMostLeavesOfRun = 1u << 20;
+// Bound on the leaves of the tree visited for each task of 2^14 points. A mesh has about five near
+// a point. If very many overlap, the rest of the task is given up.
+inline constexpr std::size_t kMaxLeavesPerTask = 1u << 20;
 
-// A point for which looking ended has this squared distance.
+// The squared distance of a point whose search was given up.
 inline constexpr double kGivenUp = -1;
 
-// Per point the nearest triangle; none where there are no triangles. The same with any number of
-// threads.
+// Returns the nearest triangle of each point; kNoId if there are no triangles. The result is the
+// same for any number of threads.
 std::vector<NearestTriangle> nearest_triangles(std::span<const Vec3> points,
                                                const TriangleTree& tree, int threads);
 

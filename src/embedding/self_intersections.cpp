@@ -17,18 +17,18 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kLeavesAtOnce = 256;
-constexpr double kArcRounding = 1e-14;  // more than that of the directions of arcs
+constexpr std::size_t kLeavesPerTask = 256;
+constexpr double kArcRounding = 1e-14;  // more than the rounding of an arc's directions
 
-// A tree of triangles whose ids in the mesh are others, unless `ids` is empty.
+// A tree of triangles with their ids in the mesh; `ids` is empty if they are the tree's own.
 struct NamedTree {
   const TriangleTree* tree;
   std::span<const FaceId> ids;
   FaceId id(FaceId f) const { return ids.empty() ? f : ids[f]; }
 };
 
-// Some triangles of the mesh, all of them at `center` where there is one, and a tree of them, or of
-// others in their place. Not moved, since the tree refers to it.
+// Some triangles of the mesh, all at `center` unless that is kNoId, and a tree of them or of their
+// arcs. Never moved, since the tree refers to it.
 struct Group {
   Group(VertexId at, std::vector<FaceId> these, const std::vector<Vec3>& points,
         std::vector<Triangle> in_place, int threads, double slack = 0)
@@ -56,20 +56,21 @@ class Search {
     });
   }
 
-  // Pairs within each of some trees.
-  void within(std::span<const NamedTree> trees) {
+  // Finds pairs within each of some trees.
+  void find_within(std::span<const NamedTree> trees) {
     std::vector<std::pair<const NamedTree*, std::size_t>> leaves;
     for (const NamedTree& named : trees) {
       for (std::size_t n = 0; n < named.tree->leaf_count(); ++n) leaves.emplace_back(&named, n);
     }
-    run(leaves.size(),
-        [&](std::size_t n, Work& work) { within_leaf(*leaves[n].first, leaves[n].second, work); });
+    run(leaves.size(), [&](std::size_t n, Work& work) {
+      find_within_leaf(*leaves[n].first, leaves[n].second, work);
+    });
   }
 
-  // Pairs of triangles of different groups, but for those that share a center. The last group may
-  // have none.
-  void between(const std::deque<Group>& groups, const std::vector<bool>& is_center) {
-    // The groups by place, each as a triangle with its box.
+  // Finds pairs of triangles of different groups, except pairs that share a center. The last group
+  // may have no center.
+  void find_between(const std::deque<Group>& groups, const std::vector<bool>& is_center) {
+    // A tree of the groups, each as a triangle with the group's box.
     std::vector<Vec3> ends;
     std::vector<Triangle> boxes;
     std::vector<std::pair<FaceId, FaceId>> items;  // a group, and a triangle of it
@@ -88,7 +89,7 @@ class Search {
       places.for_each_leaf_near(box, 0, 0, work.boxes, [&](std::size_t leaf, const Box3&) {
         for (const FaceId k : places.leaf(leaf)) {
           if (k <= mine || has_corner(t, groups[k].center)) continue;
-          against(f, box, groups[k], is_center, work);
+          find_between(f, box, groups[k], is_center, work);
         }
         return !exhausted(work);
       });
@@ -98,16 +99,16 @@ class Search {
 
   bool is_flat(FaceId f) const { return flat_[f]; }
 
-  Crossings take() {
+  Crossings take_crossings() {
     sort_out(found_.pairs);
     sort_out(found_.given_up);
     return std::move(found_);
   }
 
  private:
-  // What a leaf may take.
-  struct Most {
-    std::size_t boxes = kMostBoxes, tests = kMostTests, found = kMostFound;
+  // Bounds on the work of a leaf.
+  struct Limits {
+    std::size_t boxes = kMaxBoxesPerLeaf, tests = kMaxTestsPerLeaf, found = kMaxFoundPerLeaf;
   };
   struct Work {
     std::size_t boxes = 0, tests = 0, found = 0;
@@ -117,10 +118,10 @@ class Search {
   };
 
   bool exhausted(const Work& work) const {
-    return work.boxes > most_.boxes || work.tests > most_.tests || work.found > most_.found;
+    return work.boxes > limits_.boxes || work.tests > limits_.tests || work.found > limits_.found;
   }
 
-  void within_leaf(const NamedTree& named, std::size_t leaf, Work& work) const {
+  void find_within_leaf(const NamedTree& named, std::size_t leaf, Work& work) const {
     const TriangleTree& tree = *named.tree;
     const std::span<const FaceId> mine = tree.leaf(leaf);
     const std::span<const Box3> my_boxes = tree.boxes_of_leaf(leaf);
@@ -141,9 +142,9 @@ class Search {
     for (const FaceId f : mine) work.given_up.push_back(named.id(f));
   }
 
-  // Pairs of the triangle f, which has this box, and those of a group.
-  void against(FaceId f, const Box3& box, const Group& group, const std::vector<bool>& is_center,
-               Work& work) const {
+  // Finds pairs of the triangle f, which has this box, and those of a group.
+  void find_between(FaceId f, const Box3& box, const Group& group,
+                    const std::vector<bool>& is_center, Work& work) const {
     const auto share_center = [&](const Triangle& s, const Triangle& t) {
       return std::any_of(s.begin(), s.end(),
                          [&](VertexId v) { return is_center[v] && has_corner(t, v); });
@@ -167,23 +168,24 @@ class Search {
     work.pairs.emplace_back(std::min(f, g), std::max(f, g));
   }
 
-  // Calls look(n, work) for every n below `size`, each with its own share of the work, and once
-  // more for those that were exhausted where they may have more.
+  // Calls look(n, work) for every n below `size`, each with the work of one leaf. Calls it once
+  // more for leaves that exhausted it, if their share of the common work is larger.
   template <class Look>
   void run(std::size_t size, const Look& look) {
     std::vector<std::size_t> all(size);
     std::iota(all.begin(), all.end(), 0);
-    most_ = {};
+    limits_ = {};
     std::vector<Work> works = works_of(all, look);
     std::vector<std::size_t> more;
     for (const Work& work : works) {
       more.insert(more.end(), work.exhausted.begin(), work.exhausted.end());
     }
     if (!more.empty()) {
-      most_ = {std::max(kMostBoxes, kBoxesShared / more.size()),
-               std::max(kMostTests, kTestsShared / more.size()),
-               std::max(kMostFound, kFoundShared / more.size())};
-      if (most_.boxes > kMostBoxes || most_.tests > kMostTests || most_.found > kMostFound) {
+      limits_ = {std::max(kMaxBoxesPerLeaf, kBoxesShared / more.size()),
+                 std::max(kMaxTestsPerLeaf, kTestsShared / more.size()),
+                 std::max(kMaxFoundPerLeaf, kFoundShared / more.size())};
+      if (limits_.boxes > kMaxBoxesPerLeaf || limits_.tests > kMaxTestsPerLeaf ||
+          limits_.found > kMaxFoundPerLeaf) {
         for (Work& work : works) work.given_up.clear();
         std::vector<Work> again = works_of(more, look);
         std::move(again.begin(), again.end(), std::back_inserter(works));
@@ -197,8 +199,8 @@ class Search {
 
   template <class Look>
   std::vector<Work> works_of(std::span<const std::size_t> numbers, const Look& look) const {
-    std::vector<Work> works(runs_of(numbers.size(), kLeavesAtOnce));
-    for_each_run(threads_, numbers.size(), kLeavesAtOnce,
+    std::vector<Work> works(runs_of(numbers.size(), kLeavesPerTask));
+    for_each_run(threads_, numbers.size(), kLeavesPerTask,
                  [&](std::size_t run, std::size_t begin, std::size_t end) {
                    Work& work = works[run];
                    for (std::size_t n = begin; n < end; ++n) {
@@ -213,13 +215,13 @@ class Search {
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
   int threads_;
-  Most most_;
+  Limits limits_;
   std::vector<std::uint8_t> flat_;
   Crossings found_;
 };
 
-// In place of triangles around a vertex the arcs in which it sees them, each as the triangle of its
-// ends and of the point where the tangents there meet: it holds the arc.
+// Returns the arcs in which a vertex sees the triangles around it. An arc is represented by a
+// triangle that holds it: its ends, and the point where the tangents there meet.
 std::vector<Triangle> arcs_around(VertexId center, const std::vector<Vec3>& points,
                                   std::span<const Triangle> triangles,
                                   std::vector<Vec3>& directions) {
@@ -239,8 +241,8 @@ std::vector<Triangle> arcs_around(VertexId center, const std::vector<Vec3>& poin
   return arcs;
 }
 
-// The same where some vertices, the centers, have many triangles; the first has most. A group is of
-// the triangles at a center and at none before it, the last one of those at none.
+// Finds pairs if some vertices, the centers, have many triangles; the first has the most. A group
+// holds the triangles at a center and at none before it; the last group holds those at no center.
 void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> triangles, int threads,
                   std::span<const VertexId> centers, Search& search) {
   std::vector<bool> is_center(points.size(), false);
@@ -280,8 +282,8 @@ void search_stars(const std::vector<Vec3>& points, std::span<const Triangle> tri
                         std::move(corners), threads);
   }
   if (groups.back().center == kNoId) trees.push_back(groups.back().named());
-  search.within(trees);
-  search.between(groups, is_center);
+  search.find_within(trees);
+  search.find_between(groups, is_center);
 }
 
 }  // namespace
@@ -294,18 +296,19 @@ Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triang
   }
   std::vector<VertexId> centers;
   for (VertexId v = 0; v < points.size(); ++v) {
-    if (degree[v] > kManyAround) centers.push_back(v);
+    if (degree[v] > kMaxBoxStar) centers.push_back(v);
   }
-  // Most triangles first: then few of another star are at one's center, which all of its meet.
+  // Largest stars first. Then few triangles of another star are at a center, where all triangles of
+  // its own star meet.
   std::stable_sort(centers.begin(), centers.end(),
                    [&](VertexId a, VertexId b) { return degree[a] > degree[b]; });
   Search search(points, triangles, threads);
   if (centers.empty()) {
-    search.within(std::array{NamedTree{&tree, {}}});
+    search.find_within(std::array{NamedTree{&tree, {}}});
   } else {
     search_stars(points, triangles, threads, centers, search);
   }
-  return search.take();
+  return search.take_crossings();
 }
 
 std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces,

@@ -13,7 +13,8 @@ namespace {
 class PlaneOf {
  public:
   PlaneOf(const Vec3& a, const Vec3& b, const Vec3& c) : apex_(a) {
-    // Some axis leaves the plane; as far as the triangle is large, lest rounding swallow the step.
+    // Along some axis a step leaves the plane. It is as long as the triangle is large, so that
+    // rounding does not swallow it.
     const double size = std::max({predicates::largest(b.x - a.x, b.y - a.y, b.z - a.z),
                                   predicates::largest(c.x - a.x, c.y - a.y, c.z - a.z),
                                   predicates::largest(a.x, a.y, a.z)});
@@ -32,7 +33,7 @@ class PlaneOf {
 
   bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) const {
     const int pqa = turn(p, q, a), pqb = turn(p, q, b);
-    if (pqa == 0 && pqb == 0) {  // on one line, where the order of coordinates is that of points
+    if (pqa == 0 && pqb == 0) {  // on one line: the order of coordinates is that of points
       const auto less = [](const Vec3& u, const Vec3& v) {
         return std::tie(u.x, u.y, u.z) < std::tie(v.x, v.y, v.z);
       };
@@ -70,7 +71,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
 }
 
 bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t) {
-  // Turned so that shared vertices come first in both.
+  // Permuted so that shared vertices come first in both.
   Triangle u = s, v = t;
   int shared = 0;
   for (int i = 0; i < 3; ++i) {
@@ -87,23 +88,23 @@ bool triangles_intersect(const std::vector<Vec3>& points, const Triangle& s, con
   switch (shared) {
     case 3:
       return true;
-    case 2: {  // an edge: they meet elsewhere only when one is folded onto the other
+    case 2: {  // an edge: they meet elsewhere only if one is folded onto the other
       return orient3d(a, b, c, f) == 0 && PlaneOf(a, b, c).turn(a, b, f) > 0;
     }
-    case 1:  // two convex sets that meet in a and elsewhere meet along a segment from a, which ends
-             // on the far side of one of them; on one side of the other's plane, one meets it in a
+    case 1:  // Two convex sets that meet in a and elsewhere meet along a segment from a. It ends on
+             // the far side of one of them. A set on one side of the other's plane meets it in a.
       return orient3d(d, e, f, b) * orient3d(d, e, f, c) <= 0 &&
              orient3d(a, b, c, e) * orient3d(a, b, c, f) <= 0 &&
              (segment_meets_triangle(b, c, d, e, f) || segment_meets_triangle(e, f, a, b, c));
     default:
       break;
   }
-  // One of the planes parts most pairs.
+  // One of the planes separates most pairs.
   const int d_side = orient3d(a, b, c, d);
   if (d_side != 0 && d_side == orient3d(a, b, c, e) && d_side == orient3d(a, b, c, f)) return false;
   const int a_side = orient3d(d, e, f, a);
   if (a_side != 0 && a_side == orient3d(d, e, f, b) && a_side == orient3d(d, e, f, c)) return false;
-  // Where two triangles meet, an edge of one meets the other.
+  // If two triangles meet, an edge of one meets the other.
   return segment_meets_triangle(a, b, d, e, f) || segment_meets_triangle(b, c, d, e, f) ||
          segment_meets_triangle(c, a, d, e, f) || segment_meets_triangle(d, e, a, b, c) ||
          segment_meets_triangle(e, f, a, b, c) || segment_meets_triangle(f, d, a, b, c);

@@ -9,11 +9,11 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kTaskLeaves = 1u << 13;  // of a part that is built as one task
+constexpr std::size_t kTaskLeaves = 1u << 13;  // of a subtree built in one task
 
 }  // namespace
 
-// Moved about as a whole, since looking each up by its id waits for memory.
+// Moved as a whole, since looking it up by its id waits for memory.
 struct TriangleTree::Item {
   Vec3 middle;
   FaceId triangle;
@@ -34,25 +34,27 @@ TriangleTree::TriangleTree(const std::vector<Vec3>& points, std::span<const Tria
   for (std::size_t part = leaf_count(); part > 1; part -= part / 2) nodes = 2 * nodes + 1;
   boxes_.resize(nodes);
 
-  // Level by level down to the parts that are tasks, then these, then the boxes above them.
-  std::vector<Part> above, tasks{{0, 0, leaf_count()}};
+  // Splits level by level down to the subtrees that are tasks, builds these, then the boxes above
+  // them.
+  std::vector<Subtree> above, tasks{{0, 0, leaf_count()}};
   while (tasks.front().end - tasks.front().begin > kTaskLeaves) {
-    std::vector<Part> halves;
-    for (const Part& part : tasks) halves.insert(halves.end(), {part.left(), part.right()});
+    std::vector<Subtree> halves;
+    for (const Subtree& part : tasks) halves.insert(halves.end(), {part.left(), part.right()});
     for_each_task(threads, tasks.size(), [&](std::size_t n) { split(tasks[n], items); });
     above.insert(above.end(), tasks.begin(), tasks.end());
     tasks = std::move(halves);
   }
   for_each_task(threads, tasks.size(), [&](std::size_t n) { build(tasks[n], items); });
   std::reverse(above.begin(), above.end());
-  for (const Part& part : above) {
+  for (const Subtree& part : above) {
     boxes_[part.node] = united(boxes_[2 * part.node + 1], boxes_[2 * part.node + 2]);
   }
 }
 
-void TriangleTree::split(const Part& part, std::span<Item> items) {
+void TriangleTree::split(const Subtree& part, std::span<Item> items) {
   const auto at = [&](std::size_t leaf) {
-    return items.begin() + static_cast<std::ptrdiff_t>(std::min(leaf * kLeaf, items.size()));
+    return items.begin() +
+           static_cast<std::ptrdiff_t>(std::min(leaf * kLeafTriangles, items.size()));
   };
   Box3 spread{at(part.begin)->middle, at(part.begin)->middle};
   for (auto item = at(part.begin); item != at(part.end); ++item) {
@@ -67,9 +69,10 @@ void TriangleTree::split(const Part& part, std::span<Item> items) {
                    });
 }
 
-void TriangleTree::build(const Part& part, std::span<Item> items) {
+void TriangleTree::build(const Subtree& part, std::span<Item> items) {
   if (part.is_leaf()) {
-    const std::size_t begin = part.begin * kLeaf, end = std::min(begin + kLeaf, items.size());
+    const std::size_t begin = part.begin * kLeafTriangles,
+                      end = std::min(begin + kLeafTriangles, items.size());
     for (std::size_t n = begin; n < end; ++n) {
       order_[n] = items[n].triangle;
       const Triangle& t = triangles_[order_[n]];
@@ -95,7 +98,7 @@ NearestTriangle TriangleTree::nearest(const Vec3& p, double within2,
   return best;
 }
 
-void TriangleTree::search(const Part& part, const Vec3& p, NearestTriangle& best,
+void TriangleTree::search(const Subtree& part, const Vec3& p, NearestTriangle& best,
                           std::size_t& leaves_left) const {
   if (leaves_left == 0) return;
   if (part.is_leaf()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triangles found by place: a binary tree of boxes over leaves of four triangles, halved at the
-// median along the longest side of the box of the triangles' middles, in one array (children of n
-// at 2n + 1 and 2n + 2).
+// A binary tree of boxes that finds triangles by place. Leaves have four triangles. Nodes are
+// halved at the median along the longest side of the box of the triangles' middles. The tree is in
+// one array, with the children of n at 2n + 1 and 2n + 2.
 #pragma once
 
 #include <algorithm>
@@ -23,24 +23,26 @@ struct NearestTriangle {
 
 class TriangleTree {
  public:
-  // Keeps references: both must outlive it. The triangles' boxes are grown by `slack`. The tree is
-  // the same with any number of threads.
+  // Keeps references: both must outlive the tree. The triangles' boxes are grown by `slack`. The
+  // tree is the same for any number of threads.
   TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                int threads = 1, double slack = 0);
 
   // pre: there are triangles.
   const Box3& box() const { return boxes_[0]; }
-  std::size_t leaf_count() const { return (order_.size() + kLeaf - 1) / kLeaf; }
+  std::size_t leaf_count() const { return (order_.size() + kLeafTriangles - 1) / kLeafTriangles; }
   std::span<const FaceId> leaf(std::size_t n) const {
-    return std::span(order_).subspan(n * kLeaf, std::min(kLeaf, order_.size() - n * kLeaf));
+    return std::span(order_).subspan(n * kLeafTriangles,
+                                     std::min(kLeafTriangles, order_.size() - n * kLeafTriangles));
   }
-  // The boxes of its triangles.
+  // Returns the boxes of the leaf's triangles.
   std::span<const Box3> boxes_of_leaf(std::size_t n) const {
-    return std::span(triangle_boxes_).subspan(n * kLeaf, leaf(n).size());
+    return std::span(triangle_boxes_).subspan(n * kLeafTriangles, leaf(n).size());
   }
 
-  // The triangle nearest to p, nearer than the square root of `within2`; kNoId when there is none.
-  // Each leaf that is looked at takes one from `leaves_left`; at 0 it ends, with what it has.
+  // Returns the triangle nearest to p, if nearer than the square root of `within2`; otherwise
+  // kNoId. Each leaf visited subtracts one from `leaves_left`. At 0 the search ends and returns the
+  // best triangle found.
   NearestTriangle nearest(const Vec3& p, double within2 = std::numeric_limits<double>::infinity(),
                           std::size_t* leaves_left = nullptr) const;
 
@@ -48,7 +50,7 @@ class TriangleTree {
     const Triangle& t = triangles_[f];
     return distance2_to_triangle(p, points_[t[0]], points_[t[1]], points_[t[2]]);
   }
-  // Sets `best` to the triangle of a leaf that is nearest to p, where it is nearer.
+  // Sets `best` to the leaf's triangle nearest to p, if that is nearer.
   void improve(std::size_t leaf_number, const Vec3& p, NearestTriangle& best) const {
     const std::span<const FaceId> faces = leaf(leaf_number);
     const std::span<const Box3> boxes = boxes_of_leaf(leaf_number);
@@ -59,19 +61,19 @@ class TriangleTree {
     }
   }
 
-  // Calls visit(leaf, its box) for every leaf from number `first` on whose box is no further than
-  // `within` from `box` along each axis, in the order of their numbers, until it returns false.
-  // Each box that is looked at adds one to `looked`.
+  // Calls visit(leaf, its box) for every leaf from number `first` on whose box is at most `within`
+  // from `box` along each axis. Goes in the order of leaf numbers, until visit returns false. Each
+  // box tested adds one to `boxes_tested`.
   template <class Visit>
-  void for_each_leaf_near(const Box3& box, double within, std::size_t first, std::size_t& looked,
-                          Visit&& visit) const {
-    Part stack[kDepth];
+  void for_each_leaf_near(const Box3& box, double within, std::size_t first,
+                          std::size_t& boxes_tested, Visit&& visit) const {
+    Subtree stack[kMaxDepth];
     std::size_t size = 0;
     if (!order_.empty()) stack[size++] = {0, 0, leaf_count()};
     const Box3 grown = box.grown(within);
     while (size > 0) {
-      const Part part = stack[--size];
-      if (part.end <= first || (++looked, !meet(boxes_[part.node], grown))) continue;
+      const Subtree part = stack[--size];
+      if (part.end <= first || (++boxes_tested, !meet(boxes_[part.node], grown))) continue;
       if (part.is_leaf()) {
         if (!visit(part.begin, boxes_[part.node])) break;
       } else {
@@ -87,22 +89,22 @@ class TriangleTree {
   }
 
  private:
-  static constexpr std::size_t kLeaf = 4;
-  static constexpr std::size_t kDepth = 64;  // of the tree, with room to spare
+  static constexpr std::size_t kLeafTriangles = 4;
+  static constexpr std::size_t kMaxDepth = 64;  // more than any tree has
 
   // A node and the leaves under it.
-  struct Part {
+  struct Subtree {
     std::size_t node, begin, end;
     bool is_leaf() const { return end - begin == 1; }
     std::size_t middle() const { return begin + (end - begin) / 2; }
-    Part left() const { return {2 * node + 1, begin, middle()}; }
-    Part right() const { return {2 * node + 2, middle(), end}; }
+    Subtree left() const { return {2 * node + 1, begin, middle()}; }
+    Subtree right() const { return {2 * node + 2, middle(), end}; }
   };
   struct Item;
 
-  void split(const Part& part, std::span<Item> items);
-  void build(const Part& part, std::span<Item> items);
-  void search(const Part& part, const Vec3& p, NearestTriangle& best,
+  void split(const Subtree& part, std::span<Item> items);
+  void build(const Subtree& part, std::span<Item> items);
+  void search(const Subtree& part, const Vec3& p, NearestTriangle& best,
               std::size_t& leaves_left) const;
 
   const std::vector<Vec3>& points_;

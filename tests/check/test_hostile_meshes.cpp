@@ -114,8 +114,8 @@ TEST_CASE("where all triangles cross, looking ends and says so") {
   const Verification v = ball.verify(mesh, 2);
   CHECK(mentions(v, FaultKind::not_measured, "crossings of "));
   const std::size_t found = v.faults.count(FaultKind::self_intersections);
-  CHECK(found >= kMostFound);
-  CHECK(found <= mesh.triangles.size() * (kMostTests / 4 + 16));
+  CHECK(found >= kMaxFoundPerLeaf);
+  CHECK(found <= mesh.triangles.size() * (kMaxTestsPerLeaf / 4 + 16));
 }
 
 // Triangles across each other on so few vertices that most of these have many.
@@ -162,8 +162,8 @@ TEST_CASE("one budget for the crossings of all stars") {
   const Crossings one = find_crossings(mesh.points, mesh.triangles, tree);
   CHECK(!one.given_up.empty());
   // A triangle has its own share, and some more of what is shared.
-  CHECK(one.pairs.size() <= 2 * (n * kMostFound + kFoundShared));
-  CHECK(one.pairs.size() >= n * kMostFound / 2);
+  CHECK(one.pairs.size() <= 2 * (n * kMaxFoundPerLeaf + kFoundShared));
+  CHECK(one.pairs.size() >= n * kMaxFoundPerLeaf / 2);
   for (const int threads : {2, 3}) {
     const Crossings other = find_crossings(mesh.points, mesh.triangles, tree, threads);
     CHECK(other.pairs == one.pairs);

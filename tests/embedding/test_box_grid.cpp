@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The grid against a look at every facet, while facets of all sizes come and go.
+// The grid against a test of every facet, while facets of all sizes are added and removed.
 #include "embedding/box_grid.h"
 
 #include <doctest/doctest.h>
@@ -73,8 +73,8 @@ struct Twin {
     present.erase(f);
   }
 
-  // Everything that meets the query is found, and nothing that is away from it by more than single
-  // precision explains.
+  // Everything that meets the query is found, and nothing further from it than single precision
+  // explains.
   void ask(const BoxGrid::Box& query, const Box3& exact) const {
     const Vec3 size = box.size();
     const double margin = 4e-6 * (std::max({size.x, size.y, size.z}) + 2 * cell);
@@ -90,7 +90,7 @@ struct Twin {
       if (meet(of_f, exact, 0)) REQUIRE(found.contains(f));
       if (found.contains(f)) REQUIRE(meet(of_f, exact, margin));
     }
-    // It stops at the first that will do, and says so.
+    // It stops at the first element that satisfies the predicate, and returns true.
     if (found.empty()) return;
     const FaceId wanted = *found.rbegin();
     CHECK(grid.any(query, [&](FaceId f, const BoxGrid::Box&) { return f == wanted; }));
@@ -102,7 +102,7 @@ struct Twin {
       ask(grid.box_of(corners), exact_box(corners));
       return;
     }
-    // Balls may reach out of the box, or lie all outside of it.
+    // Balls may extend outside the box, or lie wholly outside.
     Vec3 center;
     for (int axis = 0; axis < 3; ++axis) {
       const double side = box.size()[axis];
@@ -125,7 +125,8 @@ double random_size(Random& random, double longest) {
 
 }  // namespace
 
-TEST_CASE("what meets a query is found, whatever came and went, at sizes over four orders") {
+TEST_CASE(
+    "all that meets a query is found after additions and removals, at sizes over four orders") {
   std::uint64_t seed = 0;
   for (const Vec3 sides : {Vec3{9, 7, 5}, Vec3{4, 0.01, 300}, Vec3{1e-6, 2e-6, 1e-6},
                            Vec3{3e7, 1e7, 2e7}, Vec3{5, 0, 0}}) {
@@ -151,7 +152,7 @@ TEST_CASE("what meets a query is found, whatever came and went, at sizes over fo
   }
 }
 
-TEST_CASE("it grows: thousands of facets, and still each is found where it is") {
+TEST_CASE("a grid that grows to thousands of facets still finds each of them") {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -176,7 +177,7 @@ TEST_CASE("it grows: thousands of facets, and still each is found where it is") 
   }
 }
 
-TEST_CASE("a box's float bounds hold its corners") {
+TEST_CASE("the float bounds of a box hold its corners") {
   Random random(4);
   for (int n = 0; n < 2000; ++n) {
     const double longest = std::pow(10.0, random.uniform(-6, 6));

@@ -18,7 +18,7 @@ std::size_t crossings(const std::vector<Vec3>& points, const std::vector<Triangl
 
 }  // namespace
 
-TEST_CASE("as many crossings as brute force finds among random triangles") {
+TEST_CASE("count_crossings counts what brute force finds among random triangles") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;
@@ -41,8 +41,8 @@ TEST_CASE("as many crossings as brute force finds among random triangles") {
   }
 }
 
-// Rounding to float puts vertices together: what then touches at a corner does not cross.
-TEST_CASE("vertices at one position are one, and facets that name one twice are none") {
+// Rounding to float merges vertices: triangles that then touch at a corner do not cross.
+TEST_CASE("vertices at one position count as one, and facets that name one twice are ignored") {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0},  {0, 1, 0},
                                  {0, 0, 0}, {-1, 0, 1}, {0, -1, 1}};
   CHECK(crossings(points, {{0, 1, 2}, {3, 4, 5}}) == 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact intersection test against separating axes in integers: on a small grid, where touching,
+// The exact intersection test against separating axes in integers, on a small grid, where touching,
 // folding and overlapping in a plane are common.
 #include "embedding/triangle_pair.h"
 
@@ -29,8 +29,8 @@ std::int64_t dot_of(const Int3& a, const Int3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Two convex sets are apart exactly when an axis of these parts them: the normals of the planes
-// that touch both (along a face, or an edge of each), and those within a common plane.
+// Two convex sets are apart exactly if one of these axes separates them. These are the normals of
+// the planes that touch both (along a face, or an edge of each), and those within a common plane.
 bool meet(const Int3x3& s, const Int3x3& t) {
   std::vector<Int3> axes;
   const auto edge = [](const Int3x3& x, int i) { return minus(x[(i + 1) % 3], x[i]); };
@@ -54,7 +54,7 @@ bool meet(const Int3x3& s, const Int3x3& t) {
   return true;
 }
 
-// The triangle a b c with a as its apex, so large that its far side is out of the others' reach.
+// The triangle a b c with a as its apex, so large that its far side is out of reach of the others.
 Int3x3 sector(const Int3x3& t) {
   constexpr std::int64_t kFar = 2000;
   Int3x3 out{t[0], t[0], t[0]};
@@ -96,7 +96,7 @@ Soup random_soup(std::uint64_t seed, int size, std::size_t count) {
   return soup;
 }
 
-// Whether s and t meet beyond what they share, by integers.
+// True if s and t meet outside their shared vertex or edge, by integers.
 bool expected(const Soup& soup, const Triangle& s, const Triangle& t, int& shared) {
   Triangle u = s, v = t;
   const auto in = [](const Triangle& x) {
@@ -118,7 +118,7 @@ bool expected(const Soup& soup, const Triangle& s, const Triangle& t, int& share
 
 }  // namespace
 
-TEST_CASE("pairs of triangles on a small grid, against separating axes in integers") {
+TEST_CASE("triangles_intersect agrees with separating axes in integers on a small grid") {
   std::array<std::array<int, 2>, 4> seen{};
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const Soup soup = random_soup(seed, seed % 2 == 0 ? 3 : 5, 40);
