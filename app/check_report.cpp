@@ -92,8 +92,9 @@ std::string boundary_text(const BoundaryQuality& b, const Criteria& limits, doub
   return line + text(", ", b.without_curve, " without curve; h at most ", rounded(b.max_h / voxel),
                      " voxels, largest h/r ", rounded(b.max_h_over_r), "\n          of ",
                      b.triangles, " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
-                     " have an angle below ", kSliver, "; largest r/l ", rounded(b.max_r_over_l),
-                     ", smallest angle ", rounded(b.min_angle), " degrees\n");
+                     " have an angle below ", kSliverDegrees, "; largest r/l ",
+                     rounded(b.max_r_over_l), ", smallest angle ", rounded(b.min_angle),
+                     " degrees\n");
 }
 
 void add_boundary(JsonWriter& json, const BoundaryQuality& b, double voxel) {

@@ -12,7 +12,8 @@
 namespace deliso {
 namespace {
 
-// From the middle of the edge to the curve; on an edge of the box, the nearer of two curves.
+// Returns the distance from the middle of the edge to the curve; on an edge of the box, to the
+// nearer of two curves.
 std::optional<double> distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface) {
   const Box3 box = surface.volume().box();
   const Vec3 middle = 0.5 * (a + b);
@@ -20,7 +21,7 @@ std::optional<double> distance_to_curve(const Vec3& a, const Vec3& b, const Isos
   for (int face = 0; face < 6; ++face) {
     const int axis = face / 2;
     const double plane = face % 2 == 0 ? box.lo[axis] : box.hi[axis];
-    // Meshes that come from files may be off by their rounding.
+    // Meshes from files may be off the plane by rounding.
     const double slack = 1e-6 * box.size()[axis];
     if (std::fabs(a[axis] - plane) > slack || std::fabs(b[axis] - plane) > slack) continue;
     const auto x =
@@ -70,7 +71,7 @@ BoundaryQuality measure_boundary(const CleanMesh& mesh, const Isosurface& surfac
         distance(circumcenter(p0, p1, p2), p0) / std::sqrt(shortest_edge2(p0, p1, p2));
     const double angle = smallest_angle(p0, p1, p2);
     q.over_lambda += !(ratio <= limits[Criterion::r_over_l]);
-    q.slivers += angle < kSliver;
+    q.slivers += angle < kSliverDegrees;
     q.max_r_over_l = std::max(q.max_r_over_l, ratio);
     q.min_angle = std::min(q.min_angle, angle);
   }

@@ -17,7 +17,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kVotes = 64;
+constexpr std::size_t kMaxVoters = 64;
 
 std::string box_text(const Box3& box, const Vec3& spacing) {
   const auto range = [&](int axis) {
@@ -40,7 +40,7 @@ Vec3 middle_of(const Box3& box) {
   return 0.5 * (box.lo + box.hi);
 }
 
-// The component of T where a voxel holds pieces of one only.
+// The component of T in voxels that hold pieces of only one.
 class LoneComponents {
  public:
   LoneComponents(const ContourMesh& contour, std::span<const Triangle> triangles,
@@ -54,7 +54,7 @@ class LoneComponents {
     sort_out(entries_);
   }
 
-  // kNoId near the voxel's faces, too, where p could be a neighbor's.
+  // Returns kNoId also near the voxel's faces, where p could be a neighbor's.
   std::uint32_t at(const Vec3& p) const {
     constexpr double kMargin = 1e-6;
     const Index3 voxel = volume_.voxel_at(p);
@@ -87,7 +87,7 @@ std::uint32_t most_frequent(std::vector<std::uint32_t>& votes) {
   return winner;
 }
 
-// Up to rounding, also that of a file.
+// True if p is a corner, up to rounding, which may be that of a file.
 bool is_corner(const ContourMesh& contour, const Triangle& t, const Vec3& p, double voxel) {
   constexpr double kRounding = 1e-6;
   return std::any_of(t.begin(), t.end(), [&](VertexId v) {
@@ -95,11 +95,11 @@ bool is_corner(const ContourMesh& contour, const Triangle& t, const Vec3& p, dou
   });
 }
 
-// Up to kVotes vertices of every component of the mesh, evenly spread.
+// Returns up to kMaxVoters vertices of every component of the mesh, evenly spread.
 std::vector<std::vector<VertexId>> voters_of(const std::vector<std::vector<VertexId>>& vertices) {
   std::vector<std::vector<VertexId>> voters(vertices.size());
   for (std::size_t m = 0; m < vertices.size(); ++m) {
-    const std::size_t asked = std::min(kVotes, vertices[m].size());
+    const std::size_t asked = std::min(kMaxVoters, vertices[m].size());
     for (std::size_t n = 0; n < asked; ++n) {
       voters[m].push_back(vertices[m][n * vertices[m].size() / asked]);
     }
@@ -107,8 +107,8 @@ std::vector<std::vector<VertexId>> voters_of(const std::vector<std::vector<Verte
   return voters;
 }
 
-// The triangles of T that are no further than `within`, a voxel's diagonal, from one of the voters,
-// and more: those that begin in a cube of two diagonals that has one, or in a cube next to it.
+// Returns the triangles of T within `within`, a voxel's diagonal, of a voter, and some more. A
+// triangle counts if it begins in a cube of two diagonals that has a voter, or next to one.
 std::vector<Triangle> triangles_near(const CleanMesh& mesh,
                                      const std::vector<std::vector<VertexId>>& voters,
                                      const ContourMesh& contour, const Box3& box, double within) {
@@ -152,9 +152,10 @@ struct NearContour {
         lone(t, triangles, volume) {}
 };
 
-// Which component of T the voters are nearest to; kNoId when most are near none. Where sheets lie
-// closer than T is fine the nearest can be another's: vertices of T, and those in voxels of one
-// component, know better, and then those whose nearest triangle faces the way that Sigma does.
+// Returns the component of T that the voters are nearest to; kNoId if most are near none. Where
+// sheets lie closer than T is fine, the nearest component may be wrong. Voters at vertices of T, or
+// in voxels of one component, are sure and decide first. Then decide those whose nearest triangle
+// has Sigma's orientation.
 std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& voters,
                    const NearContour& near, const Volume& volume, double within) {
   const ContourMesh& contour = near.contour;
@@ -175,13 +176,13 @@ std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& voters,
   return most_frequent(!sure.empty() ? sure : !facing.empty() ? facing : votes);
 }
 
-// Whether most of the component's area has its normals along the gradient of g, at the corners: the
-// middle of a triangle can lie beyond the next sheet. Only of those that are `asked`.
-std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume,
-                                 const std::vector<std::uint8_t>& asked) {
-  std::vector<double> along(asked.size(), 0);
+// Returns for each selected component whether most of its area has normals along the gradient of g.
+// The gradient is evaluated at the corners: the middle of a triangle may lie behind the next sheet.
+std::vector<std::uint8_t> faces_inside(const CleanMesh& mesh, const Volume& volume,
+                                       const std::vector<std::uint8_t>& selected) {
+  std::vector<double> along(selected.size(), 0);
   for (const Triangle& t : mesh.triangles) {
-    if (!asked[mesh.component[t[0]]]) continue;
+    if (!selected[mesh.component[t[0]]]) continue;
     const Vec3 normal = area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     for (const VertexId v : t) {
       const Vec3 gradient = volume.gradient(mesh.points[v]);
@@ -190,7 +191,7 @@ std::vector<std::uint8_t> turned(const CleanMesh& mesh, const Volume& volume,
     }
   }
   std::vector<std::uint8_t> result;
-  result.reserve(asked.size());
+  result.reserve(selected.size());
   for (const double sum : along) result.push_back(sum > 0);
   return result;
 }
@@ -228,7 +229,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
   for (std::uint32_t m = 0; m < count; ++m) {
     if (stands_for[m] != kNoId && stand_in[stands_for[m]] == m) continue;
     result.extra[m] = 1;
-    // A piece that only faulty edges part from its component is not one more mistake.
+    // A piece that only faulty edges separate from its component is no further fault.
     if (mesh.broken[m]) continue;
     const ComponentTopology& c = topology.components[m];
     faults.add(
@@ -248,7 +249,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
     origins_in_mesh[m] = origins[stands_for[m]];
     without_origin[m] = !origins_in_mesh[m];
   }
-  const std::vector<std::uint8_t> faces_in = turned(mesh, volume, without_origin);
+  const std::vector<std::uint8_t> faces_in = faces_inside(mesh, volume, without_origin);
   const std::vector<double> exactly_bounded =
       bounded_volumes(contour.points, contour.triangles, contour.component, origins);
   const std::vector<double> bounded =
@@ -280,8 +281,8 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                       topology_text(c.euler(), c.boundary_loops)),
                  middle_of(box));
     }
-    // What bounds a volume says by itself which way it faces; a flake's gradients do not. What lies
-    // in a face of the box bounds none, and faces both ways.
+    // The volume that a component bounds gives its orientation; the gradients of a thin component
+    // do not. A component in a face of the box bounds none, and faces both ways.
     if (origins[e] ? bounded[m] * exactly_bounded[e] < 0 : faces_in[m] != 0) {
       faults.add(FaultKind::turned_components,
                  text(name, " has its normals turned to the side of the greater values"),

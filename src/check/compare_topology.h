@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh's components beside those of the exact contour: which is which, and whether they are the
-// same surface.
+// Compares the components of a mesh with those of the exact contour: which corresponds to which,
+// and whether both are the same surface.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,17 @@ struct ComparedComponents {
   std::uint64_t left_out = 0;       // missing, and not chosen
 };
 
-// A component of the mesh stands for that of T which most of its vertices are nearest to (64 of
-// them are asked, evenly spread; those at vertices of T or in voxels that hold one component
-// decide, where there are any), provided that is no further than a voxel's diagonal from most of
-// them. Where several stand for the same, the one with most triangles counts and the others are
-// extra. Components that are not chosen may be
-// missing. Reports missing, extra, different and turned components into `faults`: turned by the
-// sign of what it bounds (contour/bounded_volume.h), or of those that meet opposite faces of the
-// box by most of its area.
+// Matches the components of the mesh with those of T, and reports missing, extra, different and
+// reversed ones into `faults`.
+//
+// Up to 64 vertices of a component of the mesh, evenly spread, vote for the nearest component of T.
+// Vertices at vertices of T, or in voxels that hold one component, decide if there are any. Most of
+// them must be within a voxel's diagonal of T. If several components match the same one, that with
+// most triangles counts and the others are extra.
+//
+// Components that are not chosen may be missing. A
+// component is reversed by the sign of the volume that it bounds (contour/bounded_volume.h). If it
+// meets opposite faces of the box, most of its area decides.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
                                       const Volume& volume, const ComponentChoice& choice,
                                       int threads, Faults& faults);

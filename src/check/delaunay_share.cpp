@@ -15,7 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kCellsAtOnce = 1u << 13, kTrianglesAtOnce = 1u << 11;
 
-// The corners of a regular tetrahedron about the box, 16 of its diagonals away.
+// Appends the corners of a regular tetrahedron around the box, 16 of its diagonals away.
 void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   const Vec3 middle = 0.5 * (box.lo + box.hi);
   const double d = 16 * length(box.size());
@@ -24,10 +24,11 @@ void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   }
 }
 
-// Of the point of Sigma on a dual line nearest to the circumcenter.
+// Returns the parameter of the point of Sigma on a dual line nearest to the circumcenter.
 double nearest_crossing(const FacetLine& line, const Isosurface& surface,
                         SearchCounters& counters) {
-  const auto hit = surface.nearest(line.center, line.normal, kBallLimit * line.radius, counters);
+  const auto hit =
+      surface.nearest(line.center, line.normal, kBallLimitRadii * line.radius, counters);
   return hit ? hit->t : kInfinity;
 }
 
@@ -38,7 +39,8 @@ FacetLine line_of(const CleanMesh& mesh, const Triangle& t) {
 // The Delaunay triangulation of a mesh's vertices.
 class MeshTriangulation {
  public:
-  // False where there is none: in one plane with the auxiliary vertices, or given up.
+  // Returns false if there is none: all points in one plane with the auxiliary vertices, or given
+  // up.
   bool build(const CleanMesh& mesh, const Box3& box) {
     std::vector<Vec3> points;
     std::vector<VertexId> source;
@@ -49,14 +51,14 @@ class MeshTriangulation {
     }
     add_auxiliary(box, points);
     std::vector<SiteId> ids;
-    if (!cells_.build(points, ids, kMostCells)) return false;
+    if (!cells_.build(points, ids, kMaxCellsPerVertex)) return false;
     vertex_of_.assign(cells_.vertex_capacity(), kNoId);
     for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
     return true;
   }
 
   const Triangulation& cells() const { return cells_; }
-  // Ascending; kNoId in place of auxiliary vertices.
+  // Returns the facet's corners, ascending, with kNoId for auxiliary vertices.
   Triangle corners(const Facet& f) const {
     const SiteTriangle sites = facet_vertices(cells_, f);
     Triangle corners{vertex_of_[sites[0]], vertex_of_[sites[1]], vertex_of_[sites[2]]};
@@ -69,7 +71,7 @@ class MeshTriangulation {
   std::vector<VertexId> vertex_of_;  // of the mesh
 };
 
-// What the Voronoi edges of some cells' facets say of the mesh.
+// Counts over the Voronoi edges of the facets of some cells.
 struct EdgeCounts {
   std::size_t missing = 0, multiple = 0;
 };
@@ -99,7 +101,7 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
           if (!t.cells().is_live(c)) continue;
           for (int i = 0; i < 4; ++i) {
             const Facet f{c, i};
-            // Once, from the larger id.
+            // Each facet once, from the cell with the larger id.
             if (t.cells().neighbor(c, i) < c || has_infinite_vertex(t.cells(), f)) continue;
             const Triangle corners = t.corners(f);
             if (corners[2] == kNoId) continue;
@@ -131,7 +133,7 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
     share.restricted += state[n] == kRestricted;
     if (state[n] == kRestricted) continue;
     if (share.first_outside.size() < Faults::kShown) share.first_outside.push_back(mesh.id[n]);
-    // A surface ball is empty exactly when its center is on the dual Voronoi edge.
+    // A surface ball is empty exactly if its center is on the dual Voronoi edge.
     const bool ball =
         std::isfinite(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));
     share.occupied += ball;

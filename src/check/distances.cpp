@@ -17,8 +17,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::size_t kTrianglesAtOnce = 1u << 10;
 
-// Sums up distances in their order; infinite ones are of what was not found, negative ones of what
-// was given up. `at` is where number n was measured, `triangle_of` which triangle it was at.
+// Summarizes distances in their order. Infinite ones belong to points without Sigma, negative ones
+// to points given up. `at` returns where number n was measured, `triangle_of` on which triangle.
 template <class At, class TriangleOf>
 Distances summarize(std::vector<double> values, const CleanMesh& mesh, const DistanceBound& bound,
                     const At& at, const TriangleOf& triangle_of) {
@@ -93,10 +93,10 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
       {{(a + b + c) / 3}, {0.5 * (a + b)}, {0.5 * (b + c)}, {0.5 * (c + a)}}};
   for (auto& [p, d] : measures) {
     const double steep = along(surface, p, surface.gradient(p), limit, counters);
-    // The second search need not go further than the first found something.
+    // The second search is limited by the hit of the first.
     const double straight = along(surface, p, normal, std::min(limit, steep), counters);
     d = std::min(steep, straight);
-    if (d > std::min(bound, limit / 8)) {  // both may run past a thin part of Sigma, or a small one
+    if (d > std::min(bound, limit / 8)) {  // both may miss a thin or small piece of Sigma
       for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
         d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));
       }
@@ -145,7 +145,8 @@ Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& me
       [&](std::size_t n) { return found[n].triangle; });
 }
 
-double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit) {
+double distance_off_surface(const Vec3& p, const Isosurface& surface, double tolerance,
+                            double limit) {
   const Volume& volume = surface.volume();
   const Corners corners = volume.corners(volume.voxel_at(p));
   const auto [least, most] = std::minmax_element(corners.begin(), corners.end());

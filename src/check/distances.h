@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far mesh and Sigma are apart, both ways, at points of each. Lengths in the scaled frame.
+// The distances between mesh and Sigma, in both directions, at points of each. Lengths in the
+// scaled frame.
 #pragma once
 
 #include <array>
@@ -19,9 +20,9 @@ struct Distances {
   double max = 0, mean = 0, rms = 0;
   double quantile_999 = 0;    // 99.9 % of the points are no further
   Vec3 furthest;              // the point with `max`
-  std::size_t not_found = 0;  // points left out: no point of Sigma on the lines that were searched
+  std::size_t not_found = 0;  // points left out: no point of Sigma on the lines searched
   std::size_t beyond = 0;     // points further than the bound
-  // Of these, those further than r_min allows, and the furthest.
+  // Of these, points further than r_min allows, and the furthest.
   std::size_t too_far = 0;
   double max_too_far = 0;
   Vec3 furthest_too_far;
@@ -29,42 +30,44 @@ struct Distances {
   std::size_t given_up = 0;  // points left out: too many triangles overlap there
 };
 
-// What points are held to. Beyond `distance`, r_min allows what is no further than r_min from a
-// triangle whose r is no larger.
+// The bound on points. A point further than `distance` is allowed if it is within r_min of a
+// triangle whose r is at most r_min.
 struct DistanceBound {
   double distance = std::numeric_limits<double>::infinity();
   double r_min = 0;
 };
 
-// How far Sigma is looked for, in diagonals of a voxel.
+// The length of a search for Sigma, in diagonals of a voxel.
 inline constexpr double kSearchDiagonals = 4;
 
 struct Measure {
   Vec3 at;
-  double distance = 0;  // infinite: nothing was found
+  double distance = 0;  // infinite if nothing is found
 };
 
-// From the middle of a triangle and of its edges to Sigma: along the gradient and along the
-// triangle's normal, and where that gives nothing within `bound`, or near by, along the axes and
-// towards the corners; the shortest of these, hence an upper bound. Searched over `limit`.
+// Measures the distance to Sigma from the middles of a triangle and of its edges, over at most
+// `limit`. Searches along the gradient and along the triangle's normal. If that finds nothing
+// within `bound`, or near by, also searches along the axes and towards the corners. The shortest of
+// these is an upper bound of the distance.
 std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
                                         const Isosurface& surface, double limit, double bound,
                                         SearchCounters& counters);
 
-// The same for all triangles.
+// Measures all triangles.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                const DistanceBound& bound, int threads = 1);
 
-// From every vertex of the contour to the nearest triangle of the mesh; empty without triangles.
-// pre: the tree is that of the mesh.
+// Measures the distance from every vertex of the contour to the nearest triangle of the mesh; empty
+// without triangles. pre: the tree is that of the mesh.
 Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& mesh,
                                  const TriangleTree& tree, const DistanceBound& bound,
                                  int threads = 1);
 
-// Whether a point of Sigma is within `tolerance` of p on the lines through p along the gradient and
-// the axes, or g is as near to kappa there as the oracle's own points may be (1e-9 of the range of
-// the voxel's samples). Otherwise how far it is: the nearest point of Sigma on these lines within
-// `limit`, or `limit`. Returns 0 when p is on Sigma.
-double off_surface(const Vec3& p, const Isosurface& surface, double tolerance, double limit);
+// Returns 0 if p is on Sigma. That is so if a point of Sigma is within `tolerance` of p, on the
+// lines through p along the gradient and the axes. It is also so if g is as near to kappa as at the
+// oracle's own points (1e-9 of the range of the voxel's samples). Otherwise returns the distance to
+// the nearest point of Sigma on these lines within `limit`, or `limit`.
+double distance_off_surface(const Vec3& p, const Isosurface& surface, double tolerance,
+                            double limit);
 
 }  // namespace deliso

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check finds wrong, kind by kind: how often, and the first few with ids and places.
+// The faults that a check finds, by kind: their number, and the first few with ids and places.
 #pragma once
 
 #include <array>
@@ -16,25 +16,25 @@ namespace deliso {
 
 enum class FaultKind : std::uint8_t {
   not_finite,             // coordinates
-  duplicate_vertices,     // at one position; everything else is looked at as if they were one
-  unused_vertices,        // of no triangle
+  duplicate_vertices,     // at one position; all other tests count them as one
+  unused_vertices,        // in no triangle
   degenerate_triangles,   // a corner twice, or all three on one line
   duplicate_triangles,    // on the same three vertices
   non_manifold_edges,     // of more than two triangles
   orientation,            // two triangles run the same way along their edge
   non_manifold_vertices,  // the triangles there are neither a disk nor a half disk
   holes,                  // edges of one triangle that do not lie on the box; of a solid: any
-  self_intersections,     // pairs of triangles that meet beyond what they share
+  self_intersections,     // pairs of triangles that meet outside their common vertex or edge
   vertices_off_surface,   // not on Sigma within the tolerance
   missing_components,     // of the exact contour
-  extra_components,       // of the mesh, beyond one for each of the contour's
-  different_components,   // another Euler number, or more or fewer boundary loops
+  extra_components,       // of the mesh, more than one for each of the contour's
+  different_components,   // another Euler number or number of boundary loops
   turned_components,      // with the normals to the side where g >= kappa
   turned_caps,            // triangles of a solid on the box that face into it
-  no_volume,              // a solid that encloses nothing, or is turned inside out
+  no_volume,              // a solid that encloses nothing, or is reversed
   restricted_share,       // too few triangles are restricted Delaunay facets
-  too_far,                // a distance beyond the given bound
-  not_measured,           // what is left out since it would take more than n log n
+  too_far,                // a distance over the given bound
+  not_measured,           // omitted, since it would cost more than n log n
 };
 inline constexpr std::size_t kFaultKinds = 20;
 
@@ -47,9 +47,10 @@ struct Fault {
 
 class Faults {
  public:
-  static constexpr std::size_t kShown = 5;  // of every kind are kept in full
+  static constexpr std::size_t kShown = 5;  // faults of every kind are kept in full
 
-  // `what`: a text, or what makes one, which is only called for those that are kept.
+  // Adds a fault. `what` is a text or a function that returns one, called only if the fault is
+  // kept.
   template <class What>
   void add(FaultKind kind, const What& what, const Vec3& at) {
     Entry& entry = entries_[static_cast<std::size_t>(kind)];
@@ -60,7 +61,7 @@ class Faults {
       entry.first.push_back({what, at});
     }
   }
-  // That many more, which are not described.
+  // Adds `more` faults without a description.
   void add_unnamed(FaultKind kind, std::size_t more) {
     entries_[static_cast<std::size_t>(kind)].count += more;
   }

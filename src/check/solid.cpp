@@ -17,10 +17,10 @@ struct PlaneOfBox {
   int axis = 0;
   bool high = false;
   double at = 0;
-  double tolerance = 0;  // of vertices on it
+  double tolerance = 0;  // for vertices on it
 
   double off(const Vec3& p) const { return std::fabs(p[axis] - at); }
-  // The distance of the furthest corner; nothing where it is not on the plane.
+  // Returns the distance of the furthest corner; nothing if that is over the tolerance.
   std::optional<double> off(const TriMesh& mesh, const Triangle& t) const {
     const double most =
         std::max({off(mesh.points[t[0]]), off(mesh.points[t[1]]), off(mesh.points[t[2]])});
@@ -28,8 +28,8 @@ struct PlaneOfBox {
   }
 };
 
-// The planes of the box. Where most vertices next to one are exactly on it, the mesh was written in
-// this frame: then the others are off it, by however little.
+// Returns the planes of the box. If most vertices near a plane are exactly on it, the mesh was
+// written in this frame. Then the others are off it, however near they are.
 std::array<PlaneOfBox, 6> planes_of(const TriMesh& mesh, const Box3& box, double tolerance) {
   std::array<PlaneOfBox, 6> planes;
   for (int n = 0; n < 6; ++n) {
@@ -49,7 +49,7 @@ std::array<PlaneOfBox, 6> planes_of(const TriMesh& mesh, const Box3& box, double
 
 }  // namespace
 
-SolidParts part_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults) {
+SolidParts split_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults) {
   SolidParts parts;
   parts.is_cap.resize(mesh.faces.size());
   const std::array<PlaneOfBox, 6> planes = planes_of(mesh, box, tolerance);
@@ -68,7 +68,7 @@ SolidParts part_solid(const TriMesh& mesh, const Box3& box, double tolerance, Fa
     const PlaneOfBox& plane = *on;
     parts.off_box = std::max(parts.off_box, *plane.off(mesh, t));
     Vec3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
-    // Exactly, since caps may be very thin: seen from a point outside.
+    // Exact, since caps may be very thin: seen from a point outside.
     a[plane.axis] = b[plane.axis] = c[plane.axis] = 0;
     Vec3 eye = a;
     eye[plane.axis] = plane.high ? 1 : -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh that is closed on the box (--cap), taken apart: caps are the triangles with all corners on
-// one face of the box, the surface is the rest.
+// A mesh closed on the box (--cap), split in two: caps are the triangles with all corners on one
+// face of the box, the surface is the rest.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,13 @@ struct SolidParts {
   std::vector<FaceId> surface_id;  // ids in the mesh of the surface's triangles
   TriMesh caps;
   std::vector<bool> is_cap;  // per triangle of the mesh
-  double volume = 0;         // enclosed by all triangles; negative when they are turned inwards
+  double volume = 0;         // enclosed by all triangles; negative if they face inwards
   double off_box = 0;        // the largest distance of a cap's corner from the plane of its face
 };
 
-// `tolerance`: how far a vertex may be from the box and count as on it. Reports caps that face into
-// the box, and a mesh whose volume is not positive, into `faults`. Coordinates must be finite.
-SolidParts part_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults);
+// Splits a solid into surface and caps. A vertex within `tolerance` of the box counts as on it.
+// Reports caps that face into the box, and a mesh whose volume is not positive, into `faults`. pre:
+// coordinates are finite.
+SolidParts split_solid(const TriMesh& mesh, const Box3& box, double tolerance, Faults& faults);
 
 }  // namespace deliso

@@ -19,7 +19,7 @@ std::string corners_text(const Triangle& t) {
   return text("(", t[0], " ", t[1], " ", t[2], ")");
 }
 
-// first[v] is the smallest vertex at the position of v.
+// Returns for each vertex the smallest vertex at its position, and reports duplicates.
 std::vector<VertexId> weld(const std::vector<Vec3>& points, Faults& faults) {
   std::vector<VertexId> first = first_at_place(points);
   for (VertexId v = 0; v < points.size(); ++v) {
@@ -44,7 +44,7 @@ void report_unused(const TriMesh& mesh, const std::vector<VertexId>& first, Faul
   }
 }
 
-// The triangles that are neither degenerate nor there already, with welded corners.
+// Keeps the triangles that are neither degenerate nor duplicates, with welded corners.
 void keep_good_triangles(const TriMesh& mesh, const std::vector<VertexId>& first, Faults& faults,
                          CleanMesh& out) {
   const auto named = [&](FaceId f) {
@@ -124,7 +124,8 @@ void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box
             });
 }
 
-// One disk or half disk: no spoke of more than two triangles (check_edges says) and one fan.
+// Each vertex has one disk or half disk: one fan. (check_edges tests that no edge has more than two
+// triangles.)
 void check_vertices(CleanMesh& mesh, Faults& faults) {
   const TrianglesAtVertices incident(mesh.points.size(), mesh.triangles);
   std::vector<Triangle> star;

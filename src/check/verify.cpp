@@ -20,11 +20,11 @@
 namespace deliso {
 namespace {
 
-// How far a vertex may be from Sigma beyond its rounding, in voxels.
-constexpr double kOnSurface = 1e-6;
+// How far a vertex may be from Sigma, besides its rounding.
+constexpr double kSurfaceToleranceVoxels = 1e-6;
 
-// How much further than the mesh from Sigma points of Sigma may be from the mesh.
-constexpr double kReach = 2;
+// The bound for points of Sigma is this multiple of the bound for points of the mesh.
+constexpr double kFromSurfaceFactor = 2;
 
 std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
   const Triangle& t = mesh.faces[f].v;
@@ -36,7 +36,7 @@ Vec3 middle_of(const TriMesh& mesh, FaceId f) {
   return (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
 }
 
-// Of the mesh as it was given.
+// Returns the counts of the mesh as it was given.
 TopologyCounts counts_of(const TriMesh& mesh, const CleanMesh& clean) {
   return clean.as_given ? clean.topology.counts() : mesh_topology(mesh).counts();
 }
@@ -67,7 +67,7 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
   return std::move(found.pairs);
 }
 
-// Vertices of extra components are not asked.
+// Checks that vertices lie on Sigma, except those of extra components.
 void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uint8_t>& extra,
                                const Isosurface& surface, double voxel, int threads,
                                Verification& result) {
@@ -76,7 +76,7 @@ void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uin
     for (std::size_t v = begin; v < end; ++v) {
       const std::uint32_t component = mesh.component[v];
       if (component == kNoId || extra[component]) continue;
-      off[v] = off_surface(mesh.points[v], surface, result.surface_tolerance, 4 * voxel);
+      off[v] = distance_off_surface(mesh.points[v], surface, result.surface_tolerance, 4 * voxel);
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {
@@ -102,9 +102,9 @@ void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const I
                             std::min({spacing.x, spacing.y, spacing.z}), options.threads, result);
 }
 
-// Where a share is asked for, that it is not measured is a fault; that it is too low is one where
-// there is no other.
-void judge_share(const TriMesh& mesh, const CleanMesh& clean, double least, Verification& result) {
+// If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
+// is no other.
+void check_share(const TriMesh& mesh, const CleanMesh& clean, double least, Verification& result) {
   const DelaunayShare& share = result.delaunay;
   if (!(least > 0)) return;
   if (!share.measured) {
@@ -149,14 +149,14 @@ void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Crit
   }
 }
 
-// The surface of a solid, with ids of the whole mesh; the caps are summed up.
-CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions& options,
-                       const Pairs& intersections, Verification& result) {
-  SolidParts parts = part_solid(mesh, box, options.position_error, result.faults);
+// Returns the surface of a solid, with ids of the whole mesh, and summarizes the caps.
+CleanMesh extract_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions& options,
+                          const Pairs& intersections, Verification& result) {
+  SolidParts parts = split_solid(mesh, box, options.position_error, result.faults);
   Faults of_surface;
   CleanMesh clean =
       check_validity(parts.surface, box, options.position_error, MayEnd::on_box, of_surface);
-  // What the whole is free of, but not the surface alone: it touches itself at the box.
+  // Faults that the surface has but not the whole: it touches itself at the box.
   const auto kind = FaultKind::non_manifold_vertices;
   if (result.faults.count(kind) == 0) {
     for (const Fault& fault : of_surface.first(kind)) result.faults.add(kind, fault.what, fault.at);
@@ -187,7 +187,7 @@ CleanMesh take_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions
   return clean;
 }
 
-// Every point that is too far is a fault; the furthest is named, and one of those that have nothing
+// Every point that is too far is a fault. The furthest is named, and one of those without Sigma
 // near by.
 void require_distance(const Distances& d, double voxel, const char* name, Faults& faults) {
   if (d.too_far > 0) {
@@ -205,8 +205,8 @@ void require_distance(const Distances& d, double voxel, const char* name, Faults
 
 Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
                     const VerifyOptions& options) {
-  // Shares of the time that are typical of the paper's volumes.
-  const auto tell = [&](double share) {
+  // Shares of the time typical of the paper's volumes.
+  const auto report_progress = [&](double share) {
     if (options.progress) options.progress(share);
   };
   const Vec3 spacing = volume.spacing();
@@ -216,7 +216,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.limits = options.limits;
   result.vertices = mesh.points.size();
   result.triangles = mesh.faces.size();
-  result.surface_tolerance = kOnSurface * voxel + 2 * options.position_error;
+  result.surface_tolerance = kSurfaceToleranceVoxels * voxel + 2 * options.position_error;
   const int threads = options.threads;
   const Stopwatch of_validity;
 
@@ -227,7 +227,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   std::optional<CleanMesh> surface_part;
   std::optional<TriangleTree> surface_tree;
   if (options.solid) {
-    surface_part = take_surface(mesh, volume.box(), options, intersections, result);
+    surface_part = extract_surface(mesh, volume.box(), options, intersections, result);
     surface_tree.emplace(surface_part->points, surface_part->triangles, threads);
   } else {
     result.mesh = counts_of(mesh, whole);
@@ -237,12 +237,12 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   const CleanMesh& clean = surface_part ? *surface_part : whole;
   const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
   result.seconds_validity = of_validity.seconds();
-  tell(0.15);
+  report_progress(0.15);
 
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, kappa);
   ContourMesh contour;
-  // Side by side: most of the triangulation's time is one thread's.
+  // In parallel: most of the triangulation runs in one thread.
   for_each_task(threads, 2, [&](std::size_t part) {
     const Stopwatch own;
     if (part == 0) {
@@ -254,15 +254,15 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
       result.seconds_topology = own.seconds();
     }
   });
-  judge_share(mesh, clean, options.restricted_share, result);
-  tell(0.65);
+  check_share(mesh, clean, options.restricted_share, result);
+  report_progress(0.65);
   const Stopwatch of_distances;
 
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
   result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
                                            {bound, r_min}, threads);
   result.from_surface =
-      distances_from_surface(contour, clean, tree, {kReach * bound, r_min}, threads);
+      distances_from_surface(contour, clean, tree, {kFromSurfaceFactor * bound, r_min}, threads);
   if (result.from_surface.given_up > 0) {
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Proves, or names what is wrong with, a mesh of an isosurface: given the mesh and the volume
-// alone, whoever made it. It shares no path with the stages, only the exact predicates, the oracle,
-// the exact contour and the Delaunay triangulation.
+// Verifies a mesh of an isosurface from the mesh and the volume alone, and reports its faults. It
+// shares no path with the stages, except the exact predicates, the oracle, the exact contour and
+// the Delaunay triangulation.
 //
-// One mistake is to be one fault, so each part is only asked what the parts before leave open:
-//   V1  vertices at one position count as one from the first (smallest) id on, after being named;
-//   V2  degenerate and doubled triangles are named, then left out;
-//   V3  a component with faulty edges or vertices has no topology: it is not compared;
-//   V4  vertices of extra components are not asked whether they lie on Sigma;
-//   V5  the restricted share is always measured, but judged on request alone, and only where
-//   nothing
-//       else is wrong.
-// A stage may be told to leave criteria unmet (below r_min, or where it has no room): they are
-// counted, and a fault only on request.
+// One mistake is reported as one fault. So each step tests only what the steps before leave open:
+//   V1  Vertices at one position are reported, then count as one from the smallest id on.
+//   V2  Degenerate and duplicate triangles are reported, then left out.
+//   V3  A component with faulty edges or vertices has no topology: it is not compared.
+//   V4  Vertices of extra components are not tested for lying on Sigma.
+//   V5  The share of restricted Delaunay facets is always measured. It is a fault only on request,
+//       and only if there is no other.
+// A stage may leave criteria unmet (below r_min, or without room). These are counted, and are a
+// fault only on request.
 #pragma once
 
 #include <cstddef>
@@ -37,22 +36,22 @@
 namespace deliso {
 
 struct VerifyOptions {
-  ComponentChoice components;   // others of the contour may be missing
-  double position_error = 0;    // of the vertices, as far as they were rounded; scaled frame
+  ComponentChoice components;   // other components of the contour may be missing
+  double position_error = 0;    // rounding of the vertices; scaled frame
   double restricted_share = 0;  // the least share of restricted Delaunay facets that is no fault
-  // What triangles are held to, with h from the circumcenter to Sigma. How many are over a limit is
-  // counted, and no fault. Points of the mesh further than max_distance from Sigma are counted too,
-  // and points of Sigma further than twice that from the mesh (as Stage 2 has it).
+  // The limits on triangles, with h from the circumcenter to Sigma. Triangles over a limit are
+  // counted, and are no fault. Also counted are points of the mesh further than max_distance from
+  // Sigma, and points of Sigma further than twice that from the mesh (as in Stage 2).
   Criteria limits;
-  bool require_distance = false;  // these points are faults, but for those that r_min allows
+  bool require_distance = false;  // these points are faults, unless r_min allows them
   int threads = 1;
-  std::function<void(double)> progress;  // called with the share that is done; may be empty
-  bool solid = false;  // the mesh is to be closed on the box; what is said of it holds without caps
+  std::function<void(double)> progress;  // called with the share done; may be empty
+  bool solid = false;  // the mesh must be closed on the box; its figures exclude caps
 };
 
-// What the triangles on the box are, of a solid. The surface is verified without them.
+// The caps of a solid. The surface is verified without them.
 struct SolidSummary {
-  std::size_t cap_vertices = 0;  // of no triangle of the surface
+  std::size_t cap_vertices = 0;  // in no triangle of the surface
   std::size_t cap_triangles = 0;
   double volume = 0;
   std::size_t self_intersections = 0;  // pairs of triangles with at least one of the caps
@@ -75,15 +74,15 @@ struct Verification {
   MeshQuality quality;
   Criteria limits;  // as given
   std::size_t triangles_above_r_min = 0;
-  double max_h_above_r_min = 0, max_h_over_r_above_r_min = 0;  // of those with a surface ball
-  PerCriterion<std::size_t> over;                              // triangles that pass the limit
+  double max_h_above_r_min = 0, max_h_over_r_above_r_min = 0;  // of triangles with a surface ball
+  PerCriterion<std::size_t> over;                              // triangles over the limit
   std::size_t over_a_limit = 0;                                // any of them
   BoundaryQuality boundary;
   double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
 };
 
-// `mesh` in the scaled frame of `volume`, kappa the effective isovalue. Faults of the mesh are in
-// the result, never thrown. pre: corners below the vertex count; samples finite.
+// Verifies `mesh`, in the scaled frame of `volume`. Faults are in the result, never thrown. pre:
+// kappa is the effective isovalue; corners are below the vertex count; samples are finite.
 Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
                     const VerifyOptions& options);
 

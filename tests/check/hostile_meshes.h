@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes that nobody would make but somebody may hand in: each of about n triangles, and such that
-// some way of looking at it takes time in the square of n.
+// Hostile meshes: each has about n triangles, and makes some step of the check cost the square of
+// n.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct Hostile {
   }
 };
 
-// Around one vertex, with the others at place(0), place(1), ...
+// Triangles around one vertex, with the others at place(0), place(1), ...
 template <class Place>
 Hostile fan(std::string name, const Vec3& center, std::size_t n, const Place& place) {
   Hostile h{std::move(name), {center}, {}};
@@ -33,7 +33,7 @@ Hostile fan(std::string name, const Vec3& center, std::size_t n, const Place& pl
   return h;
 }
 
-// Within the box from 0 to `side`.
+// Meshes within the box from 0 to `side`.
 inline std::vector<Hostile> hostile_meshes(std::size_t n, double side) {
   std::vector<Hostile> all;
   const double half = 0.5 * side, step = 1 / static_cast<double>(n);
@@ -45,7 +45,7 @@ inline std::vector<Hostile> hostile_meshes(std::size_t n, double side) {
     copies.triangles.push_back({a, b, copies.add({0, side, half})});
   }
   all.push_back(copies);
-  all.push_back(fan("fan with a helix for a rim", {half, half, 0}, n, [&](double i) {
+  all.push_back(fan("fan with a helix for its boundary", {half, half, 0}, n, [&](double i) {
     const double u = 20 * i * step;
     return Vec3{half + 0.4 * side * std::cos(u), half + 0.4 * side * std::sin(u), side * i * step};
   }));
@@ -108,17 +108,17 @@ inline std::vector<Hostile> hostile_meshes(std::size_t n, double side) {
   all.push_back(far);
   all.push_back(crumbs);
 
-  // Of two poles over a rim on a sphere about the middle: all vertices are cospherical.
+  // Two poles over a circle on a sphere around the middle: all vertices are cospherical.
   Hostile spindle{"two poles of a sphere", {}, {}};
   const VertexId north = spindle.add(middle + Vec3{0, 0, 0.4 * side});
   const VertexId south = spindle.add(middle - Vec3{0, 0, 0.4 * side});
-  const auto rim = VertexId(n / 2);
-  for (VertexId i = 0; i < rim; ++i) {
-    const double u = 2 * 3.14159265358979 * i / rim;
+  const auto ring = VertexId(n / 2);
+  for (VertexId i = 0; i < ring; ++i) {
+    const double u = 2 * 3.14159265358979 * i / ring;
     spindle.add(middle + 0.4 * side * Vec3{std::cos(u), std::sin(u), 0});
   }
-  for (VertexId i = 0; i < rim; ++i) {
-    const VertexId here(2 + i), next(2 + (i + 1) % rim);
+  for (VertexId i = 0; i < ring; ++i) {
+    const VertexId here(2 + i), next(2 + (i + 1) % ring);
     spindle.triangles.push_back({north, here, next});
     spindle.triangles.push_back({south, next, here});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boundary edges against circles whose sagitta is known, and what the stages make of curves.
+// Boundary edges against circles of known sagitta, and along the curves that the stages follow.
 #include "check/boundary_quality.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Round the z axis of a 65 x 65 x 9 box, inside within `radius`.
+// A cylinder around the z axis of a 65 x 65 x 9 box, inside within `radius`.
 Volume cylinder(double radius) {
   std::vector<float> samples;
   for (int k = 0; k < 9; ++k) {
@@ -29,7 +29,7 @@ Volume cylinder(double radius) {
   return Volume::from_samples({65, 65, 9}, {1, 1, 1}, samples);
 }
 
-// A prism of n sides inscribed into it, with its corners on the curve that the samples have.
+// A prism of n sides inscribed into it, with its corners on the curve of the samples.
 CleanMesh prism(const Isosurface& surface, int n) {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
@@ -57,7 +57,7 @@ CleanMesh prism(const Isosurface& surface, int n) {
 
 }  // namespace
 
-TEST_CASE("the sagitta of polygons inscribed into a circle") {
+TEST_CASE("h of polygons inscribed into a circle is their sagitta") {
   const Volume volume = cylinder(20);
   const VoxelTree tree(volume);
   const Isosurface surface(volume, tree, effective_isovalue(volume, 0));
@@ -77,7 +77,7 @@ TEST_CASE("the sagitta of polygons inscribed into a circle") {
     CHECK(q.over_h_over_r == (expected > 0.1 ? std::size_t(2 * n) : 0));
     CHECK(q.over_distance == (20 * (1 - std::cos(kPi / n)) > 0.3 ? std::size_t(2 * n) : 0));
     CHECK(q.above_r_min == std::size_t(2 * n));
-    // Nothing is asked, or nothing is large enough to be asked.
+    // No limits, or no edge large enough for them.
     const BoundaryQuality unasked = measure_boundary(mesh, surface, {});
     CHECK(unasked.over_h_over_r == 0);
     CHECK(unasked.over_distance == 0);
@@ -95,7 +95,7 @@ TEST_CASE("the sagitta of polygons inscribed into a circle") {
   }
 }
 
-TEST_CASE("the stages follow the curves on the box, with no slivers along them") {
+TEST_CASE("the stages follow the curves on the box, without slivers along them") {
   int edges = 0;
   for (int n = 0; n < 5; ++n) {
     CAPTURE(n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes made to take the square of their size: what is given up is said, and the verdict does not
-// depend on the number of threads.
+// Meshes made to cost the square of their size: the check reports what it gave up, and the verdict
+// does not depend on the number of threads.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ TEST_CASE("every hostile mesh has faults, the same with any number of threads") 
   }
 }
 
-TEST_CASE("crossings of a few triangles are all found, of very many as many as are looked for") {
+TEST_CASE("crossings of few triangles are all found, of very many up to the bound") {
   for (const std::size_t n : {40u, 300u}) {
     for (const Hostile& mesh : hostile_meshes(n, 23)) {
       if (mesh.name == "copies of one triangle" || mesh.name == "all vertices at one point" ||
@@ -100,7 +100,7 @@ TEST_CASE("crossings of a few triangles are all found, of very many as many as a
       const Crossings found = find_crossings(mesh.points, mesh.triangles, tree);
       CHECK(std::includes(all.begin(), all.end(), found.pairs.begin(), found.pairs.end()));
       if (found.given_up.empty()) CHECK(found.pairs == all);
-      if (mesh.name == "fan with a helix for a rim" || mesh.name == "flat fan") {
+      if (mesh.name == "fan with a helix for its boundary" || mesh.name == "flat fan") {
         CHECK(found.given_up.empty());
         CHECK(found.pairs.empty());
       }
@@ -108,7 +108,7 @@ TEST_CASE("crossings of a few triangles are all found, of very many as many as a
   }
 }
 
-TEST_CASE("where all triangles cross, looking ends and says so") {
+TEST_CASE("where all triangles cross, the search ends and reports it") {
   const Ball ball;
   const Hostile mesh = named(hostile_meshes(4000, 23), "triangles that all cross each other");
   const Verification v = ball.verify(mesh, 2);
@@ -118,7 +118,7 @@ TEST_CASE("where all triangles cross, looking ends and says so") {
   CHECK(found <= mesh.triangles.size() * (kMaxTestsPerLeaf / 4 + 16));
 }
 
-// Triangles across each other on so few vertices that most of these have many.
+// Triangles that cross each other, on so few vertices that most of them have many triangles.
 Hostile stars(std::size_t vertices, std::size_t n) {
   Hostile mesh{"stars", {}, {}};
   Random random(7);
@@ -136,7 +136,7 @@ Hostile stars(std::size_t vertices, std::size_t n) {
   return mesh;
 }
 
-TEST_CASE("crossings of triangles at many stars are all found, where they are few") {
+TEST_CASE("crossings of triangles at many stars are all found if they are few") {
   for (const std::size_t vertices : {25u, 40u}) {
     const Hostile mesh = stars(vertices, 800);
     std::vector<std::pair<FaceId, FaceId>> all;
@@ -154,14 +154,14 @@ TEST_CASE("crossings of triangles at many stars are all found, where they are fe
   }
 }
 
-// Each pair of stars had a budget of its own: 40,000 such triangles took 88 s and 3 GB.
-TEST_CASE("one budget for the crossings of all stars") {
+// Each pair of stars once had a budget of its own: 40,000 such triangles took 88 s and 3 GB.
+TEST_CASE("the crossings of all stars share one budget") {
   const std::size_t n = 6000;
   const Hostile mesh = stars(200, n);
   const TriangleTree tree(mesh.points, mesh.triangles);
   const Crossings one = find_crossings(mesh.points, mesh.triangles, tree);
   CHECK(!one.given_up.empty());
-  // A triangle has its own share, and some more of what is shared.
+  // A triangle has its own budget, and a share of the common one.
   CHECK(one.pairs.size() <= 2 * (n * kMaxFoundPerLeaf + kFoundShared));
   CHECK(one.pairs.size() >= n * kMaxFoundPerLeaf / 2);
   for (const int threads : {2, 3}) {
@@ -182,8 +182,9 @@ TEST_CASE("a Delaunay triangulation with a cell for every two vertices is given 
   }
 }
 
-// Few cells are made, but each walk goes half way around: 40,000 triangles took 6 s, in the square.
-TEST_CASE("so is one whose cells all lie around a center") {
+// Few cells are made, but each walk goes half way around: 40,000 triangles once took 6 s,
+// quadratic.
+TEST_CASE("a Delaunay triangulation whose cells all lie around a center is given up") {
   const Ball ball;
   Hostile mesh{"crossing fan", {{11.5, 11.5, 11.5}}, {}};
   Random random(1);

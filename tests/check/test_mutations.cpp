@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sound mesh with one thing changed at random is never called sound.
+// A sound mesh with one random change is never called sound.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -60,7 +60,7 @@ struct Soup {
 
 }  // namespace
 
-TEST_CASE("each of 200 mutations of sound meshes is a fault") {
+TEST_CASE("each of 200 random changes of sound meshes is a fault") {
   std::size_t caught = 0;
   for (const std::string name : {"gyroid:16", "five_spheres:24", "fuel:20", "linked_tori:20"}) {
     const Volume volume = make_builtin_volume("builtin:" + name);

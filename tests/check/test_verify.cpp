@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One fault put into a good mesh is the one fault that is reported.
+// One fault made in a sound mesh is the one fault that is reported.
 #include "check/verify.h"
 
 #include <doctest/doctest.h>
@@ -159,7 +159,8 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
   SUBCASE("edge of three triangles") {
     Parts p = sphere;
     const Triangle t = p.triangles[middle];
-    // Outwards from an edge, so that nothing is crossed; off the surface, which is named as well.
+    // Outwards from an edge, so that it crosses nothing. It is off the surface, which is reported
+    // too.
     const Box3 box = good.volume.box();
     const Vec3 center = 0.5 * (box.lo + box.hi);
     const Vec3 edge = 0.5 * (p.points[t[0]] + p.points[t[1]]);
@@ -206,7 +207,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     REQUIRE(back > 0);
     CHECK(before.to_surface.beyond == 0);
     CHECK(before.from_surface.beyond == 0);
-    // The mesh is held to the bound, the surface to twice that.
+    // The bound applies to the mesh, twice the bound to the surface.
     const double enough = std::max(there, back / 2);
     for (const bool required : {false, true}) {
       options.require_distance = required;
@@ -282,7 +283,7 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
           const Vec3 normal = area_normal(a, b, c);
           SearchCounters counters;
           const auto hit =
-              surface.nearest(center, normal / length(normal), kBallLimit * r, counters);
+              surface.nearest(center, normal / length(normal), kBallLimitRadii * r, counters);
           const double h = hit ? std::fabs(hit->t) : std::numeric_limits<double>::infinity();
           const bool is_needle = r > lambda * l, is_large = r > 0.8;
           needles += is_needle;
@@ -305,8 +306,8 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
   CHECK(over_some >= 8);
 }
 
-// A point is judged by the triangle that it is on, or nearest to.
-TEST_CASE("r_min allows what is near a triangle that is no larger, and no further than r_min") {
+// The triangle that a point is on, or nearest to, decides.
+TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min") {
   const Good good("fuel");
   const VoxelTree voxels(good.volume);
   const Isosurface surface(good.volume, voxels, good.kappa);
@@ -338,7 +339,7 @@ TEST_CASE("r_min allows what is near a triangle that is no larger, and no furthe
         for (const Face& face : good.mesh.faces) {
           const double d2 =
               distance2_to_triangle(p, points[face.v[0]], points[face.v[1]], points[face.v[2]]);
-          // Of equally near ones, any: they share the edge or vertex that is nearest.
+          // Any of the equally near ones: they share the nearest edge or vertex.
           if (d2 < least) r = radius(face.v);
           least = std::min(least, d2);
         }
@@ -366,9 +367,9 @@ TEST_CASE("r_min allows what is near a triangle that is no larger, and no furthe
   CHECK(cases_with_both > 0);
 }
 
-// Vertices on the surface, the middles of triangles nowhere near it: found by no line, and so no
-// distance was measured.
-TEST_CASE("triangles with no surface near by are too far, where distances are required") {
+// Vertices on the surface, the middles of triangles far from it. No line found Sigma there, so once
+// no distance was measured.
+TEST_CASE("triangles without surface near by are too far if distances are required") {
   std::vector<float> samples;
   for (int k = 0; k < 49; ++k) {
     for (int j = 0; j < 49; ++j) {
@@ -403,8 +404,8 @@ TEST_CASE("triangles with no surface near by are too far, where distances are re
         v.to_surface.beyond + v.to_surface.not_found + v.from_surface.beyond);
 }
 
-// Two triangles of one voxel where a tube was: the piece of T in it with its two loops filled.
-TEST_CASE("a handle cut through is a component that differs") {
+// Two triangles of one voxel instead of a tube: the piece of T in it, with its two loops filled.
+TEST_CASE("a component with a cut handle is reported as different") {
   std::size_t cut = 0;
   for (std::uint64_t seed = 1; seed <= 3000 && cut < 3; ++seed) {
     Random random(seed);
@@ -458,7 +459,7 @@ TEST_CASE("a handle cut through is a component that differs") {
         p.triangles.push_back({a, b, next(b)});
       }
       remove_unused(p);
-      // Where the cut parts a component, or T meets itself, it is another story.
+      // If the cut separates a component, or T meets itself, other faults may follow.
       const Verification before = run(whole), after = run(p);
       if (before.faults.any() || after.mesh.components != before.mesh.components) continue;
       CAPTURE(seed);
@@ -469,7 +470,7 @@ TEST_CASE("a handle cut through is a component that differs") {
   CHECK(cut == 3);
 }
 
-TEST_CASE("a component left out is missing") {
+TEST_CASE("a component left out is reported as missing") {
   const Scene scene = wave_scene(3, 24);
   REQUIRE(scene.contour.summary.components.size() > 1);
   Parts p{scene.contour.points, scene.contour.triangles};
@@ -485,7 +486,7 @@ TEST_CASE("a component left out is missing") {
   check_only(run(), FaultKind::missing_components, 1);
 }
 
-TEST_CASE("a solid: sound as it is, and one fault in its caps is one fault") {
+TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault") {
   const Volume volume = make_builtin_volume("builtin:gyroid:24");
   Options meshing;
   meshing.cap = true;
@@ -527,16 +528,17 @@ TEST_CASE("a solid: sound as it is, and one fault in its caps is one fault") {
   CHECK(turned.faults.count(FaultKind::no_volume) == 1);
   CHECK(kinds_of(turned.faults).size() == 3);
 
-  // A new corner of the caps, pushed off the box: its triangles are no caps any more.
+  // A new corner of the caps, moved off the box: its triangles are no caps any more.
   p = good;
   Vec3& corner = p.points.back();
   corner = corner + 0.01 * (0.5 * (volume.box().lo + volume.box().hi) - corner);
   CHECK(run(p).faults.any());
 }
 
-// A facet of the surface whose corners are all within the tolerance of a face was taken for a cap,
-// and reported as turned. A pyramid in the corner of the box, and its base: the apex is a hair off.
-TEST_CASE("what is a hair off the box is no cap, where the other vertices are exactly on it") {
+// A pyramid in the corner of the box, and its base: the apex is slightly off the box. A facet of
+// the surface with all corners within the tolerance of a face was once taken for a cap, and
+// reported as reversed.
+TEST_CASE("a facet slightly off the box is no cap if the other vertices are exactly on it") {
   const Box3 box{{0, 0, 0}, {1, 1, 1}};
   constexpr double kTolerance = 1e-9;
   for (const double hair : {1e-12, 0.5}) {
@@ -548,10 +550,10 @@ TEST_CASE("what is a hair off the box is no cap, where the other vertices are ex
       const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
       Faults faults;
       const SolidParts parts =
-          part_solid(make_tri_mesh(points, triangles), box, kTolerance, faults);
+          split_solid(make_tri_mesh(points, triangles), box, kTolerance, faults);
       CAPTURE(hair);
       CAPTURE(exact);
-      // Without a vertex exactly on the face nothing tells a hair from a rounding.
+      // Without a vertex exactly on the face, nothing distinguishes an offset from a rounding.
       const bool told_apart = exact || hair > kTolerance;
       CHECK(parts.caps.faces.size() == (told_apart ? 1 : 4));
       CHECK(parts.is_cap[0]);
@@ -560,7 +562,7 @@ TEST_CASE("what is a hair off the box is no cap, where the other vertices are ex
   }
 }
 
-// The same component may be missing where it is smaller than asked for, and only there.
+// A component may be missing if it is smaller than asked for, and only then.
 TEST_CASE("a small component left out on request is counted, a larger one is missing") {
   const Scene scene = wave_scene(3, 24);
   const ContourComponent& c = scene.contour.summary.components[1];
@@ -579,11 +581,11 @@ TEST_CASE("a small component left out on request is counted, a larger one is mis
   }
 }
 
-// Sheets and specks a billionth of a voxel apart, walls thinner than a triangle is long: the
-// nearest triangle of the contour is often another component's, and the middle of a triangle beyond
-// the wall. Sound meshes of 50 among 2,000 tiny volumes were said to miss a component, or to be
-// turned. One of 14,858 lies in a face of the box and bounds nothing.
-TEST_CASE("components that all but touch are told apart") {
+// Sheets and small components a billionth of a voxel apart, and walls thinner than a triangle is
+// long. The nearest triangle of the contour often belongs to another component, and the middle of a
+// triangle lies behind the wall. Sound meshes of 50 among 2,000 tiny volumes were once said to miss
+// a component, or to be reversed. One of 14,858 lies in a face of the box and bounds nothing.
+TEST_CASE("components that nearly touch are matched correctly") {
   for (const std::uint64_t seed : {4u, 97u, 214u, 436u, 1131u, 1157u, 1619u, 14858u}) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
