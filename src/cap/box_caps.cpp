@@ -15,7 +15,8 @@ namespace deliso {
 
 namespace {
 
-// Faces beyond one that two points have in common: the other face of an edge of the box.
+// Returns the other faces that two points of a face have in common: on an edge of the box, its
+// other face.
 unsigned other_faces(const Vec3& p, const Vec3& q, const Box3& box, int face) {
   return box_faces_at(p, box) & box_faces_at(q, box) & ~(1u << face);
 }
@@ -104,7 +105,7 @@ void BoxCaps::triangulate(FaceCap& cap) {
     const unsigned common =
         box_faces_at(mesh_.points[a], box_) & box_faces_at(mesh_.points[b], box_);
     if ((common >> cap.number & 1) == 0) continue;
-    // The cap runs the other way along the edge.
+    // The cap runs along the edge in the opposite direction.
     const VertexId from = local_of(b), to = local_of(a);
     const auto obstacle = cap.plane->constrain(from, to, Side::inside, Side::outside);
     if (!obstacle) continue;
@@ -128,7 +129,7 @@ void BoxCaps::triangulate(FaceCap& cap) {
   }
 }
 
-// Ids for the corners of the box that are inside, the same on all their faces.
+// Numbers the inside corners of the box, with one id on all their faces.
 void BoxCaps::number_corners() {
   std::array<VertexId, 8> id;
   id.fill(kNoId);
@@ -163,8 +164,8 @@ void BoxCaps::number_corners() {
   }
 }
 
-// Two faces must agree about the edge of the box between them: where one is inside, so is the
-// other, or else a boundary edge of the mesh runs there.
+// Checks that two faces agree about the edge of the box between them. If one is inside there, so is
+// the other, or a boundary edge of the mesh runs there.
 void BoxCaps::check_sides() {
   for (const FaceCap& cap : caps_) {
     for (FaceId t = 0; t < cap.plane->triangles().size(); ++t) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Caps: the part of the box's faces where f >= kappa, triangulated so that together with the mesh
-// they bound the solid {f >= kappa} within the box.
+// Caps: the region of the box's faces where f >= kappa, triangulated. Together with the mesh they
+// bound the solid {f >= kappa} within the box.
 //
-// The mesh's boundary edges run along the box with the inside on one known side, so they alone say
-// which part of a face is inside; samples are asked only where a face has no such edge. Each face
-// is a rectangle of its own (planar/), with the coordinate across it dropped; faces share the
-// vertices on the edges of the box. What the result keeps:
-//   C1  boundary edges of the mesh are edges of the caps, unsplit: its triangles do not change;
-//   C2  new vertices lie on the planes of the box to the last bit;
-//   C3  mesh and caps are closed, and run along each edge they share in opposite directions.
+// The mesh's boundary edges run along the box with the inside on one known side. So they alone
+// determine which region of a face is inside; samples decide only for a face without such edges.
+// Each face is a separate rectangle (planar/), without the coordinate across it. Faces share the
+// vertices on the edges of the box. The result has these properties:
+//   C1  Boundary edges of the mesh are edges of the caps, unsplit: the mesh's triangles do not
+//       change.
+//   C2  New vertices lie on the planes of the box to the last bit.
+//   C3  Mesh and caps are closed, and run along each common edge in opposite directions.
 #pragma once
 
 #include <array>
@@ -28,11 +29,11 @@ namespace deliso {
 
 class BoxCaps {
  public:
-  // Corner m of the box is at its high end along axis k where bit k of m is set. Keeps references.
-  // pre: the mesh is linked; the box has three sides that are not 0.
+  // Triangulates the caps. Corner m of the box is at the high end of axis k if bit k of m is set.
+  // Keeps references. pre: the mesh is linked; no side of the box is 0.
   BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>& corner_inside);
 
-  // Boundary edges, each by the facet and the corner opposite to it.
+  // A boundary edge, by its facet and the corner opposite to it.
   struct EdgeRef {
     FaceId f;
     int i;
@@ -41,20 +42,22 @@ class BoxCaps {
       return a.f != b.f ? a.f < b.f : a.i < b.i;
     }
   };
-  // Edges that meet another one, or a vertex, beyond their ends; ascending. There are no caps then.
+  // Returns the edges that meet another edge, or a vertex, elsewhere than at their ends; ascending.
+  // If there are any, there are no caps.
   const std::vector<EdgeRef>& crossing_edges() const { return crossing_; }
-  // Vertices of the boundary at one position. There are no caps then, either.
+  // Returns pairs of boundary vertices at one position. If there are any, there are no caps.
   const std::vector<std::pair<VertexId, VertexId>>& coincident() const { return coincident_; }
-  // Why there can be no caps whatever is done about crossings; empty when there can.
+  // Returns why no caps are possible even without crossings; empty if they are.
   const std::string& failure() const { return failure_; }
   bool possible() const { return crossing_.empty() && coincident_.empty() && failure_.empty(); }
 
-  // Improves the triangles: r/l <= lambda as far as boundary edges, which are kept, allow.
+  // Improves the triangles to r/l <= lambda, as far as boundary edges, which stay unsplit, allow.
   // pre: possible().
   void refine(double lambda);
+  // Returns how many triangles stay bad (RegionRefiner::refused).
   std::size_t refused() const;
 
-  // Points and triangles that close the mesh when appended to its own. pre: possible().
+  // Return the points and triangles that close the mesh when appended to its own. pre: possible().
   const std::vector<Vec3>& new_points() const { return new_points_; }
   std::vector<Triangle> triangles() const;
 
@@ -62,8 +65,8 @@ class BoxCaps {
   struct FaceCap {
     int number, across, u, v;  // the face, its axis, and the axes of its plane
     std::unique_ptr<ConstrainedTriangulation> plane;
-    std::vector<VertexId> global;            // of its vertices, ids of the closed mesh
-    std::map<VertexId, VertexId> on_sides;   // back again, for those on sides
+    std::vector<VertexId> global;            // per vertex, its id in the closed mesh
+    std::map<VertexId, VertexId> on_sides;   // the inverse, for vertices on sides
     std::unique_ptr<RegionRefiner> refiner;  // made by refine()
   };
 
@@ -82,10 +85,10 @@ class BoxCaps {
   const Box3 box_;
   const std::array<bool, 8> corner_inside_;
   std::vector<EdgeRef> edges_;                         // all boundary edges
-  std::vector<std::pair<VertexId, EdgeRef>> edge_at_;  // per end of each, sorted
+  std::vector<std::pair<VertexId, EdgeRef>> edge_at_;  // per end of each edge, sorted
   std::array<FaceCap, 6> caps_;
   std::vector<Vec3> new_points_;
-  double shortest_ = 0;  // boundary edge
+  double shortest_ = 0;  // length of the shortest boundary edge
   std::vector<EdgeRef> crossing_;
   std::vector<std::pair<VertexId, VertexId>> coincident_;
   std::string failure_;

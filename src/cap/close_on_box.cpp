@@ -16,34 +16,40 @@
 namespace deliso {
 namespace {
 
-// Rounds of splitting edges that cross; in each their arcs are halved.
-constexpr int kRounds = 64;
+// Bound on the rounds that split crossing edges; each round halves their arcs.
+constexpr int kMaxRounds = 64;
 
-// For meshes that cross themselves on the box, which have no embedding to be kept.
-class CrossingParter {
+// Separates boundary edges and vertices that meet. Only for meshes that cross themselves on the
+// box, and so have no embedding to keep.
+class CrossingResolver {
  public:
-  CrossingParter(SurfaceMesh& s, const BoundaryCurves& curves, const Box3& box, double hair,
-                 Report& report)
-      : s_(s), mesh_(s.mesh), curves_(curves), box_(box), hair_(hair), report_(report) {}
+  CrossingResolver(SurfaceMesh& s, const BoundaryCurves& curves, const Box3& box,
+                   double perturbation, Report& report)
+      : s_(s),
+        mesh_(s.mesh),
+        curves_(curves),
+        box_(box),
+        perturbation_(perturbation),
+        report_(report) {}
 
-  // Splits the edges on their curves; false when none of them can be.
+  // Splits the edges on their curves. Returns false if none can be split.
   bool split(const std::vector<BoxCaps::EdgeRef>& edges);
-  // Moves the vertices apart, into the corners that the boundary makes there.
-  void part(const std::vector<std::pair<VertexId, VertexId>>& coincident);
+  // Moves the vertices apart, into the boundary's corners there.
+  void separate(const std::vector<std::pair<VertexId, VertexId>>& coincident);
 
  private:
   SurfaceMesh& s_;
   TriMesh& mesh_;
   const BoundaryCurves& curves_;
   const Box3 box_;
-  const double hair_;
+  const double perturbation_;
   Report& report_;
 };
 
-bool CrossingParter::split(const std::vector<BoxCaps::EdgeRef>& edges) {
+bool CrossingResolver::split(const std::vector<BoxCaps::EdgeRef>& edges) {
   BoundaryChain& chain = s_.chain;
   bool any = false;
-  // A split takes the facet's corners round, so a facet is only split once at a time.
+  // A split permutes the facet's corners, so a facet is split once per round.
   std::vector<FaceId> touched;
   for (const BoxCaps::EdgeRef& edge : edges) {
     if (!touched.empty() && touched.back() == edge.f) continue;
@@ -62,7 +68,7 @@ bool CrossingParter::split(const std::vector<BoxCaps::EdgeRef>& edges) {
   return any;
 }
 
-void CrossingParter::part(const std::vector<std::pair<VertexId, VertexId>>& coincident) {
+void CrossingResolver::separate(const std::vector<std::pair<VertexId, VertexId>>& coincident) {
   std::vector<VertexId> vertices;
   for (const auto& [a, b] : coincident) vertices.insert(vertices.end(), {a, b});
   sort_out(vertices);
@@ -83,12 +89,12 @@ void CrossingParter::part(const std::vector<std::pair<VertexId, VertexId>>& coin
     }
   }
   for (std::size_t n = 0; n < vertices.size(); ++n) {
-    // Off no face that the vertex is on.
+    // The vertex stays on its faces.
     const unsigned faces = box_faces_at(mesh_.points[vertices[n]], box_);
     for (int axis = 0; axis < 3; ++axis) {
       if ((faces >> (2 * axis) & 3) != 0) into[n][axis] = 0;
     }
-    mesh_.points[vertices[n]] = mesh_.points[vertices[n]] + hair_ * into[n];
+    mesh_.points[vertices[n]] = mesh_.points[vertices[n]] + perturbation_ * into[n];
   }
 }
 
@@ -118,14 +124,15 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
   report[Counter::cap_not_lifted] += leave_box(s, surface, curves, kAllFaces, parameters, report);
-  CrossingParter parter(s, curves, volume.box(), kPerturbationVoxels * parameters.voxel, report);
+  CrossingResolver resolver(s, curves, volume.box(), kPerturbationVoxels * parameters.voxel,
+                            report);
   std::optional<BoxCaps> caps;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     caps.emplace(mesh, volume.box(), inside);
     if (caps->possible() || !caps->failure().empty()) break;
     if (!caps->coincident().empty()) {
-      parter.part(caps->coincident());
-    } else if (!parter.split(caps->crossing_edges())) {
+      resolver.separate(caps->coincident());
+    } else if (!resolver.split(caps->crossing_edges())) {
       break;
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // --cap: closes the surface on the box of the volume, to the boundary of the solid {f >= kappa}.
 //
-// The mesh is made to touch the box along its boundary alone (cap/leave_box.h). Boundary edges that
-// cross, which those of an embedded mesh never do, are split on their curve until they do not. That
-// ends: within a pixel the arcs are branches of one hyperbola, on different sides of its
+// The mesh is changed to touch the box along its boundary alone (cap/leave_box.h). Boundary edges
+// of an embedded mesh never cross. Others are split on their curve until none cross. That
+// terminates: within a pixel the arcs are branches of one hyperbola, on different sides of its
 // asymptotes.
 #pragma once
 
@@ -17,16 +17,16 @@
 
 namespace deliso {
 
-// Which corners of the box are inside: corner m is at the high end of axis k where bit k of m is
-// set. pre: the volume has a voxel.
+// Returns which corners of the box are inside. Corner m is at the high end of axis k if bit k of m
+// is set. pre: the volume has a voxel.
 std::array<bool, 8> corners_inside(const Volume& volume, double kappa);
 
-// Appends the caps to s.mesh; where there is no surface, but the volume is inside, they are the
-// whole box. The r/l that the refinement is bounded by bounds theirs where boundary edges allow.
-// Sets report.cap: what could not be closed stays open, and report.cap.failure says why. Triangles
-// that cross are not looked for: count_crossings() does that, of the points as they are written.
-// `inside` says of corners of the box what the mesh does not: where a face has no boundary edge.
-// pre: the mesh is linked.
+// Appends the caps to s.mesh. If there is no surface but the volume is inside, they are the whole
+// box. The refinement's bound on r/l also bounds theirs, as far as boundary edges allow. Sets
+// report.cap: if the surface cannot be closed, it stays open, and report.cap.failure gives the
+// reason. Crossing triangles are not searched for: count_crossings() does that, on the points as
+// written. For faces without boundary edges, `inside` gives the corners of the box. pre: the mesh
+// is linked.
 void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
                   const std::array<bool, 8>& inside, const Parameters& parameters, Report& report);
 

@@ -15,41 +15,43 @@
 namespace deliso {
 namespace {
 
-// How far off a face: a hair, and nearer where that is refused, each time by this factor. A mesh
-// that is embedded stays so when a vertex is moved, if it is by little enough.
-constexpr double kNearer = 0x1p-4;
-// But off by so much, as a share of the largest coordinate, here or in the world: what is nearer
-// may be on the face when it has been to the world and back.
-constexpr double kOff = 0x1p-46;
+// The distance off a face starts at the perturbation, and shrinks by this factor after each
+// refusal. A small enough move keeps an embedded mesh embedded.
+constexpr double kOffsetFactor = 0x1p-4;
+// A share of the largest coordinate, here or in the world: the least distance off a face. A nearer
+// vertex may be on the face after conversion to the world and back.
+constexpr double kMinOffset = 0x1p-46;
 
-// From a hair to what is just off a face.
+// Returns the distances to try, from the perturbation down to the least.
 std::vector<double> distances_off(const Volume& volume, double voxel) {
   std::vector<double> off;
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     largest = std::max({largest, volume.box().hi[axis], std::fabs(volume.frame().origin[axis])});
   }
-  const double least = kOff * largest;
-  for (double d = kPerturbationVoxels * voxel; off.empty() || d > least; d *= kNearer) {
+  const double least = kMinOffset * largest;
+  for (double d = kPerturbationVoxels * voxel; off.empty() || d > least; d *= kOffsetFactor) {
     off.push_back(std::max(d, 2 * least));
   }
   return off;
 }
 
-// Where along an edge.
-constexpr double kShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
+// Places along an edge, as shares of it.
+constexpr double kEdgeShares[] = {0.5, 0.25, 0.75, 0.125, 0.875};
 
-// The steepest line from a face may stay in it; from so far inside, as a share of the edge's
-// length, it does not.
-constexpr double kDeeper = 0x1p-4;
+// A share of the edge's length. The steepest line from a face may stay in the face; from this far
+// inside it does not.
+constexpr double kStartDepth = 0x1p-4;
 
-// What is tried for an edge or facet in a face of the box, the next only where the one before has
-// left some: a vertex on Sigma, or the other diagonal, as Stage 2 would allow it; the same, though
-// Sigma all but lies in the face and facets find no surface points; a vertex next to the edge, off
-// Sigma as far as the edge is, which changes next to nothing.
+// The attempts for edges and facets in a face of the box. The next one is made only if some are
+// left.
+//   - as_stage2: a vertex on Sigma, or the other diagonal, as Stage 2 allows them.
+//   - on_surface: the same where Sigma nearly lies in the face, and facets have no surface points.
+//   - next_to_it: a vertex next to the edge, as far off Sigma as the edge. This changes almost
+//   nothing.
 enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 
-// The sum of the box's normals, inwards, over `faces`.
+// Returns the sum of the box's inward normals over `faces`.
 Vec3 inwards(unsigned faces) {
   Vec3 sum;
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,17 +80,17 @@ class BoxLeaver {
 
  private:
   unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_) & faces_; }
-  // Those that p does not lie off by enough.
+  // Returns the faces that p is too near to.
   unsigned faces_near(const Vec3& p) const {
     return box_faces_at(p, box_, 0.5 * off_.back()) & faces_;
   }
-  // The faces that both ends of the edge of f opposite its corner i lie on.
+  // Returns the faces on which both ends of the edge of f opposite its corner i lie.
   unsigned faces_at_edge(FaceId f, int i) const {
     const Triangle& v = mesh_.faces[f].v;
     return faces_at(v[(i + 1) % 3]) & faces_at(v[(i + 2) % 3]);
   }
-  // Whether the interior edge of f opposite its corner i lies in a face; with 3 f itself, where it
-  // has boundary edges alone.
+  // True if the interior edge of f opposite its corner i lies in a face. For i = 3: if f itself
+  // does, having only boundary edges.
   bool lies_in_face(FaceId f, int i) const;
   std::size_t lift_all(Effort effort);
   bool move_off(FaceId f, VertexId v);
@@ -97,8 +99,8 @@ class BoxLeaver {
   struct Line {
     Vec3 at, direction;
   };
-  // Points of Sigma off the box, each the nearest one along its line within the limit; those
-  // nearest to `middle` first.
+  // Returns points of Sigma off the box, the nearest one along each line within the limit. Sorted
+  // by distance from `middle`.
   std::vector<Vec3> find_off_box(std::span<const Line> lines, const Vec3& middle, double limit);
   Vec3 normal(FaceId f) const {
     const Triangle& v = mesh_.faces[f].v;
@@ -108,12 +110,12 @@ class BoxLeaver {
     const Triangle& v = mesh_.faces[f].v;
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
   }
-  // The cone from p over the rim of change_.cavity.
-  bool put_cone(const Vec3& p, bool near_surface);
+  // Replaces change_.cavity by the cone from p over its boundary.
+  bool replace_by_cone(const Vec3& p, bool near_surface);
   bool flip(FaceId f, int i, bool near_surface);
   bool replace(bool near_surface);
 
-  // Made when it is needed first: most meshes have nothing to mend.
+  // Made at first use: most meshes have nothing to mend.
   Refinement& replacer() {
     if (!replacer_) replacer_.emplace(s_, surface_, curves_, parameters_, report_);
     return *replacer_;
@@ -165,7 +167,7 @@ bool BoxLeaver::lies_in_face(FaceId f, int i) const {
          (faces_at_edge(f, 0) & faces_at(face.v[0])) != 0;
 }
 
-// Returns how many are left.
+// Returns how many edges and facets are left in faces.
 std::size_t BoxLeaver::lift_all(Effort effort) {
   std::size_t left = 0;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
@@ -173,7 +175,7 @@ std::size_t BoxLeaver::lift_all(Effort effort) {
       if (!lies_in_face(f, i)) continue;
       if (lift(f, i, effort)) {
         ++report_[Counter::cap_edges_lifted];
-        i = -1;  // the facet is another one now
+        i = -1;  // the facet has changed
       } else {
         ++left;
       }
@@ -216,7 +218,7 @@ std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec
   return found;
 }
 
-bool BoxLeaver::put_cone(const Vec3& p, bool near_surface) {
+bool BoxLeaver::replace_by_cone(const Vec3& p, bool near_surface) {
   replacer().set_cone(change_, p);
   return replace(near_surface);
 }
@@ -239,7 +241,7 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   double limit = distance(a, b);
   std::vector<Vec3> bases;
   if (is_edge) {
-    for (const double share : kShares) bases.push_back(a + share * (b - a));
+    for (const double share : kEdgeShares) bases.push_back(a + share * (b - a));
   } else {
     faces &= faces_at(v[0]);
     limit = std::max({limit, distance(b, c), distance(c, a)});
@@ -253,7 +255,7 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   if (effort == Effort::next_to_it) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {
-        if (!put_cone(base + off * inward, false)) continue;
+        if (!replace_by_cone(base + off * inward, false)) continue;
         ++report_[Counter::cap_lifts_off_surface];
         return true;
       }
@@ -264,14 +266,14 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
   for (const Vec3& base : bases) {
     lines.push_back({base, out});
     lines.push_back({base, dot(out, inward) < 0 ? -inward : inward});
-    for (const Vec3& from : {base, base + kDeeper * limit * inward}) {
+    for (const Vec3& from : {base, base + kStartDepth * limit * inward}) {
       lines.push_back({from, -surface_.gradient(from)});
     }
   }
   const bool near_surface = effort == Effort::as_stage2;
   const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
   return std::any_of(on_surface.begin(), on_surface.end(),
-                     [&](const Vec3& p) { return put_cone(p, near_surface); }) ||
+                     [&](const Vec3& p) { return replace_by_cone(p, near_surface); }) ||
          (is_edge && flip(f, i, near_surface));
 }
 

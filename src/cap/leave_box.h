@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What caps ask of a mesh that ends on the box, and seams (blocks/seam.h) of one that ends on an
-// inner face, which another mesh shares. Caps lie in its faces, so an embedded mesh does not
-// meet them where it touches a face along its boundary alone:
-//   B1  no vertex but those of the boundary lies on a face;
-//   B2  no edge but those of the boundary has both ends on one face;
-//   B3  no facet has all corners on one face.
-// Stage 2 asks for none of it. Each place that lacks one is mended by one replacement of a disk
-// (refine/refinement.h), so that the mesh stays embedded: nothing comes to cross.
+// Clears a mesh off the box except along its boundary. Caps need it of a mesh that ends on the box.
+// Seams (blocks/seam.h) need it of a mesh that ends on an inner face, which another mesh shares.
+// Caps lie in the faces of the box. An embedded mesh does not meet them if it touches each face
+// along its boundary alone:
+//   B1  Only boundary vertices lie on a face.
+//   B2  Only boundary edges have both ends on one face.
+//   B3  No facet has all corners on one face.
+// Stage 2 requires none of these. Each violation is mended by one replacement of a disk
+// (refine/refinement.h). So the mesh stays embedded: no new crossings.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +22,9 @@ namespace deliso {
 
 inline constexpr unsigned kAllFaces = 0x3f;
 
-// Makes B1 to B3 hold on some faces of the box (bit 2 * axis + (0 at the low end, 1 at the high
-// end)), and returns at how many places every try was refused: those stay as they are. Vertices
-// that come lie on Sigma where that is possible.
+// Makes B1 to B3 hold on some faces of the box (bit 2 * axis, + 1 at the high end). Returns at how
+// many places every attempt was refused: those stay as they are. New vertices lie on Sigma if
+// possible.
 std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
                       unsigned faces, const Parameters& parameters, Report& report);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed meshes, and what every one of them must be; tiny volumes that are hard to close.
+// Closed meshes and the checks that all must pass; tiny volumes that are hard to close.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -28,7 +28,7 @@ struct Solid {
   std::size_t crossings = 0;
 };
 
-// `make`: mesh_isosurface(), or what stands in for it.
+// `make`: mesh_isosurface(), or a substitute.
 inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
                       decltype(mesh_isosurface)& make = mesh_isosurface) {
   Solid solid;
@@ -40,7 +40,7 @@ inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
   return solid;
 }
 
-// The face of the box that a cap triangle lies on; -1 when it lies on none.
+// Returns the face of the box that a cap triangle lies on; -1 if it lies on none.
 inline int face_of(const TriMesh& mesh, const Face& face, const Box3& box) {
   unsigned common = 63;
   for (const VertexId v : face.v) common &= box_faces_at(mesh.points[v], box);
@@ -57,8 +57,8 @@ inline std::size_t crossing_pairs(const TriMesh& mesh) {
   return find_crossings(mesh.points, triangles, tree).pairs.size();
 }
 
-// Closed, manifold, oriented; caps on the box, facing out of it, and the surface nowhere flat on
-// it.
+// Checks that the mesh is closed, manifold and oriented. Caps lie on the box and face out of it;
+// the surface lies nowhere flat on it.
 inline void check_solid(const Solid& solid, const Box3& box) {
   CHECK(solid.report.cap.failure == "");
   CHECK(check_mesh(solid.mesh) == "");
@@ -82,8 +82,8 @@ inline void check_solid(const Solid& solid, const Box3& box) {
   CHECK(turned == 0);
 }
 
-// How many samples on the box are inside and not on a cap, or the other way round, and further than
-// about half a voxel from the curve that the caps end at.
+// Returns how many samples on the box are inside and not on a cap, or the reverse. Samples within
+// about half a voxel of the caps' boundary do not count.
 inline int misplaced_samples(const Solid& solid, const Volume& volume, double kappa) {
   const Box3 box = volume.box();
   int misplaced = 0;
@@ -120,7 +120,7 @@ inline int misplaced_samples(const Solid& solid, const Volume& volume, double ka
   return misplaced;
 }
 
-// The volume of {f >= kappa} by a fine regular sampling.
+// Returns the volume of {f >= kappa}, by a fine regular sampling.
 inline double sampled_volume(const Volume& volume, double kappa, int per_voxel) {
   const Vec3 s = volume.spacing();
   const Index3 n = volume.voxels();
@@ -144,7 +144,7 @@ struct Scattered {
   double kappa;
 };
 
-// Pure noise of a few values, so that some samples equal the isovalue in every other one.
+// Pure noise of a few values. In every other volume some samples equal the isovalue.
 inline Volume noise(std::uint64_t seed, Vec3 spacing) {
   Random random(seed);
   const Index3 dims{2 + static_cast<int>(random.below(5)), 2 + static_cast<int>(random.below(5)),
@@ -154,7 +154,7 @@ inline Volume noise(std::uint64_t seed, Vec3 spacing) {
   return Volume::from_samples(dims, spacing, samples);
 }
 
-// Samples of either sign, of sizes spread over as many orders of magnitude, and the isovalue too.
+// Samples and isovalues of either sign, of sizes spread over as many orders of magnitude as given.
 inline Scattered scattered(std::uint64_t seed, double orders) {
   Random random(seed);
   const Index3 dims{2 + static_cast<int>(random.below(4)), 2 + static_cast<int>(random.below(4)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// --cap: the mesh and its caps are the closed boundary of {f >= kappa} within the box. Held against
-// what every solid must be, against the samples on the box, and against volumes found by sampling.
+// --cap: the mesh and its caps are the closed boundary of {f >= kappa} within the box. Tested by
+// the properties of every solid, by the samples on the box, and by volumes found by sampling.
 #include "cap/close_on_box.h"
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@
 
 using namespace deliso;
 
-TEST_CASE("tiny volumes of noise become closed solids, whatever runs over edges and corners") {
+TEST_CASE("tiny volumes of noise become closed solids, also over edges and corners of the box") {
   int capped = 0;
   for (std::uint64_t seed = 1; seed <= 240; ++seed) {
     CAPTURE(seed);
@@ -30,9 +30,9 @@ TEST_CASE("tiny volumes of noise become closed solids, whatever runs over edges 
   CHECK(capped > 200);
 }
 
-// Vertices lifted off the box, and edges flipped for it, without asking what they would meet, made
+// Vertices lifted off the box, and edges flipped for it, without a test for crossings, once made
 // one solid in ten cross itself.
-TEST_CASE("what is lifted off the box crosses nothing") {
+TEST_CASE("vertices lifted off the box make no crossing") {
   std::uint64_t lifted = 0, left = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     CAPTURE(seed);
@@ -53,8 +53,8 @@ TEST_CASE("what is lifted off the box crosses nothing") {
   CHECK(left == 0);
 }
 
-// Where T crosses itself so may the solid; then it says so.
-TEST_CASE("samples of all sizes become closed solids that cross no more than what they close") {
+// Where T crosses itself the solid may too; then the report says so.
+TEST_CASE("samples of all magnitudes become closed solids that cross no more than their surface") {
   int sound = 0, solids = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     CAPTURE(seed);
@@ -104,7 +104,8 @@ TEST_CASE("what --min-component and --largest leave out is dissolved into what s
   CHECK(nothing > 3);
 }
 
-TEST_CASE("a speck goes, a cavity is filled, at the box and away from it, and a slab stays") {
+TEST_CASE(
+    "a small component is removed, a cavity filled, at the box and away from it, and a slab kept") {
   // A slab of inside from x = 10 to 20, in a box that is thinner than min_component.
   const Index3 dims{30, 4, 4};
   std::vector<float> samples;
@@ -131,7 +132,7 @@ TEST_CASE("a speck goes, a cavity is filled, at the box and away from it, and a 
   at(15, 1, 2) = 0;  // a bubble
   at(18, 0, 3) = 0;  // a dent
   CHECK(volume_of(6) == doctest::Approx(slab).epsilon(1e-6));
-  // Air on the right has fewest samples, then that on the left.
+  // The outside on the right has the fewest samples, then that on the left.
   CHECK(volume_of(100) == doctest::Approx(29 * 3 * 3).epsilon(1e-9));
 }
 
@@ -149,15 +150,15 @@ TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the 
   }
 }
 
-// The paper's way may stop short of the box, which nothing closes, and says so.
-TEST_CASE("what the paper's way leaves open is no solid, and is called none") {
+// The paper's way may stop before the box. Nothing closes that, and the report says so.
+TEST_CASE("a mesh that the paper's way leaves open is no solid, and is reported as open") {
   const Scene scene = builtin_scene("gyroid", 32);
   const Solid solid = solid_of(scene.volume, 0, Options::paper());
   CHECK(mesh_topology(solid.mesh).boundary_edges > 0);
   CHECK(solid.report.cap.failure != "");
 }
 
-TEST_CASE("the certified way closes the gyroid, which fills one half") {
+TEST_CASE("the certified way closes the gyroid, which fills half of the box") {
   const Scene scene = builtin_scene("gyroid", 32);
   const Vec3 size = scene.volume.box().size();
   const Solid solid = solid_of(scene.volume, 0);
@@ -167,7 +168,8 @@ TEST_CASE("the certified way closes the gyroid, which fills one half") {
         doctest::Approx(0.5 * size.x * size.y * size.z).epsilon(0.005));
 }
 
-TEST_CASE("what has no boundary: a ball alone, a bubble in a full box, a full box, an empty one") {
+TEST_CASE(
+    "solids without a boundary: a ball alone, a bubble in a full box, a full box, an empty one") {
   const Scene ball = builtin_scene("sphere", 20);
   Solid solid = solid_of(ball.volume, 0);
   check_solid(solid, ball.volume.box());
@@ -200,10 +202,11 @@ TEST_CASE("what has no boundary: a ball alone, a bubble in a full box, a full bo
   CHECK(nothing.report.cap.failure == "");
 }
 
-TEST_CASE("boundary edges that cross are told, and so are meshes that do not part the box") {
+TEST_CASE(
+    "boundary edges that cross are reported, and so are meshes that do not separate the box") {
   const Box3 box{{0, 0, 0}, {8, 8, 8}};
   const std::array<bool, 8> outside{};
-  // Two tents on the face z = 0, their feet overlapping, wound as an inside below asks for.
+  // Two tents on the face z = 0 whose feet overlap, oriented for an inside below.
   const auto tent = [](double x, VertexId first, std::vector<Vec3>& points,
                        std::vector<Triangle>& triangles) {
     points.insert(points.end(), {{x, 2, 0}, {x + 3, 2, 0}, {x + 1.5, 5, 0}, {x + 1.5, 3, 2}});
