@@ -14,19 +14,21 @@
 namespace deliso {
 namespace {
 
-// A chord keeps as near to the curve as this share of the distance that is asked for, or that of a
-// voxel where none is, and of its own length; and it is no longer than so many voxels.
-constexpr double kNear = 0.5, kNearVoxels = 0.05, kFlat = 0.25, kLongest = 3;
-// Curves of so few crossings keep them all: what a speck bounds is so thin that a chord could turn
-// it inside out.
-constexpr std::size_t kFew = 8;
-// How near chords may come, in voxels, and the cosine between two that have an end in common.
-constexpr double kApart = 1e-3, kSharp = 0.9;
+// Bounds on a chord: its distance from the curve, as a share of D (without D, in voxels) and of its
+// length; and its length.
+constexpr double kMaxShareOfD = 0.5, kMaxDistanceVoxels = 0.05, kMaxShareOfLength = 0.25;
+constexpr double kMaxChordVoxels = 3;
+// A curve of at most this many crossings keeps them all. It bounds a component so thin that a chord
+// could reverse it.
+constexpr std::size_t kMaxShortCurve = 8;
+// The least distance of two chords, in voxels, and the largest cosine between two with a common
+// end.
+constexpr double kMinGapVoxels = 1e-3, kMaxCosine = 0.9;
 
 // A curve on one face, by the crossings of grid edges.
 struct Run {
   std::uint32_t loop;
-  std::vector<std::size_t> points;  // numbers in the loop; of a closed run the first again at last
+  std::vector<std::size_t> points;  // numbers in the loop; a closed run ends with its first
   bool closed;
 };
 
@@ -46,13 +48,13 @@ class FaceSeam {
         v_((face / 2 + 2) % 3),
         voxel_(parameters.voxel),
         near_(std::isfinite(parameters.refinement[Criterion::distance])
-                  ? kNear * parameters.refinement[Criterion::distance]
-                  : kNearVoxels * parameters.voxel) {}
+                  ? kMaxShareOfD * parameters.refinement[Criterion::distance]
+                  : kMaxDistanceVoxels * parameters.voxel) {}
 
   void choose() {
     for (std::uint32_t l = 0; l < loops_.size(); ++l) collect_runs(l);
     for (std::uint32_t r = 0; r < runs_.size(); ++r) lay_chords(r);
-    while (halve_near_ones()) {
+    while (halve_near_chords()) {
     }
     for (const Chord& chord : chords_) {
       const Run& run = runs_[chord.run];
@@ -86,7 +88,7 @@ class FaceSeam {
     }
   }
 
-  // Points number `begin` to `end` of the loop, which may be passed round.
+  // Adds points number `begin` to `end` of the loop, counted on past its end.
   void add_run(std::uint32_t l, std::size_t begin, std::size_t end, bool closed) {
     const BoundaryLoop& loop = loops_[l];
     Run run{l, {}, closed};
@@ -98,7 +100,7 @@ class FaceSeam {
       run.points.push_back(at);
       edges.push_back(*edge);
     }
-    // As seen from one side of the face.
+    // In the order seen from one side of the face.
     if (face_ % 2 == 0) {
       std::reverse(run.points.begin(), run.points.end());
       std::reverse(edges.begin(), edges.end());
@@ -122,7 +124,7 @@ class FaceSeam {
   }
 
   void lay_chords(std::uint32_t r, std::size_t from, std::size_t end) {
-    const bool is_short = runs_[r].points.size() <= kFew;
+    const bool is_short = runs_[r].points.size() <= kMaxShortCurve;
     while (from < end) {
       std::size_t to = from + 1;
       while (!is_short && to < end && is_near(r, from, to + 1)) ++to;
@@ -131,23 +133,23 @@ class FaceSeam {
     }
   }
 
-  // Whether the curve from one point to the other keeps near to the chord.
+  // True if the curve from one point to the other stays near the chord.
   bool is_near(std::uint32_t r, std::size_t from, std::size_t to) const {
     const Vec3 &a = point(r, from), &b = point(r, to);
     const double length = distance(a, b);
-    if (length > kLongest * voxel_) return false;
-    const double limit = std::min(near_, kFlat * length);
+    if (length > kMaxChordVoxels * voxel_) return false;
+    const double limit = std::min(near_, kMaxShareOfLength * length);
     for (std::size_t at = from + 1; at < to; ++at) {
       if (distance2_to_chord(point(r, at), a, b) > limit * limit) return false;
     }
     return true;
   }
 
-  // Whether a chord runs along a side of the face, all but in the next face too.
+  // True if a chord runs along a side of the face, and so nearly in the next face too.
   bool runs_along_side(const Chord& c) const {
     const Vec3 &a = point(c.run, c.from), &b = point(c.run, c.to);
     const Box3 box = volume_.box();
-    const double apart = kApart * voxel_;
+    const double apart = kMinGapVoxels * voxel_;
     const auto both_near = [&](int axis, double side) {
       return std::fabs(a[axis] - side) < apart && std::fabs(b[axis] - side) < apart;
     };
@@ -155,19 +157,19 @@ class FaceSeam {
            both_near(v_, box.hi[v_]);
   }
 
-  // Halves all that come near another, or a side; whether any did.
-  bool halve_near_ones() {
-    std::vector<std::uint8_t> is_near_one;
-    for (const Chord& chord : chords_) is_near_one.push_back(runs_along_side(chord));
+  // Halves all chords that come near another one, or a side. Returns whether there were any.
+  bool halve_near_chords() {
+    std::vector<std::uint8_t> must_halve;
+    for (const Chord& chord : chords_) must_halve.push_back(runs_along_side(chord));
     for (const auto& [c, d] : neighbors()) {
-      if (!come_near(chords_[c], chords_[d])) continue;
-      is_near_one[c] = is_near_one[d] = 1;
+      if (!are_near(chords_[c], chords_[d])) continue;
+      must_halve[c] = must_halve[d] = 1;
     }
     bool any = false;
     const std::size_t before = chords_.size();
     for (std::size_t c = 0; c < before; ++c) {
       const auto [run, from, to] = chords_[c];
-      if (!is_near_one[c] || to == from + 1) continue;
+      if (!must_halve[c] || to == from + 1) continue;
       const std::size_t middle = (from + to) / 2;
       chords_[c] = {run, from, middle};
       chords_.push_back({run, middle, to});
@@ -176,7 +178,7 @@ class FaceSeam {
     return any;
   }
 
-  // Pairs of chords with a voxel of the face in common, of which one can be halved.
+  // Returns pairs of chords with a common voxel of the face, of which one can be halved.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbors() const {
     struct Place {
       std::int64_t u, v;
@@ -189,7 +191,7 @@ class FaceSeam {
       const auto range = [&](int axis) {
         const double spacing = volume_.spacing()[axis];
         const auto [low, high] = std::minmax({a[axis], b[axis]});
-        const double apart = kApart * voxel_;
+        const double apart = kMinGapVoxels * voxel_;
         return std::pair(static_cast<std::int64_t>(std::floor((low - apart) / spacing)),
                          static_cast<std::int64_t>(std::floor((high + apart) / spacing)));
       };
@@ -216,28 +218,29 @@ class FaceSeam {
     return pairs;
   }
 
-  // The same for both orders, to the last bit.
-  bool come_near(const Chord& c, const Chord& d) const {
+  // True if two chords come near each other; the same for both orders, to the last bit.
+  bool are_near(const Chord& c, const Chord& d) const {
     const std::array<Vec3, 2> p{point(c.run, c.from), point(c.run, c.to)};
     const std::array<Vec3, 2> q{point(d.run, d.from), point(d.run, d.to)};
     for (const std::size_t i : {0u, 1u}) {
       for (const std::size_t j : {0u, 1u}) {
         if (p[i] != q[j]) continue;
         const Vec3 s = p[1 - i] - p[i], t = q[1 - j] - q[j];
-        return dot(s, t) > kSharp * std::sqrt(length2(s) * length2(t));
+        return dot(s, t) > kMaxCosine * std::sqrt(length2(s) * length2(t));
       }
     }
-    const double apart = kApart * voxel_;
+    const double apart = kMinGapVoxels * voxel_;
     for (const int axis : {u_, v_}) {
       const auto [p_low, p_high] = std::minmax({p[0][axis], p[1][axis]});
       const auto [q_low, q_high] = std::minmax({q[0][axis], q[1][axis]});
       if (p_high + apart < q_low || q_high + apart < p_low) return false;
     }
-    return !lie_aside(p, q, apart) && !lie_aside(q, p, apart);
+    return !is_on_one_side(p, q, apart) && !is_on_one_side(q, p, apart);
   }
 
-  // Whether q lies on one side of the line through p, and off it.
-  bool lie_aside(const std::array<Vec3, 2>& p, const std::array<Vec3, 2>& q, double apart) const {
+  // True if q lies on one side of the line through p, at least `apart` from it.
+  bool is_on_one_side(const std::array<Vec3, 2>& p, const std::array<Vec3, 2>& q,
+                      double apart) const {
     const Vec3 along = p[1] - p[0];
     const auto side = [&](const Vec3& x) {
       return along[u_] * (x[v_] - p[0][v_]) - along[v_] * (x[u_] - p[0][u_]);
@@ -254,7 +257,7 @@ class FaceSeam {
   std::vector<Chord> chords_;
 };
 
-// Marks the points of a seam as kept, and nothing else on inner faces.
+// Marks the points of seams as kept, and no others on inner faces.
 void choose_seams(const Volume& volume, const Parameters& parameters,
                   std::vector<BoundaryLoop>& loops) {
   for (int face = 0; face < 6; ++face) {

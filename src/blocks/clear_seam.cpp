@@ -10,15 +10,15 @@
 namespace deliso {
 namespace {
 
-// How far off the seam a vertex is moved that cannot be merged: from a hair on nearer by this
-// factor, so many times.
-constexpr double kNearer = 0x1p-4;
-constexpr int kSteps = 5;
+// A vertex that cannot be merged is moved off the seam. The distance starts at the perturbation,
+// and shrinks by this factor, this many times.
+constexpr double kOffsetFactor = 0x1p-4;
+constexpr int kMaxOffsets = 5;
 
-// What is tried, the next only where the one before has left some.
+// The attempts for a vertex. The next one is made only if some are left.
 enum class Effort : std::uint8_t { merge, merge_at_any_cost, lift };
 
-// Where f is all there is at v, the edge between v's neighbors becomes the boundary.
+// Removes f if it is the only facet at v: the edge between v's neighbors becomes the boundary.
 bool cut_ear(Refinement& r, FaceId f, VertexId v) {
   const Face& ear = r.mesh.faces[f];
   const int at_v = corner_index(ear, v);
@@ -33,7 +33,7 @@ bool cut_ear(Refinement& r, FaceId f, VertexId v) {
   return true;
 }
 
-// One triangle more, between v and its neighbors, and v a hair off the seam.
+// Adds a facet between v and its neighbors, and moves v slightly off the seam.
 bool lift(Refinement& r, FaceId f, VertexId v) {
   Change change;
   facets_around(r.mesh, f, v, change.cavity);
@@ -51,7 +51,7 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
     if (from[axis] == box.hi[axis]) inwards[axis] = -1;
   }
   double off = kPerturbationVoxels * r.parameters.voxel;
-  for (int step = 0; step < kSteps; ++step, off *= kNearer) {
+  for (int step = 0; step < kMaxOffsets; ++step, off *= kOffsetFactor) {
     change.place = from + off * inwards;
     if (r.replace(change, [] { return true; })) continue;
     r.s.chain.remove(v);
@@ -60,7 +60,7 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
   return false;
 }
 
-// Merges v into a neighbor on the boundary, whatever becomes of shapes.
+// Merges v into a neighbor on the boundary. `at_any_cost`: whatever the shapes.
 bool merge(Refinement& r, FaceId f, VertexId v, bool at_any_cost) {
   for (const VertexId to : {r.s.chain.previous(v), r.s.chain.next(v)}) {
     auto refusal = propose_merge(r, f, v, to, at_any_cost ? -1 : kSharpestFold);
@@ -71,7 +71,7 @@ bool merge(Refinement& r, FaceId f, VertexId v, bool at_any_cost) {
   return false;
 }
 
-// Takes v out of the chain; true if it went.
+// Removes v from the chain. Returns true if it was removed.
 bool remove_boundary_vertex(Refinement& r, VertexId v, Effort effort) {
   const auto at_v =
       std::ranges::find_if(r.mesh.faces, [&](const Face& face) { return has_corner(face.v, v); });
@@ -95,7 +95,7 @@ std::size_t clear_seam(SurfaceMesh& s, const Isosurface& surface, const Boundary
   if (left.empty()) return 0;
   Refinement r(s, surface, curves, parameters, report);
   for (const Effort effort : {Effort::merge, Effort::merge_at_any_cost, Effort::lift}) {
-    // One that goes may make way for another.
+    // A removed vertex may make way for another.
     for (std::size_t before = left.size() + 1; left.size() < before && !left.empty();) {
       before = left.size();
       std::erase_if(left, [&](VertexId v) { return remove_boundary_vertex(r, v, effort); });

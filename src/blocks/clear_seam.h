@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The certificate may ask for any vertex of T, also for one in a seam that the block beyond knows
-// nothing of: a crossing of a cell's edge, where a voxel was cut. Those are taken out again, each
-// merged into its neighbor on the seam behind the gates of refine/refinement.h, so that the mesh
-// keeps its topology and stays embedded.
+// Removes vertices from seams that the neighboring block does not know. The certificate may need
+// any vertex of T. In a seam that may be a crossing of a cell's edge, in a split voxel. Such a
+// vertex is merged into its neighbor on the seam. The gates of refine/refinement.h keep the mesh's
+// topology and embedding.
 #pragma once
 
 #include "isosurface/isosurface.h"
@@ -13,8 +13,8 @@
 
 namespace deliso {
 
-// Takes out of the seams what is not kept there (BoundaryCurves::is_kept), as far as the gates
-// allow. Returns how much is left.
+// Removes the vertices from the seams that are not kept there (BoundaryCurves::is_kept), as far as
+// the gates allow. Returns how many are left.
 std::size_t clear_seam(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                        const Parameters& parameters, Report& report);
 

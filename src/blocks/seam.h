@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Seams: where Sigma meets the faces that a block of a volume shares with others. Both blocks at a
-// face mesh what they hold by themselves, and their meshes fit together because
-//   J1  the vertices on an inner face are some of the crossings of the face's own grid edges, and
-//       the edges run from one to the next along the curve: which, that follows from the samples of
-//       the face and the criteria alone (blocks/choose_seam.h), and coordinates are the same to
-//       the last bit (volume/volume.h);
-//   J2  nothing else lies in the face, neither a vertex nor an edge nor a facet, so that in it the
-//       meshes have their seam in common and no more.
+// Seams: where Sigma meets the faces that a block of a volume shares with others. The blocks at a
+// face are meshed independently. Their meshes fit together because of J1 and J2.
+//   J1  The vertices on an inner face are some of the crossings of the face's grid edges. The edges
+//       run from one to the next along the curve. The choice depends on the samples of the face and
+//       the criteria alone (blocks/choose_seam.h). Coordinates are the same to the last bit
+//       (volume/volume.h).
+//   J2  Nothing else of the mesh lies in the face: no other vertex, edge or facet. So the meshes
+//       share the seam and no more.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,14 @@
 
 namespace deliso {
 
-// The grid edge that p lies on, between its ends; nothing when it lies on none.
+// Returns the grid edge that p lies on, between its ends; nothing if it lies on none.
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume);
 
-// Throws InputError: what would have to go from a seam, for J1 or J2, cannot.
+// Throws InputError: `what` violates J1 or J2 and cannot be removed from a seam.
 [[noreturn]] void refuse_seam(const std::string& what);
 
-// The seam of a finished part, by ascending vertices, or refuse_seam(). pre: the mesh is linked.
+// Returns the seam of a finished block's mesh, by ascending vertices; calls refuse_seam() if J1 or
+// J2 fails. pre: the mesh is linked.
 std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume);
 
 }  // namespace deliso
