@@ -10,7 +10,7 @@ namespace deliso {
 
 // Sorts the list and removes repeats.
 template <class T>
-void sort_out(std::vector<T>& list) {
+void sort_unique(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }

@@ -214,7 +214,7 @@ class FaceSeam {
         }
       }
     }
-    sort_out(pairs);
+    sort_unique(pairs);
     return pairs;
   }
 

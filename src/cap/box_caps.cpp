@@ -36,7 +36,7 @@ BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>
     cap.v = 3 - cap.across - cap.u;
     triangulate(cap);
   }
-  sort_out(crossing_);
+  sort_unique(crossing_);
   if (!possible()) return;
   number_corners();
   check_sides();

@@ -71,7 +71,7 @@ bool CrossingResolver::split(const std::vector<BoxCaps::EdgeRef>& edges) {
 void CrossingResolver::separate(const std::vector<std::pair<VertexId, VertexId>>& coincident) {
   std::vector<VertexId> vertices;
   for (const auto& [a, b] : coincident) vertices.insert(vertices.end(), {a, b});
-  sort_out(vertices);
+  sort_unique(vertices);
   std::vector<Vec3> into(vertices.size());
   for (const Face& face : mesh_.faces) {
     for (int i = 0; i < 3; ++i) {

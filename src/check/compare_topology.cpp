@@ -51,7 +51,7 @@ class LoneComponents {
       const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(middle));
       entries_.emplace_back(voxel, contour.component[t[0]]);
     }
-    sort_out(entries_);
+    sort_unique(entries_);
   }
 
   // Returns kNoId also near the voxel's faces, where p could be a neighbor's.

@@ -97,7 +97,7 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
       out.push_back(voxel_number(dims, voxel_across(numbered_voxel(dims, voxel), f)));
     }
   }
-  sort_out(out);
+  sort_unique(out);
   return out;
 }
 

@@ -100,8 +100,8 @@ class Search {
   bool is_flat(FaceId f) const { return flat_[f]; }
 
   Crossings take_crossings() {
-    sort_out(found_.pairs);
-    sort_out(found_.given_up);
+    sort_unique(found_.pairs);
+    sort_unique(found_.given_up);
     return std::move(found_);
   }
 

@@ -102,7 +102,7 @@ VertexLink link_of(VertexId q, std::span<const Triangle> triangles) {
     ends.insert(ends.end(), {edge.a, edge.b});
   }
   around = ends;
-  sort_out(around);
+  sort_unique(around);
   for (VertexId& end : ends) {
     end = VertexId(std::lower_bound(around.begin(), around.end(), end) - around.begin());
   }

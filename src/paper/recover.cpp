@@ -77,7 +77,7 @@ std::vector<SiteId> Recovery::boundary_vertices(const ConflictZone& zone) const 
       if (chain_.is_boundary(v)) found.push_back(v);
     }
   }
-  sort_out(found);
+  sort_unique(found);
   return found;
 }
 

@@ -133,7 +133,7 @@ std::vector<SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
       if (v != q && v != Triangulation::kInfinite) neighbors.push_back(v);
     }
   }
-  sort_out(neighbors);
+  sort_unique(neighbors);
   return neighbors;
 }
 

@@ -28,7 +28,7 @@ std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
       }
     }
   }
-  for (std::vector<SiteId>& neighbors : all) sort_out(neighbors);
+  for (std::vector<SiteId>& neighbors : all) sort_unique(neighbors);
   return all;
 }
 

@@ -271,7 +271,7 @@ std::size_t CertifiedRecovery::part_crossings() {
   std::vector<VertexId> between =
       between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
   report_[Counter::crossings_handed_over] = between.size();
-  sort_out(between);
+  sort_unique(between);
   const std::size_t added = add_sites(between, Reason::crossing);
   // Pairs that could not be parted are counted again the next time.
   if (added == between.size()) {

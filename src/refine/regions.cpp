@@ -80,7 +80,7 @@ void extract(const SurfaceMesh& whole, MeshRegion& region) {
   for (const FaceId f : region.facets) {
     std::ranges::copy(whole.mesh.faces[f].v, std::back_inserter(region.vertices));
   }
-  sort_out(region.vertices);
+  sort_unique(region.vertices);
   SurfaceMesh& s = region.surface;
   for (const VertexId v : region.vertices) {
     s.mesh.points.push_back(whole.mesh.points[v]);

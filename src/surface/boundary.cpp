@@ -54,7 +54,7 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   // Three ends at least, so that no two edges of the chain join the same two vertices.
   if (keep.size() < 3) {
     for (std::size_t third = 0; third < 3 && n >= 3; ++third) keep.push_back(third * n / 3);
-    sort_out(keep);
+    sort_unique(keep);
   }
 
   std::vector<CurvePlace> chain;
