@@ -116,7 +116,7 @@ class Coarsening {
         costs.emplace_back(quadrics_[v].at(r_.point(u)) + quadrics_[u].at(r_.point(u)), u);
       }
     }
-    sort_out(costs);
+    sort_unique(costs);
     if (rank < costs.size()) {
       queue_.push({costs[rank].first, v, costs[rank].second, rank, version_[v]});
     }
@@ -142,7 +142,7 @@ class Coarsening {
         changed.push_back(v);
       }
     }
-    sort_out(changed);
+    sort_unique(changed);
     for (const VertexId v : changed) {
       ++version_[v];
       queue(v, 0);

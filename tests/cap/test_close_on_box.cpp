@@ -74,8 +74,10 @@ TEST_CASE("samples of all magnitudes become closed solids that cross no more tha
   CHECK(sound >= solids - 1);
 }
 
-TEST_CASE("what --min-component and --largest leave out is dissolved into what surrounds it") {
-  // Samples at the corners of the box were asked, though what explained them had been left out.
+TEST_CASE(
+    "components that --min-component or --largest leave out are dissolved into their "
+    "surroundings") {
+  // Samples at the corners of the box once decided, though their component had been left out.
   int whole = 0, nothing = 0, fewer = 0;
   for (std::uint64_t seed = 1; seed <= 80; ++seed) {
     CAPTURE(seed);
