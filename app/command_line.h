@@ -54,7 +54,8 @@ struct CommandLine {
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
   ColorBy color_by = ColorBy::side;
-  bool paper = false;  // the options are the paper's, but for those given
+  std::optional<Up> up;  // absent: superior where the file tells, else +z
+  bool paper = false;    // the options are the paper's, but for those given
   struct Given {
     PerCriterion<bool> limits;
     bool r_min = false;

@@ -237,6 +237,11 @@ constexpr OptionSpec kRest[] = {
      "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
      "of a ring that sees most of the surface, and looks into what is clipped)",
      [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
+    {"--up", 0, "AXIS", kSeen,
+     "which axis points up: x, -x, y, -y, z or -z (default: z, which is superior in meshes of "
+     "scans "
+     "that tell how the patient lay)",
+     [](Line& l, Text o, Text v) { l.up = parse_up(o, v); }},
     {"--zoom", 0, "X", kRenderOnly,
      "larger than to fill the picture (default 1, at most 64; less beyond 10,000 pixels)",
      [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},

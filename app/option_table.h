@@ -22,12 +22,13 @@ enum Commands : std::uint8_t {
   kTraceOnly = 64,
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
   kShown = kRenderOnly | kViewOnly,
-  kVolume = kReports | kShown | kTraceOnly,
+  kSeen = kShown | kTraceOnly,
+  kVolume = kReports | kSeen,
   kMeshAndCheck = kMeshOnly | kCheckOnly,
   kMeshAndTrace = kMeshOnly | kTraceOnly,
   kAllMeshing = kMeshAndCheck | kTraceOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
-  kOutput = kMeshAndJoin | kShown | kTraceOnly,
+  kOutput = kMeshAndJoin | kSeen,
   kAll = kVolume | kJoinOnly
 };
 

@@ -94,8 +94,10 @@ int run_render(const CommandLine& line) {
   Image image;
   try {
     if (!options.view) {
-      options.view = best_view(subjects, layout_of(options, subjects.size()).panel);
+      options.view =
+          best_view(subjects, layout_of(options, subjects.size()).panel, line.up.value_or(Up{}));
     }
+    options.view->up = line.up.value_or(Up{});
     image = render(subjects, options);
   } catch (const InputError& error) {
     throw InputError("cannot draw " + names + ": " + error.what());

@@ -71,7 +71,9 @@ int run_view(const CommandLine& line) {
   PageData data;
   JsonWriter header;
   std::string title, sizes;
+  const Up up = line.up.value_or(Up{});
   header.add("kind", "view");
+  header.add("up", {double(up.axis), up.sign});
   header.add("origin", {middle.x, middle.y, middle.z});
   if (input) {
     const Vec3 spacing = input->volume.spacing();

@@ -107,6 +107,16 @@ std::vector<T> stored(const Volume& volume, const Scale& scale) {
 
 }  // namespace
 
+Up superior_of(const Frame& frame) {
+  Up up;
+  if (frame.space == AnatomicalSpace::unknown) return up;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(frame.axes[axis].z) > std::abs(frame.axes[up.axis].z)) up.axis = axis;
+  }
+  up.sign = frame.axes[up.axis].z < 0 ? -1 : 1;
+  return up;
+}
+
 void add_trace(const Trace& trace, PageData& data) {
   const TraceArrays& a = trace.arrays();
   data.add("points", a.points);
@@ -153,7 +163,9 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   const Vec3 spacing = volume.spacing();
   const Scale scale = scale_of(volume, input.range);
   JsonWriter json;
+  const Up up = line.up.value_or(superior_of(volume.frame()));
   json.add("kind", "trace");
+  json.add("up", {double(up.axis), up.sign});
   json.add("input", input.name);
   json.add("iso", report.kappa_effective);
   json.add("way", line.options.recover == RecoverWay::paper ? "paper" : "certified");

@@ -182,6 +182,9 @@ refuses 'size' render one.off -o $p --size 16385x10
 refuses 'at most 42' render one.off -o $p --size 16384x10 --zoom 64
 refuses 'one.stl.*ends within the header' render one.off one.stl -o $p
 refuses 'no room for 3 panels' render one.off one.off one.off -o $p --size 6x6
+refuses 'up wants one of' render one.off -o $p --up w
+refuses 'up wants one of' view one.off -o out/page.html --up zz
+refuses 'up wants one of' trace builtin:torus:20 -o out/page.html --up +z
 refuses 'beside all that is drawn' render one.off -o $p --look-at 1e9,1e9,1e9
 refuses 'one for each mesh' render one.off one.off -o $p --clip off/off/off
 refuses 'no/such/p.png' render one.off -o no/such/p.png

@@ -382,7 +382,11 @@ TEST_CASE("every option of pictures reaches its field") {
   REQUIRE(plane.clips[0]->plane.has_value());
   CHECK(plane.clips[0]->plane->normal == Vec3{1, -2, 0.5});
   CHECK(plane.clips[0]->plane->offset == 7);
+  CHECK(parse({"render", "m.off", "-o", "-", "--up", "-y"}).up == Up{1, -1});
+  CHECK(parse({"view", "m.off", "-o", "-", "--up", "x"}).up == Up{0, 1});
+  CHECK(parse({"trace", "builtin:fuel", "-o", "-", "--up", "-z"}).up == Up{2, -1});
   const CommandLine bare = parse({"render", "m.off", "-o", "-"});
+  CHECK_FALSE(bare.up.has_value());
   CHECK_FALSE(bare.render.view.has_value());
   CHECK_FALSE(bare.render.aim.look_at.has_value());
   CHECK(bare.clips.empty());
@@ -497,6 +501,7 @@ TEST_CASE("the larger the picture, the less it can be zoomed into") {
 TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quotes it") {
   const std::pair<std::string_view, std::vector<std::string_view>> never[] = {
       {"--view", {"1", "1,2,3", "1,", ",1", "1,91", "361,0", "nan,0", "a,b", "1;2"}},
+      {"--up", {"-", "w", "Z", "+z", "zz", "--z", "x,y", "2"}},
       {"--size", {"1", "0x5", "5x0", "-5x5", "5x5x5", "16385x5", "5.5x5", "x", "5X5"}},
       {"--zoom", {"0", "-1", "65", "inf", "x"}},
       {"--clip",

@@ -143,6 +143,24 @@ TEST_CASE("a trace that fills up in the middle of a stage has events of vertices
   }
 }
 
+TEST_CASE("up is superior where the file tells, and what is asked for before that") {
+  using enum AnatomicalSpace;
+  Frame frame;
+  CHECK(superior_of(frame) == Up{2, 1});
+  // A sagittal scan whose second axis runs down, a little tilted.
+  frame.axes = {Vec3{0, 1, 0}, Vec3{0.1, 0, -0.995}, Vec3{0.995, 0, 0.1}};
+  CHECK(superior_of(frame) == Up{2, 1});
+  for (const AnatomicalSpace space : {ras, lps}) {
+    frame.space = space;
+    CHECK(superior_of(frame) == Up{1, -1});
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder / "page.html";
+  CHECK(has(element_of(page_of({"builtin:torus:16"}, file), "header"), "\"up\": [2, 1]"));
+  const std::string page = page_of({"builtin:torus:16", "--up", "-x"}, file);
+  CHECK(has(element_of(page, "header"), "\"up\": [0, -1]"));
+}
+
 TEST_CASE("what a trace refuses") {
   const auto refusal = [](std::vector<std::string_view> arguments) -> std::string {
     arguments.insert(arguments.begin(), "trace");

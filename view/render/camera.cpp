@@ -16,10 +16,20 @@ constexpr double kMargin = 0.03;  // of the picture, on each side
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+// By the rotation that takes +z to `up`.
+Vec3 rotated(const Vec3& p, const Up& up) {
+  Vec3 q;
+  q[(up.axis + 1) % 3] = p.x;
+  q[(up.axis + 2) % 3] = up.sign * p.y;
+  q[up.axis] = up.sign * p.z;
+  return q;
+}
+
 Camera look_from(const View& view) {
   Camera camera;
   camera.back = direction_to(view);
-  camera.right = {-std::sin(view.azimuth * kDegree), std::cos(view.azimuth * kDegree), 0};
+  camera.right =
+      rotated({-std::sin(view.azimuth * kDegree), std::cos(view.azimuth * kDegree), 0}, view.up);
   camera.up = cross(camera.back, camera.right);
   return camera;
 }
@@ -54,7 +64,7 @@ Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
 Vec3 direction_to(const View& view) {
   const double ca = std::cos(view.azimuth * kDegree), sa = std::sin(view.azimuth * kDegree);
   const double ce = std::cos(view.elevation * kDegree), se = std::sin(view.elevation * kDegree);
-  return {ce * ca, ce * sa, se};
+  return rotated({ce * ca, ce * sa, se}, view.up);
 }
 
 Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,

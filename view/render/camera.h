@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A camera infinitely far away (parallel projection), upright: +z is up in the picture.
+// A camera infinitely far away (parallel projection), upright: one of the axes, +z by default, is
+// up in the picture.
 //
 //   C1  right, up and back are orthonormal and right-handed; back points to the eye;
 //   C2  picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left
@@ -15,9 +16,18 @@
 
 namespace deliso {
 
-// Where the eye is, in degrees: azimuth from +x towards +y, elevation above the xy plane.
+// The axis that points up in a picture, and its sign, 1 or -1.
+struct Up {
+  int axis = 2;
+  double sign = 1;
+  friend constexpr bool operator==(const Up&, const Up&) = default;
+};
+
+// Where the eye is, in degrees: azimuth from +x towards +y, elevation above the xy plane; all of it
+// rotated so that +z becomes `up`, and +x the axis after it.
 struct View {
   double azimuth = 0, elevation = 0;
+  Up up = {};
   friend constexpr bool operator==(const View&, const View&) = default;
 };
 

@@ -128,7 +128,7 @@ Layout layout_of(const RenderOptions& options, std::size_t panels) {
   return lay_out(options.size, panels, !options.captions.empty(), options.bar.has_value());
 }
 
-View best_view(std::span<const Subject> subjects, PictureSize panel) {
+View best_view(std::span<const Subject> subjects, PictureSize panel, const Up& up) {
   constexpr double kPixels = 25000;
   constexpr double kIntoCut = 0.5;  // 60 degrees
   const double shrink = std::sqrt(kPixels / (static_cast<double>(panel.width) * panel.height));
@@ -139,7 +139,7 @@ View best_view(std::span<const Subject> subjects, PictureSize panel) {
   const auto choose_from = [&](double elevation, double least_facing) {
     for (int azimuth = 30; azimuth < 360; azimuth += 30) {
       if (azimuth % 90 == 0) continue;  // along an axis much of a volume lies edge on
-      const View view{static_cast<double>(azimuth), elevation};
+      const View view{static_cast<double>(azimuth), elevation, up};
       if (facing(subjects, view) < least_facing) continue;
       const Camera camera = fit_camera(subjects, view, {}, small);
       double area = 0;

@@ -46,7 +46,7 @@ Layout layout_of(const RenderOptions& options, std::size_t panels);
 // Where there are clipping planes, only views that look into every cut count, from further above or
 // from below where it takes that; and all again where cuts face away from each other. Throws as
 // fit_camera.
-View best_view(std::span<const Subject> subjects, PictureSize panel);
+View best_view(std::span<const Subject> subjects, PictureSize panel, const Up& up = {});
 
 // pre: at least one subject, sides from 1 to kLargestSide, 0 < zoom <= largest_zoom. Throws as
 // fit_camera and layout_of. Memory: the image, and beside it the same whatever its size.

@@ -346,13 +346,14 @@ test('a camera that fits a box sees its corners', () => {
     const box = { lo, hi: lo.map((x) => x + 0.1 + 30 * random.real()) };
     const aspect = 0.3 + 2 * random.real();
     const camera = new Camera();
+    camera.stand([random.below(3), random.below(2) ? 1 : -1]);
     camera.turn(360 * random.real(), 180 * random.real() - 90);
     camera.set_scene(box);
-    camera.target = camera.middle;
-    camera.distance = camera.distance_for(box, aspect);
+    Object.assign(camera, camera.place_for(aspect));
     const project = new Float64Array(16);
     camera.project(project, aspect);
     let most = 0;
+    const extent = [[1, -1], [1, -1]];
     for (let n = 0; n < 8; ++n) {
       const p = [0, 1, 2].map((axis) => n >> axis & 1 ? box.hi[axis] : box.lo[axis]);
       const at = [0, 1, 2, 3].map((row) => project[row] * p[0] + project[4 + row] * p[1] +
@@ -360,7 +361,28 @@ test('a camera that fits a box sees its corners', () => {
       const [x, y, z] = at.map((value) => value / at[3]);
       assert.ok(Math.abs(x) <= 1 && Math.abs(y) <= 1 && Math.abs(z) <= 1, `seed ${seed}`);
       most = Math.max(most, Math.abs(x), Math.abs(y));
+      [x, y].forEach((at_axis, axis) => {
+        extent[axis] = [Math.min(extent[axis][0], at_axis), Math.max(extent[axis][1], at_axis)];
+      });
     }
-    assert.ok(most > 0.7, `seed ${seed}: too far away`);
+    // It fills the picture, but for the margin, in one direction, from border to border.
+    assert.ok(Math.abs(most - 1 / 1.08) < 1e-6, `seed ${seed}: ${most}`);
+    assert.ok(extent.some(([low, high]) => Math.abs(high - low - 2 / 1.08) < 1e-5), `seed ${seed}`);
+  }
+});
+
+test('the axis that is up is up for the eye, and angles lead back to the direction', () => {
+  for (let seed = 0; seed < 200; ++seed) {
+    const random = random_from(seed);
+    const axis = random.below(3), sign = random.below(2) ? 1 : -1;
+    const camera = new Camera();
+    camera.stand([axis, sign]);
+    const wanted = unit([0, 1, 2].map(() => random.real() - 0.5));
+    const { azimuth, elevation } = camera.angles_of(wanted);
+    camera.turn(azimuth - camera.azimuth, elevation - camera.elevation);
+    assert.ok(length_of(subtract(camera.back, wanted)) < 1e-9, `seed ${seed}`);
+    assert.ok(Math.abs(camera.right[axis]) < 1e-12);
+    assert.ok(sign * camera.up[axis] > 0);
+    assert.ok(length_of(subtract(cross(camera.right, camera.up), camera.back)) < 1e-9);
   }
 });

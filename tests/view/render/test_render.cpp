@@ -494,6 +494,28 @@ TEST_CASE("a small mesh beside a large one stays small: the camera fits all of t
   CHECK(covered(0) / 16.0 == doctest::Approx(covered(162)).epsilon(0.1));
 }
 
+TEST_CASE("the axis that is up is up in the picture, from wherever the eye looks") {
+  const TriMesh mesh = sphere(2);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      CAPTURE(axis);
+      CAPTURE(sign);
+      Vec3 up;
+      up[axis] = sign;
+      for (double azimuth = 0; azimuth < 360; azimuth += 40) {
+        const View view{azimuth, 25, {axis, sign}};
+        const Camera camera = camera_on(mesh, view, {400, 300}, {});
+        CHECK(std::abs(dot(camera.right, up)) < 1e-12);
+        CHECK(dot(camera.up, up) == doctest::Approx(std::cos(25 * std::numbers::pi / 180)));
+        CHECK(dot(camera.back, up) == doctest::Approx(std::sin(25 * std::numbers::pi / 180)));
+        CHECK(length(cross(camera.right, camera.up) - camera.back) < 1e-12);
+      }
+      const Up chosen = best_view(std::array{Subject{&mesh, {}}}, {40, 30}, {axis, sign}).up;
+      CHECK(chosen == Up{axis, sign});
+    }
+  }
+}
+
 TEST_CASE("what is looked at is in the middle, at any zoom; what is beside all is refused") {
   const TriMesh mesh = sphere(4);
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {

@@ -1,6 +1,7 @@
 'use strict';
 // A camera that turns about a point. Azimuth and elevation are those of `deliso render --view`: from
-// +x towards +y, and above the xy plane. Lengths are the scene's.
+// +x towards +y, and above the xy plane; with another axis up, all rotated as there (rotated() of
+// view/render/camera.cpp). Lengths are the scene's.
 
 const kHalfAngle = 14 * Math.PI / 180;  // of what is seen from bottom to top
 
@@ -13,47 +14,86 @@ class Camera {
     this.middle = [0, 0, 0];  // of all that can be seen, and its radius
     this.radius = 1;
     this.glide = null;
+    this.fitted = false;      // nothing moved it since all was seen
+    this.up_axis = [2, 1];    // and its sign
     this.eye_space = new Float64Array(16);
     this.lens = new Float64Array(16);
     this.product = new Float64Array(16);
     this.turn(0, 0);
   }
 
-  // What there is to see.
-  set_scene(box) {
-    this.box = box;
+  stand([axis, sign]) {
+    this.up_axis = [axis, sign];
+    this.turn(0, 0);
+  }
+  rotated([x, y, z]) {
+    const [axis, sign] = this.up_axis, out = [0, 0, 0];
+    out[(axis + 1) % 3] = x;
+    out[(axis + 2) % 3] = sign * y;
+    out[axis] = sign * z;
+    return out;
+  }
+  // Azimuth and elevation of a direction; along the axis that is up, any azimuth would do.
+  angles_of(direction) {
+    const [axis, sign] = this.up_axis;
+    const x = direction[(axis + 1) % 3], y = sign * direction[(axis + 2) % 3];
+    const z = sign * direction[axis];
+    return { azimuth: x === 0 && y === 0 ? -90 : Math.atan2(y, x) * 180 / Math.PI,
+             elevation: clamp(Math.atan2(z, Math.hypot(x, y)) * 180 / Math.PI, -89.9, 89.9) };
+  }
+
+  // What there is to see: a box, and flat arrays of the points that have to be seen, its corners
+  // unless given.
+  set_scene(box, points) {
+    this.points = points ?? [Float64Array.from({ length: 24 }, (_, n) =>
+      (n / 3 >> n % 3 & 1 ? box.hi : box.lo)[n % 3])];
     this.middle = box_middle(box);
     this.radius = box_radius(box);
   }
-  // How far from its middle all of a box is seen in a view of this aspect.
-  distance_for(box, aspect) {
-    const half = scaled(subtract(box.hi, box.lo), 0.5);
-    const tangent = Math.tan(kHalfAngle);
-    let distance = 1e-3 * this.radius;
-    for (let n = 0; n < 8; ++n) {
-      const corner = half.map((x, axis) => n >> axis & 1 ? x : -x);
-      const off = Math.max(Math.abs(dot(corner, this.up)), Math.abs(dot(corner, this.right)) / aspect);
-      distance = Math.max(distance, dot(corner, this.back) + 1.08 * off / tangent);
+  // Where all points are seen, as large as a view of this aspect lets them. A point at (x, y, depth)
+  // along the camera's axes is seen up to the left and right border from a distance of at least
+  // depth + |x - center| / tangent: the borders are planes, and four maxima tell where they touch.
+  place_for(aspect) {
+    const { right, up, back, middle } = this;
+    const high = Math.tan(kHalfAngle) / 1.08, wide = high * aspect;
+    const most = [-Infinity, -Infinity, -Infinity, -Infinity];
+    for (const points of this.points) {
+      for (let n = 0; n < points.length; n += 3) {
+        const px = points[n] - middle[0], py = points[n + 1] - middle[1], pz = points[n + 2] - middle[2];
+        const x = right[0] * px + right[1] * py + right[2] * pz;
+        const y = up[0] * px + up[1] * py + up[2] * pz;
+        const depth = back[0] * px + back[1] * py + back[2] * pz;
+        if (x + depth * wide > most[0]) most[0] = x + depth * wide;
+        if (depth * wide - x > most[1]) most[1] = depth * wide - x;
+        if (y + depth * high > most[2]) most[2] = y + depth * high;
+        if (depth * high - y > most[3]) most[3] = depth * high - y;
+      }
     }
-    return distance;
+    if (!Number.isFinite(most[0])) return { target: middle, distance: this.radius };
+    const off = add(scaled(right, (most[0] - most[1]) / 2), scaled(up, (most[2] - most[3]) / 2));
+    const distance = Math.max((most[0] + most[1]) / (2 * wide), (most[2] + most[3]) / (2 * high));
+    return { target: add(middle, off), distance: Math.max(distance, 1e-3 * this.radius) };
   }
 
   turn(azimuth, elevation) {
+    if (azimuth !== 0 || elevation !== 0) this.fitted = false;
     this.azimuth = (this.azimuth + azimuth) % 360;
     this.elevation = clamp(this.elevation + elevation, -89.9, 89.9);
     const a = this.azimuth * Math.PI / 180, e = this.elevation * Math.PI / 180;
-    this.back = [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)];
-    this.right = [-Math.sin(a), Math.cos(a), 0];
+    this.back = this.rotated([Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)]);
+    this.right = this.rotated([-Math.sin(a), Math.cos(a), 0]);
     this.up = cross(this.back, this.right);
   }
   // By a part of the height that is seen at the target.
   pan(x, y) {
+    this.fitted = false;
     const height = 2 * this.distance * Math.tan(kHalfAngle);
     this.target = subtract(this.target,
                            add(scaled(this.right, x * height), scaled(this.up, y * height)));
   }
   // Towards a place in the view: x, y from -1 to 1, x times the aspect.
   zoom(factor, x = 0, y = 0) {
+    this.fitted = false;
     const before = this.distance;
     this.distance = clamp(before * factor, 1e-4 * this.radius, 40 * this.radius);
     const share = (before - this.distance) / before;
@@ -87,6 +127,7 @@ class Camera {
   // Goes to another place smoothly: step(now) until it returns false. goal: some of target,
   // distance, azimuth, elevation.
   glide_to(goal) {
+    this.fitted = false;
     const from = { target: this.target, distance: this.distance, azimuth: this.azimuth,
                    elevation: this.elevation };
     const to = { ...from, ...goal };

@@ -32,6 +32,7 @@ async function begin() {
   const View = kViews[data.header.kind];
   if (!View) throw new Error(`the page holds "${data.header.kind}", which its scripts do not know`);
   scene.message('');
+  scene.camera.stand(data.header.up ?? [2, 1]);
   view = new View(scene, data);
   document.documentElement.dataset.kind = data.header.kind;
 
@@ -45,10 +46,10 @@ async function begin() {
   const turn_help = set_up_help(View.intro ?? [], [camera_keys, View.help(),
                                                    ['Page', [['T', 'dark or light'],
                                                              ['?', 'this help']]]]);
-  listen_to_keys({ ...view.keys(), t: turn_theme, '?': turn_help, 1: () => scene.look_along(0, 0),
-                   2: () => scene.look_along(90, 0), 3: () => scene.look_along(-90, 89.9),
-                   '!': () => scene.look_along(180, 0), '@': () => scene.look_along(-90, 0),
-                   '#': () => scene.look_along(-90, -89.9) });
+  listen_to_keys({ ...view.keys(), t: turn_theme, '?': turn_help, 1: () => scene.look_from([1, 0, 0]),
+                   2: () => scene.look_from([0, 1, 0]), 3: () => scene.look_from([0, 0, 1]),
+                   '!': () => scene.look_from([-1, 0, 0]), '@': () => scene.look_from([0, -1, 0]),
+                   '#': () => scene.look_from([0, 0, -1]) });
   window.deliso = { view, scene };  // for the console, and for tests
 }
 

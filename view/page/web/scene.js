@@ -20,7 +20,7 @@ class Scene {
     this.colors_changed();
     this.begin();
     this.controls = new Controls(this);
-    on_resize(canvas, () => this.invalidate());
+    on_resize(canvas, () => this.camera.fitted ? this.fit(false) : this.invalidate());
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.message('The graphics card is away. The picture comes back with it.');
@@ -67,13 +67,14 @@ class Scene {
 
   fit(glide = true) {
     const { camera } = this;
-    const goal = { target: camera.middle, distance: camera.distance_for(camera.box, this.aspect) };
+    const goal = camera.place_for(this.aspect);
     if (glide) camera.glide_to(goal);
     else Object.assign(camera, goal);
+    camera.fitted = true;
     this.invalidate();
   }
-  look_along(azimuth, elevation) {
-    this.camera.glide_to({ azimuth, elevation });
+  look_from(direction) {
+    this.camera.glide_to(this.camera.angles_of(direction));
     this.invalidate();
   }
 

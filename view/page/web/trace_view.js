@@ -132,8 +132,7 @@ class TraceView {
                            this.surface.nearest(add(target, scaled(back, distance)), scaled(back, -1))
                              .distance > distance - 1.2 * radius;
     const back = (length_of(normal) > 0 && ways.find(sees)) || camera.back;
-    camera.glide_to({ target, distance, azimuth: Math.atan2(back[1], back[0]) * 180 / Math.PI,
-                      elevation: Math.asin(clamp(back[2], -1, 1)) * 180 / Math.PI });
+    camera.glide_to({ target, distance, ...camera.angles_of(back) });
     this.scene.invalidate();
   }
 
