@@ -17,12 +17,13 @@ class MeshView {
     this.box = box;
     scene.panes = this.meshes.map((mesh) =>
       ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
-    scene.camera.set_scene(box);
+    scene.camera.set_scene(box, this.meshes.map((mesh) => mesh.points));
     scene.fit(false);
     scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
     this.build_panel(document.getElementById('panel'));
     this.paint();
     this.show_captions();
+    this.address = new Address(scene, document.getElementById('panel'), this.histograms);
     document.getElementById('title').textContent = this.meshes.map((mesh) => mesh.about.name).join(' | ');
     document.getElementById('subtitle').textContent = header.volume
       ? `measured against ${header.volume} at ${rounded(header.iso)}` : '';
@@ -85,8 +86,13 @@ class MeshView {
     });
     this.share_note = element('p', { class: 'note', 'aria-live': 'polite' });
     const hint = element('p', { class: 'hint' }, 'Drag over the bars to see where such triangles are.');
+    const marks = this.meshes.length < 2 ? [] :
+      [element('ul', { class: 'legend' }, ...this.meshes.map(({ about }, n) =>
+        element('li', {}, element('span', { class: n === 0 ? 'swatch bars' : 'swatch line' }),
+                `${kMarksOfMeshes[n]}: ${about.name}`)))];
+    this.legend = element('ul', { class: 'legend' });
     panel.append(
-      section('Look', true, this.color_choice,
+      section('Look', true, this.color_choice, this.legend,
               choice('Shading', [['smooth', 'smooth'], ['flat', 'flat']], 'smooth',
                      (value) => each((mesh) => {
                        mesh.layer.normals = value === 'smooth' ? mesh.smooth_normals : null;
@@ -95,8 +101,9 @@ class MeshView {
                      (value) => each(({ layer }) => {
                        layer.edge_width = value === 'off' ? 0 : kEdgeWidth;
                        layer.wires = value === 'wires';
-                     }))),
-      section('Triangles', true, hint, ...this.histograms.map((h) => h.element), this.share_note),
+                     })),
+              button('Save a picture', 'Save the view as a PNG file (P)', () => this.save())),
+      section('Triangles', true, hint, ...marks, ...this.histograms.map((h) => h.element), this.share_note),
       new ClipPlane(scene, this.box).element,
       section('Components', false, this.component_list()));
   }
@@ -165,6 +172,9 @@ class MeshView {
       }
       return `${grouped(chosen)} of ${counted(mesh.count, 'triangle', 'triangles')}`;
     });
+    this.legend.replaceChildren(...legend_of(this.color_by, colored?.measure, brushed.length > 0)
+      .map(([color, text]) => element('li', {}, element('span', { class: 'swatch', style:
+        `background:${css_color(color)}` }), text)));
     this.share_note.textContent = brushed.length > 0 ? `Brushed: ${shares.join(' | ')}` : '';
     this.scene.invalidate();
   }
@@ -174,8 +184,16 @@ class MeshView {
       const { about, count } = this.meshes[n];
       pane.caption = `${about.name}: ${counted(count, 'triangle', 'triangles')}, ` +
                      counted(about.vertices, 'vertex', 'vertices');
+      if (this.meshes.length > 1) pane.caption += ` (${kMarksOfMeshes[n]})`;
     });
     this.scene.show_captions();
+  }
+
+  save() {
+    const colored = this.histograms.find((h) => h.key === this.color_by);
+    save_picture(this.scene, legend_of(this.color_by, colored?.measure,
+                                       this.histograms.some((h) => h.brush)),
+                 this.meshes.map((mesh) => mesh.about.name.replace(/\.[^.]*$/, '')).join('-') + '.png');
   }
 
   // A click tells of a triangle; a double one makes it the middle of the view.
@@ -219,7 +237,7 @@ class MeshView {
       select.selectedIndex = (select.selectedIndex + 1) % select.length;
       select.dispatchEvent(new Event('change'));
     };
-    return { f: () => scene.fit(), c: next_color,
+    return { f: () => scene.fit(), c: next_color, p: () => this.save(),
              Escape: () => this.histograms.forEach((h) => h.brush && h.set(null)) };
   }
 
@@ -229,14 +247,31 @@ class MeshView {
   }
 
   static help() {
-    return ['View', [['C', 'next color'], ['Esc', 'clear what is brushed']]];
+    return ['View', [['C', 'next color'], ['P', 'save a picture'], ['Esc', 'clear what is brushed']]];
   }
+}
+
+// How histograms draw the first mesh, and the second.
+const kMarksOfMeshes = ['bars', 'line'];
+
+// Pairs of a color and what it stands for. Values beyond an open scale's end have the end's color.
+function legend_of(color_by, measure, brushed) {
+  const others = brushed ? [[style_color('--dim'), 'not brushed']] : [];
+  if (measure) {
+    const { name, unit, lo, hi, open } = measure;
+    return [0, 0.25, 0.5, 0.75, 1].map((share) =>
+      [sequential_color(share), rounded(lo + share * (hi - lo)) + unit +
+       (share === 1 && open ? ' or more' : '') + (share === 0 ? ` ${name.toLowerCase()}` : '')])
+      .concat(others);
+  }
+  if (brushed) return (color_by === 'side' ? [[style_color('--accent'), 'brushed']] : []).concat(others);
+  return color_by === 'side' ? [[kOutside, 'field below the isovalue'], [kInside, 'above it']] : [];
 }
 
 MeshView.intro = [
   'Histograms of what the triangles are like: drag over the bars, and the triangles that are so stand ' +
   'out on the mesh. A click on the mesh tells of a triangle, a double one makes the place the middle ' +
-  'of the view. Blue is the side where the field is below the isovalue, orange the other.'];
+  'of the view. The address of the page keeps the view: a link with it opens the same.'];
 
 // The triangles up to the first that names a point beyond `count`.
 function complete_triangles(triangles, count) {

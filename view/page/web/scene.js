@@ -9,6 +9,7 @@ class Scene {
     this.panes = [{ layers: [], caption: '', clip: null }];
     this.on_pick = () => {};      // (ray, pane, twice)
     this.before_draw = () => {};
+    this.after_draw = () => {};
     this.arrows_step = false;     // arrow keys are for something else
     this.waiting = false;
     this.frames = 0;
@@ -135,6 +136,7 @@ class Scene {
     });
     this.drawing_ms = performance.now() - began;
     ++this.frames;
+    this.after_draw();
   }
 
   // Captions of the panes, over the canvas.

@@ -1,0 +1,92 @@
+'use strict';
+// What a page shows, in its address behind #, so that a link opens the same view: the camera, the
+// panel's choices, switches and sliders that are not as they were at first, and brushes.
+
+// Inputs by what they are called, numbered where several are called the same.
+function named_inputs(panel) {
+  const names = new Map();
+  for (const input of panel.querySelectorAll('select, input')) {
+    const label = input.getAttribute('aria-label') ?? input.parentElement.textContent;
+    const word = label.toLowerCase().replace(/[^a-z0-9]+/g, '-');
+    let name = word;
+    for (let n = 2; names.has(name); ++n) name = `${word}-${n}`;
+    names.set(name, input);
+  }
+  return names;
+}
+
+const value_of = (input) => input.type === 'checkbox' ? String(Number(input.checked)) : input.value;
+
+// Angles, then, where not all is seen, target and distance in multiples of the scene's size.
+function camera_text(camera) {
+  const place = camera.fitted ? [] :
+    [...scaled(subtract(camera.target, camera.middle), 1 / camera.radius), camera.distance / camera.radius];
+  return [camera.azimuth, camera.elevation, ...place].map((x) => Number(x.toPrecision(5))).join(',');
+}
+
+// True if it is a camera's text, of which the camera then is.
+function set_camera(camera, text) {
+  const numbers = text.split(',').map(Number);
+  if (![2, 6].includes(numbers.length) || !numbers.every(Number.isFinite)) return false;
+  camera.glide = null;
+  camera.turn(numbers[0] - camera.azimuth, numbers[1] - camera.elevation);
+  if (numbers.length === 6) {
+    camera.target = add(camera.middle, scaled(numbers.slice(2, 5), camera.radius));
+    camera.distance = clamp(numbers[5], 1e-4, 40) * camera.radius;
+  }
+  camera.fitted = numbers.length === 2;
+  return true;
+}
+
+class Address {
+  constructor(scene, panel, histograms) {
+    Object.assign(this, { scene, histograms, inputs: named_inputs(panel) });
+    this.first = new Map([...this.inputs].map(([name, input]) => [name, value_of(input)]));
+    this.timer = 0;
+    this.open(location.hash);
+    window.addEventListener('hashchange', () => this.open(location.hash));
+    // Browsers refuse to change an address too often.
+    scene.after_draw = () => {
+      this.timer ||= setTimeout(() => {
+        this.timer = 0;
+        if (!scene.camera.glide) history.replaceState(null, '', '#' + this.text());
+      }, 400);
+    };
+    scene.invalidate();
+  }
+
+  text() {
+    const words = new URLSearchParams({ camera: camera_text(this.scene.camera) });
+    for (const [name, input] of this.inputs) {
+      if (value_of(input) !== this.first.get(name)) words.set(name, value_of(input));
+    }
+    for (const { key, brush } of this.histograms) {
+      if (brush) words.set('brush-' + key, `${brush.from}-${brush.to}`);
+    }
+    return words.toString().replaceAll('%2C', ',');
+  }
+
+  // What the text does not name becomes what it was at first; what it says wrongly is left as it is.
+  open(hash) {
+    const words = new URLSearchParams(hash.slice(1));
+    for (const [name, input] of this.inputs) {
+      const before = value_of(input), value = words.get(name) ?? this.first.get(name);
+      if (value === before) continue;
+      if (input.type === 'checkbox') {
+        input.checked = value === '1';
+      } else {
+        input.value = value;
+        if (input.value === '') input.value = before;  // no such choice
+      }
+      input.dispatchEvent(new Event(input.type === 'range' ? 'input' : 'change'));
+    }
+    for (const histogram of this.histograms) {
+      const [from, to] = (words.get('brush-' + histogram.key) ?? '').split('-').map(Number);
+      const is_brush = 0 <= from && from <= to && to < kBins && Number.isInteger(from + to);
+      if (is_brush || histogram.brush) histogram.set(is_brush ? { from, to } : null);
+    }
+    const { camera } = this.scene;
+    if (set_camera(camera, words.get('camera') ?? '') && camera.fitted) this.scene.fit(false);
+    this.scene.invalidate();
+  }
+}
