@@ -26,12 +26,18 @@ printf 'OFF\n0 0 0\n' >"$work/empty.off"
 # Cut off in the middle of its data.
 head -c $(($(wc -c <"$work/paper.html") * 9 / 10)) "$work/paper.html" >"$work/cut.html"
 
+# What a link opens and what a button saves, written into the page's text.
+sed 's|^</body>|<script>HTMLAnchorElement.prototype.click = function() { document.body.dataset.saved = this.download; };\
+setTimeout(() => document.dispatchEvent(new KeyboardEvent("keydown", {key: "p"})), 1500);</script></body>|' \
+  "$work/two.html" >"$work/link.html"
+
 # A page is fine when it has begun and hides its message.
 faults=0
-for page in two empty certified paper cut; do
+for page in two empty certified paper cut link; do
   if ! timeout 60 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \
     --enable-unsafe-swiftshader --user-data-dir="$work/profile" --virtual-time-budget=4000 \
-    --dump-dom "file://$work/$page.html" >"$work/$page.dom" 2>"$work/$page.log"; then
+    --dump-dom "file://$work/$page.html$([ $page = link ] && echo "#color-by=r_over_l&brush-angle=0-47")" \
+    >"$work/$page.dom" 2>"$work/$page.log"; then
     # A browser that cannot run here (a container without what it needs) tests nothing.
     if [ ! -s "$work/$page.dom" ]; then
       echo "$browser does not run here"
@@ -42,6 +48,12 @@ for page in two empty certified paper cut; do
     echo "$page: fine"
   else
     echo "$page: $(sed -n 's/.*id="message"[^>]*>\([^<]*\)<.*/\1/p' "$work/$page.dom")"
+    faults=$((faults + 1))
+  fi
+done
+for text in 'data-saved="torus-fuel' ' or more</li>' 'Brushed: ' 'bars: torus.ply'; do
+  if ! grep -q "$text" "$work/link.dom"; then
+    echo "link: without $text"
     faults=$((faults + 1))
   fi
 done

@@ -386,3 +386,81 @@ test('the axis that is up is up for the eye, and angles lead back to the directi
     assert.ok(length_of(subtract(cross(camera.right, camera.up), camera.back)) < 1e-9);
   }
 });
+
+test('a camera\'s text gives the camera back, and what is no text of one changes nothing', () => {
+  for (let seed = 0; seed < 100; ++seed) {
+    const random = random_from(seed);
+    const cameras = [new Camera(), new Camera()];
+    for (const camera of cameras) camera.set_scene({ lo: [1, 2, 3], hi: [4, 9, 5] });
+    const [one, other] = cameras;
+    one.target = [1 + random.real(), 2, 3];
+    one.distance = 20 * random.real() + 0.1;
+    one.turn(360 * random.real(), 80 * random.real() - 60);
+    one.zoom(0.5 + random.real());
+    assert.ok(set_camera(other, camera_text(one)));
+    const near = (a, b) => assert.ok(length_of(subtract(a, b)) < 2e-3, `seed ${seed}: ${a}, ${b}`);
+    near(one.eye(), other.eye());
+    near(one.up, other.up);
+    const before = camera_text(other);
+    for (const text of ['', '1', '1,2,3', '1,x', 'NaN,0', '1,2,3,4,5,6,7']) {
+      assert.ok(!set_camera(other, text), text);
+    }
+    assert.equal(camera_text(other), before);
+  }
+});
+
+test('an address opens what it was written from, and an empty one what was there at first', () => {
+  globalThis.window = { addEventListener() {} };
+  globalThis.location = { hash: '' };
+  const inputs = [['Cut', 'checkbox', ''], ['Across', 'select', '0'], ['Where', 'range', '0.5'],
+                  ['Across', 'select', 'smooth']].map(([label, type, value]) =>
+    ({ type, value, checked: false, getAttribute: () => label,
+       dispatchEvent() { if (type !== 'checkbox') inputs[0].checked = true; } }));
+  const histogram = { key: 'angle', brush: null, set(brush) { this.brush = brush; } };
+  const camera = new Camera();
+  camera.set_scene({ lo: [0, 0, 0], hi: [1, 1, 1] });
+  const scene = { camera, invalidate() {}, fit() {} };
+  const address = new Address(scene, { querySelectorAll: () => inputs }, [histogram]);
+  camera.zoom(0.5);
+  const first = address.text();
+  const written = [];
+  const random = random_from(9);
+  for (let n = 0; n < 50; ++n) {
+    inputs[1].value = String(random.below(3));
+    inputs[2].value = String(random.below(10) / 10);
+    inputs[3].value = random.below(2) ? 'flat' : 'smooth';
+    inputs[0].checked = random.below(2) === 0;
+    const from = random.below(kBins);
+    histogram.brush = random.below(2) ? { from, to: from + random.below(kBins - from) } : null;
+    camera.turn(10, random.real());
+    written.push(address.text());
+  }
+  assert.ok(new Set(written).size === 50);
+  for (const text of [...written.reverse(), first]) {
+    address.open('#' + text);
+    assert.equal(address.text(), text);
+  }
+  address.open('#brush-angle=3-99&across=');
+  assert.equal(histogram.brush, null);
+});
+
+test('the legend has the color of every value, and says what lies beyond the scale', () => {
+  const measure = { name: 'Size', unit: '', lo: 1, hi: 5, open: true };
+  const entries = legend_of('size', measure, false);
+  assert.deepEqual(entries.map(([, text]) => text), ['size: 1', '2', '3', '4', '5 or more']);
+  assert.equal(entries.at(-1)[0], sequential_color(7));
+  assert.equal(legend_of('size', { ...measure, open: false }, false).at(-1)[1], '5');
+});
+
+test('panes lie along the longer side, and every place is in its pane', () => {
+  for (const [width, height, stacked] of [[800, 400, false], [300, 500, true]]) {
+    const scene = Object.create(Scene.prototype);
+    Object.assign(scene, { canvas: { clientWidth: width, clientHeight: height }, panes: [{}, {}] });
+    assert.equal(scene.stacked, stacked);
+    const at = scene.place_of(0.75 * width, 0.75 * height);
+    assert.deepEqual([at.x, at.y], stacked ? [0.5, 0] : [0, -0.5]);
+    assert.equal(at.pane, 1);
+    assert.equal(at.aspect, stacked ? 1.2 : 1);
+    assert.equal(scene.place_of(-5, -5).pane, 0);
+  }
+});

@@ -69,7 +69,8 @@ class Address {
   // What the text does not name becomes what it was at first; what it says wrongly is left as it is.
   open(hash) {
     const words = new URLSearchParams(hash.slice(1));
-    for (const [name, input] of this.inputs) {
+    // From the last to the first: a switch comes before what switches it on.
+    for (const [name, input] of [...this.inputs].reverse()) {
       const before = value_of(input), value = words.get(name) ?? this.first.get(name);
       if (value === before) continue;
       if (input.type === 'checkbox') {

@@ -260,8 +260,8 @@ function legend_of(color_by, measure, brushed) {
   if (measure) {
     const { name, unit, lo, hi, open } = measure;
     return [0, 0.25, 0.5, 0.75, 1].map((share) =>
-      [sequential_color(share), rounded(lo + share * (hi - lo)) + unit +
-       (share === 1 && open ? ' or more' : '') + (share === 0 ? ` ${name.toLowerCase()}` : '')])
+      [sequential_color(share), (share === 0 ? `${name.toLowerCase()}: ` : '') +
+       rounded(lo + share * (hi - lo)) + unit + (share === 1 && open ? ' or more' : '')])
       .concat(others);
   }
   if (brushed) return (color_by === 'side' ? [[style_color('--accent'), 'brushed']] : []).concat(others);

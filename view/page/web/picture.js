@@ -13,9 +13,10 @@ async function save_picture(scene, entries, name) {
   context.fillStyle = css_color(style_color('--ink'));
   context.textBaseline = 'middle';
   context.textAlign = 'center';
-  const width = canvas.width / scene.panes.length;
+  const width = ratio * scene.pane_size.width, height = ratio * scene.pane_size.height;
   scene.panes.forEach((pane, n) => {
-    context.fillText(pane.caption, (n + 0.5) * width, margin + size / 2, width - 2 * margin);
+    const [left, top] = scene.stacked ? [0, n * height] : [n * width, 0];
+    context.fillText(pane.caption, left + width / 2, top + margin + size / 2, width - 2 * margin);
   });
   context.textAlign = 'left';
   entries.forEach(([color, text], n) => {

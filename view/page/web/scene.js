@@ -1,5 +1,5 @@
 'use strict';
-// The canvas: one or two panes side by side with a camera in common, each with layers of its own.
+// The canvas: one or two panes along its longer side, with a camera in common and layers of their own.
 // Pictures are drawn when something changed, once per frame at most.
 
 class Scene {
@@ -21,7 +21,10 @@ class Scene {
     this.colors_changed();
     this.begin();
     this.controls = new Controls(this);
-    on_resize(canvas, () => this.camera.fitted ? this.fit(false) : this.invalidate());
+    on_resize(canvas, () => {
+      if (this.camera.fitted) this.fit(false);
+      this.show_captions();
+    });
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.message('The graphics card is away. The picture comes back with it.');
@@ -55,16 +58,27 @@ class Scene {
     this.invalidate();
   }
 
-  get height() { return this.canvas.clientHeight || 1; }
+  get height() { return this.pane_size.height; }
 
   // The pane at a place of the canvas, and the place in it, from -1 to 1.
   place_of(x, y) {
-    const width = (this.canvas.clientWidth || 1) / this.panes.length;
-    const number = clamp(Math.floor(x / width), 0, this.panes.length - 1);
-    return { x: 2 * (x - number * width) / width - 1, y: 1 - 2 * y / this.height,
-             aspect: width / this.height, pane: number };
+    const { width, height } = this.pane_size;
+    const number = clamp(this.stacked ? Math.floor(y / height) : Math.floor(x / width),
+                         0, this.panes.length - 1);
+    const left = this.stacked ? 0 : number * width, top = this.stacked ? number * height : 0;
+    return { x: 2 * (x - left) / width - 1, y: 1 - 2 * (y - top) / height,
+             aspect: width / height, pane: number };
   }
-  get aspect() { return (this.canvas.clientWidth || 1) / this.panes.length / this.height; }
+  get stacked() { return this.canvas.clientHeight > this.canvas.clientWidth; }
+  get pane_size() {
+    const count = this.panes.length, width = this.canvas.clientWidth || 1;
+    const height = this.canvas.clientHeight || 1;
+    return this.stacked ? { width, height: height / count } : { width: width / count, height };
+  }
+  get aspect() {
+    const { width, height } = this.pane_size;
+    return width / height;
+  }
 
   fit(glide = true) {
     const { camera } = this;
@@ -114,10 +128,12 @@ class Scene {
     view.key = towards(-0.5, 0.6, 0.8);
     view.fill = towards(0.8, -0.1, 0.5);
     view.gloss = towards(-0.25, 0.3, 0.9);
-    const columns = Math.floor(width / this.panes.length);
-    camera.project(view.project, columns / height);
+    const { stacked } = this, count = this.panes.length;
+    const columns = stacked ? width : Math.floor(width / count);
+    const rows = stacked ? Math.floor(height / count) : height;
+    camera.project(view.project, columns / rows);
     view.half_size[0] = columns / 2;
-    view.half_size[1] = height / 2;
+    view.half_size[1] = rows / 2;
 
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
@@ -125,8 +141,11 @@ class Scene {
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.SCISSOR_TEST);
     this.panes.forEach((pane, n) => {
-      gl.viewport(n * columns, 0, columns, height);
-      gl.scissor(n * columns, 0, n + 1 < this.panes.length ? columns : width - n * columns, height);
+      const left = stacked ? 0 : n * columns, bottom = stacked ? height - (n + 1) * rows : 0;
+      gl.viewport(left, bottom, columns, rows);
+      // The last takes the pixels that are left over.
+      const last = n + 1 === count;
+      gl.scissor(left, last ? 0 : bottom, last ? width - left : columns, last ? bottom + rows : rows);
       gl.clearColor(...this.background, 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       view.clip = pane.clip ?? view.no_clip;
@@ -142,6 +161,7 @@ class Scene {
   // Captions of the panes, over the canvas.
   show_captions() {
     const place = document.getElementById('captions');
+    place.classList.toggle('stacked', this.stacked);
     place.replaceChildren(...this.panes.map((pane) => {
       const made = element('span', {}, pane.caption);
       made.hidden = !pane.caption;
