@@ -339,6 +339,12 @@ test('triangles that name points beyond the last are left out', () => {
   assert.equal(complete_triangles(new Uint32Array(0), 0).length, 0);
 });
 
+test('points of no triangle are not what a camera has to see', () => {
+  const points = Float32Array.from({ length: 15 }, (_, n) => n);
+  assert.deepEqual(Array.from(points_named(points, Uint32Array.of(3, 1, 4, 1, 4, 3))),
+                   [3, 4, 5, 9, 10, 11, 12, 13, 14]);
+});
+
 test('a camera that fits a box sees its corners', () => {
   for (let seed = 0; seed < 200; ++seed) {
     const random = random_from(seed);

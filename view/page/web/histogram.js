@@ -96,7 +96,7 @@ class Histogram {
       const shares = this.counts.map((counts, n) => {
         let sum = 0;
         for (let bin = brush.from; bin <= brush.to; ++bin) sum += counts[bin];
-        return `${grouped(sum)} (${rounded(100 * sum / Math.max(1, this.totals[n]))} %)`;
+        return `${grouped(sum)} (${rounded(100 * sum / Math.max(1, this.totals[n]))}\u00a0%)`;
       });
       text = `${low} \u2013 ${high}${unit}: ${shares.join(' | ')}`;
     } else {

@@ -17,7 +17,7 @@ class MeshView {
     this.box = box;
     scene.panes = this.meshes.map((mesh) =>
       ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
-    scene.camera.set_scene(box, this.meshes.map((mesh) => mesh.points));
+    scene.camera.set_scene(box, this.meshes.map((mesh) => points_named(mesh.points, mesh.triangles)));
     scene.fit(false);
     scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
     this.build_panel(document.getElementById('panel'));
@@ -249,6 +249,13 @@ class MeshView {
   static help() {
     return ['View', [['C', 'next color'], ['P', 'save a picture'], ['Esc', 'clear what is brushed']]];
   }
+}
+
+// Without points of no triangle, which may lie anywhere.
+function points_named(points, triangles) {
+  const named = new Uint8Array(points.length / 3);
+  for (const v of triangles) named[v] = 1;
+  return points.filter((_, n) => named[Math.floor(n / 3)]);
 }
 
 // How histograms draw the first mesh, and the second.
