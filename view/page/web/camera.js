@@ -52,10 +52,11 @@ class Camera {
   }
   // Where all points are seen, as large as a view of this aspect lets them. A point at (x, y, depth)
   // along the camera's axes is seen up to the left and right border from a distance of at least
-  // depth + |x - center| / tangent: the borders are planes, and four maxima tell where they touch.
-  place_for(aspect) {
+  // depth + |x - center| / tangent: the borders are planes, and four maxima tell where they touch. A
+  // share of the height is left free at the top.
+  place_for(aspect, free = 0) {
     const { right, up, back, middle } = this;
-    const high = Math.tan(kHalfAngle) / 1.08, wide = high * aspect;
+    const low = Math.tan(kHalfAngle) / 1.08, wide = low * aspect, high = low * (1 - 2 * free);
     const most = [-Infinity, -Infinity, -Infinity, -Infinity];
     for (const points of this.points) {
       for (let n = 0; n < points.length; n += 3) {
@@ -66,13 +67,14 @@ class Camera {
         if (x + depth * wide > most[0]) most[0] = x + depth * wide;
         if (depth * wide - x > most[1]) most[1] = depth * wide - x;
         if (y + depth * high > most[2]) most[2] = y + depth * high;
-        if (depth * high - y > most[3]) most[3] = depth * high - y;
+        if (depth * low - y > most[3]) most[3] = depth * low - y;
       }
     }
     if (!Number.isFinite(most[0])) return { target: middle, distance: this.radius };
-    const off = add(scaled(right, (most[0] - most[1]) / 2), scaled(up, (most[2] - most[3]) / 2));
-    const distance = Math.max((most[0] + most[1]) / (2 * wide), (most[2] + most[3]) / (2 * high));
-    return { target: add(middle, off), distance: Math.max(distance, 1e-3 * this.radius) };
+    const distance = Math.max((most[0] + most[1]) / (2 * wide), (most[2] + most[3]) / (low + high),
+                              1e-3 * this.radius);
+    const x = (most[0] - most[1]) / 2, y = (most[2] - most[3] + distance * (low - high)) / 2;
+    return { target: add(middle, add(scaled(right, x), scaled(up, y))), distance };
   }
 
   turn(azimuth, elevation) {

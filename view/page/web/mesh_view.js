@@ -18,11 +18,11 @@ class MeshView {
     scene.panes = this.meshes.map((mesh) =>
       ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
     scene.camera.set_scene(box, this.meshes.map((mesh) => points_named(mesh.points, mesh.triangles)));
-    scene.fit(false);
     scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
     this.build_panel(document.getElementById('panel'));
     this.paint();
     this.show_captions();
+    scene.fit(false);
     this.address = new Address(scene, document.getElementById('panel'), this.histograms);
     document.getElementById('title').textContent = this.meshes.map((mesh) => mesh.about.name).join(' | ');
     document.getElementById('subtitle').textContent = header.volume

@@ -82,7 +82,9 @@ class Scene {
 
   fit(glide = true) {
     const { camera } = this;
-    const goal = camera.place_for(this.aspect);
+    const kCaption = 34;  // CSS pixels
+    const free = this.panes.some((pane) => pane.caption) ? Math.min(kCaption / this.height, 0.3) : 0;
+    const goal = camera.place_for(this.aspect, free);
     if (glide) camera.glide_to(goal);
     else Object.assign(camera, goal);
     camera.fitted = true;
