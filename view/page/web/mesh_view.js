@@ -18,6 +18,7 @@ class MeshView {
     scene.panes = this.meshes.map((mesh) =>
       ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
     scene.camera.set_scene(box, this.meshes.map((mesh) => points_named(mesh.points, mesh.triangles)));
+    scene.before_draw = () => this.stale && this.paint_now();
     scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
     this.build_panel(document.getElementById('panel'));
     this.paint();
@@ -138,8 +139,13 @@ class MeshView {
                    element('ul', { class: 'list' }, ...rows), ...rest);
   }
 
-  // Every triangle's color anew.
+  // Every triangle's color anew, once before the next picture.
   paint() {
+    this.stale = true;
+    this.scene.invalidate();
+  }
+  paint_now() {
+    this.stale = false;
     const colored = this.histograms.find((h) => h.key === this.color_by);
     const brushed = this.histograms.filter((h) => h.brush);
     for (const h of this.histograms) {
@@ -176,7 +182,6 @@ class MeshView {
       .map(([color, text]) => element('li', {}, element('span', { class: 'swatch', style:
         `background:${css_color(color)}` }), text)));
     this.share_note.textContent = brushed.length > 0 ? `Brushed: ${shares.join(' | ')}` : '';
-    this.scene.invalidate();
   }
 
   show_captions() {
