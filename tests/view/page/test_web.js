@@ -427,7 +427,8 @@ test('an address opens what it was written from, and an empty one what was there
   const camera = new Camera();
   camera.set_scene({ lo: [0, 0, 0], hi: [1, 1, 1] });
   const scene = { camera, invalidate() {}, fit() {} };
-  const address = new Address(scene, { querySelectorAll: () => inputs }, [histogram]);
+  const address = new Address(scene, { querySelectorAll: () => inputs },
+                              [brush_word(histogram)]);
   camera.zoom(0.5);
   const first = address.text();
   const written = [];
@@ -449,6 +450,18 @@ test('an address opens what it was written from, and an empty one what was there
   }
   address.open('#brush-angle=3-99&across=');
   assert.equal(histogram.brush, null);
+});
+
+test('hidden components are told by the shorter list, and read back', () => {
+  for (let seed = 0; seed < 300; ++seed) {
+    const random = random_from(seed);
+    const count = random.below(12), share = random.real();
+    const hidden = new Set(Array.from({ length: count }, (_, c) => c).filter(() => random.real() < share));
+    const text = components_text(hidden, count);
+    assert.deepEqual(hidden_components(text, count), hidden, `seed ${seed}: ${text}`);
+  }
+  assert.equal(components_text(hidden_components('3', 900), 900), '3');
+  assert.equal(components_text(new Set([1, 4]), 900), '-2,5');
 });
 
 test('the legend has the color of every value, and says what lies beyond the scale', () => {

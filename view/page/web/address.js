@@ -2,10 +2,10 @@
 // What a page shows, in its address behind #, so that a link opens the same view: the camera, the
 // panel's choices, switches and sliders that are not as they were at first, and brushes.
 
-// Inputs by what they are called, numbered where several are called the same.
+// Inputs without a word of their own, by what they are called, numbered where several are called the same.
 function named_inputs(panel) {
   const names = new Map();
-  for (const input of panel.querySelectorAll('select, input')) {
+  for (const input of panel.querySelectorAll('select, input:not([data-own])')) {
     const label = input.getAttribute('aria-label') ?? input.parentElement.textContent;
     const word = label.toLowerCase().replace(/[^a-z0-9]+/g, '-');
     let name = word;
@@ -38,9 +38,19 @@ function set_camera(camera, text) {
   return true;
 }
 
+const brush_word = (histogram) => ({
+  name: 'brush-' + histogram.key,
+  get: () => histogram.brush ? `${histogram.brush.from}-${histogram.brush.to}` : '',
+  set: (text) => {
+    const [from, to] = text.split('-').map(Number);
+    const is_brush = text !== '' && 0 <= from && from <= to && to < kBins && Number.isInteger(from + to);
+    histogram.set(is_brush ? { from, to } : null);
+  } });
+
 class Address {
-  constructor(scene, panel, histograms) {
-    Object.assign(this, { scene, histograms, inputs: named_inputs(panel) });
+  // words: {name, get, set} of what has no input; their texts are empty at first.
+  constructor(scene, panel, words) {
+    Object.assign(this, { scene, words, inputs: named_inputs(panel) });
     this.first = new Map([...this.inputs].map(([name, input]) => [name, value_of(input)]));
     this.timer = 0;
     this.open(location.hash);
@@ -60,9 +70,7 @@ class Address {
     for (const [name, input] of this.inputs) {
       if (value_of(input) !== this.first.get(name)) words.set(name, value_of(input));
     }
-    for (const { key, brush } of this.histograms) {
-      if (brush) words.set('brush-' + key, `${brush.from}-${brush.to}`);
-    }
+    for (const { name, get } of this.words) if (get() !== '') words.set(name, get());
     return words.toString().replaceAll('%2C', ',');
   }
 
@@ -81,10 +89,9 @@ class Address {
       }
       input.dispatchEvent(new Event(input.type === 'range' ? 'input' : 'change'));
     }
-    for (const histogram of this.histograms) {
-      const [from, to] = (words.get('brush-' + histogram.key) ?? '').split('-').map(Number);
-      const is_brush = 0 <= from && from <= to && to < kBins && Number.isInteger(from + to);
-      if (is_brush || histogram.brush) histogram.set(is_brush ? { from, to } : null);
+    for (const { name, get, set } of this.words) {
+      const text = words.get(name) ?? '';
+      if (text !== get()) set(text);
     }
     const { camera } = this.scene;
     if (set_camera(camera, words.get('camera') ?? '') && camera.fitted) this.scene.fit(false);

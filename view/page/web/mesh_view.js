@@ -24,7 +24,10 @@ class MeshView {
     this.paint();
     this.show_captions();
     scene.fit(false);
-    this.address = new Address(scene, document.getElementById('panel'), this.histograms);
+    this.address = new Address(scene, document.getElementById('panel'), [
+      { name: 'components', get: () => components_text(this.hidden, this.component_count),
+        set: (text) => this.hide(hidden_components(text, this.component_count)) },
+      ...this.histograms.map(brush_word)]);
     document.getElementById('title').textContent = this.meshes.map((mesh) => mesh.about.name).join(' | ');
     document.getElementById('subtitle').textContent = header.volume
       ? `measured against ${header.volume} at ${rounded(header.iso)}` : '';
@@ -109,10 +112,18 @@ class MeshView {
       section('Components', false, this.component_list()));
   }
 
+  get component_count() { return Math.max(...this.meshes.map((mesh) => mesh.sizes.length), 0); }
+
+  hide(components) {
+    this.hidden = components;
+    this.rows.forEach((row, n) => { row.querySelector('input').checked = !components.has(n); });
+    this.paint();
+  }
+
   component_list() {
     const kMost = 60;
-    const count = Math.max(...this.meshes.map((mesh) => mesh.sizes.length), 0);
-    const rows = [];
+    const count = this.component_count;
+    this.rows = [];
     for (let c = 0; c < Math.min(count, kMost); ++c) {
       const sizes = this.meshes.map((mesh) => grouped(mesh.sizes[c] ?? 0)).join(' | ');
       const shown = toggle(`${c + 1}: ${sizes}`, true, (on) => {
@@ -122,21 +133,17 @@ class MeshView {
       }, kind_color(c));
       const alone = button('only', `Show component ${c + 1} alone`, () => {
         const was_alone = this.hidden.size === count - 1 && !this.hidden.has(c);
-        this.hidden = new Set(was_alone ? [] : Array.from({ length: count }, (_, n) => n));
-        if (!was_alone) this.hidden.delete(c);
-        rows.forEach((row, n) => { row.shown.input.checked = !this.hidden.has(n); });
-        this.paint();
+        this.hide(hidden_components(was_alone ? '' : String(c + 1), count));
       });
-      const row = element('li', {}, shown, alone);
-      row.shown = shown;
-      rows.push(row);
+      shown.input.dataset.own = '';
+      this.rows.push(element('li', {}, shown, alone));
     }
     const rest = count > kMost ? [element('p', { class: 'hint' },
                                           `and ${grouped(count - kMost)} smaller ones`)] : [];
     return element('div', {},
                    element('p', { class: 'hint' },
                            count === 0 ? 'There are no triangles.' : 'By triangles, the largest first.'),
-                   element('ul', { class: 'list' }, ...rows), ...rest);
+                   element('ul', { class: 'list' }, ...this.rows), ...rest);
   }
 
   // Every triangle's color anew, once before the next picture.
@@ -261,6 +268,21 @@ function points_named(points, triangles) {
   const named = new Uint8Array(points.length / 3);
   for (const v of triangles) named[v] = 1;
   return points.filter((_, n) => named[Math.floor(n / 3)]);
+}
+
+// Components by their numbers from 1: those that are shown or, behind a minus, those hidden,
+// whichever are fewer; nothing where all are shown.
+function components_text(hidden, count) {
+  if (hidden.size === 0) return '';
+  const few = 0 < count - hidden.size && count - hidden.size < hidden.size;
+  const numbers = Array.from({ length: count }, (_, c) => c).filter((c) => hidden.has(c) !== few);
+  return (few ? '' : '-') + numbers.map((c) => c + 1).join(',');
+}
+function hidden_components(text, count) {
+  const minus = text.startsWith('-');
+  const named = new Set(text.slice(Number(minus)).split(',').map((number) => number - 1));
+  const hidden = Array.from({ length: count }, (_, c) => c).filter((c) => named.has(c) === minus);
+  return new Set(minus || hidden.length < count ? hidden : []);  // a list of none is no list
 }
 
 // How histograms draw the first mesh, and the second.
