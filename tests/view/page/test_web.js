@@ -461,6 +461,7 @@ test('hidden components are told by the shorter list, and read back', () => {
     assert.deepEqual(hidden_components(text, count), hidden, `seed ${seed}: ${text}`);
   }
   assert.equal(components_text(hidden_components('3', 900), 900), '3');
+  for (const text of ['', 'x', '9']) assert.equal(hidden_components(text, 8).size, 0);
   assert.equal(components_text(new Set([1, 4]), 900), '-2,5');
 });
 
