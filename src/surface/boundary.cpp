@@ -51,14 +51,14 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
   for (std::size_t i = 0; i < n; ++i) {
     if (loops_[loop].kept[i]) keep.push_back(i);
   }
-  // Three ends at least, so that no two edges of the chain join the same two vertices.
+  // With at least three vertices, no two edges of the chain join the same two vertices.
   if (keep.size() < 3) {
     for (std::size_t third = 0; third < 3 && n >= 3; ++third) keep.push_back(third * n / 3);
     sort_unique(keep);
   }
 
   std::vector<CurvePlace> chain;
-  std::vector<std::size_t> ends;  // pending ends of arcs, nearest on top
+  std::vector<std::size_t> ends;  // of pending arcs, the nearest last
   for (std::size_t k = 0; k < keep.size(); ++k) {
     std::size_t from = keep[k];
     ends.assign(1, k + 1 < keep.size() ? keep[k + 1] : keep[0] + n);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Where the box cuts Sigma (paper §5): the boundary curves, and the chain of mesh edges along them.
 //
-// A curve is a closed polygon of points of Sigma on the box, one per grid edge it crosses (the
-// exact contour's boundary chain). The mesh follows it with far fewer edges: a coarse chain to
-// begin with, split in the middle of an edge's arc whenever a point encroaches upon the edge, that
-// is, lies in its diametral ball. Splitting goes on below voxel size: there the middle is a root on
-// the bilinear arc. Both stages share this; only vertex ids change between them.
+// A curve is a closed polygon of points of Sigma on the box, one per grid edge it crosses: a
+// boundary loop of the exact contour. The mesh follows it with far fewer edges. A coarse chain
+// comes first. An edge is split in the middle of its arc when a point encroaches upon it, that is,
+// lies in its diametral ball. Below voxel size the middle is a root on the bilinear arc. Both
+// stages share this; only vertex ids change between them.
 //
-// Where the volume is a block of a larger one, the part of a curve in an inner face is a seam. The
-// block beyond has the same seam: both choose its vertices from the samples of the face alone
-// (blocks/seam.h). Edges of a seam are never split, its vertices never moved or removed.
+// A block of a larger volume has inner faces. The arcs of a curve in such a face are a seam. Both
+// blocks at the face have the same seam: each chooses its vertices from the samples of the face
+// alone (blocks/seam.h). Edges of a seam are never split, its vertices never moved or removed.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 
 namespace deliso {
 
-// A place on a boundary curve: between points number floor(s) and floor(s) + 1 of a loop.
+// A place on a boundary curve, between points floor(s) and floor(s) + 1 of a loop.
 struct CurvePlace {
   std::uint32_t loop = kNoId;
   double s = 0;
@@ -37,8 +37,8 @@ struct CurvePoint {
 
 struct BoundaryLoop {
   std::vector<Vec3> points;  // closed: the last is joined to the first
-  // Per point: every chain needs it, since the curve turns there on an edge of the box, or it is a
-  // vertex of a seam.
+  // Per point: nonzero if every chain must have it. There the curve turns on an edge of the box,
+  // or a seam has a vertex.
   std::vector<std::uint8_t> kept;
   std::vector<BoxFace> faces;  // per point: the face of the arc from it to the next
 };
@@ -50,40 +50,39 @@ class BoundaryCurves {
       : surface_(surface), loops_(std::move(loops)) {}
 
   std::size_t loop_count() const { return loops_.size(); }
-  // Places of a coarse chain along the loop: those that are kept, and as many more points off the
-  // seams as keep every chord's sagitta below `sagitta` times its length; never fewer than three.
+  // Returns the places of a coarse chain along the loop, at least three. All kept points are in it.
+  // Off the seams it has more, so that every chord's sagitta is at most `sagitta` times its length.
   std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
-  // pre: place.s is a whole number.
+  // Returns the point of the curve at a place. pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
-  // Whether every chain needs the place.
+  // True if every chain must have a vertex at the place.
   bool is_kept(CurvePlace place) const;
-  // Whether the place, or the arc that begins there, lies on a seam.
+  // True if the place lies on a seam, or if the arc that begins there does.
   bool is_on_seam(CurvePlace place) const;
   bool begins_seam(CurvePlace place) const;
-  // Whether a chord would run along an edge of the box beside a seam, where the block beyond might
-  // have the same.
+  // True if the chord ab runs along an edge of the box beside a seam: the neighboring block might
+  // have the same chord.
   bool runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const;
 
-  // A point near the middle of the arc from a to b. It is a point of the curve, or the middle of
-  // the piece between two of them, whichever is nearer to half of the arc's length. Nothing when
-  // the arc is too short for a point that differs from its ends.
+  // Returns a point near the middle of the arc from a to b, by length: a point of the curve, or
+  // the middle between two. Nullopt if the arc is too short for a point other than its ends.
   std::optional<CurvePoint> split(const CurvePoint& a, const CurvePoint& b) const;
-  // How far that arc runs from its chord.
+  // Returns the largest distance from the arc to its chord.
   double sagitta(const CurvePoint& a, const CurvePoint& b) const;
 
  private:
-  // The points of an arc: its ends, and those of the curve between them. Places are not reduced:
-  // they are beyond the loop's length where the arc passes its first point.
+  // Returns the ends of an arc and the points of the curve between them. Places are not reduced:
+  // after the loop's first point they exceed its length.
   std::vector<CurvePoint> arc(const CurvePoint& a, const CurvePoint& b) const;
-  // The middle of the piece of a curve between two points of one arc, next to each other.
+  // Returns the middle of the curve between two consecutive points of an arc.
   std::optional<Vec3> middle(const CurvePoint& from, const CurvePoint& to) const;
 
   const Isosurface& surface_;
   std::vector<BoundaryLoop> loops_;
 };
 
-// The chain: which vertices lie on a curve, where, and who comes next. In Stage 1 they are sites,
-// then vertices of the mesh.
+// The vertices on the boundary curves: their places, and the next and previous vertex of each.
+// Vertices are sites in Stage 1, mesh vertices in Stage 2.
 template <class Vertex>
 class Chain {
  public:
@@ -96,12 +95,12 @@ class Chain {
   }
 
   void add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places);
-  // Puts v between a and its next.
+  // Inserts v between a and the next vertex.
   void insert_after(Vertex a, Vertex v, CurvePlace place);
   // Joins v's neighbors to each other. pre: the loop has more than three vertices.
   void remove(Vertex v);
-  // The same chain over vertices renumbered by new_id (kNoId: the vertex is gone, as happens where
-  // the paper's tests lose facets; its neighbors are joined).
+  // Returns the chain with every vertex v renumbered as new_id[v]. Where that is kNoId, v is
+  // removed and its neighbors are joined: the paper's tests can lose facets.
   template <class Other>
   Chain<Other> renumbered(const std::vector<Other>& new_id) const;
   std::size_t vertex_capacity() const { return links_.size(); }
@@ -122,14 +121,14 @@ class Chain {
 using BoundaryChain = Chain<VertexId>;
 using SiteChain = Chain<SiteId>;
 
-// A boundary edge shorter than this share of r_min is not split, in either stage: where the curve
-// turns sharply at an edge of the box, its two sides would encroach upon each other for ever.
+// Shortest boundary edge that either stage splits, as a share of r_min. Where the curve turns
+// sharply at an edge of the box, shorter edges would encroach upon each other forever.
 inline constexpr double kShortestBoundaryEdge = 0.25;
 
-// From p to the segment ab, squared.
+// Returns the squared distance from p to the segment ab.
 double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b);
 
-// p lies strictly inside the ball whose diameter is ab.
+// True if p lies strictly inside the ball with diameter ab.
 constexpr bool in_diametral_ball(const Vec3& a, const Vec3& b, const Vec3& p) {
   return dot(a - p, b - p) < 0;
 }
@@ -152,9 +151,9 @@ void Chain<Vertex>::insert_after(Vertex a, Vertex v, CurvePlace place) {
 
 template <class Vertex>
 void Chain<Vertex>::remove(Vertex v) {
-  const Link gone = links_[v];
-  links_[gone.previous].next = gone.next;
-  links_[gone.next].previous = gone.previous;
+  const Link removed = links_[v];
+  links_[removed.previous].next = removed.next;
+  links_[removed.next].previous = removed.previous;
   links_[v] = {};
 }
 

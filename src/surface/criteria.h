@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// When a facet is to be refined: the conditions of paper §3.1 (ApproximateGeom) and §3.2
-// (RefineGeom), and bounds on distance and size, as pure functions of measured numbers. All lengths
-// in the scaled frame. A criterion is a row of kCriterionTable; what users read of it is the
-// program's (app/criterion_words.h).
+// The criteria that a facet must meet: those of paper §3.1 (ApproximateGeom) and §3.2 (RefineGeom),
+// and bounds on distance and size. They are pure functions of measured numbers. Lengths are in the
+// scaled frame. A criterion is a row of kCriterionTable; app/criterion_words.h describes it to
+// users.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ namespace deliso {
 
 inline constexpr double kNotAsked = std::numeric_limits<double>::infinity();
 
-// What a facet sigma with surface point x = V_sigma cap Sigma measures.
+// The measures of a facet sigma with the surface point x.
 struct FacetShape {
   double r;                 // circumradius
   double h;                 // distance from the circumcenter to x
   double l;                 // shortest edge
-  double pole = kNotAsked;  // pole height h_sigma; infinite: not known
+  double pole = kNotAsked;  // pole height h_sigma; infinite if unknown
 };
 
 inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
@@ -35,17 +35,17 @@ inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
 enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, r_over_pole, radius, count_ };
 inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::count_);
 
-// The floor of a criterion: a facet with a circumradius at or below it is not refined for the
-// criterion. It is r_min, or for shape Criteria::shape_floor.
+// The floor of a criterion: facets with a circumradius at or below it are not refined for the
+// criterion. It is Criteria::r_min or Criteria::shape_floor.
 enum class Floor : std::uint8_t { r_min, shape };
 
 struct CriterionRow {
-  std::string_view name;  // of its option, less the hyphens, and in notes in files
-  bool is_length;         // else a plain number
-  double usual;           // the limit of the program's user who gives none; a length in voxels
+  std::string_view name;  // of its option, without the hyphens, and in notes in files
+  bool is_length;         // otherwise a ratio
+  double usual;           // default limit; lengths in voxels
   double least;           // with a smaller limit refinement would not end
   Floor floor;
-  // What is measured as a share of its limit: the facet is bad when it is over 1.
+  // Returns the measure over its limit; the facet is bad above 1.
   double (*share)(const FacetShape& s, double limit);
 };
 
@@ -76,7 +76,7 @@ struct PerCriterion {
   friend bool operator==(const PerCriterion&, const PerCriterion&) = default;
 };
 
-// Limits on what a facet measures. By default only r/l is limited; all others are kNotAsked.
+// The limits of a facet's measures. By default only r/l has a limit; the others are kNotAsked.
 struct Criteria {
   PerCriterion<double> limits = [] {
     PerCriterion<double> none;
@@ -84,8 +84,8 @@ struct Criteria {
     none[Criterion::r_over_l] = row_of(Criterion::r_over_l).usual;
     return none;
   }();
-  double r_min = 0;        // nothing smaller is refined, but for shape
-  double shape_floor = 0;  // nothing smaller is refined for shape
+  double r_min = 0;        // smaller facets are refined for shape only
+  double shape_floor = 0;  // smaller facets are not refined at all
 
   double& operator[](Criterion c) { return limits[c]; }
   double operator[](Criterion c) const { return limits[c]; }
@@ -93,19 +93,18 @@ struct Criteria {
   friend bool operator==(const Criteria&, const Criteria&) = default;
 };
 
-// What the facet measures as a share of the limit of criterion n; 0 where it is too small to be
-// asked.
+// Returns the facet's measure over the limit of criterion n; 0 at or below the criterion's floor.
 inline double share_of_limit(std::size_t n, const FacetShape& s, const Criteria& k) {
   const CriterionRow& row = kCriterionTable[n];
   const bool is_small = s.r <= (row.floor == Floor::shape ? k.shape_floor : k.r_min);
   return is_small ? 0 : row.share(s, k.limits.values[n]);
 }
 
-// How far the worst criterion is passed: a facet is bad when it is over 1.
+// Returns the facet's cost: its largest measure over its limit. The facet is bad above 1.
 inline double violation(const FacetShape& s, const Criteria& k) {
   double worst = 0;
   const auto consider = [&](double share) { worst = worst < share ? share : worst; };
-  // Unrolled: this is the innermost question of Stage 2.
+  // Unrolled: Stage 2 calls this for every facet that it considers.
   [&]<std::size_t... n>(std::index_sequence<n...>) {
     (consider(share_of_limit(n, s, k)), ...);
   }
@@ -113,7 +112,7 @@ inline double violation(const FacetShape& s, const Criteria& k) {
   return worst;
 }
 
-// Which one that is.
+// Returns the criterion that gives violation(); of equal ones the first.
 inline Criterion worst_criterion(const FacetShape& s, const Criteria& k) {
   std::size_t worst = 0;
   for (std::size_t n = 1; n < kCriteria; ++n) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the stages tell of themselves while they run: events that the algorithm has anyway. Traces,
-// profiles and progress bars implement this from outside; nothing is decided by it. A run that
-// nobody observes pays the test of a pointer for each event.
+// Events that the stages report while they run. Traces, profiles and progress bars implement
+// Observer; it has no influence on the result. Without an observer an event costs the test of a
+// pointer.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class Labels;
 class RestrictedDelaunay;
 using RecordId = std::uint32_t;
 
-// Why a point is inserted or an operation tried; then the criteria, by reason_of().
+// Why a point is inserted or an operation tried. The criteria follow, by reason_of().
 enum class Reason : std::uint8_t {
   beginning,     // of a stage
   several_hits,  // Stage 1, the paper's way
@@ -51,10 +51,10 @@ constexpr Reason reason_of(Criterion c) {
   return static_cast<Reason>(static_cast<unsigned>(Reason::count_) + static_cast<unsigned>(c));
 }
 
-// What an insertion of the paper's came to.
+// The outcome of an insertion, the paper's way.
 enum class Attempt : std::uint8_t { inserted, split, forgotten, refused };
 
-// Where time goes; an insertion is all from its conflict zone on.
+// The work that profiles time. An insertion begins with its conflict zone.
 enum class Activity : std::uint8_t { insertion, search, triangulation, disk_test, count_ };
 
 class Observer {
@@ -62,48 +62,51 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void stage_begins(const char* /*stage*/) {}
-  // Of the stage, `done` steps are done and `queued` more are known.
+  // The stage has done `done` steps, and `queued` more are known.
   virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
 
-  // Whether the events below are wanted. Stage 2 then refines the mesh in one region, in the order
+  // True if the events below are wanted. Stage 2 then refines the mesh as one region, in the order
   // of Figure 9.
   virtual bool follows_insertions() const { return false; }
 
-  // Stage 1. The first sites have their vertices of T.
+  // Stage 1. The regions of the first sites are known.
   virtual void labels_ready(const Labels&, const Box3& /*domain*/) {}
-  // The vertex `v` of T is to be a site. `asker`: the site that says so; kNoId: a look at all of K.
+  // The vertex `v` of T shall be a site. `asker`: the site whose test demands it; kNoId: a test of
+  // all of K.
   virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
-  // It is one.
+  // That vertex is a site.
   virtual void site_added(SiteId /*site*/) {}
-  // A point is inserted, and these cells go for it.
+  // A point is inserted; the cells of the zone are removed.
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
 
-  // By the paper's way. Facets of Del S that meet Sigma have records.
+  // The paper's way. Restricted facets have records.
   virtual void restricted_ready(const RestrictedDelaunay&) {}
-  // An insertion is asked for by an edge of the boundary, by a vertex q whose facets are no disk,
-  // with the facet that has their furthest surface point (kNoId: none), or by a facet; `value`: how
-  // far it violates what the reason names.
+  // An insertion is demanded by a boundary edge, by a vertex q whose facets are no disk, or by a
+  // facet. At q, the record is the facet with the furthest surface point (kNoId: none). `value`:
+  // how far the facet violates the reason.
   virtual void edge_asked(SiteId /*from*/, SiteId /*to*/) {}
   virtual void star_asked(SiteId /*q*/, bool /*on_boundary*/, RecordId) {}
   virtual void record_asked(RecordId, Reason, double /*value*/) {}
-  // The facet is about to be none of Del S|Sigma any more, if it was one.
+  // The record is about to be freed; its facet may have been restricted.
   virtual void record_gone(RecordId) {}
-  // The point came; for what it was asked, or splitting an edge of the boundary in its place.
+  // The point was inserted.
   virtual void point_inserted(SiteId /*v*/) {}
+  // A boundary edge is about to be split, in place of an insertion or for its own sake.
   virtual void edge_split(SiteId /*from*/, SiteId /*to*/) {}
-  // What was asked for is done, in one insertion or several, or not.
+  // The demanded insertion ended, after any number of points.
   virtual void attempt_ended(Attempt, const Vec3&) {}
-  // With the searches of the stage so far. An insertion that is given up does not end.
+  // Work begins or ends; with the searches of the stage until now. A refused insertion begins and
+  // does not end.
   virtual void work_begins(Activity, const SearchCounters&) {}
   virtual void work_ends(Activity, const SearchCounters&) {}
 
   virtual void recovery_finished() {}
 
-  // Stage 2: the mesh takes the place of the triangulation.
+  // Stage 2: the mesh replaces the triangulation.
   virtual void mesh_handed_over(const SurfaceMesh&) {}
-  // A facet asks for an operation; `value`: how far it violates what the reason names.
+  // A facet needs an operation. `value`: how far it violates the reason.
   virtual void facet_asked(const SurfaceMesh&, FaceId, Reason, double /*value*/) {}
-  // The operation was done, or refused, and the mesh is as it was.
+  // The operation was done, or it was refused and the mesh is unchanged.
   virtual void operation_tried(Rung, const Change&, std::optional<Refusal>) {}
   virtual void mesh_finished() {}
 };
@@ -112,19 +115,19 @@ inline void begin_stage(Observer* observer, const char* stage) {
   if (observer) observer->stage_begins(stage);
 }
 
-// The one who wants to know of every insertion, if there is one.
+// Returns the observer if it follows insertions, else null.
 inline Observer* follower(Observer* observer) {
   return observer && observer->follows_insertions() ? observer : nullptr;
 }
 
-// Tells of the steps of a stage now and then.
+// Counts the steps of a stage and reports every 1024th.
 class Steps {
  public:
   explicit Steps(Observer* observer) : observer_(observer) {}
 
   void step(std::size_t queued) {
-    constexpr std::size_t kEvery = 1024;
-    if (++done_ % kEvery == 0 && observer_) observer_->steps_done(done_, queued);
+    constexpr std::size_t kStepsPerReport = 1024;
+    if (++done_ % kStepsPerReport == 0 && observer_) observer_->steps_done(done_, queued);
   }
 
  private:
@@ -132,7 +135,7 @@ class Steps {
   std::size_t done_ = 0;
 };
 
-// Work that is done while this lives.
+// Reports that work begins and, when destroyed, that it ends.
 class Working {
  public:
   Working(Observer* follower, Activity activity, const SearchCounters& searches)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the stages are told: every length resolved, in the scaled frame. deliso/options.h has the
-// same as a user gives it.
+// The parameters of the stages, with every length in the scaled frame. deliso/options.h has them as
+// a user gives them.
 #pragma once
 
 #include <cstddef>
@@ -16,34 +16,33 @@ namespace deliso {
 
 class Observer;
 
-// What a user says as the stages need it.
+// Settings that options and parameters share.
 struct RunSettings {
   std::uint64_t seed = 1;
-  std::size_t samples = 50;  // N0, random points to begin with
+  std::size_t samples = 50;  // N0, random points of the first sample
   ComponentChoice components;
-  // How many to use; the mesh is the same with any number.
+  // The mesh is the same with any number.
   int threads = hardware_threads();
-  // The best mesh of about so many vertices: --max-distance gives way.
+  // The desired number of vertices. If given, the bound on the distance follows from it.
   std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
-  // With max_vertices reached: keep the valid mesh so far (else an InputError is thrown).
+  // At max_vertices, end with the mesh as it is; otherwise throw an InputError.
   bool keep_partial = false;
-  // Is told what the run does (surface/observer.h): a progress bar, a trace, a profile; may be
-  // null.
+  // A progress bar, a trace or a profile (surface/observer.h); may be null.
   Observer* observer = nullptr;
 };
 
 struct Parameters : RunSettings {
-  double voxel;  // the shortest side of one
+  double voxel;  // shortest side of a voxel
   double r_min;
-  double fingers;     // Stage 1, certified: how far a vertex of T may be from K
+  double fingers;     // Stage 1, certified: largest distance from a vertex of T to K
   Criteria recovery;  // ApproximateGeom, paper §3.1
   Criteria refinement;
-  // Stage 2 as published: no dear rungs, no point of Sigma looked for, no crossing refused.
+  // Stage 2 as published: only the paper's operations, and no crossing is refused.
   bool as_published = false;
 
-  // Per component of T whether it is kept, where that is not for `components` to say: of what a
-  // solid is to be closed from, no more is left out than contour/dissolve.h can do without.
+  // Per component of T, nonzero if it is kept. Empty: `components` decides. A solid chooses the
+  // components itself (contour/dissolve.h).
   std::vector<std::uint8_t> kept;
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a run did: seconds, points, searches, and a counter for everything that was refused or left
-// unresolved. A clean run shows zeros; nothing is dropped without being counted. The stages write
-// it; none reads it but for the isovalue.
+// The record of a run: seconds, points, searches, and a counter for everything that was refused or
+// left unresolved. A clean run shows zeros. The stages write it, and read nothing of it but the
+// isovalue.
 #pragma once
 
 #include <algorithm>
@@ -56,7 +56,7 @@ inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
     "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
-// What Stage 2 tries for a facet, rung by rung, and why a try is refused (refine/refinement.h).
+// The operations of Stage 2, and why one is refused (refine/refinement.h).
 enum class Rung : std::uint8_t {
   surface_point,
   foot,
@@ -103,7 +103,7 @@ struct RungCounts {
   std::uint64_t done = 0;
   std::array<std::uint64_t, kRefusals> refused{};
 
-  // Counts what came of a try, and gives it back.
+  // Counts the outcome of an operation and returns it.
   std::optional<Refusal> count(std::optional<Refusal> refusal) {
     ++(refusal ? refused[static_cast<std::size_t>(*refusal)] : done);
     return refusal;
@@ -115,18 +115,18 @@ struct RungCounts {
   }
 };
 
-// With --cap: the surface is what comes first in the mesh, the caps follow.
+// With --cap. The surface comes first in the mesh; the caps follow.
 struct CapReport {
   std::size_t surface_vertices = 0, surface_triangles = 0;
-  std::string failure;  // why the mesh stayed open; empty: it is closed
+  std::string failure;  // why the mesh stayed open; empty if it is closed
 };
 
 struct Report {
   // Seconds, wall clock, per step.
   double seconds_tree = 0;
   double seconds_contour = 0;  // T, and its boundary curves
-  double seconds_init = 0;     // the paper's way: S_0
-  double seconds_labels = 0;   // certified: first sites, their triangulation, labels of T
+  double seconds_init = 0;     // first sample S_0 and its triangulation
+  double seconds_labels = 0;   // certified: labels of T
   double seconds_recover = 0;  // the rest of Stage 1
   double seconds_poles = 0, seconds_refine = 0;
   double seconds_cap = 0, seconds_total = 0;
@@ -138,18 +138,18 @@ struct Report {
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
   double r_min = 0;            // scaled frame, as all lengths here
   double largest_h = 0;        // of facets above r_min, when Stage 2 ended
-  double max_distance = 0;     // the bound on h then: as asked for, or as far as --vertices allows
+  double max_distance = 0;     // the bound on h then: the option's, or what --vertices reached
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<RungCounts, kRungs> rungs{};
 
-  // Sites without facets are none of the points recovered, so there may be fewer.
+  // Sites without facets are not recovered points, so points_initial may be the larger number.
   std::size_t insertions_recover() const {
     return points_recovered - std::min(points_recovered, points_initial);
   }
 
-  // What Stage 2 did in a region of the mesh.
+  // Adds what Stage 2 did in a refinement region.
   void add_refinement(const Report& region) {
     searches_refine += region.searches_refine;
     insertions_refine += region.insertions_refine;

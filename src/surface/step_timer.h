@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How long the steps of a run take, for its report.
+// Wall clock times of a run's steps, for its report.
 #pragma once
 
 #include "base/stopwatch.h"
 
 namespace deliso {
 
-// Adds the seconds of its own life to a step's.
+// Adds the time from its construction to its destruction to `seconds`.
 class StepTimer {
  public:
   explicit StepTimer(double& seconds) : seconds_(seconds) {}
@@ -19,7 +19,7 @@ class StepTimer {
   Stopwatch watch_;
 };
 
-// What make() returns, with its time added.
+// Returns make(), and adds its time to `seconds`.
 template <class Make>
 auto timed(double& seconds, Make&& make) {
   const StepTimer timer(seconds);

@@ -6,9 +6,9 @@
 namespace deliso {
 namespace {
 
-// Takes out what has no new number.
+// Removes the values whose new id is kNoId.
 template <class T, class Id>
-void keep(std::vector<T>& values, const std::vector<Id>& new_id) {
+void remove_unnumbered(std::vector<T>& values, const std::vector<Id>& new_id) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (new_id[i] != kNoId) values[kept++] = values[i];
@@ -24,7 +24,7 @@ double SurfaceMesh::pole(const Triangle& v) const {
 }
 
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
-  // The furthest corner: those of a needle are not equally far from a point that was rounded.
+  // The furthest corner: a rounded point is not equally far from the corners of a needle.
   return {x, std::max({distance2(x, a), distance2(x, b), distance2(x, c)}), true};
 }
 
@@ -47,10 +47,10 @@ void remove_dead(SurfaceMesh& s) {
   for (VertexId& v : new_id) {
     if (v != kNoId) v = vertices++;
   }
-  keep(mesh.points, new_id);
-  keep(s.pole_heights, new_id);
-  keep(mesh.faces, new_face);
-  keep(s.duals, new_face);
+  remove_unnumbered(mesh.points, new_id);
+  remove_unnumbered(s.pole_heights, new_id);
+  remove_unnumbered(mesh.faces, new_face);
+  remove_unnumbered(s.duals, new_face);
   s.chain = s.chain.renumbered(new_id);
   for (Face& face : mesh.faces) {
     for (VertexId& v : face.v) v = new_id[v];

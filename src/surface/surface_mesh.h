@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The mesh that both stages share (the T_S of paper §3.2): triangles, the dual of each facet, the
-// chain of vertices along the box, pole heights where a criterion asks for them. One type, one
-// renumbering.
+// The mesh that both stages share, the T_S of paper §3.2. It has facets, their duals, the chain of
+// boundary vertices, and pole heights where a criterion needs them.
 //
-// Invariants, beside those of mesh/tri_mesh.h for the live facets:
-//   S1  duals and facets have the same numbers; a facet's ball passes through its corners;
+// Invariants of live facets, beside those of mesh/tri_mesh.h.
+//   S1  facet f has dual f, and its surface ball passes through its corners;
 //   S2  the chain's edges are the mesh's boundary edges;
 //   S3  pole heights are absent, or one per vertex.
 #pragma once
@@ -17,14 +16,14 @@
 
 namespace deliso {
 
-// The dual of a facet: its surface ball B_sigma, centered where the line dual to it meets Sigma.
-// Where that line misses Sigma the circumcenter stands in, and on_surface is false.
+// The dual of a facet: its surface ball B_sigma, centered where the facet's dual line meets Sigma.
+// If the line misses Sigma, the center is the circumcenter and on_surface is false.
 struct Dual {
   Vec3 center;
   double radius2 = 0;
   bool on_surface = false;
 
-  // `p` is nearer to the center than the facet's corners, by more than rounding.
+  // True if `p` is nearer to the center than the facet's corners, by more than rounding.
   bool holds(const Vec3& p) const { return distance2(center, p) < kInside * radius2; }
   static constexpr double kInside = 1 - 2e-9;
 };
@@ -35,15 +34,15 @@ struct SurfaceMesh {
   BoundaryChain chain;
   IdArray<VertexId, double> pole_heights;
 
-  // h_sigma, the mean over the facet's corners; infinite without pole heights.
+  // Returns h_sigma, the mean over the facet's corners; infinite without pole heights.
   double pole(const Triangle& v) const;
 };
 
-// The dual of a facet whose line meets Sigma at x, or misses it.
+// Return the dual of a facet whose line meets Sigma at x, or misses Sigma.
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
 Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Takes out dead facets, and vertices that no facet uses. Ids keep their order.
+// Removes dead facets, and vertices without facets. The rest keep their order.
 void remove_dead(SurfaceMesh& surface);
 
 }  // namespace deliso

@@ -9,11 +9,12 @@
 namespace deliso {
 namespace {
 
-// Up to this h/r a surface point is that of the facet's own sheet.
-constexpr double kUndoubted = 0.3;
+// Largest h/r at which a surface point is accepted without a test that it lies on the facet's own
+// sheet.
+constexpr double kMaxTrustedHOverR = 0.3;
 
-// What counts as an end of a chord between two points of Sigma, as a share of it.
-constexpr double kEnd = 0.02;
+// Hits within this share of a chord's length from its end count as the end.
+constexpr double kChordEndShare = 0.02;
 
 }  // namespace
 
@@ -23,13 +24,13 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   const double twice_area = length(area);
   if (!(twice_area > 0)) return std::nullopt;
   const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
-  // Across a needle the circumradius says nothing: the center is far away, and so would be x.
+  // The circumcenter of a needle is far away, and so would x be: the longest edge is a limit too.
   const double longest2 = std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
   const double limit = std::min(distance(center, a), std::sqrt(longest2));
   const auto x = this->nearest(center, normal, limit, counters);
-  if (!x || distance(*x, center) <= kUndoubted * distance(center, a)) return x;
-  // Far from the circumcenter it may lie on another sheet that faces the same way. Between the two
-  // there is one that faces the other way.
+  if (!x || distance(*x, center) <= kMaxTrustedHOverR * distance(center, a)) return x;
+  // Far from the circumcenter x may lie on another sheet that faces as the facet does. Then a sheet
+  // between the two faces the opposite way.
   const auto sees = [&](const Vec3& v) { return on_one_sheet(v, *x, normal, counters); };
   return sees(a) && sees(b) && sees(c) ? x : std::nullopt;
 }
@@ -38,7 +39,8 @@ bool SurfacePointFinder::on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& 
                                       SearchCounters& counters) {
   surface_.intersect({p, q}, hits_, counters);
   return std::none_of(hits_.begin(), hits_.end(), [&](const Hit& hit) {
-    return hit.t >= kEnd && hit.t <= 1 - kEnd && !faces_along(hit.point, normal);
+    return hit.t >= kChordEndShare && hit.t <= 1 - kChordEndShare &&
+           !faces_along(hit.point, normal);
   });
 }
 
@@ -47,7 +49,7 @@ std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& 
   const auto first = surface_.nearest(center, normal, limit, counters);
   if (!first) return std::nullopt;
   if (faces_along(first->point, normal)) return first->point;
-  // Rare: look at all of the line within the limit.
+  // Rare: search all of the line within the limit.
   const Segment chord{center - limit * normal, center + limit * normal};
   surface_.intersect(chord, hits_, counters);
   const Hit* best = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The surface point of a facet of a plain mesh: where its dual line meets Sigma the right way
-// round. Without the Voronoi diagram nothing says which of the hits is V_sigma cap Sigma; it is the
-// one nearest to the circumcenter (paper §2.2.2) of those that Sigma's outside is turned to as the
-// facet is. The sheet beyond a gap or a wall thinner than the facet faces the other way; one beyond
-// both is told by that sheet in between, on the chords to the corners.
+// The surface point of a facet of a plain mesh. The facet's dual line can meet Sigma several times,
+// and no Voronoi diagram selects a hit. The surface point is the hit nearest to the circumcenter
+// (paper §2.2.2) where Sigma faces as the facet does. The sheet across a gap or wall thinner than
+// the facet faces the opposite way. A sheet behind that one faces as the facet does; the chords
+// from it to the corners then cross the sheet between.
 #pragma once
 
 #include <optional>
@@ -18,25 +18,27 @@ class SurfacePointFinder {
  public:
   explicit SurfacePointFinder(const Isosurface& surface) : surface_(surface) {}
 
-  // For the facet a, b, c, counter-clockwise seen from g < kappa. Nothing when there is no such
-  // point within the circumradius and the longest edge's length, or the facet has no area.
+  // Returns the surface point of the facet a, b, c, counter-clockwise seen from g < kappa. Nullopt
+  // if none is within the circumradius and the longest edge's length, or the facet has no area.
   std::optional<Vec3> find(const Vec3& a, const Vec3& b, const Vec3& c, SearchCounters& counters);
 
-  // The dual of that facet.
+  // Returns the dual of that facet.
   Dual dual(const Vec3& a, const Vec3& b, const Vec3& c, SearchCounters& counters) {
     const auto x = find(a, b, c, counters);
     return x ? dual_at(a, b, c, *x) : dual_without_surface(a, b, c);
   }
 
-  // The same on any line: center + t * normal, |t| <= limit; normal is a unit vector.
+  // Returns the nearest hit on the line center + t * normal, |t| <= limit, where Sigma faces along
+  // the unit vector `normal`.
   std::optional<Vec3> nearest(const Vec3& center, const Vec3& normal, double limit,
                               SearchCounters& counters);
 
-  // Where the steepest line through `from` meets Sigma within `limit`, turned as `normal` is.
+  // Returns where the steepest line through `from` meets Sigma within `limit`. Nullopt if Sigma
+  // does not face along `normal` there.
   std::optional<Vec3> foot(const Vec3& from, const Vec3& normal, double limit,
                            SearchCounters& counters);
 
-  // Whether no sheet that is turned away from `normal` lies between p and q, two points of Sigma.
+  // True if no sheet that faces away from `normal` lies between the points p and q of Sigma.
   bool on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
 
  private:
