@@ -23,8 +23,8 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
 
-  // One pass over what is connected to the site's own vertex. Every neighbor is written behind
-  // what is reached, and stays there when it is of the region and new.
+  // One breadth-first pass from the site's own vertex through its region. Every neighbor in the
+  // region is written at reached[count]; it stays there only if it was not visited before.
   const std::span<const VertexId> region = labels_.region(a);
   const IdArray<VertexId, SiteId>& label = labels_.all();
   scratch.reached.resize(std::max(scratch.reached.size(), region.size() + 1));
@@ -48,15 +48,15 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
     }
     const bool on_boundary = contour.on_boundary(v);
     const std::size_t triangles = ring.size() - on_boundary;
-    if (inside == ring.size()) {  // as is most often so
+    if (inside == ring.size()) {  // the most frequent case
       directed += static_cast<long>(triangles);
       thrice_faces += static_cast<long>(triangles);
     } else {
       for (std::size_t n = 0; n < triangles; ++n) {
         const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
         const SiteId x = label[u], y = label[w];
-        // The directed edge v -> u: an inner edge turns up from both its ends. The triangle: seen
-        // once from each of its vertices labeled a.
+        // Counts the directed edge v -> u and the triangle (v, u, w). An inner edge is counted from
+        // both ends, a triangle once from each of its vertices labeled a.
         if (x == a) {
           ++directed;
           ++(y == a ? thrice_faces : scratch.interface_with(y).twice_faces);
@@ -75,7 +75,7 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
     }
     if (!on_boundary) continue;
     ++boundary_vertices;
-    // A boundary edge runs one way only, from the vertex before.
+    // A boundary edge has only one direction, from the previous vertex to v.
     const SiteId before = label[ring.back()], next = label[ring.front()];
     if (before == a) {
       ++boundary_edges;
@@ -115,7 +115,7 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
       const bool same = (s[1] == t[1] && s[2] == t[2]) || (s[1] == t[2] && s[2] == t[1]);
       if (!same) continue;
       return {Reason::triple,
-              labels_.furthest(facets[j].witness, labels_.furthest(facets[i].witness))};
+              labels_.furthest(facets[j].t_triangle, labels_.furthest(facets[i].t_triangle))};
     }
   }
   return {};

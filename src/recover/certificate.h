@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The closed-ball conditions on the labels of T: what makes the dual of the labels homeomorphic to
-// T, and so to Sigma (docs/proof.md, Theorem 2; after Edelsbrunner and Shah 1997).
+// The closed-ball conditions on the labels of T. Where they hold, the dual of the labels is
+// homeomorphic to T, and so to Sigma (docs/proof.md, Theorem 2; Edelsbrunner and Shah 1997).
 //
 // The label of a vertex of T is its nearest site. E_ab is the number of edges of T with labels a
-// and b, F_aab that of its triangles with labels a, a and b. For every site a, with L the vertices
-// of T labeled a:
-//   C1  the region (edges and facets of T with all labels a) is connected and V - E + F = 1;
+// and b, F_aab that of its triangles with labels a, a and b. L is the set of vertices of T labeled
+// a. For every site a:
+//   C1  the region (edges and triangles of T with all labels a) is connected and V - E + F = 1;
 //   C2  for every neighbor b the interface is one arc: E_ab - F_aab - F_abb = 1;
 //   C3  three different labels meet on at most one triangle of T;
-//   C4  on the box: when L holds boundary vertices the site is one, they form one arc (vertices -
-//       edges = 1), and with every neighbor there is at most one boundary edge.
+//   C4  on the box: if L has boundary vertices, the site is one. They form one arc (vertices -
+//       edges = 1). At most one boundary edge leads to any neighbor.
 #pragma once
 
 #include <atomic>
@@ -24,28 +24,29 @@ namespace deliso {
 
 struct Verdict {
   std::optional<Reason> violation;  // region, interface, triple or boundary
-  // The vertex of T whose insertion as a site helps: the furthest from its site in the stray piece,
-  // region, interface, triple or boundary arc. kNoId: every vertex there is a site already.
+  // The vertex of T to insert: the furthest from its site in the stray piece, region, interface,
+  // triple or boundary arc. kNoId: every vertex there is a site already.
   VertexId insert = kNoId;
   bool is_fine() const { return !violation && insert == kNoId; }
 };
 
-// A facet of the dual: three sites as the triangle of T runs on which their labels meet, beginning
-// with the smallest, and that triangle.
+// A facet of the dual, and the triangle of T on which the labels of its sites meet. Both have the
+// same orientation. The site that was checked comes first.
 struct DualFacet {
   SiteTriangle sites;
-  std::array<VertexId, 3> witness;
+  std::array<VertexId, 3> t_triangle;
 };
 
-// Sites may be checked from several threads: a check writes only what belongs to its own region.
+// Tests sites against C1 to C4. Threads may check different sites at once: a check writes only to
+// the vertices of its own region.
 class Certificate {
  public:
   // Keeps a reference.
   explicit Certificate(const Labels& labels) : labels_(labels), visited_(labels.all().size(), 0) {}
 
-  // What checks work with: one for each thread.
+  // Working memory of checks, one per thread.
   struct Scratch {
-    // What the region shares with one neighbor.
+    // The counts of edges and triangles between the region and one neighbor.
     struct Interface {
       SiteId site;
       long edges = 0, twice_faces = 0, boundary_edges = 0;
@@ -57,16 +58,16 @@ class Certificate {
       return interfaces.emplace_back(Interface{site});
     }
 
-    std::vector<VertexId> reached;  // as long as it ever had to be
+    std::vector<VertexId> reached;  // never shrinks
     std::vector<Interface> interfaces;
   };
 
-  // Tests C1-C4 at `site`, whose own vertex of T is `at`. `facets` become those of the dual there:
-  // each starts with that site. Cost: the triangles at L.
+  // Tests C1 to C4 at `site`, whose own vertex of T is `at`. Sets `facets` to the dual facets
+  // there, each with that site first. Cost: linear in the triangles at L.
   Verdict check(SiteId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
 
  private:
-  // Of the vertices of T on both sides where two regions meet.
+  // Returns the vertex furthest from its site among the vertices of a and b where they meet.
   VertexId furthest_between(SiteId a, SiteId b) const;
 
   const Labels& labels_;

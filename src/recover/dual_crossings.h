@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// K as a whole, and where its facets cross, by exact predicates: homeomorphic to T is not yet
-// embedded.
+// The facets of K, and a search for crossing pairs by exact predicates. K can be homeomorphic to T
+// and still cross itself.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,14 @@
 namespace deliso {
 
 struct DualFacets {
-  std::vector<Vec3> points;                    // per site
-  std::vector<Triangle> triangles, witnesses;  // of sites, and of T where these meet
-  std::vector<std::uint8_t> is_new;            // a facet that has not been looked at yet
+  std::vector<Vec3> points;           // per site
+  std::vector<Triangle> triangles;    // of sites
+  std::vector<Triangle> t_triangles;  // of T, where the labels of those sites meet
+  std::vector<std::uint8_t> is_new;   // not tested for crossings yet
 };
 
-// For every pair of facets that cross, one of them new, the vertex of T, of their witnesses, that
-// is furthest from its site; kNoId where all are sites.
+// Returns a vertex of T for every pair of crossing facets of which one is new. It is the vertex
+// furthest from its site in their two triangles of T; kNoId where all are sites.
 std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& labels, const Box3& box,
                                         int threads);
 

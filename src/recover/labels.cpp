@@ -10,14 +10,14 @@
 namespace deliso {
 namespace {
 
-// What is nearer than a site is no further from it than twice its distance: squared, and a little
-// more for rounding.
-constexpr double kTwice2 = 4 * (1 + 1e-12);
+// Triangle inequality: a site s' with |ps'| < |ps| has |ss'| < 2 |ps|. This is the factor squared,
+// with a margin for rounding.
+constexpr double kMaxDistanceRatio2 = 4 * (1 + 1e-12);
 
-// So many vertices of T make a task for a thread.
+// Vertices of T per task of a thread.
 constexpr std::size_t kRun = 4096;
 
-// Delaunay neighbors of every finite vertex.
+// Returns the Delaunay neighbors of every finite vertex.
 std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
   std::vector<std::vector<SiteId>> all(t.vertex_capacity());
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
@@ -44,7 +44,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (const VertexId v : t) ++first_[v + 1];
   }
   for (VertexId v = 0; v < contour.points.size(); ++v) {
-    first_[v + 1] += first_[v] + contour.on_boundary(v);  // one neighbor more than triangles
+    first_[v + 1] += first_[v] + contour.on_boundary(v);  // has one neighbor more than triangles
   }
   std::vector<Wedge> wedges(first_.back());
   std::vector<std::uint32_t> end(first_.begin(), first_.end() - 1);
@@ -56,7 +56,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (VertexId v(begin); v < stop; ++v) {
       const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
       VertexId* ring = rings_.data() + first_[v];
-      // On the boundary the ring begins where no triangle ends.
+      // A boundary ring begins at the triangle with no triangle before it.
       const auto begins = [&](const Wedge& w) {
         return std::ranges::find(at, w.next, &Wedge::previous) == at.end();
       };
@@ -81,7 +81,7 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
       label_(contour.points.size(), kNoId),
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
-      reach2_(t.vertex_capacity(), 0) {
+      radius2_(t.vertex_capacity(), 0) {
   const std::vector<std::vector<SiteId>> neighbors = neighbors_of_all(t);
   for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
     SiteId site = 1;
@@ -106,35 +106,35 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
     const SiteId s = label_[v];
     if (s == kNoId) continue;
     regions_[s].push_back(v);
-    reach2_[s] = std::max(reach2_[s], distance2_[v]);
+    radius2_[s] = std::max(radius2_[s], distance2_[v]);
   }
 }
 
 std::vector<SiteId> Labels::add_site(SiteId site, std::span<const SiteId> neighbors) {
   std::vector<SiteId> changed;
   regions_.resize(std::max<std::size_t>(regions_.size(), site + 1));
-  reach2_.resize(regions_.size(), 0);
+  radius2_.resize(regions_.size(), 0);
   const Vec3 point = triangulation_.point(site);
-  std::vector<VertexId> taken;
-  double reach2 = 0;
+  std::vector<VertexId> own;
+  double radius2 = 0;
   for (const SiteId n : neighbors) {
-    if (distance2(point, triangulation_.point(n)) > kTwice2 * reach2_[n]) continue;
+    if (distance2(point, triangulation_.point(n)) > kMaxDistanceRatio2 * radius2_[n]) continue;
     std::vector<VertexId>& region = regions_[n];
     const auto kept = std::remove_if(region.begin(), region.end(), [&](VertexId v) {
       const double d2 = distance2(contour_.points[v], point);
       if (d2 >= distance2_[v]) return false;
       distance2_[v] = d2;
       label_[v] = site;
-      taken.push_back(v);
-      reach2 = std::max(reach2, d2);
+      own.push_back(v);
+      radius2 = std::max(radius2, d2);
       return true;
     });
     if (kept == region.end()) continue;
     region.erase(kept, region.end());
     changed.push_back(n);
   }
-  regions_[site] = std::move(taken);
-  reach2_[site] = reach2;
+  regions_[site] = std::move(own);
+  radius2_[site] = radius2;
   return changed;
 }
 

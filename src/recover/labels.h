@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The discrete restricted Voronoi diagram: every vertex of the exact contour T labeled with its
-// nearest site, kept exact under insertion. A new site can only take vertices from its Delaunay
-// neighbors (its Voronoi cell lies within the union of their old ones), so an insertion looks at
-// their lists and at nothing else.
+// The discrete restricted Voronoi diagram: the label of a vertex of T is its nearest site. Labels
+// stay exact under insertion. The Voronoi cell of a new site lies in the union of the old cells of
+// its Delaunay neighbors, so an insertion searches only their regions.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +13,14 @@
 
 namespace deliso {
 
-// T's adjacency.
+// The adjacency of T.
 class ContourGraph {
  public:
   ContourGraph(const ContourMesh& contour, int threads);
 
-  // The neighbors of v in order round it, as the triangles (v, u_n, u_n+1) run: closed for inner
-  // vertices; on a boundary chain from the next vertex there to the one before.
+  // Returns the neighbors u_n of v in the order of its triangles (v, u_n, u_n+1). The ring of an
+  // inner vertex is closed; that of a boundary vertex begins at the next one of its loop and ends
+  // at the previous one.
   std::span<const VertexId> ring(VertexId v) const {
     return std::span(rings_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
@@ -32,38 +32,39 @@ class ContourGraph {
 
 class Labels {
  public:
-  // Labels every vertex of T with its nearest site: a walk over Delaunay neighbors, begun at the
-  // label of the vertex before, so T is best in an order that keeps neighbors together
-  // (contour/block_order.h). Sites are the finite vertices of `triangulation`. Components with
-  // kept[c] == 0 stay without labels. Keeps references to both.
+  // Labels every vertex of T with its nearest site, a finite vertex of `triangulation`. Vertices of
+  // components with kept[c] == 0 get no label. Keeps references to T and the triangulation. A walk
+  // over Delaunay neighbors begins at the label of the previous vertex. It is fast if neighbors are
+  // close in T's order (contour/block_order.h).
   Labels(const ContourMesh& contour, const Triangulation& triangulation,
          std::span<const std::uint8_t> kept, int threads);
 
   const ContourMesh& contour() const { return contour_; }
-  // As the graph's.
+  // Returns ContourGraph::ring(v).
   std::span<const VertexId> ring(VertexId v) const { return graph_.ring(v); }
   const Triangulation& triangulation() const { return triangulation_; }
   SiteId label(VertexId v) const { return label_[v]; }
   const IdArray<VertexId, SiteId>& all() const { return label_; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
   bool is_site(VertexId v) const { return label_[v] != kNoId && distance2_[v] == 0; }
-  // The further of two vertices of T from its site, the smaller one of two as far; sites themselves
-  // never win. kNoId: none.
+  // Returns the vertex that is further from its site; of two equally far the smaller id. `v` is
+  // ignored if it is a site, `best` if it is kNoId.
   VertexId further(VertexId best, VertexId v) const {
     const double d2 = distance2_[v];
     if (d2 == 0) return best;
     if (best == kNoId) return v;
     return d2 > distance2_[best] || (d2 == distance2_[best] && v < best) ? v : best;
   }
+  // Returns the furthest of `vertices` and `best` in that sense.
   VertexId furthest(std::span<const VertexId> vertices, VertexId best = kNoId) const {
     for (const VertexId v : vertices) best = further(best, v);
     return best;
   }
-  // The vertices of T nearest to `site`.
+  // Returns the region of `site`.
   std::span<const VertexId> region(SiteId site) const { return regions_[site]; }
 
-  // Takes what belongs to the new `site` from its Delaunay neighbors; returns those that lost
-  // vertices.
+  // Relabels the vertices nearest to the new `site`. Returns those of its Delaunay `neighbors` that
+  // lost vertices.
   std::vector<SiteId> add_site(SiteId site, std::span<const SiteId> neighbors);
 
  private:
@@ -73,7 +74,7 @@ class Labels {
   IdArray<VertexId, SiteId> label_;
   IdArray<VertexId, double> distance2_;
   IdArray<SiteId, std::vector<VertexId>> regions_;
-  IdArray<SiteId, double> reach2_;  // per site, squared: nothing in its region is further from it
+  IdArray<SiteId, double> radius2_;  // per site: bound on the squared distances in its region
 };
 
 }  // namespace deliso

@@ -10,22 +10,24 @@
 namespace deliso {
 namespace {
 
-// How far from the mesh a vertex of T may be that no facet faces: in voxels, and as Stage 2 allows
-// it, in bounds on the distance. Points that the final mesh misses fall to a third or a tenth with
-// it, and so does the furthest.
+// Largest distance from the mesh to a vertex of T that no facet faces: in voxels, and in bounds on
+// the distance, as Stage 2 allows. With it a third to a tenth as many points are far from the final
+// mesh, and the furthest is as much nearer.
 constexpr double kNearVoxels = 0.2, kNearDistances = 2;
 
-// Cosine of the angle between normals up to which a facet faces a vertex: 45 degrees.
-constexpr double kFacing = 0.7;
+// A facet faces a vertex if the cosine of the angle between their normals is at least this, about
+// that of 45 degrees.
+constexpr double kMinFacingCosine = 0.7;
 
-// How far a vertex may be that no facet faces. pre: parameters.fingers is finite.
+// Returns the largest allowed distance to a vertex that no facet faces. pre: parameters.fingers is
+// finite.
 double near_limit(const Parameters& p) {
   const double allowed = kNearDistances * p.refinement[Criterion::distance];
   return std::min(p.fingers, std::max(kNearVoxels * p.voxel, std::isfinite(allowed) ? allowed : 0));
 }
 
-// A facet seen from the site; its other corners are b and c. What lies over it has coordinates
-// along b and along c of 0 or more, whose sum is at most 1.
+// A facet relative to the site; its other corners are b and c. A point is over the facet if its
+// coordinates along b and c are at least 0 and their sum is at most 1.
 struct SeenFacet {
   Vec3 b, c, along_b, along_c, normal;
 
@@ -48,8 +50,8 @@ VertexId find_protrusion(SiteId s, std::span<const DualFacet> facets, const Labe
     const Vec3 &p = t.point(facet.sites[1]), &q = t.point(facet.sites[2]);
     const Vec3 b = p - site, c = q - site;
     const Vec3 normal = cross(b, c);
-    // Within a voxel's face T runs straight on: sites there may be collinear, if only by rounding.
-    // Stage 2 can do nothing with a facet of no area.
+    // T is straight in a voxel's face, so sites there may be collinear, exactly or by rounding.
+    // Stage 2 cannot refine a facet without area.
     if (!(length2(normal) > 0) || collinear(site, p, q)) return labels.furthest(labels.region(s));
     const double scale = 1 / length2(normal);
     seen.push_back(
@@ -58,11 +60,11 @@ VertexId find_protrusion(SiteId s, std::span<const DualFacet> facets, const Labe
   if (!std::isfinite(parameters.fingers)) return kNoId;  // the search is off
 
   const double limit2 = parameters.fingers * parameters.fingers;
-  // Whether the facet nearest to the vertex v of T, or one that v lies over, is turned as Sigma is
-  // there. d: from the site to v, which is nearest2 from the facets.
+  // True if the facet nearest to v, or one that v is over, faces as Sigma does at v. Parameters:
+  // d, the vector from the site to v; nearest2, the squared distance from v to the facets.
   const auto is_faced = [&](VertexId v, const Vec3& d, double nearest2) {
     const Vec3 gradient = surface.gradient(labels.contour().points[v]);
-    const double least = kFacing * length(gradient);
+    const double least = kMinFacingCosine * length(gradient);
     return std::ranges::any_of(seen, [&](const SeenFacet& f) {
       return -dot(gradient, f.normal) >= least &&
              (f.is_within(d, limit2) || f.distance2_to(d) <= nearest2);

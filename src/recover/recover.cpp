@@ -23,11 +23,10 @@
 namespace deliso {
 namespace {
 
-// So many facets, or sites of a round, make a task for a thread.
 constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
 
-// So many sites are looked at together, those queued last: they lie near each other, and what they
-// look at is still in the cache. In any other order a large volume takes up to three times as long.
+// A round tests the sites that were queued last. They are near each other, and their regions are
+// still in the cache. In any other order a large volume takes up to three times as long.
 constexpr std::size_t kSitesPerRound = 256;
 
 class CertifiedRecovery {
@@ -48,7 +47,7 @@ class CertifiedRecovery {
         origins_(component_origins(contour, surface.volume().box())),
         wanted_volumes_(bounded_volumes(contour.points, contour.triangles, contour.component,
                                         origins_, parameters.threads)) {
-    // The last one queued is looked at first, and T is ordered block by block.
+    // In reverse: the last one queued is tested first, and T is ordered block by block.
     for (std::size_t n = contour.points.size(); n-- > 0;) {
       const VertexId v(n);
       if (!labels_.is_site(v)) continue;
@@ -62,27 +61,28 @@ class CertifiedRecovery {
 
  private:
   struct Site {
-    VertexId at = kNoId;     // of T; kNoId: an auxiliary site
-    SiteId seen_by = kNoId;  // the last one that counted it among its neighbors
+    VertexId at = kNoId;     // its vertex of T; kNoId: an auxiliary site
+    SiteId seen_by = kNoId;  // the last new site with this one as a neighbor
     bool queued = false;
     bool is_new = false;            // its facets were not tested for crossings since they changed
-    bool is_uncertified = false;    // it broke the certificate with nothing left to insert
-    std::vector<DualFacet> facets;  // K's there, begun at the site
+    bool is_uncertified = false;    // breaks the certificate, and no vertex can be inserted
+    std::vector<DualFacet> facets;  // of K, each with this site first
   };
 
   void queue_site(SiteId s);
-  // Makes the vertex v of T a site; false when it coincides with one.
+  // Makes the vertex v of T a site. Returns false if it coincides with a site.
   bool add_site(VertexId v);
-  // Adds sites until every one holds the certificate and misses no protrusion.
-  void settle();
-  // Adds sites where facets of K cross, by exact predicates: homeomorphic to T is not yet embedded.
-  std::size_t part_crossings();
-  // And to components that are inside out: four sites on a rod may be either way round.
-  std::size_t turn_out();
-  // kNoId: none.
+  // Adds sites until the certificate holds at every site and no vertex of T is a protrusion.
+  void certify_sites();
+  // Adds a site for every crossing of facets of K. Returns how many it added.
+  std::size_t resolve_crossings();
+  // Adds a site to every reversed component: four sites on a thin component can have either
+  // orientation. Returns how many it added.
+  std::size_t correct_reversed();
+  // Makes the vertices sites, but for kNoId. Returns how many it added.
   std::size_t add_sites(std::span<const VertexId> vertices, Reason reason);
   DualFacets all_facets() const;
-  SurfaceMesh dual();
+  SurfaceMesh build_dual();
 
   const Isosurface& surface_;
   const ContourMesh& contour_;
@@ -96,8 +96,8 @@ class CertifiedRecovery {
   Labels labels_;
   Certificate certificate_;
   const std::vector<std::optional<Vec3>> origins_;  // per component of T
-  const std::vector<double> wanted_volumes_;        // those that T bounds, for their signs
-  std::vector<SiteId> queue_;  // to be looked at
+  const std::vector<double> wanted_volumes_;        // bounded by T; only the signs matter
+  std::vector<SiteId> queue_;                       // to be tested
   ConflictZone zone_;
   std::vector<CellId> created_;
   std::vector<SiteId> neighbors_;
@@ -107,14 +107,14 @@ SurfaceMesh CertifiedRecovery::run() {
   const StepTimer timer(report_.seconds_recover);
   begin_stage(parameters_.observer, "recover");
   do {
-    settle();
-  } while (part_crossings() > 0 || turn_out() > 0);
+    certify_sites();
+  } while (resolve_crossings() > 0 || correct_reversed() > 0);
   for (const Site& s : sites_) report_[Counter::uncertified_sites] += s.is_uncertified;
   if (follower_) follower_->recovery_finished();
-  return dual();
+  return build_dual();
 }
 
-SurfaceMesh CertifiedRecovery::dual() {
+SurfaceMesh CertifiedRecovery::build_dual() {
   const std::vector<double> poles = compute_poles(triangulation_, surface_, parameters_, report_);
   DualFacets k = all_facets();
   std::vector<Dual> duals(k.triangles.size());
@@ -180,10 +180,10 @@ bool CertifiedRecovery::add_site(VertexId v) {
   return true;
 }
 
-// Round by round: what all sites of one say is found out first, in threads, since nothing changes
-// meanwhile. Then sites are added one by one; where one of these has changed a site, what that one
-// said is out of date, and it says it again in the next round.
-void CertifiedRecovery::settle() {
+// A round first tests its sites in threads; nothing else changes meanwhile. Then it adds sites one
+// by one. If an added site changes a tested one, that verdict is out of date, and the tested site
+// is in the queue again.
+void CertifiedRecovery::certify_sites() {
   std::vector<SiteId> round;
   std::vector<Verdict> verdicts(kSitesPerRound);
   while (!queue_.empty()) {
@@ -228,31 +228,31 @@ DualFacets CertifiedRecovery::all_facets() const {
   for (SiteId s = 1; s < sites_.size(); ++s) {
     k.points[s] = triangulation_.point(s);
     for (const DualFacet& facet : sites_[s].facets) {
-      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // told by its smallest site
+      if (facet.sites[1] < s || facet.sites[2] < s) continue;  // added by its smallest site
       k.triangles.push_back(as_mesh_triangle(facet.sites));
-      k.witnesses.push_back(facet.witness);
+      k.t_triangles.push_back(facet.t_triangle);
       k.is_new.push_back(sites_[s].is_new);
     }
   }
   return k;
 }
 
-std::size_t CertifiedRecovery::turn_out() {
+std::size_t CertifiedRecovery::correct_reversed() {
   const DualFacets k = all_facets();
   std::vector<std::uint32_t> component(k.points.size(), kNoId);
   for (SiteId s = 1; s < sites_.size(); ++s) {
     if (sites_[s].at != kNoId) component[s] = contour_.component[sites_[s].at];
   }
   const std::vector<double> bounded = bounded_volumes(k.points, k.triangles, component, origins_);
-  std::vector<std::uint8_t> is_turned(bounded.size(), 0);
+  std::vector<std::uint8_t> is_reversed(bounded.size(), 0);
   for (const Triangle& t : k.triangles) {
     const std::uint32_t c = component[t[0]];
-    is_turned[c] = origins_[c] && !(bounded[c] * wanted_volumes_[c] > 0);
+    is_reversed[c] = origins_[c] && !(bounded[c] * wanted_volumes_[c] > 0);
   }
   std::vector<VertexId> furthest(bounded.size(), kNoId);
   for (VertexId v = 0; v < contour_.points.size(); ++v) {
     const std::uint32_t c = contour_.component[v];
-    if (is_turned[c]) furthest[c] = labels_.further(furthest[c], v);
+    if (is_reversed[c]) furthest[c] = labels_.further(furthest[c], v);
   }
   return add_sites(furthest, Reason::reversed);
 }
@@ -267,13 +267,13 @@ std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Rea
   return added;
 }
 
-std::size_t CertifiedRecovery::part_crossings() {
+std::size_t CertifiedRecovery::resolve_crossings() {
   std::vector<VertexId> between =
       between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
   report_[Counter::crossings_handed_over] = between.size();
   sort_unique(between);
   const std::size_t added = add_sites(between, Reason::crossing);
-  // Pairs that could not be parted are counted again the next time.
+  // If a crossing remains, all facets stay new, so that it is counted again the next time.
   if (added == between.size()) {
     for (Site& s : sites_) s.is_new = false;
   }

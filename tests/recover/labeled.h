@@ -114,8 +114,8 @@ class Labeled {
     vertex_.push_back(v);
   }
 
-  // Inserts what the certificate names until it holds; the number of insertions.
-  int settle() {
+  // Inserts the vertices that the certificate names until it holds. Returns how many.
+  int insert_until_certified() {
     int insertions = 0;
     for (bool any = true; any;) {
       any = false;

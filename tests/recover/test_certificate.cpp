@@ -88,7 +88,7 @@ void check_broken(const Drawing& drawing, char site, Reason violation, VertexId 
   CHECK(verdict.violation == violation);
   REQUIRE(verdict.insert == named);
   t.insert(named);
-  CHECK(t.settle() < static_cast<int>(drawing.letters().size()) / 2);
+  CHECK(t.insert_until_certified() < static_cast<int>(drawing.letters().size()) / 2);
   CHECK(t.broken().empty());
   CHECK(t.fault_of_dual() == "");
 }
@@ -101,7 +101,7 @@ void check_alone(const Shape& shape, Reason violation, const std::string& broken
   CHECK(t.broken_conditions() == std::set{violation});
   CHECK(t.has_facets_at_all_sites());
   CHECK(t.fault_of_dual() != "");
-  t.settle();
+  t.insert_until_certified();
   CHECK(t.fault_of_dual() == "");
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("labels without a dual facet: one region or two that are a whole spher
     Labeled t(shape_of(letters, triangles));
     CHECK(t.dual().triangles.empty());
     CHECK(t.broken_conditions() == std::set{violation});
-    t.settle();
+    t.insert_until_certified();
     CHECK(t.fault_of_dual() == "");
   };
   check("Aaaa", sphere, Reason::region);
