@@ -11,14 +11,15 @@
 namespace deliso {
 namespace {
 
-// The facet across an edge, and whether it runs along it in the same direction.
+// The facet across an edge. `same_way`: both facets have the edge in the same direction, so their
+// orientations differ.
 struct Across {
   FaceId face = kNoId;
   bool same_way = false;
 };
 
-// For every facet and corner i, what is across the edge opposite it; nothing where the edge has not
-// exactly two facets.
+// Returns, per facet and corner, the facet across the opposite edge. `face` is kNoId unless the
+// edge has exactly two facets.
 std::vector<std::array<Across, 3>> across_edges(std::size_t vertices,
                                                 std::span<const Triangle> facets) {
   std::vector<std::array<Across, 3>> across(facets.size());
@@ -40,13 +41,13 @@ void orient(SurfaceMesh& s, const Isosurface& surface) {
   std::vector<Triangle> facets;
   for (const Face& face : s.mesh.faces) facets.push_back(face.v);
   const auto across = across_edges(s.mesh.points.size(), facets);
-  enum class Turn : std::uint8_t { unknown, kept, turned };
-  std::vector<Turn> turn(facets.size(), Turn::unknown);
-  const auto turn_round = [&](FaceId f) { std::swap(facets[f][0], facets[f][1]); };
+  enum class State : std::uint8_t { unknown, kept, reversed };
+  std::vector<State> state(facets.size(), State::unknown);
+  const auto reverse = [&](FaceId f) { std::swap(facets[f][0], facets[f][1]); };
   std::vector<FaceId> component;
   for (FaceId start = 0; start < facets.size(); ++start) {
-    if (turn[start] != Turn::unknown) continue;
-    turn[start] = Turn::kept;
+    if (state[start] != State::unknown) continue;
+    state[start] = State::kept;
     component.assign(1, start);
     double along = 0;
     for (std::size_t next = 0; next < component.size(); ++next) {
@@ -54,13 +55,13 @@ void orient(SurfaceMesh& s, const Isosurface& surface) {
       const auto at = [&](std::size_t i) { return s.mesh.points[facets[f][i]]; };
       along += dot(area_normal(at(0), at(1), at(2)), surface.gradient(s.duals[f].center));
       for (const auto& [g, same_way] : across[f]) {
-        if (g == kNoId || turn[g] != Turn::unknown) continue;
+        if (g == kNoId || state[g] != State::unknown) continue;
         component.push_back(g);
-        turn[g] = (turn[f] == Turn::turned) != same_way ? Turn::turned : Turn::kept;
-        if (turn[g] == Turn::turned) turn_round(g);
+        state[g] = (state[f] == State::reversed) != same_way ? State::reversed : State::kept;
+        if (state[g] == State::reversed) reverse(g);
       }
     }
-    if (along > 0) std::for_each(component.begin(), component.end(), turn_round);
+    if (along > 0) std::for_each(component.begin(), component.end(), reverse);
   }
   s.mesh = make_tri_mesh(std::move(s.mesh.points), facets);
 }

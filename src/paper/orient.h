@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orientation for facets that come from a triangulation, which gives them none.
+// Orientation of facets of a triangulation, which have none.
 #pragma once
 
 #include "isosurface/isosurface.h"

@@ -15,16 +15,16 @@
 namespace deliso {
 namespace {
 
-// Balls below this share of r_min are left alone: without a floor, sheets of pure noise that come
-// arbitrarily close would be refined for ever.
-constexpr double kFloor = 0.01;
+// Smallest surface ball whose center is inserted, in r_min. Without a limit, sheets of pure noise
+// that are arbitrarily close would be refined forever.
+constexpr double kMinBallRMins = 0.01;
 
-// A hit is real only if no vertex lies deeper in its ball than rounding explains.
+// A hit is real if its ball, shrunk by this factor, holds no vertex. The factor covers rounding.
 constexpr double kBallTolerance = 0.999;
 
-// Boundary edges shorter than this share of a voxel are not split either: two curves a hair apart
-// encroach upon each other however short their edges are.
-constexpr double kShortestVoxelShare = 0.02;
+// Shortest boundary edge that is split, in voxels. Two curves very close to each other encroach
+// upon each other however short their edges are.
+constexpr double kShortestEdgeVoxels = 0.02;
 
 }  // namespace
 
@@ -37,9 +37,9 @@ Recovery::Recovery(const Isosurface& surface, const BoundaryCurves& curves, Firs
       report_(report),
       restricted_(surface, std::move(first.triangulation), parameters.r_min, report, follower_),
       chain_(std::move(first.chain)),
-      floor_(kFloor * parameters.r_min),
+      min_ball_(kMinBallRMins * parameters.r_min),
       shortest_edge_(std::max(kShortestBoundaryEdge * parameters.r_min,
-                              kShortestVoxelShare * parameters.voxel)) {
+                              kShortestEdgeVoxels * parameters.voxel)) {
   for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
     if (!restricted_.is_auxiliary(v)) queue_vertex(v);
   }
@@ -102,7 +102,7 @@ Attempt Recovery::insert(RecordId r, const Vec3& x) {
 Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
   const Triangulation& t = restricted_.triangulation();
   const double radius = distance(x, t.point(restricted_.triangle(r)[0]));
-  if (radius < floor_) {
+  if (radius < min_ball_) {
     ++report_[Counter::capped_insertions];
     return Attempt::refused;
   }
@@ -114,7 +114,7 @@ Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
   }
   const std::vector<SiteId> edges = encroached_edges(x, boundary_vertices(zone));
   if (!edges.empty()) {
-    // The longest; of several as long that of the smallest number.
+    // The longest; of equal ones the smallest id.
     const SiteId edge = *std::ranges::max_element(edges, {}, [&](SiteId a) {
       return std::pair(distance2(t.point(a), t.point(chain_.next(a))), ~a.number());
     });
@@ -133,7 +133,7 @@ bool Recovery::split_edge(SiteId a) {
     const SiteId from = pending.back(), to = chain_.next(from);
     pending.pop_back();
     const Vec3 pa = t.point(from), pb = t.point(to);
-    if (any && !edge_holds_a_vertex(from)) continue;
+    if (any && !is_encroached(from)) continue;
     const auto middle = distance(pa, pb) < shortest_edge_
                             ? std::nullopt
                             : curves_.split({chain_.place(from), pa}, {chain_.place(to), pb});
@@ -155,7 +155,8 @@ bool Recovery::split_edge(SiteId a) {
     after_insertion();
     ++report_[Counter::boundary_splits_recover];
     any = true;
-    // The two halves may hold older vertices; edges near by may hold the new one.
+    // The balls of both halves may hold older vertices; the balls of near edges may hold the new
+    // one.
     const std::vector<SiteId> encroached = encroached_edges(middle->point, near);
     pending.insert(pending.end(), encroached.begin(), encroached.end());
     pending.insert(pending.end(), {v, from});
@@ -163,13 +164,13 @@ bool Recovery::split_edge(SiteId a) {
   return any;
 }
 
-bool Recovery::edge_holds_a_vertex(SiteId a) {
+bool Recovery::is_encroached(SiteId a) {
   const Triangulation& t = restricted_.triangulation();
   const SiteId b = chain_.next(a);
-  // The ball of an edge holds a vertex iff it holds a Delaunay neighbor of an end; so does that
-  // of an edge which is not Delaunay.
-  // Where the curve turns sharply at an edge of the box the next vertex along it may lie in the
-  // ball however short the edges are; the edge is Delaunay all the same.
+  // The ball of an edge holds a vertex iff it holds a Delaunay neighbor of an end. The ball of an
+  // edge that is not Delaunay always holds one.
+  // Where the curve turns sharply at an edge of the box, the ball may hold the next vertex of the
+  // chain, however short the edges are. The edge is still Delaunay, so that vertex is ignored.
   bool is_delaunay = false;
   for (const SiteId v : restricted_.neighbors(a)) {
     is_delaunay |= v == b;
@@ -182,7 +183,7 @@ bool Recovery::edge_holds_a_vertex(SiteId a) {
 void Recovery::protect_boundary() {
   const std::size_t count = restricted_.triangulation().vertex_capacity();
   for (SiteId v = 1; v < count; ++v) {
-    while (chain_.is_boundary(v) && edge_holds_a_vertex(v)) {
+    while (chain_.is_boundary(v) && is_encroached(v)) {
       if (follower_) follower_->edge_asked(v, chain_.next(v));
       if (!split_edge(v)) break;
     }
@@ -201,7 +202,8 @@ void Recovery::multi_intersect() {
     queue.pop_front();
     const std::span<const Vec3> hits = restricted_.effective_hits(r);
     if (restricted_.generation(r) != generation || hits.size() < 2) continue;
-    // All hits lie on the facet's dual line: furthest from a corner is furthest from the facet.
+    // All hits lie on the facet's dual line, so the furthest from a corner is the furthest from the
+    // facet.
     const Vec3& a = t.point(restricted_.triangle(r)[0]);
     const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
       return distance2(p, a) < distance2(q, a);
@@ -221,7 +223,7 @@ bool Recovery::is_manifold_at(SiteId q) {
   const Star star = classify_star(VertexId(q.number()), triangles_);
   if (!chain_.is_boundary(q)) return star == Star::disk;
   if (star != Star::half_disk) return false;
-  // The fan must end on the chain: an end's vertex lies on one triangle of the star only.
+  // The half disk must end on the chain: each chain neighbor of q is in one facet of the star.
   for (const SiteId end : {chain_.next(q), chain_.previous(q)}) {
     const auto holds = [end](const Triangle& v) { return has_corner(v, VertexId(end.number())); };
     if (std::count_if(triangles_.begin(), triangles_.end(), holds) != 1) return false;
@@ -273,7 +275,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     double violation;
     RecordId record;
     std::uint32_t generation;
-    // Worst first; equal ones by record, so that the order is the same in every run.
+    // The worst first; equal ones by record, so that every run has the same order.
     bool operator<(const Item& o) const {
       return violation != o.violation ? violation < o.violation : record > o.record;
     }
@@ -287,12 +289,12 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     if (!poles.empty()) shape.pole = (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
     return shape;
   };
-  const auto judge = [&](RecordId r) {
+  const auto enqueue = [&](RecordId r) {
     if (!restricted_.is_restricted(r)) return;
     const double worst = violation(shape_of(r), criteria);
     if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
   };
-  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) judge(r);
+  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) enqueue(r);
   while (!queue.empty()) {
     steps_.step(queue.size());
     const auto [over, r, generation] = queue.top();
@@ -303,7 +305,7 @@ void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& p
     }
     if (insert(r, restricted_.surface_point(r)) == Attempt::split) created_.push_back(r);
     while (!poles.empty() && poles.size() < t.vertex_capacity()) estimate_pole(poles);
-    for (const RecordId n : created_) judge(n);
+    for (const RecordId n : created_) enqueue(n);
   }
 }
 

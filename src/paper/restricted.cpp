@@ -88,7 +88,7 @@ Vec3 RestrictedDelaunay::surface_point(RecordId r) const {
   const std::span<const Vec3> hits = effective_hits(r);
   if (hits.size() == 1) return hits[0];
   const SiteTriangle v = triangle(r);
-  // Along the Voronoi edge the distance to a vertex grows with that to the circumcenter.
+  // Along the Voronoi edge the distance to a corner grows with the distance to the circumcenter.
   const Vec3& a = triangulation_.point(v[0]);
   return *std::min_element(hits.begin(), hits.end(), [&](const Vec3& x, const Vec3& y) {
     return distance2(x, a) < distance2(y, a);
@@ -167,7 +167,8 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
   created_records_.clear();
   if (follower_) follower_->insertion_begins(p, zone_);
 
-  // Records of the zone's boundary survive with their facets; all others in it go.
+  // Facets on the zone's boundary survive with their records; all other records of the zone are
+  // released.
   surviving_.clear();
   for (const Facet f : zone_.boundary) {
     surviving_.push_back(record_slot(f));
@@ -196,7 +197,7 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     const Facet f{created_cells_[k], zone_.boundary[k].index};
     record_slot(f) = r;
     records_[r].facet = f;
-    // Still on the Voronoi edge: not nearer to p than to the facet's vertices.
+    // A hit stays on the Voronoi edge if it is not nearer to p than to the facet's corners.
     std::vector<Vec3>& hits = records_[r].hits;
     const Vec3& a = t.point(facet_vertices(t, f)[0]);
     const auto lost = std::remove_if(

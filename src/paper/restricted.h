@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Del S|Sigma inside Del S: the facets whose Voronoi edges meet Sigma, kept true under insertion.
+// Del S|Sigma, the restricted facets of Del S, maintained under insertion.
 //
-// Each such facet has a record with its surface points V_sigma cap Sigma in order along the Voronoi
-// edge. An insertion changes little of this, on which the paper's Recover spent 80-85 % (§3.2).
-// Voronoi faces only shrink: a surviving facet keeps the points that are no nearer to the new
-// vertex than to its own corners. Only facets at the new vertex are searched.
+// Each restricted facet has a record with its hits V_sigma cap Sigma, in order along its Voronoi
+// edge. The paper's Recover spent 80-85 % of its time on these searches (§3.2). An insertion
+// changes few records: Voronoi faces only shrink. A surviving facet keeps the hits that are no
+// nearer to the new vertex than to its own corners. Only facets at the new vertex are searched.
 //
-// Two hits of one Voronoi edge closer than `delta` cancel each other: they are a ridge of the C0
-// trilinear surface or a sheet thinner than can matter, and refining there would never end. Parity
-// is kept, so the sides of Sigma are. hits() keeps them, effective hits leave them out.
+// Two hits of one Voronoi edge closer than `delta` cancel each other. They are a ridge of the C0
+// trilinear surface or a very thin sheet, and refinement there would never end. Parity stays, and
+// with it the sides of Sigma. Records keep such hits; effective hits leave them out.
 //
 // Invariants:
 //   R1  a live facet without infinite vertex has a record iff its clipped Voronoi edge meets Sigma;
@@ -30,8 +30,8 @@ namespace deliso {
 
 class RestrictedDelaunay {
  public:
-  // Searches every facet of `triangulation`, which it takes over. The surface must outlive it, and
-  // so must `follower`, if given, who is told of every insertion.
+  // Searches every facet of `triangulation`. Keeps references to the surface and the report, and
+  // `follower`, which may be null and receives the events of every insertion.
   RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation, double delta,
                      Report& report, Observer* follower = nullptr);
 
@@ -41,42 +41,44 @@ class RestrictedDelaunay {
   bool is_auxiliary(SiteId v) const { return deliso::is_auxiliary(triangulation_.point(v), box_); }
 
   std::size_t record_capacity() const { return records_.size(); }  // some are free, without hits
-  // Changes whenever the record starts to stand for another facet.
+  // Returns a number that changes when the record is released, and so before it gets another facet.
   std::uint32_t generation(RecordId r) const { return records_[r].generation; }
   Facet facet(RecordId r) const { return records_[r].facet; }
   RecordId record(Facet f) const { return record_of_[4 * f.cell + CellId(f.index)]; }
   SiteTriangle triangle(RecordId r) const { return facet_vertices(triangulation_, facet(r)); }
 
-  // The surface points left when close pairs have cancelled, in order along the Voronoi edge.
-  // Valid until the next call.
+  // Returns the hits without pairs that cancel, in order along the Voronoi edge. Valid until the
+  // next call.
   std::span<const Vec3> effective_hits(RecordId r) const;
-  // How many pairs of hits have cancelled.
+  // Returns the number of pairs that cancel.
   std::size_t cancelled_pairs(RecordId r) const {
     return (records_[r].hits.size() - effective_hits(r).size()) / 2;
   }
-  // The facet is in Del S|Sigma: an effective hit is left.
+  // True if the facet is in Del S|Sigma: it has an effective hit.
   bool is_restricted(RecordId r) const { return !effective_hits(r).empty(); }
-  // The effective hit nearest to the facet's circumcenter. pre: is_restricted(r).
+  // Returns the effective hit nearest to the facet's circumcenter. pre: is_restricted(r).
   Vec3 surface_point(RecordId r) const;
 
-  // D_q: the records of the restricted facets at q.
+  // Sets `star` to D_q: the records of the restricted facets at q.
   void star(SiteId q, std::vector<RecordId>& star) const;
 
-  // The Delaunay neighbors of q, finite ones only, each once.
+  // Returns the finite Delaunay neighbors of q, each once.
   std::vector<SiteId> neighbors(SiteId q) const;
 
-  // Before p is inserted: the conflict zone, to be looked at. The next insertion must use it.
+  // Returns the conflict zone of p. The next insertion must be of p.
   const ConflictZone& prepare(const Vec3& p, CellId hint);
-  // Distance from p to the nearest vertex of the prepared zone, which is its nearest vertex of all.
+  // Returns the distance from p to the nearest vertex of the prepared zone. No other vertex of
+  // Del S is nearer.
   double distance_to_vertices(const Vec3& p);
   // Inserts p into the prepared zone. pre: the zone has cells.
   SiteId insert_prepared(const Vec3& p);
-  // What the last insertion touched: vertices of facets that came, went, or lost hits, some of them
-  // several times, the new vertex first; and the records that came, or lost hits.
+  // Returns the corners of facets that the last insertion created, removed, or took hits from. The
+  // new vertex is the first; others may occur several times.
   std::span<const SiteId> touched() const { return touched_; }
+  // Returns the records that the last insertion created, or took hits from.
   std::span<const RecordId> created() const { return created_records_; }
 
-  // The facet's hits are the work of a garbage Voronoi edge (an almost flat cell): forget them.
+  // Releases a record whose hits come from rounding: the Voronoi edge of an almost flat cell.
   void forget(RecordId r);
 
  private:
@@ -89,7 +91,7 @@ class RestrictedDelaunay {
   RecordId& record_slot(Facet f) { return record_of_[4 * f.cell + CellId(f.index)]; }
   void gather_cells(SiteId q) const;
   void search(Facet f);
-  // Frees the record, and takes it from both sides of its facet.
+  // Frees the record and removes it from both sides of its facet.
   void release(RecordId r, Facet f);
   void touch(Facet f);
 
