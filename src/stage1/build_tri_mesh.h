@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BuildTriMesh (paper §3.2): what Stage 1 has found as a mesh of its own.
+// BuildTriMesh (paper §3.2): the facets of Stage 1 as a plain mesh.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace deliso {
 
-// `facets` name sites by their numbers, as as_mesh_triangle() gives them; vertices are the sites
-// that have facets, in the order of these. `poles`: per site, or none.
+// Returns the mesh of `facets`, whose corners are site numbers, as as_mesh_triangle() gives them.
+// Its vertices are the sites with facets, in order of first use. `poles`: per site, or empty.
 SurfaceMesh build_tri_mesh(const Triangulation& triangulation, std::vector<Triangle> facets,
                            std::vector<Dual> duals, const SiteChain& chain,
                            const std::vector<double>& poles);

@@ -17,29 +17,30 @@
 namespace deliso {
 namespace {
 
-// Sagitta of the coarse boundary chain, as a share of its chords.
+// Largest sagitta of the coarse boundary chain, as a share of the chord.
 constexpr double kChainSagitta = 0.1;
-// The side of a block, in voxels.
-constexpr double kBlock = 8;
+// The side of a block with a point of its own.
+constexpr double kBlockVoxels = 8;
 
-// The block of kBlock^3 voxels that holds the vertex, of its component.
+// Returns the component of a vertex and the block of kBlockVoxels^3 voxels that holds it.
 using Block = std::array<std::uint32_t, 4>;
 Block block_of(VertexId v, const ContourMesh& contour, const Volume& volume) {
   Block block{contour.component[v]};
   for (int axis = 0; axis < 3; ++axis) {
-    block[static_cast<std::size_t>(axis) + 1] =
-        static_cast<std::uint32_t>(contour.points[v][axis] / (kBlock * volume.spacing()[axis]));
+    block[static_cast<std::size_t>(axis) + 1] = static_cast<std::uint32_t>(
+        contour.points[v][axis] / (kBlockVoxels * volume.spacing()[axis]));
   }
   return block;
 }
 
-// How far the auxiliary vertices are from the box's center, in diagonals of the box.
-constexpr double kAuxiliaryDistance = 16;
+// Distance scale of the auxiliary vertices from the box's center, in diagonals of the box.
+constexpr double kAuxiliaryDiagonals = 16;
 
-// The triangulation of the points, which come first in `ids`, and the auxiliary vertices.
+// Returns the triangulation of the points and the auxiliary vertices. The points come first in
+// `ids`.
 Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<SiteId>& ids) {
   const Vec3 center = 0.5 * (box.lo + box.hi);
-  const double d = kAuxiliaryDistance * length(box.size());
+  const double d = kAuxiliaryDiagonals * length(box.size());
   for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
     points.push_back(center + d * corner);
   }
@@ -73,7 +74,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   report[Counter::components_skipped] =
       static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
 
-  std::vector<VertexId> seeds;  // the chains' first, loop by loop
+  std::vector<VertexId> seeds;  // vertices of the chains first, loop by loop
   std::vector<std::vector<CurvePlace>> chains;
   for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
     if (!kept[contour.boundary.component[loop]]) continue;
@@ -82,7 +83,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
       seeds.push_back(contour.boundary.chain(loop)[static_cast<std::size_t>(place.s)]);
     }
   }
-  // Inner vertices only: what lies on the box is the chain's business.
+  // Inner vertices only: on the box the chain has its own.
   const auto wanted = [&](VertexId v) {
     return kept[contour.component[v]] && !contour.on_boundary(v);
   };

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// InitTriangulation of paper Figure 4: the first sample S_0 and its Delaunay triangulation, the
-// same for both ways of Stage 1. All points are vertices of the exact contour T.
+// InitTriangulation of paper Figure 4: the first sample S_0 and its Delaunay triangulation, for
+// both ways of Stage 1. All points are vertices of the exact contour T.
 //
-// Beside the paper's random points and boundary curves (§3, §5) every component has a point in each
-// block of 8^3 voxels that it visits. Random points miss small components and thin branches, and no
-// later test can see a piece of Sigma without a point.
+// S_0 has the paper's random points and boundary curves (§3, §5). It also has a point of every
+// component in each block of 8^3 voxels that the component meets. Random points miss small
+// components and thin branches, and later tests cannot find a piece of Sigma without a point.
 //
 // Four auxiliary vertices lie far outside the box. With them there is a triangulation even where
-// all of Sigma is one plane, and its hull is away from the surface: their Voronoi edges and
-// vertices are far from the box.
+// Sigma is one plane. The hull and its Voronoi edges are far from the surface.
 #pragma once
 
 #include "contour/contour.h"
@@ -22,17 +21,18 @@ namespace deliso {
 
 inline constexpr std::size_t kAuxiliaryVertices = 4;
 
-// Whether a vertex at p is an auxiliary one.
+// True if a vertex at p is auxiliary.
 bool is_auxiliary(const Vec3& p, const Box3& box);
 
-// Throws an InputError when sites have come to be more than --max-vertices.
+// Throws an InputError if the sites are more than --max-vertices.
 void require_room(const Triangulation& triangulation, const Parameters& parameters);
 
 struct FirstSample {
   Triangulation triangulation;
-  SiteChain chain;                 // the coarse one
-  std::vector<std::uint8_t> kept;  // per component of T, whether it is to be meshed
+  SiteChain chain;                 // coarse
+  std::vector<std::uint8_t> kept;  // per component of T, nonzero if it is to be meshed
 };
+// Returns the first sample. Writes its size and the skipped components to the report.
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
                                const Volume& volume, const Parameters& parameters, Report& report);
 

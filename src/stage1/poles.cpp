@@ -20,7 +20,7 @@ std::vector<double> compute_poles(const Triangulation& t, const Isosurface& surf
   std::vector<Vec3> gradient(count);
   for (SiteId q = 1; q < count; ++q) gradient[q] = surface.gradient(t.point(q));
 
-  // Squared distance to the furthest Voronoi vertex, on the side of falling and of rising g.
+  // Squared distances to the poles on the sides of falling and of rising g.
   std::vector<std::array<double, 2>> furthest2(count, {0, 0});
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c) || t.is_infinite(c)) continue;

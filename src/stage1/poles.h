@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pole heights (paper §2.2.1 and §3.2), after Amenta and Bern 1999: h_q is the distance from q to
-// the furthest Voronoi vertex of V_q on the nearer of the surface's two sides.
+// Pole heights (paper §2.2.1 and §3.2), after Amenta and Bern 1999. On each side of Sigma the cell
+// V_q has a furthest Voronoi vertex, the pole; h_q is the distance from q to the nearer pole.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace deliso {
 
-// One height per vertex id; none where no criterion asks for them. A side is told by the gradient
-// at q. Vertices on the hull have none of their own; the auxiliary vertices (stage1/first_sample.h)
-// keep those of the surface off it.
+// Returns the pole height of every vertex id; empty if no criterion needs them. The gradient at q
+// distinguishes the sides. A cell on the hull has no such height; the auxiliary vertices
+// (stage1/first_sample.h) keep the surface's vertices off the hull.
 std::vector<double> compute_poles(const Triangulation& triangulation, const Isosurface& surface,
                                   const Parameters& parameters, Report& report);
 
