@@ -12,8 +12,8 @@
 
 namespace deliso {
 
-// Figure 4: InitTriangulation, Recover, Refine. Recover ends with BuildTriMesh, so that Refine sees
-// no tetrahedra. It is ours, certified on the fine contour, or the paper's (Figure 5).
+// Figure 4: InitTriangulation, Recover, Refine. Recover is certified on the fine contour, or it is
+// the paper's (Figure 5). It ends with BuildTriMesh, so that Refine has no tetrahedra.
 DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, const Options& options,
                            const Parameters& parameters, Report& report) {
   const bool is_certified = options.recover == RecoverWay::certified;
@@ -24,7 +24,7 @@ DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, con
   SurfaceMesh mesh = is_certified ? recover(surface, contour, std::move(first), parameters, report)
                                   : recover_paper(surface, curves, std::move(first), parameters,
                                                   options.single_stage, report);
-  clear_seam(mesh, surface, curves, parameters, report);  // Refine then has less to keep out of
+  clear_seam(mesh, surface, curves, parameters, report);  // leaves Refine fewer facets to avoid
   Observer* const observer = follower(parameters.observer);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_recover && !options.single_stage) {

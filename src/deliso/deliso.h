@@ -15,21 +15,21 @@ namespace deliso {
 
 struct ContourMesh;
 
-// Returns the mesh of {g = kappa}, in the scaled frame, with the frame of the volume, facets
-// counter-clockwise seen from g < kappa. Empty where no voxel holds the isovalue. With options.cap
-// the caps follow the surface, from report.cap.surface_triangles on, and it may be a whole box of
-// them. Throws InputError beyond the limits of options.h, and when --max-vertices is passed. pre:
-// all samples are finite (value_range() has been asked).
+// Returns the mesh of {g = kappa} in the scaled frame, with the frame of the volume. Facets are
+// counter-clockwise seen from g < kappa. The mesh is empty if no voxel holds the isovalue. With
+// options.cap the caps follow the surface, from report.cap.surface_triangles on; they may be a
+// whole box. Throws InputError beyond the limits of options.h and beyond --max-vertices. pre: all
+// samples are finite (value_range() was called).
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
 
 struct DelaunayMesh {
   SurfaceMesh mesh;
-  BoundaryCurves curves;      // that its chain is on
-  std::vector<Vec3> samples;  // dense on Sigma: the vertices of T; none once refine() was called
+  BoundaryCurves curves;      // of its chain
+  std::vector<Vec3> samples;  // reference samples, the vertices of T; none after refine()
 };
 
-// Figure 4, without isovalues to settle, seams and caps: what mesh_isosurface() is
-// made of. `contour`: T, of build_contour(), with at least one vertex.
+// Runs Figure 4, the core of mesh_isosurface(): it does not perturb the isovalue, nor make seams or
+// caps. `contour`: T of build_contour(), with at least one vertex.
 DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, const Options& options,
                            const Parameters& parameters, Report& report);
 

@@ -15,15 +15,15 @@
 namespace deliso {
 namespace {
 
-// How often a seam is cleared: what is to go from it may be in the way of an edge within the face,
-// which leaves in the same round.
-constexpr int kRounds = 3;
+// Rounds in which a seam is cleared. An edge within the face can block the removal of a vertex.
+// That edge leaves the face in the same round, so the next round can remove the vertex.
+constexpr int kMaxSeamRounds = 3;
 
-// Leaves nothing on the inner faces but the seam (blocks/seam.h).
+// Removes everything but the seam from the inner faces (blocks/seam.h).
 void make_seam(DelaunayMesh& s, const Isosurface& surface, const Parameters& parameters,
                Report& report) {
   std::size_t unknown = 1, flat = 0;
-  for (int round = 0; round < kRounds && unknown > 0; ++round) {
+  for (int round = 0; round < kMaxSeamRounds && unknown > 0; ++round) {
     unknown = clear_seam(s.mesh, surface, s.curves, parameters, report);
     flat = leave_box(s.mesh, surface, s.curves, surface.volume().inner_faces(), parameters, report);
   }

@@ -9,8 +9,8 @@
 namespace deliso {
 namespace {
 
-// Triangles of a smaller circumradius, in voxels, are refined for nothing.
-constexpr double kShapeFloor = 0.05;
+// Facets with a smaller circumradius are not refined, not even for shape.
+constexpr double kShapeFloorVoxels = 0.05;
 
 double voxel_of(const Volume& volume) {
   const Vec3 s = volume.spacing();
@@ -88,8 +88,8 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.recovery[Criterion::r_over_l] = p.refinement[Criterion::r_over_l];
   p.recovery.r_min = p.recovery.shape_floor = p.refinement.r_min = r_min;
   p.as_published = o.recover == RecoverWay::paper;
-  // As published nothing smaller than r_min is refined at all.
-  p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloor * voxel);
+  // As published, facets smaller than r_min are not refined at all.
+  p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloorVoxels * voxel);
   return p;
 }
 
