@@ -9,8 +9,8 @@
 namespace deliso {
 namespace {
 
-// True if the mesh, and the chain, can do without v.
-bool may_go(const Refinement& r, VertexId v) {
+// True if v is a vertex of Stage 1 that its chain does not need.
+bool may_remove(const Refinement& r, VertexId v) {
   if (v >= r.removable) return false;
   const BoundaryChain& chain = r.s.chain;
   if (!chain.is_boundary(v)) return true;
@@ -20,7 +20,7 @@ bool may_go(const Refinement& r, VertexId v) {
                                     {chain.place(next), r.point(next)});
 }
 
-// True if v and w would be joined within a face of the box by an edge that is not of its boundary.
+// True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
   const BoundaryChain& chain = r.s.chain;
   if (!chain.is_boundary(v) || !chain.is_boundary(w) || chain.is_edge(v, w)) return false;
@@ -44,7 +44,9 @@ std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, Ver
                                      double least_cosine) {
   Change& c = r.begin_change(least_cosine);
   const bool on_boundary = r.s.chain.is_boundary(from);
-  if (!may_go(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) return Refusal::boundary;
+  if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
+    return Refusal::boundary;
+  }
   facets_around(r.mesh, f, from, c.cavity);
   if (const auto refusal = r.open_cavity(c)) return refusal;
   c.in.facets.clear();
@@ -74,11 +76,11 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   if (!(length2(shortest) < r.parameters.r_min * r.parameters.r_min)) return Refusal::no_gain;
   VertexId a = v[shortest], b = v[(shortest + 1) % 3];
   const auto is_better = [&] {
-    if (!r.change.duals.empty()) return true;  // asked before
+    if (!r.change.duals.empty()) return true;  // tested before
     const double before = worst_ratio(r, r.change.was.facets);
     return before > limit && worst_ratio(r, r.change.in.facets) <= before;
   };
-  // Of an edge between the boundary and the inside, the inner end first.
+  // If only one end is on the boundary, the inner end is tried first.
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {

@@ -13,10 +13,10 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers) {
   std::vector<FarSample> far;
-  // The facet that was near to the last sample in a cell, for cells that are wrapped round: most
-  // samples are near to the same.
+  // Per cell, the facet that was near the last sample there: the next one is often near it too. The
+  // table is periodic in space.
   constexpr std::size_t kCells = 8;
-  constexpr double kCellLimits = 8;  // the side of a cell
+  constexpr double kCellLimits = 8;  // side of a cell, in `limit`
   std::array<FaceId, kCells * kCells * kCells> guesses;
   guesses.fill(kNoId);
   FaceId last = kNoId;
@@ -40,7 +40,7 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
       guesses[cell] = last;
       return true;
     }
-    // The nearest facet, looked for in balls that grow.
+    // Searches for the nearest facet in growing balls.
     FarSample at{n, kNoId, 0};
     double radius = 2 * limit;
     for (int doublings = 0; at.facet == kNoId && doublings < 32; ++doublings, radius *= 2) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The other direction of the distance: no point of Sigma far from the mesh. Facets near Sigma say
-// nothing of a finger that no facet enters; points of Sigma that lie densely, the samples, do.
+// The distance from Sigma to the mesh, measured at reference samples. Facets can all be near Sigma
+// and still miss a protrusion.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace deliso {
 
-// A sample too far from the mesh, and the facet nearest to it.
+// A sample too far from the mesh, and its nearest facet.
 struct FarSample {
   std::uint32_t sample;
   FaceId facet;
   double distance2;
 };
 
-// Leaves those samples in `numbers` that are further than `limit` from all facets, and returns
-// them, the furthest first; of several nearest to one facet only the furthest.
+// Removes from `numbers` the samples within `limit` of a facet. Returns the others, the furthest
+// first; of several with the same nearest facet only the furthest.
 std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers);

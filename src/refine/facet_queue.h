@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A queue of facets, the worst first, in an order that suits the cache. Facets are in bands of how
-// far they violate a criterion, within a band in blocks of the volume, within a block by fourths of
-// an octave. An exact order would run to and fro through a mesh that no cache holds: ENGINE --paper
-// is refined in one region, and takes 1.43 s so, 1.08 with blocks, for the same vertices.
+// A queue of facets, the worst first, in an order that suits the cache. The key is a band of the
+// cost, then a block of the volume, then the cost in fourths of an octave. An exact order would
+// visit distant places of a mesh in turn, more than a cache holds. ENGINE --paper is refined in one
+// region: 1.43 s in exact order, 1.08 s with blocks, for the same vertices.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class FacetQueue {
  public:
   explicit FacetQueue(double voxel) : block_side_(kBlockVoxels * voxel) {}
 
-  // Replaces what is queued for f, a facet at p. violation > 1: queue it; else: take it out.
+  // Queues f, a facet at p, with this violation, or removes it if the violation is at most 1.
   void set(FaceId f, double violation, const Vec3& p) {
     if (f >= keys_.size()) keys_.resize(f + 1, kNone);
     keys_[f] = kNone;
@@ -37,7 +37,7 @@ class FacetQueue {
     queue_.push(keys_[f]);
   }
 
-  // The next facet, taken out; kNoId when none is left.
+  // Removes the first facet and returns it; kNoId if the queue is empty.
   FaceId pop() {
     while (!queue_.empty()) {
       const std::uint64_t key = queue_.top();
@@ -50,22 +50,22 @@ class FacetQueue {
     return kNoId;
   }
 
-  // How many facets are queued, or more: those that were replaced are counted until they come up.
+  // Returns the number of queued facets, or more: replaced entries count until they are popped.
   std::size_t size() const { return queue_.size(); }
 
  private:
-  // A facet of such a block and its surroundings in mesh and volume stay in the cache.
+  // Side of a block. Its facets and their surroundings in mesh and volume fit in the cache.
   static constexpr double kBlockVoxels = 32;
-  // Blocks along an axis; the last one has no end.
+  // Blocks along an axis, as a power of 2; the last one is unbounded.
   static constexpr int kBlockBits = 7;
   static constexpr double kLastBlock = (1 << kBlockBits) - 1;
   static constexpr std::uint64_t kBlocks = std::uint64_t{1} << 3 * kBlockBits;
-  // How wide bands are, in fourths of an octave.
+  // Width of a band, in fourths of an octave.
   static constexpr unsigned kBandFourths = 8;
   static constexpr std::uint64_t kNone = ~std::uint64_t{0};
 
   double block_side_;
-  // Band, block (the first ones largest), fourth of an octave, facet: the largest comes first.
+  // Keys of band, block (descending), fourth of an octave, facet. The largest comes first.
   std::priority_queue<std::uint64_t> queue_;
   std::vector<std::uint64_t> keys_;  // per facet
 };

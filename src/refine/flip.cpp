@@ -7,7 +7,7 @@
 namespace deliso {
 namespace {
 
-// As a share of itself: what a flip must lower the sum of radii by, more than rounding.
+// Least relative decrease of the sum of radii by a flip: more than rounding.
 constexpr double kMinFall = 1e-9;
 
 }  // namespace

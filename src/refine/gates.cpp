@@ -11,13 +11,13 @@
 namespace deliso {
 namespace {
 
-// A component of more facets beside the cavity is not reversed by one replacement.
+// Most facets of a small component outside the cavity. One replacement cannot reverse a larger one.
 constexpr std::size_t kMaxSmallComponent = 12;
 
-// G4, in bounds on the distance: how far a vertex that goes may lie from the new facets. It keeps
-// protrusions that Stage 1 and the search for far samples have won: without it 99.9 % of Sigma lies
-// within .7 voxel of the mesh on ANEURISM, with it within .25.
-constexpr double kMaxLoss = 2;
+// G4, in bounds on the distance: the largest distance from a removed vertex to the new facets. It
+// keeps protrusions that Stage 1 and the search for far samples found. On ANEURISM 99.9 % of Sigma
+// lies within 0.25 voxel of the mesh, without the test within 0.7.
+constexpr double kMaxRemovedDistances = 2;
 
 double cosine(const Vec3& u, const Vec3& v) {
   return dot(u, v) / std::sqrt(length2(u) * length2(v));
@@ -33,10 +33,10 @@ std::optional<Refusal> Refinement::test_shape(Change& c) {
   return std::nullopt;
 }
 
-// G1. A boundary edge of the cavity with a facet across must be on the new disk's boundary; other
-// boundary edges of either lie on the mesh's boundary. A new edge, inside the new disk or along the
-// mesh's boundary, must not join two vertices that are joined elsewhere: it would have too many
-// facets.
+// G1. A boundary edge of the cavity with a facet across must be on the new disk's boundary. Other
+// boundary edges of either disk lie on the mesh's boundary. A new edge is inside the new disk or on
+// the mesh's boundary. It must not join two vertices that an edge joins elsewhere, or that edge
+// would have too many facets.
 bool Refinement::keeps_manifold(Change& c) {
   Disk& in = c.in;
   const auto facet_across = [&](const Disk::BoundaryEdge& e) {
@@ -63,7 +63,7 @@ bool Refinement::keeps_manifold(Change& c) {
       std::ranges::count_if(c.was.boundary, inner, facet_across)) {
     return false;
   }
-  // A single facet may be there already, seen from behind.
+  // A single facet may be in the mesh already, with the opposite orientation.
   if (in.facets.size() == 1 && across_[0] != kNoId && across_[0] == across_[1] &&
       across_[0] == across_[2]) {
     return false;
@@ -85,11 +85,10 @@ bool Refinement::is_joined_outside(VertexId a, VertexId b, const Change& c) {
   DELISO_ASSERT(start != c.cavity.end());
   facets_around(mesh, *start, a, star_);
   return std::ranges::any_of(
-      star_, [&](FaceId f) { return !is_out(f) && has_corner(mesh.faces[f].v, b); });
+      star_, [&](FaceId f) { return !is_in_cavity(f) && has_corner(mesh.faces[f].v, b); });
 }
 
-// The smallest cosine between normals at an edge of the disk, also to the facets across its
-// boundary.
+// Returns the smallest cosine between the normals at an edge of the disk, boundary edges included.
 double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                                  std::span<const FaceId> across) const {
   double least = 1;
@@ -122,31 +121,31 @@ bool Refinement::folds(const Change& c) const {
   return !(after >= sharpest_edge(c.was, normals, across));
 }
 
-// G2, for components of few facets: the sign of the volume that one bounds says which side is
-// which.
+// G2, for small components: true if the volume that the component bounds changes its sign.
 bool Refinement::reverses(const Change& c) {
   if (parameters.as_published) return false;
   const Box3 box = surface.volume().box();
-  unsigned met = 0;  // the faces of the box that the component ends in
+  unsigned met = 0;  // the faces of the box in which the component ends
   rest_.clear();
-  const auto go_on = [&](FaceId g, VertexId a, VertexId b) {
+  const auto visit = [&](FaceId g, VertexId a, VertexId b) {
     if (g == kNoId) {
       met |= box_faces_at(point(a), box) & box_faces_at(point(b), box);
-    } else if (!is_out(g) && std::ranges::find(rest_, g) == rest_.end()) {
+    } else if (!is_in_cavity(g) && std::ranges::find(rest_, g) == rest_.end()) {
       rest_.push_back(g);
     }
   };
   for (std::size_t k = 0; k < across_.size(); ++k) {
-    go_on(across_[k], c.in.boundary[k].from, c.in.boundary[k].to);
+    visit(across_[k], c.in.boundary[k].from, c.in.boundary[k].to);
   }
   for (std::size_t n = 0; n < rest_.size();) {
     const FaceId f = rest_[n++];
-    // A frozen one may go on where nothing is seen of it.
+    // A component with a frozen facet may continue outside the region.
     if (rest_.size() > kMaxSmallComponent || is_frozen(f)) return false;
     const Face& face = mesh.faces[f];
-    for (int i = 0; i < 3; ++i) go_on(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
+    for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }
-  // Seen from a point in all faces of the box that it meets, what it leaves open adds nothing.
+  // The origin is in all faces of the box that the component meets. From there its open sides have
+  // no volume.
   Vec3 origin = point(c.in.facets[0][0]);
   for (int axis = 0; axis < 3; ++axis) {
     const unsigned ends = met >> (2 * axis) & 3;
@@ -191,9 +190,9 @@ bool Refinement::faces_out(const Triangle& v, const Vec3& normal) const {
   return dot(sum, normal) < 0;
 }
 
-// G4, for the vertices that go.
+// G4, for the removed vertices.
 bool Refinement::uncovers(const Change& c) const {
-  const double limit = kMaxLoss * parameters.refinement[Criterion::distance];
+  const double limit = kMaxRemovedDistances * parameters.refinement[Criterion::distance];
   if (c.topology_only || c.what == Change::Vertex::comes) return false;
   return std::ranges::any_of(c.was.vertices(), [&](VertexId v) {
     if (std::ranges::find(c.in.vertices(), v) != c.in.vertices().end()) return false;
@@ -210,7 +209,7 @@ bool Refinement::crosses(const Change& c) {
   const bool is_cone = c.what == Change::Vertex::comes && c.in.inner_vertices() == 1;
   return crossing_.crosses_itself(is_cone ? c.vertex : kNoId) ||
          facets_.any(crossing_.box(), [&](FaceId f, const BoxGrid::Box& box) {
-           return !is_out(f) && crossing_.crosses(mesh.faces[f].v, box);
+           return !is_in_cavity(f) && crossing_.crosses(mesh.faces[f].v, box);
          });
 }
 

@@ -7,11 +7,11 @@
 namespace deliso {
 namespace {
 
-// In r_min: a point nearer to a vertex of its cavity would make needles. It also bounds the number
-// of insertions, by packing.
-constexpr double kMinSpacing = 0.25;
+// Least distance, in r_min, from a new vertex to a vertex of its cavity. A nearer one would make
+// needles. By packing, it also bounds the number of insertions.
+constexpr double kMinSpacingRMins = 0.25;
 
-// E: the facets, connected to `start`, whose surface balls hold p.
+// Sets the cavity E: the facets, connected to `start`, whose surface balls hold p.
 void collect_cavity(Refinement& r, FaceId start, const Vec3& p) {
   std::vector<FaceId>& cavity = r.begin_change().cavity;
   cavity.assign(1, start);
@@ -23,7 +23,7 @@ void collect_cavity(Refinement& r, FaceId start, const Vec3& p) {
   }
 }
 
-// The longest boundary edge of E whose diametral ball holds p.
+// Returns the longest edge of E on the mesh's boundary whose diametral ball holds p.
 std::optional<EdgeRef> encroached_edge(const Refinement& r, const Vec3& p) {
   std::optional<EdgeRef> longest;
   double length2 = 0;
@@ -40,13 +40,13 @@ std::optional<EdgeRef> encroached_edge(const Refinement& r, const Vec3& p) {
   return longest;
 }
 
-// D in E's place. `split`: the boundary edge that p splits, on which D has no facet.
+// Replaces E by the cone D. `split`: the boundary edge that p splits, on which D has no facet.
 std::optional<Refusal> put_cone(Refinement& r, const Vec3& p, EdgeRef split = {}) {
   if (r.observer) r.observer->work_begins(Activity::insertion, r.report.searches_refine);
   Change& c = r.change;
   if (const auto refusal = r.open_cavity(c)) return refusal;
   if (c.was.inner_vertices() > 0) return Refusal::swallows_vertex;
-  const double too_close = kMinSpacing * r.parameters.r_min;
+  const double too_close = kMinSpacingRMins * r.parameters.r_min;
   for (const Disk::BoundaryEdge& edge : c.was.boundary) {
     if (distance2(p, r.point(edge.from)) < too_close * too_close) return Refusal::too_close;
   }
@@ -58,7 +58,8 @@ std::optional<Refusal> put_cone(Refinement& r, const Vec3& p, EdgeRef split = {}
   return std::nullopt;
 }
 
-// The ends of a boundary edge as the chain runs; nothing when it is none of the chain, or a seam's.
+// Returns the ends of a chain edge in the order of the chain. Nullopt if the edge is on a seam or
+// not in the chain.
 std::optional<std::pair<VertexId, VertexId>> ends_on_chain(const Refinement& r, EdgeRef edge) {
   const BoundaryChain& chain = r.s.chain;
   const Face& face = r.mesh.faces[edge.face];

@@ -10,21 +10,21 @@
 namespace deliso {
 namespace {
 
-// How far a vertex is moved, in r_min: less far only where nothing farther helps, which saves 2 %
-// of a run and leaves as many facets over a limit. In how many directions: 6 leave 14 % more, 4 38
-// %.
-constexpr std::array kSteps{0.5, 0.2, 0.08};
+// Lengths of moves, in r_min. A shorter one is tried only if no longer one helps: that saves 2 % of
+// a run and leaves as many bad facets.
+constexpr std::array kStepRMins{0.5, 0.2, 0.08};
+// Directions of moves. 6 leave 14 % more bad facets, 4 leave 38 % more.
 constexpr int kDirections = 8;
 
-// The share of itself by which the cost around a vertex must fall, so that moves end.
+// Least relative decrease of the cost around a vertex by a move, so that moves end.
 constexpr double kMinFall = 0.05;
 
-// How often a vertex is tried: flips and insertions near by raise again what a move has lowered, so
-// moves would not end. 12 leaves as many facets over a limit as no bound does (TOOTH, ANEURISM,
-// BABY, LEG, three seeds each), 8 up to a sixth more.
+// Most moves tried for a vertex. Near flips and insertions raise the cost again, so moves would not
+// end. With 12 as many facets stay bad as without a limit; with 8, up to a sixth more. Measured on
+// TOOTH, ANEURISM, BABY and LEG, three seeds each.
 constexpr std::uint8_t kMaxTries = 12;
 
-// What a facet costs that is not Delaunay; one over a limit costs 1 and how much it is over.
+// Cost of a facet that is not Delaunay, added to the violation of a bad one.
 constexpr double kNotDelaunay = 0.3;
 
 double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
@@ -52,7 +52,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     normal = normal + r.normal(t);
     here += cost(r, t, r.s.duals[g]);
   }
-  // Facets across the cavity's boundary stay, but the vertex may move into their balls.
+  // Facets across the boundary of the cavity stay, but the vertex may move into their balls.
   const auto cost_across = [&] {
     double sum = 0;
     for (const Disk::BoundaryEdge& e : c.was.boundary) {
@@ -72,7 +72,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
 
   const Vec3 from = r.point(v);
   double least = (1 - kMinFall) * here, there = 0;
-  // Added up facet by facet, and given up as soon as it cannot be the least.
+  // Adds up the costs facet by facet. False as soon as the sum cannot be the least.
   const auto costs_less = [&] {
     there = c.duals.empty() ? cost_across()
                             : there + cost(r, c.in.facets[c.duals.size() - 1], c.duals.back());
@@ -80,7 +80,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   };
   SearchCounters& searches = r.report.searches_refine;
   std::optional<Vec3> best;
-  for (const double step : kSteps) {
+  for (const double step : kStepRMins) {
     if (best) break;
     const double reach = step * r.parameters.r_min;
     for (int d = 0; d < kDirections && least > 0; ++d) {
@@ -89,7 +89,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       const auto foot = r.finder.foot(to, normal, reach, searches);
       if (!foot) continue;
       c.place = *foot;
-      // Tried, and taken back in any case.
+      // Tries the move; it is always refused, and so undone.
       const auto refusal = r.replace(c, [&] { return costs_less() && !c.has_duals(); });
       const bool is_less = refusal == Refusal::no_gain && there < least;
       if (!is_less || !r.finder.on_one_sheet(from, *foot, normal, searches)) continue;

@@ -26,35 +26,34 @@ namespace {
 
 constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
 
-// In bounds on h: how much further than facets from Sigma, at their circumcenters, points of Sigma
-// may be from the mesh. One limit for both costs two in five vertices more (docs/decisions.md).
-constexpr double kCoverage = 2;
+// Largest distance from a reference sample to the mesh, in bounds on h. With 1, meshes have 40 %
+// more vertices (docs/decisions.md).
+constexpr double kCoverageDistances = 2;
 
 // A mesh of target_vertices is coarsened from one of this many times as many vertices. From 1.2
-// times as many, distances are a tenth larger, from twice as many a tenth smaller, in 1.8 times the
+// times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8 times the
 // time (ENGINE and LEG, 20,000 to 100,000 vertices).
-constexpr double kFiner = 1.5;
+constexpr double kFinerRatio = 1.5;
 
-// In voxels: the bounds on the distance that such meshes keep, from the first to the last, each
-// this share of the one before.
-constexpr double kFirstDistance = 0.4, kLastDistance = 2e-3, kDistanceStep = 0.7;
+// The first and the last bound on the distance for such a mesh, and the ratio of each to the one
+// before.
+constexpr double kFirstDistanceVoxels = 0.4, kLastDistanceVoxels = 2e-3, kDistanceRatio = 0.7;
 
-// What a facet is queued with that meets the criteria and is not Delaunay: it comes last.
+// The violation of a facet that meets the criteria and is not Delaunay: the last in the queue.
 constexpr double kNotDelaunay = 1.0001;
 
-// Those above this share of r_min are refined for it, for smaller ones only corners are moved:
-// there would be ever more between sheets that all but touch.
-constexpr double kSmallForDelaunay = 0.5;
+// Larger facets are refined if they are not Delaunay; of smaller ones only corners are moved.
+// Between sheets that nearly touch, insertions would not end.
+constexpr double kMinDelaunayRMins = 0.5;
 
-// How often facets are looked at for that, all of them first and then those with changes around,
-// since what is inserted for some is in the balls of others. A third round changes nothing.
+// Rounds in which facets are made Delaunay. The first tests all facets, the next those near a
+// change: a new vertex may be in the balls of other facets. A third round changes nothing.
 constexpr int kDelaunayRounds = 2;
 
-// RefineGeom of Figure 9, for a mesh or a region of one: one queue, worst first.
+// RefineGeom of Figure 9, for a mesh or a region: one queue, the worst first.
 class RefineGeom {
  public:
-  // `far` are the numbers of the samples that may be too far from the mesh, and in the end of those
-  // that are.
+  // `far`: the numbers of samples that may be too far from the mesh; run() removes the others.
   RefineGeom(Refinement& refinement, std::span<const Vec3> samples, std::vector<std::uint32_t>& far)
       : r_(refinement),
         mesh_(refinement.mesh),
@@ -63,9 +62,8 @@ class RefineGeom {
         queue_(refinement.parameters.voxel),
         steps_(refinement.parameters.observer) {}
 
-  // Refines the facets that are not done yet, and whatever changes. Returns facets for which
-  // something was refused for the sake of frozen ones. Throws InputError at max_vertices unless
-  // keep_partial.
+  // Refines the facets that are not done, and new ones. Returns the facets with deferred
+  // operations. Throws InputError at max_vertices unless keep_partial.
   std::vector<FaceId> run(std::vector<std::uint8_t> is_done);
 
  private:
@@ -73,19 +71,20 @@ class RefineGeom {
   bool refine(FaceId f);
   bool insert_other_point(FaceId f);
   bool move(FaceId f) { return !met_frozen_ && accept(move_corner(r_, f)); }
-  // True if an operation was done: looks at what it created, and again at what is next to that.
+  // Returns true if an operation was done. Then it queues the facets created, and marks them and
+  // their neighbors as not done.
   bool accept(const std::optional<Refusal>& refusal);
-  // Queues f if it violates a criterion, or anyway.
+  // Queues f if it violates a criterion or `at_least` is over 1.
   void enqueue(FaceId f, double at_least = 0);
-  // What is wrong with f.
+  // Returns why f must be refined; nullopt if it need not.
   std::optional<Reason> fault(FaceId f) const;
-  // The side of f that leaves its boundary curve; 3: none.
+  // Returns the side of f that is too far from its boundary curve; 3: none.
   int side_off_curve(FaceId f) const;
   void flip_changed();
   bool insert_far_samples();
   void make_delaunay();
   bool must_stop();
-  // Tells the observer: how far a criterion is violated, else f's circumradius.
+  // Reports f to the observer, with the violation of the criterion, else f's circumradius.
   void ask(FaceId f, Reason reason) const {
     if (!r_.observer) return;
     const FacetShape s = r_.shape(f);
@@ -100,14 +99,14 @@ class RefineGeom {
   std::vector<std::uint32_t>& far_;
   FacetQueue queue_;
   Steps steps_;
-  // Per facet: nothing is to be tried until something changes around it.
+  // Per facet: no operation is tried until a facet near it changes.
   std::vector<std::uint8_t> is_done_;
-  std::vector<FaceId> refused_;  // since drain() began its turn
-  std::vector<FaceId> changed_;  // to be looked at for flips
-  // Something tried for the facet at hand was refused for the sake of frozen ones: it waits until
-  // the regions are put together.
+  std::vector<FaceId> refused_;  // in this pass of drain()
+  std::vector<FaceId> changed_;  // to be tested for flips
+  // An operation for this facet was refused because of a frozen facet. It is deferred until the
+  // regions are merged.
   bool met_frozen_ = false;
-  std::vector<FaceId> waiting_;
+  std::vector<FaceId> deferred_;
   bool is_full_ = false;
 };
 
@@ -116,7 +115,7 @@ std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
   }
-  std::ranges::reverse(changed_);  // the first one is looked at first
+  std::ranges::reverse(changed_);  // flip_changed() begins at the end
   flip_changed();
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) enqueue(f);
@@ -126,30 +125,30 @@ std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
   while (!is_full_ && insert_far_samples()) drain(false);
   drain(true);
   for (int n = 0; n < kDelaunayRounds && !is_full_; ++n) make_delaunay();
-  return std::move(waiting_);
+  return std::move(deferred_);
 }
 
-// Until every facet meets the criteria or everything is refused.
+// Refines until every facet meets the criteria or every operation is refused.
 void RefineGeom::drain(bool with_moves) {
   for (bool any = true; any;) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       const auto reason = is_dead(mesh_.faces[f]) ? std::nullopt : fault(f);
-      if (!reason) continue;  // an earlier one has mended it, or taken it away
+      if (!reason) continue;  // removed, or good since an operation near it
       ask(f, *reason);
       if (refine(f) || (with_moves && move(f))) {
         any = true;
       } else {
         refused_.push_back(f);
         is_done_[f] = with_moves || met_frozen_;
-        if (met_frozen_) waiting_.push_back(f);
+        if (met_frozen_) deferred_.push_back(f);
       }
       steps_.step(queue_.size());
       if (must_stop()) return;
     }
-    // New facets are Delaunay with each other, but need not be with those around them.
+    // An edge between a new facet and an old one need not be Delaunay.
     flip_changed();
-    // What was refused is tried again once its surroundings have changed.
+    // Refused facets are tried again; in the next pass their surroundings may have changed.
     for (const FaceId f : std::exchange(refused_, {})) {
       if (is_live(f) && !is_done_[f]) enqueue(f);
     }
@@ -161,7 +160,7 @@ bool RefineGeom::refine(FaceId f) {
   const FacetShape shape = r_.shape(f);
   const int side = side_off_curve(f);
   if (side == 3 && violation(shape, r_.parameters.refinement) <= 1 &&
-      shape.r <= kSmallForDelaunay * r_.parameters.r_min) {
+      shape.r <= kMinDelaunayRMins * r_.parameters.r_min) {
     return false;
   }
   const Dual dual = r_.s.duals[f];
@@ -172,8 +171,7 @@ bool RefineGeom::refine(FaceId f) {
          (!met_frozen_ && insert_other_point(f));
 }
 
-// Where the steepest lines through its circumcenter and through the middle of its longest edge meet
-// Sigma.
+// Inserts the foot of the circumcenter of f or, if that is refused, of its longest edge's middle.
 bool RefineGeom::insert_other_point(FaceId f) {
   const Triangle v = mesh_.faces[f].v;
   const std::array<Vec3, 3> p{r_.point(v[0]), r_.point(v[1]), r_.point(v[2])};
@@ -228,9 +226,9 @@ int RefineGeom::side_off_curve(FaceId f) const {
   return side;
 }
 
-// Flips edges of what changed, and then around that, until all are Delaunay or cannot be. LEG has
-// needles without the flips before the queue, and all volumes 5 % more vertices without those
-// after.
+// Flips edges of changed facets, and of the facets that flips change, until no flip is done.
+// Without the flips before the queue LEG has needles. Without those after it all volumes have 5 %
+// more vertices.
 void RefineGeom::flip_changed() {
   while (!changed_.empty()) {
     const FaceId f = changed_.back();
@@ -244,13 +242,13 @@ void RefineGeom::flip_changed() {
 }
 
 bool RefineGeom::insert_far_samples() {
-  const double limit = kCoverage * r_.parameters.refinement[Criterion::distance];
+  const double limit = kCoverageDistances * r_.parameters.refinement[Criterion::distance];
   if (!std::isfinite(limit)) return false;
   const auto far = find_far(mesh_, r_.facets(), samples_, limit, far_);
   r_.report[Counter::points_far] = far_.size();
   bool any = false;
   for (const FarSample& at : far) {
-    if (!is_live(at.facet)) continue;  // an earlier one may have taken it away
+    if (!is_live(at.facet)) continue;  // an earlier insertion may have removed it
     ask(at.facet, Reason::far_point);
     any |= accept(insert_point(r_, Rung::far_point, at.facet, samples_[at.sample]));
   }
@@ -269,7 +267,7 @@ void RefineGeom::make_delaunay() {
   drain(true);
 }
 
-// True at max_vertices.
+// Returns true at max_vertices.
 bool RefineGeom::must_stop() {
   const Parameters& parameters = r_.parameters;
   if (mesh_.points.size() < parameters.max_vertices) return false;
@@ -281,23 +279,23 @@ bool RefineGeom::must_stop() {
   return true;
 }
 
-// Whether the mesh may be cut: where the refinement may end before all is done, where it is the
-// paper's, and where it is watched, the worst facet anywhere comes first.
+// True if the mesh may be cut into regions. A refinement that may end early, the paper's, and one
+// that is observed take the worst facet of the whole mesh first.
 bool may_be_cut(const Parameters& p) {
   return !p.as_published && !p.keep_partial && !(p.observer && p.observer->follows_insertions());
 }
 
-// Refines the mesh region by region; returns which facets are done. Of `far` it takes the samples
-// that concern one region alone, and adds those that stay too far.
+// Refines the mesh region by region. Returns which facets are done. Removes from `far` the samples
+// that only one region can be near, and adds again the ones that stay too far.
 std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
                                          const BoundaryCurves& curves,
                                          std::span<const Vec3> samples,
                                          const Parameters& parameters, std::size_t largest_region,
                                          std::vector<std::uint32_t>& far, Report& report) {
   begin_stage(parameters.observer, "regions");
-  const double reach = kCoverage * parameters.refinement[Criterion::distance];
-  auto regions = cut_into_regions(mesh, largest_region, samples, reach, far);
-  std::vector<std::vector<FaceId>> waiting(regions.size());
+  const double margin = kCoverageDistances * parameters.refinement[Criterion::distance];
+  auto regions = cut_into_regions(mesh, largest_region, samples, margin, far);
+  std::vector<std::vector<FaceId>> deferred(regions.size());
   std::vector<Report> reports(regions.size());
   Parameters unobserved = parameters;
   unobserved.observer = nullptr;
@@ -307,8 +305,8 @@ std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& su
     MeshRegion& region = regions[n];
     extract(mesh, region);
     Refinement refinement(region.surface, surface, curves, unobserved, reports[n], region.box);
-    waiting[n] = RefineGeom(refinement, samples, region.samples)
-                     .run(std::vector<std::uint8_t>(region.facets.size(), 0));
+    deferred[n] = RefineGeom(refinement, samples, region.samples)
+                      .run(std::vector<std::uint8_t>(region.facets.size(), 0));
     const std::lock_guard lock(mutex);
     ++done;
     if (parameters.observer) parameters.observer->steps_done(done, regions.size() - done);
@@ -318,12 +316,12 @@ std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& su
     const MeshRegion region = std::move(regions[n]);
     const std::vector<FaceId> numbers = put_back(mesh, region);
     is_done.resize(mesh.mesh.faces.size(), 0);
-    // What lies within its surface ball's radius of a cut is refined again.
+    // A facet whose surface ball leaves the region's box is refined again.
     for (FaceId f = region.box.first_free; f < numbers.size(); ++f) {
       const Dual& dual = region.surface.duals[f];
       is_done[numbers[f]] = region.box.holds(dual.center, std::sqrt(dual.radius2));
     }
-    for (const FaceId f : waiting[n]) is_done[numbers[f]] = 0;
+    for (const FaceId f : deferred[n]) is_done[numbers[f]] = 0;
     far.insert(far.end(), region.samples.begin(), region.samples.end());
     report.add_refinement(reports[n]);
   }
@@ -331,7 +329,7 @@ std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& su
   return is_done;
 }
 
-void count_left(const Refinement& r) {
+void count_unrefined(const Refinement& r) {
   std::uint64_t over_limit = 0;
   r.report.largest_h = 0;
   for (FaceId f = 0; f < r.mesh.faces.size(); ++f) {
@@ -375,7 +373,7 @@ void refine_to_limits(SurfaceMesh& mesh, const Isosurface& surface, const Bounda
   if (parameters.target_vertices == kNoTarget) begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);
   RefineGeom(whole, samples, far).run(std::move(is_done));
-  count_left(whole);
+  count_unrefined(whole);
 }
 
 // Refines to more vertices than parameters.target_vertices, by bounds on the distance that shrink,
@@ -387,11 +385,12 @@ void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const Boundar
   Parameters parameters = given;
   parameters.observer = follower(given.observer);
   parameters.max_vertices = kNoTarget;
-  const auto wanted = static_cast<std::size_t>(kFiner * static_cast<double>(given.target_vertices));
+  const auto wanted =
+      static_cast<std::size_t>(kFinerRatio * static_cast<double>(given.target_vertices));
   double& bound = parameters.refinement[Criterion::distance];
-  bound = kFirstDistance * given.voxel;
+  bound = kFirstDistanceVoxels * given.voxel;
   std::size_t vertices = 0;
-  for (; bound > kLastDistance * given.voxel && vertices < wanted; bound *= kDistanceStep) {
+  for (; bound > kLastDistanceVoxels * given.voxel && vertices < wanted; bound *= kDistanceRatio) {
     refine_to_limits(mesh, surface, curves, {samples.begin(), samples.end()}, parameters, report,
                      largest_region);
     if (may_be_cut(parameters)) remove_dead(mesh);
@@ -405,7 +404,7 @@ void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const Boundar
   parameters.observer = given.observer;
   Refinement whole(mesh, surface, curves, parameters, report);
   coarsen(whole, given.target_vertices);
-  count_left(whole);
+  count_unrefined(whole);
   report.max_distance = furthest_sample(whole, samples);
 }
 

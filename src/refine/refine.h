@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9. It refines the mesh that Stage 1
-// hands over until every facet meets the criteria, the worst facet first: each region by itself
-// (refine/regions.h), then the whole.
+// Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9. It refines the mesh of Stage 1
+// until every facet meets the criteria, the worst facet first. Each region is refined by itself
+// (refine/regions.h), then the whole mesh.
 //
-// Of a facet that misses a criterion it collapses a short edge, or inserts the surface point, or
-// inserts another point of Sigma near by. When nothing is left to insert, it inserts reference
-// samples that are too far from the mesh, then makes facets Delaunay and moves corners. Facets that
-// none of this mends are left and counted. For a number of vertices it refines until there are
-// more, and coarsens (refine/coarsen.h). Each operation replaces one disk (refine/refinement.h). So
-// the mesh stays a manifold of the same topology, embedded, with its vertices on Sigma.
+// For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
+// inserts another point of Sigma near it. Then it inserts reference samples that are too far from
+// the mesh. Last it makes facets Delaunay and moves corners. Facets that stay bad are counted. For
+// a number of vertices it refines until there are more, and coarsens (refine/coarsen.h).
+//
+// Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
+// topology, embedded, with its vertices on Sigma.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +22,8 @@
 
 namespace deliso {
 
-// Refines `mesh` in place, in parameters.threads threads. `samples`: points of Sigma that are to be
-// no further from the mesh than the criteria say, as far as r_min allows. A mesh of more than
-// `largest_region` facets is cut: the smaller a region, the more facets lie at its sides. Throws
+// Refines `mesh` in place, in parameters.threads threads. `samples`: the reference samples. A mesh
+// of more than `largest_region` facets is cut; in a smaller region more facets are frozen. Throws
 // InputError at max_vertices unless keep_partial.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
             std::vector<Vec3> samples, const Parameters& parameters, Report& report,

@@ -10,8 +10,8 @@
 namespace deliso {
 namespace {
 
-// Cells of the spatial hashes, in r_min, and at least so many voxels: a few times the size of most
-// facets once all is done.
+// Cells of the spatial hashes, in r_min, and their least side in voxels: a few times the size of
+// most facets of the result.
 constexpr double kCellRMins = 6;
 constexpr double kMinCellVoxels = 1.2;
 
@@ -101,7 +101,7 @@ void Refinement::put_in_place(const Change& c) {
   }
 }
 
-void Refinement::take_back(const Change& c) {
+void Refinement::undo(const Change& c) {
   if (c.what == Change::Vertex::comes) mesh.points.pop_back();
   if (c.what == Change::Vertex::moves) move_to(c.vertex, moved_from_);
 }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The state of Stage 2 and its one operation: a disk of facets, the cavity, is replaced by another
-// disk over the same boundary. Insertion, flip, collapse and move (refine/operations.h) are ways to
-// propose one. At the mesh's boundary the cavity's boundary may change too, from one boundary
-// vertex to another.
+// The state of Stage 2 and its one change: another disk over the same boundary replaces a disk of
+// facets, the cavity. Insertion, flip, collapse and move (refine/operations.h) propose such
+// changes. On the mesh's boundary the boundary of the cavity may change too, between two boundary
+// vertices.
 //
-// Stage 1 hands over a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma. No
-// replacement takes that away, because each passes these tests, from cheap to expensive:
-//   G0  no frozen facet goes, and what comes stays in the region (refine/regions.h);
-//   G1  both are disks, and no new facet or edge is in the mesh already (the link condition): the
-//       mesh stays a manifold. It stays homeomorphic to what it was if the boundaries of the two
-//       disks differ in at most one run of the mesh's boundary edges. That is the operation's to
-//       keep (docs/proof.md);
-//   G2  no edge is folded more sharply than asked for, or than one was before, and no small
-//       component is reversed;
-//   G3  new facets have surface points. Those below r_min that face Sigma's outside may lack one,
-//       and of the others no more than lacked one before;
-//   G4  the mesh stays near the place of a vertex that is removed: within twice the bound on the
-//       distance. And the operation lowers the measure that it is to lower, so Stage 2 ends;
-//   G5  no new facet crosses another, new or near, by exact predicates: the mesh stays embedded.
-// With Parameters::as_published neither G5 nor the last part of G2 is asked.
+// The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
+// Every replacement keeps that, because it passes these tests, from cheap to expensive:
+//   G0  No frozen facet is removed, and the new disk stays in the region (refine/regions.h).
+//   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition). So
+//       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
+//       at most one run of the mesh's boundary edges; the operation must ensure that
+//       (docs/proof.md).
+//   G2  No edge is folded more sharply than the limit, or than one was before. No small component
+//       is reversed.
+//   G3  New facets have surface points. Those below r_min that face Sigma's outside may lack one;
+//       of the others, no more than before.
+//   G4  A removed vertex is within twice the bound on the distance of the new facets. The operation
+//       lowers its quantity, so Stage 2 ends.
+//   G5  No new facet crosses another, by exact predicates. So the mesh stays embedded.
+// With Parameters::as_published there is no G5, and no test of small components in G2.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,8 @@ struct EdgeRef {
   int index = 0;
 };
 
-// Facets before `first_free` are frozen (refine/regions.h). All others may be replaced, by facets
-// within the box from `lo` to `hi`; `lo` belongs to it, `hi` does not.
+// Facets before `first_free` are frozen (refine/regions.h). The others may be replaced, by facets
+// in the box from `lo` (included) to `hi` (excluded).
 struct Region {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   FaceId first_free = 0;
@@ -54,33 +54,32 @@ struct Region {
   bool holds(const Vec3& p) const {
     return lo.x <= p.x && p.x < hi.x && lo.y <= p.y && p.y < hi.y && lo.z <= p.z && p.z < hi.z;
   }
-  // True if the box holds all that is no further than `radius` from p.
+  // True if the box holds the ball around p.
   bool holds(const Vec3& p, double radius) const {
     const Vec3 r{radius, radius, radius};
     return holds(p - r) && holds(p + r);
   }
 };
 
-// The cosine between the normals at an edge that a rearrangement of facets may leave, unless one
-// was sharper before. Flakes of Sigma thinner than a voxel have edges nearly as sharp.
+// Least cosine between the normals at an edge after a change, unless one was less before. Pieces of
+// Sigma thinner than a voxel have edges nearly as sharp.
 inline constexpr double kSharpestFold = -0.97;
 
-// What an operation proposes.
+// A proposed change.
 struct Change {
-  std::vector<FaceId> cavity;  // the facets that go
+  std::vector<FaceId> cavity;  // the facets to be removed
   Disk was;                    // the same by their corners, linked by open_cavity()
-  Disk in;                     // what takes their place; for a vertex that comes, set_cone()
+  Disk in;                     // the new disk; for a new vertex, set_cone()
   enum class Vertex : std::uint8_t { none, comes, moves } what = Vertex::none;
-  VertexId vertex = kNoId;   // when it comes, the mesh's vertex count
-  Vec3 place;                // where it comes or moves to
-  double least_cosine = -1;  // G2: between the normals at an edge; -1: not asked
-  // Set when the cavity lies flat in a face of the volume's box and is to be brought out of it,
-  // however far from Sigma: G3 and G4 are not asked. A component that lies flat in that face bounds
-  // nothing yet, so it may be oriented either way.
+  VertexId vertex = kNoId;   // moved or new; a new one is the mesh's vertex count
+  Vec3 place;                // of the new vertex, or to which the vertex moves
+  double least_cosine = -1;  // G2: between the normals at an edge; -1: no limit
+  // Skips G3 and G4. Set to lift a cavity that lies in a face of the domain box, at any distance
+  // from Sigma. A component in that face bounds no volume yet, so either orientation is allowed.
   bool topology_only = false;
   std::vector<Dual> duals;  // of `in`, by G3
   bool has_duals() const { return duals.size() == in.facets.size(); }
-  std::vector<FaceId> created;  // of `in`, once it is done
+  std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
 };
 
 class Refinement {
@@ -97,23 +96,22 @@ class Refinement {
   Report& report;
   Observer* const observer;  // null unless it follows insertions
   const Region region;
-  const std::size_t removable;  // vertices that may go: those that were there from the first
+  const std::size_t removable;  // only vertices before this one may be removed: those of Stage 1
   SurfacePointFinder finder;
   Change change;                         // the last one proposed
-  std::vector<std::uint8_t> move_tries;  // per vertex; grows when it is asked for
+  std::vector<std::uint8_t> move_tries;  // per vertex; grows on demand
 
-  // `change`, as an operation finds it: nothing is proposed.
+  // Clears `change` and returns it.
   Change& begin_change(double least_cosine = -1);
-  // Marks change.cavity and links change.was; refused if that is no disk.
+  // Marks change.cavity and links change.was. Refused if the cavity is not a disk.
   std::optional<Refusal> open_cavity(Change& change);
-  // Makes `in` the cone from the new vertex, at `place`, to the boundary of the cavity, without the
-  // edge of the mesh's boundary that the vertex splits, if it splits one. pre: open_cavity().
+  // Makes `in` the cone from the new vertex, at `place`, to the boundary of the cavity. The cone
+  // has no facet on the boundary edge `split`, which the vertex splits. pre: open_cavity().
   void set_cone(Change& change, const Vec3& place, EdgeRef split = {}) const;
-  // Does the change, or returns the test that it does not pass and leaves everything as it was.
-  // accept() tells whether the operation still gains: the measure that it is to lower is lower, or
-  // may still become so. It is asked when the vertex is in its place, first without duals (surface
-  // points and balls) of the new facets, then again after each that is found. The caller updates
-  // the boundary chain. pre: open_cavity().
+  // Makes the change and returns nullopt, or returns the test that refuses it and changes nothing.
+  // accept() is true while the operation can still lower its quantity. It is called when the vertex
+  // is in its place: first without duals of the new facets, then after each new dual. The caller
+  // updates the boundary chain. pre: open_cavity().
   template <class Accept>
   std::optional<Refusal> replace(Change& c, Accept&& accept) {
     if (leaves_region(c)) return Refusal::frozen;
@@ -128,22 +126,22 @@ class Refinement {
     }
     if (!refusal && uncovers(c)) refusal = Refusal::uncovers;
     if (!refusal && crosses(c)) refusal = Refusal::crossing;
-    refusal ? take_back(c) : commit(c);
+    refusal ? undo(c) : commit(c);
     return refusal;
   }
 
-  // Counts what came of an operation, tells the observer, and gives it back.
+  // Counts the outcome of an operation, reports it to the observer, and returns it.
   std::optional<Refusal> done(Rung rung, std::optional<Refusal> refusal);
   std::span<const FaceId> created() const { return change.created; }
 
-  // Of a facet with these corners; without a surface point h is as large as it can be.
+  // Returns the measures of a facet; without a surface point h is r.
   FacetShape shape(const Triangle& v, const Dual& dual) const;
   FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
-  // Over 1: a criterion is not met.
+  // Returns the cost of a facet; it is bad above 1.
   double violation(const Triangle& v, const Dual& dual) const {
     return deliso::violation(shape(v, dual), parameters.refinement);
   }
-  // True if the facet has a surface ball, without vertices of the mesh.
+  // True if the facet has a surface point and no mesh vertex is in its surface ball.
   bool is_delaunay(const Triangle& v, const Dual& dual) const;
   bool is_delaunay(FaceId f) const { return is_delaunay(mesh.faces[f].v, s.duals[f]); }
   bool is_frozen(FaceId f) const { return f < region.first_free; }
@@ -156,15 +154,16 @@ class Refinement {
  private:
   bool leaves_region(const Change& change) const;
   void put_in_place(const Change& change);
-  void take_back(const Change& change);
+  void undo(const Change& change);
   void commit(Change& change);
   void move_to(VertexId v, const Vec3& place);
 
   // refine/gates.cpp
   std::optional<Refusal> test_shape(Change& change);  // G1 and G2
-  // G3 for the next facet of `in`. False if one more lacks its surface point than may.
+  // G3 for the next facet of `in`: finds its dual. False if more facets lack a surface point than
+  // `allowed`.
   bool find_dual(Change& change, std::ptrdiff_t& allowed);
-  // How many facets of `in` above r_min may lack one.
+  // Returns how many facets of the cavity above r_min lack one: `in` may have the same number.
   std::ptrdiff_t facets_without_point(const Change& change) const;
   bool keeps_manifold(Change& change);
   bool is_joined_outside(VertexId a, VertexId b, const Change& change);
@@ -182,16 +181,16 @@ class Refinement {
     return dual.radius2 <= parameters.r_min * parameters.r_min;
   }
 
-  bool is_out(FaceId f) const { return marks_[f] == stamp_; }
+  bool is_in_cavity(FaceId f) const { return marks_[f] == stamp_; }
 
   BoxGrid facets_, vertices_;
 
-  // Of the change at hand.
-  std::vector<std::uint32_t> marks_;  // per facet, stamp_ when it is in the cavity
+  // Of the current change.
+  std::vector<std::uint32_t> marks_;  // per facet: stamp_ if it is in the cavity
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
-  std::vector<FaceId> across_;  // per boundary edge of the new disk; kNoId on the mesh's
-  std::vector<FaceId> rest_;    // of a small component, but for the cavity
+  std::vector<FaceId> across_;  // per boundary edge of the new disk; kNoId on the mesh's boundary
+  std::vector<FaceId> rest_;    // facets of a small component outside the cavity
   std::vector<Vec3> normals_;
   DiskCrossing crossing_;
   std::vector<FaceId> star_;

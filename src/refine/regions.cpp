@@ -11,7 +11,7 @@
 namespace deliso {
 
 std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t most,
-                                         std::span<const Vec3> points, double reach,
+                                         std::span<const Vec3> points, double margin,
                                          std::vector<std::uint32_t>& samples) {
   const TriMesh& mesh = whole.mesh;
   const auto corner = [&](FaceId f, std::size_t i) -> const Vec3& {
@@ -41,7 +41,7 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
       regions.push_back(std::move(all));
       continue;
     }
-    // Through the median, across the longest side.
+    // Cuts the longest side at the median.
     Box3 box{corner(own[0], 0), corner(own[0], 0)};
     for (const FaceId f : own) box = united(box, {corner(f, 0), corner(f, 0)});
     const Vec3 size = box.size();
@@ -49,8 +49,8 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
     const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
     std::ranges::nth_element(own, middle, {}, [&](FaceId f) { return corner(f, 0)[axis]; });
     const double plane = corner(*middle, 0)[axis];
-    if (!(box.lo[axis] <
-          plane)) {  // no cut parts them, such as a star around one vertex: they wait
+    // No plane separates these facets, such as a star around one vertex: they are refined later.
+    if (!(box.lo[axis] < plane)) {
       all.box.first_free = FaceId(all.facets.size());
       regions.push_back(std::move(all));
       continue;
@@ -67,7 +67,7 @@ std::vector<MeshRegion> cut_into_regions(const SurfaceMesh& whole, std::size_t m
     }
     for (const std::uint32_t n : all.samples) {
       const double at = points[n][axis];
-      const bool is_below = at + reach < plane, is_above = at - reach >= plane;
+      const bool is_below = at + margin < plane, is_above = at - margin >= plane;
       (is_below ? below.samples : is_above ? above.samples : samples).push_back(n);
     }
     uncut.push_back(std::move(above));
@@ -98,7 +98,7 @@ void extract(const SurfaceMesh& whole, MeshRegion& region) {
 
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshRegion& region) {
   const SurfaceMesh& s = region.surface;
-  // What is new gets numbers behind the last.
+  // New vertices and facets get ids after the last.
   const auto extended = [](auto ids, std::size_t size, std::size_t last) {
     while (ids.size() < size) ids.emplace_back(last++);
     return ids;
