@@ -31,9 +31,9 @@ void check_sound(const TriMesh& mesh, const Volume& volume) {
 
 }  // namespace
 
-// Voxels were cut into cells about as long as wide, whatever their spacing: 1:20:20 gave 204,800
-// cells for each and looked like a hang, 1:1:100000 asked for more memory than there is.
-TEST_CASE("long voxels are not cut into any number of cells") {
+// Voxels were cut into cells about as long as wide, whatever their spacing. At 1:20:20 a voxel had
+// 204,800 cells, and the run seemed to hang. At 1:1:100000 the memory did not suffice.
+TEST_CASE("long voxels give a mesh with the topology of T") {
   for (const Vec3 spacing : {Vec3{20, 1, 20}, Vec3{1, 1, 1e5}, Vec3{1e20, 1, 1}}) {
     CAPTURE(spacing.x);
     const Volume volume = noise<std::uint8_t>({4, 4, 4}, spacing, 18, 90);
@@ -53,7 +53,7 @@ TEST_CASE("long voxels are not cut into any number of cells") {
 // A checkerboard at its mean: every face's saddle is at the isovalue, and Sigma is planes that meet
 // in lines. Vertices of T coincided there, 27 sites could not be certified, and K had edges of four
 // facets. tests/stress, seeds 54, 166 and 208.
-TEST_CASE("a checkerboard at its mean is parted") {
+TEST_CASE("a checkerboard at its mean gives a valid mesh") {
   std::vector<std::uint8_t> samples;
   for (int n = 0; n < 6 * 5 * 4; ++n) {
     samples.push_back((n % 6 + n / 6 % 5 + n / 30) % 2 == 0 ? 95 : 176);
@@ -78,9 +78,9 @@ TEST_CASE("a checkerboard at its mean is parted") {
   CHECK(topology.euler() == exact.euler());
 }
 
-// Samples of any exponent: beside the largest in a voxel the others are next to the isovalue, so
-// crossings rounded onto samples and vertices of T coincided there; facets ended inside the box.
-TEST_CASE("samples of any exponent") {
+// Beside the largest sample of a voxel the others are close to the isovalue. Crossings were rounded
+// onto samples and vertices of T coincided there; facets ended inside the box.
+TEST_CASE("samples of any exponent give a valid mesh") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
     Random random(seed);

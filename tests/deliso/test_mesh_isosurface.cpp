@@ -105,7 +105,7 @@ bool same_bytes(const TriMesh& a, const TriMesh& b) {
 
 }  // namespace
 
-TEST_CASE("fields of known topology come out right, well shaped and on the surface") {
+TEST_CASE("fields of known topology get meshes of it, well shaped and on the surface") {
   for (const char* name : {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "fuel"}) {
     for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
       CAPTURE(name);
@@ -160,7 +160,7 @@ TEST_CASE("a single stage of the certified way is refused") {
                        InputError);
 }
 
-TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
+TEST_CASE("smooth noise cut by the box gives valid meshes, also with anisotropic spacing") {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
       CAPTURE(seed);
@@ -171,15 +171,15 @@ TEST_CASE("smooth noise cut by the box, also with anisotropic spacing") {
       options.r_min = {0.1, Length::Unit::voxel};
       const Run out = run(scene.volume, scene.surface.kappa(), options);
       check_sound(out, scene.volume, way);
-      // The paper's way may lose specks.
+      // The paper's way may lose small components.
       CHECK(mesh_topology(out.mesh).components.size() <= scene.contour.summary.components.size());
       if (way == RecoverWay::certified) check_topology(out.mesh, scene.contour.summary);
     }
   }
 }
 
-// Everything that trilinear data can do in a small place: noise of few levels, half-way isovalues
-// (saddles exactly at kappa, vertices of the contour that coincide), samples equal to the isovalue.
+// All cases of trilinear data in a small volume. Noise of few levels with half-way isovalues has
+// saddles exactly at kappa and vertices of T that coincide. Some samples equal the isovalue.
 TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology") {
   int components = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
@@ -209,7 +209,7 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
   CHECK(components > 1000);
 }
 
-TEST_CASE("no component is missing among specks of all sizes, or their sites have no disk") {
+TEST_CASE("certified: no small component is lost; the paper's way counts each that it loses") {
   // Bright samples on a dark ground: octahedra far smaller than r_min beside larger ones.
   Random random(3);
   std::vector<std::uint8_t> samples(24 * 24 * 24, 0);
@@ -240,7 +240,7 @@ TEST_CASE("no component is missing among specks of all sizes, or their sites hav
   }
 }
 
-TEST_CASE("a flat surface: all points in one plane, the boundary round the box") {
+TEST_CASE("a flat surface, with all points in one plane, ends on the box") {
   std::vector<float> samples;
   for (int k = 0; k < 8; ++k) samples.insert(samples.end(), 64, static_cast<float>(k));
   const Volume volume = Volume::from_samples({8, 8, 8}, {1, 1, 1}, samples);
@@ -265,7 +265,7 @@ TEST_CASE("a flat surface: all points in one plane, the boundary round the box")
   }
 }
 
-TEST_CASE("the same input gives the same bytes; another seed another mesh") {
+TEST_CASE("the same input gives the same bytes; another seed gives another mesh") {
   const Scene scene = builtin_scene("gyroid", 24);
   for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
     Options options = Options::paper();
@@ -279,7 +279,7 @@ TEST_CASE("the same input gives the same bytes; another seed another mesh") {
   }
 }
 
-TEST_CASE("max_vertices stops with a message, or with the mesh so far on request") {
+TEST_CASE("at max_vertices the run ends with a message or, on request, with a partial mesh") {
   const Scene scene = builtin_scene("torus", 32);
   Options options;
   const std::size_t all = run(scene.volume, scene.surface.kappa(), options).mesh.points.size();
@@ -292,7 +292,7 @@ TEST_CASE("max_vertices stops with a message, or with the mesh so far on request
   CHECK(out.mesh.points.size() <= all - 50);
 }
 
-TEST_CASE("max_distance and max_radius are kept") {
+TEST_CASE("every facet meets max_distance and max_radius") {
   const Scene scene = builtin_scene("sphere", 32);
   Options options;
   options.limits[Criterion::radius] = {0.9};
@@ -312,7 +312,7 @@ TEST_CASE("max_distance and max_radius are kept") {
   CHECK(out.report.largest_h == doctest::Approx(largest_h));
 }
 
-TEST_CASE("lengths in world units, shares of the box and voxels mean the same where they should") {
+TEST_CASE("lengths in world units, shares of the box and voxels resolve to the scaled frame") {
   const Volume volume = make_builtin_volume("builtin:sphere:17");
   CHECK(Length{0.5}.in(volume) == 0.5);
   CHECK(Length{0.5, Length::Unit::voxel}.in(volume) == 0.5);
@@ -337,7 +337,8 @@ TEST_CASE("lengths in world units, shares of the box and voxels mean the same wh
 
 // The promise of the defaults: the exact topology, embedded, on the surface, and the bytes the
 // same.
-TEST_CASE("defaults: every built-in field comes out exact, embedded and on the surface, twice") {
+TEST_CASE(
+    "defaults: every built-in field gets the exact topology, embedded and on the surface, twice") {
   for (const BuiltinField& field : builtin_fields()) {
     CAPTURE(field.name);
     const Scene scene = builtin_scene(std::string(field.name), field.name == "noise" ? 16 : 32);

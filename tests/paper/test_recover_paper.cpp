@@ -120,7 +120,7 @@ TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are sp
 }
 
 // At the maximum of its samples a surface is slivers of 1e-9 voxels, on the box between two curves.
-TEST_CASE("curves a hair apart are not split down to r_min for each other") {
+TEST_CASE("curves very close to each other are not split down to r_min") {
   constexpr int kSize = 6, kMaximum = 3;
   Random random(1);
   std::vector<float> samples;

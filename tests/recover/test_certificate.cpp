@@ -20,8 +20,8 @@ namespace {
 
 using Rows = std::vector<std::string>;
 
-// What the rows are: a disk whose rim lies on the box, or a sphere, with a vertex beyond the first
-// row and one beyond the last, whose letters these are.
+// The surface of the rows: a disk whose boundary lies on the box, or a sphere. A sphere has one
+// more vertex above the first row and one below the last; `poles` has their letters.
 struct Drawing {
   Rows rows;
   std::string poles;  // empty: a disk
@@ -77,9 +77,9 @@ Shape shape_of(const Drawing& d) {
   return shape;
 }
 
-// The site breaks that condition, and so do those of `broken` and no others; the vertex of T that
-// is named is the one wanted; and when that and what is named then have been inserted, the dual is
-// a mesh of T's topology.
+// Checks that exactly the sites of `broken` break a condition, that `site` breaks `violation`, and
+// that its verdict names the vertex `named`. After insertions as the verdicts name them, the dual
+// must be a mesh of T's topology.
 void check_broken(const Drawing& drawing, char site, Reason violation, VertexId named,
                   const std::string& broken) {
   Labeled t(shape_of(drawing));
@@ -93,8 +93,8 @@ void check_broken(const Drawing& drawing, char site, Reason violation, VertexId 
   CHECK(t.fault_of_dual() == "");
 }
 
-// That condition alone is broken, at these sites; the dual is no surface like T, though every site
-// is one of its vertices; and when what is named has been inserted, it is.
+// Checks that exactly the sites of `broken` break a condition, and only this one. All sites have
+// facets, but the dual is no mesh of T's topology. After the insertions it is.
 void check_alone(const Shape& shape, Reason violation, const std::string& broken) {
   Labeled t(shape);
   CHECK(t.broken() == broken);
@@ -107,7 +107,7 @@ void check_alone(const Shape& shape, Reason violation, const std::string& broken
 
 }  // namespace
 
-TEST_CASE("where every condition holds the dual is a mesh already") {
+TEST_CASE("where every condition holds, the dual has the topology of T") {
   Labeled sphere(shape_of({{"AabbCc", "aabbcc", "aaBbcc", "dddddd"}, "aD"}));
   CHECK(sphere.broken().empty());
   CHECK(sphere.fault_of_dual() == "");
@@ -118,9 +118,9 @@ TEST_CASE("where every condition holds the dual is a mesh already") {
   CHECK(mended.fault_of_dual() == "");
 }
 
-// The vertex furthest from the site is another one than the furthest of the stray piece: that the
-// numbers of vertices, edges and facets do not fit either must not decide.
-TEST_CASE("C1: a region in two pieces, and the furthest vertex of the stray one") {
+// The vertex furthest from the site is not in the stray piece. The Euler number is wrong too, and
+// must not decide which vertex is named.
+TEST_CASE("C1: a region in two pieces breaks it; the furthest vertex of the stray piece is named") {
   const Drawing sphere{{"AbaabCcc", "abbbbccc", "abbBbccc", "abbbbccc", "abbbbccc"}, "cb"};
   check_broken(sphere, 'A', Reason::region, sphere.at(0, 3), "ABC");
   const Drawing disk{{"AbaabB", "abbbbb", "abbbbb", "abbbbb", "abbbbb"}, ""};
@@ -128,7 +128,7 @@ TEST_CASE("C1: a region in two pieces, and the furthest vertex of the stray one"
 }
 
 // Three regions fill the hole, so that each meets the one around it in one arc.
-TEST_CASE("C1: a region with a hole") {
+TEST_CASE("C1: a region with a hole breaks it") {
   const Drawing belt{{"bbCcDd", "Aaaaaa", "eeFfGg"}, "BE"};
   check_broken(belt, 'A', Reason::region, belt.at(1, 3), "A");
   const Drawing disk{{"Eeeeffff",  //
@@ -141,7 +141,7 @@ TEST_CASE("C1: a region with a hole") {
   check_broken(disk, 'A', Reason::region, disk.at(1, 6), "A");
 }
 
-TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
+TEST_CASE("C2: two regions that meet twice, with other regions between, break it") {
   const Drawing sphere{{"cCcceEee", "BbAaaabb", "bbaaaabb", "dDddfFff"}, "cd"};
   check_broken(sphere, 'A', Reason::interface, sphere.at(2, 5), "AB");
   const Drawing disk{{"Aaaabbbb",  //
@@ -158,7 +158,7 @@ TEST_CASE("C2: two regions that meet twice, with other regions at the ends") {
 // Where a region on the box is a disk, its rim has an arc on the box; there two neighbors with an
 // interface each can follow each other only once. So the region at which this condition alone is
 // broken lies within, and on the box are the other two, which break C4.
-TEST_CASE("C3: a triple on two triangles") {
+TEST_CASE("C3: three labels that meet on two triangles break it") {
   const Drawing sphere{{"AaBbcC", "aabbcc"}, "aa"};
   check_broken(sphere, 'A', Reason::triple, sphere.pole(1), "ABC");
   const Drawing disk{{"Aaaaccc",  //
@@ -169,41 +169,41 @@ TEST_CASE("C3: a triple on two triangles") {
   check_broken(disk, 'B', Reason::triple, disk.at(3, 3), "ABC");
 }
 
-TEST_CASE("C4: a region on the box whose site is not there") {
+TEST_CASE("C4: a region on the box whose site is inside breaks it") {
   const Drawing disk{{"BbbccC", "baaaac", "baAaac", "baaaac"}, ""};
   check_broken(disk, 'A', Reason::boundary, disk.at(3, 4), "A");
 }
 
-TEST_CASE("C4: a region that meets the box in two arcs") {
+TEST_CASE("C4: a region that meets the box in two arcs breaks it") {
   const Drawing disk{{"BbAacC", "bbaacc", "ddaaee", "DdaaeE"}, ""};
   check_broken(disk, 'A', Reason::boundary, disk.at(3, 3), "A");
 }
 
-TEST_CASE("C4: two regions that meet in two edges on the box") {
+TEST_CASE("C4: two regions that meet in two edges on the box break it") {
   const Drawing disk{{"AaBb", "aabb", "aabb"}, ""};
   check_broken(disk, 'A', Reason::boundary, disk.at(2, 1), "AB");
 }
 
 // The pictures of docs/proof.md.
-TEST_CASE("C1: the smallest labels that break it alone") {
+TEST_CASE("C1: labels that break it alone have a dual unlike T") {
   check_alone(
       shape_of("aaaABC", {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}}),
       Reason::region, "A");
 }
 
-TEST_CASE("C2: the smallest labels that break it alone") {
+TEST_CASE("C2: labels that break it alone have a dual unlike T") {
   check_alone(
       shape_of("ABCaDE",
                {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}, {4, 3, 5}}),
       Reason::interface, "AB");
 }
 
-TEST_CASE("C3: the smallest labels that break it alone") {
+TEST_CASE("C3: labels that break it alone have a dual unlike T") {
   check_alone(shape_of("AaBC", {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}), Reason::triple,
               "ABC");
 }
 
-TEST_CASE("C4: the smallest labels that break it alone") {
+TEST_CASE("C4: labels that break it alone have a dual unlike T") {
   check_alone(shape_of("ABCbDE", {{0, 2, 1}, {1, 2, 3}, {1, 3, 4}, {4, 3, 5}}), Reason::boundary,
               "B");
 }

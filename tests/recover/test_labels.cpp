@@ -111,7 +111,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
   }
 }
 
-TEST_CASE("a region that is all of a torus is told") {
+TEST_CASE("a region that is a whole torus breaks C1") {
   // One site for a whole torus: the region is closed, its Euler number 0.
   const Scene scene = builtin_scene("torus", 16);
   std::vector<Vec3> points = {scene.contour.points[0]};

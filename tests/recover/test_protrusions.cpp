@@ -103,7 +103,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a rod is a disk to the certificate, and a protrusion to the search") {
+TEST_CASE("a thin branch is a disk to the certificate, and a protrusion to the search") {
   const Scene scene = ball_with_a_rod();
   CHECK(look(scene, Options::kNone, 0.2).furthest > 1);
   CHECK(look(scene, 0.5, 0.2).furthest <= 0.5);

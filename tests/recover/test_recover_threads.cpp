@@ -53,7 +53,7 @@ void check_same(const Outcome& a, const Outcome& b) {
 
 }  // namespace
 
-TEST_CASE("Stage 1 hands over the same with any number of threads") {
+TEST_CASE("Stage 1 gives the same mesh with any number of threads") {
   const auto check = [](const Scene& scene) {
     const Outcome one = stage_1(scene, 1);
     CHECK(one.recovered.mesh.mesh.points.size() > 100);
@@ -72,7 +72,7 @@ TEST_CASE("Stage 1 hands over the same with any number of threads") {
   }
 }
 
-TEST_CASE("labels and rings are the same with any number of threads, and rings go round") {
+TEST_CASE("labels and rings are the same with any number of threads, and rings are in order") {
   Scene scene = builtin_scene("gyroid", 64);
   ContourMesh& contour = scene.contour;
   order_by_blocks(contour, scene.volume);

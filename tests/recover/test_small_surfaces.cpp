@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The certificate on all labels of all small spheres and disks, against its definition and against
-// what it promises.
+// the theorem: where it holds, the dual has the topology of T.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of Stage 2's proposers share: a mesh as Stage 1 hands it over, random places in
-// it, and everything that must hold after every change, by brute force.
+// A mesh of Stage 1 for tests of Stage 2's operations, with random places in it. Tests by brute
+// force all that must hold after a change.
 #pragma once
 
 #include <algorithm>
@@ -156,7 +156,7 @@ class Stage {
     return crossing_in(live.mesh);
   }
 
-  // What is said of facets' duals is what the oracle says, and the grid has each in its place.
+  // Checks the duals of these facets against the oracle, and their boxes in the spatial hash.
   std::string fault_of(std::span<const FaceId> facets) const {
     SurfacePointFinder finder(scene.surface);
     SearchCounters counters;

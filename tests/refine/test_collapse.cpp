@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Collapses on meshes of Stage 1, with criteria so strict that nearly every facet asks for one:
-// what is done takes one vertex out and keeps all else, along the box too.
+// Collapses on meshes of Stage 1, with criteria so strict that nearly every facet needs one. A
+// collapse removes one vertex and keeps the mesh valid, also along the box.
 #include "refine/operations.h"
 
 #include <doctest/doctest.h>
@@ -118,7 +118,7 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("every collapse takes one vertex of Stage 1 out and keeps the mesh what it is") {
+TEST_CASE("every collapse removes one vertex of Stage 1 and keeps the mesh valid") {
   Tally tally;
   for (int n = 0; n < kScenes; ++n) {
     collapse_at_random(n, 0.6, 3, tally);
@@ -133,8 +133,7 @@ TEST_CASE("every collapse takes one vertex of Stage 1 out and keeps the mesh wha
 }
 
 // Stage 1's sites may lie very near each other. All over noise and plateaus, where they do:
-TEST_CASE(
-    "needles of tiny volumes are collapsed, whatever is near, and none is left that could be") {
+TEST_CASE("needles of tiny volumes are collapsed, and none is left that could be") {
   int collapsed = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     CAPTURE(seed);

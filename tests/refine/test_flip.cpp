@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flips by surface balls: of meshes of Stage 1, of meshes spoilt by other flips, of any edge. Those
-// that are done lower the radii and leave no corner in the other's ball; a spoilt edge comes back.
+// Flips by surface balls: of meshes of Stage 1, of meshes spoilt by other flips, of any edge. A
+// flip lowers the radii and leaves no corner in the other's ball. A spoilt edge is flipped back.
 #include "refine/operations.h"
 
 #include <doctest/doctest.h>
@@ -98,7 +98,9 @@ int flip_all(Stage& stage) {
 
 }  // namespace
 
-TEST_CASE("every flip is wanted, lowers the radii and keeps the mesh what it is") {
+TEST_CASE(
+    "only edges that are not Delaunay are flipped; a flip lowers the radii and keeps the mesh "
+    "valid") {
   Tally tally;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);

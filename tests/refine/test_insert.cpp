@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Insertion on meshes of Stage 1, at points that refinement would choose and at any others: the
-// facets that go are those whose balls hold the point, and what must hold of a mesh holds after
-// every single one.
+// Insertion on meshes of Stage 1, at points that refinement would choose and at random ones. The
+// removed facets are the ones whose balls hold the point. The mesh stays valid after every
+// insertion.
 #include "refine/operations.h"
 
 #include <doctest/doctest.h>
@@ -119,8 +119,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE(
-    "every insertion keeps manifold, topology, boundary and embedding; refusals change nothing") {
+TEST_CASE("every insertion keeps the mesh valid; a refused one changes nothing") {
   Tally tally;
   Options options;
   options.r_min = {0.1, Length::Unit::voxel};
@@ -136,7 +135,7 @@ TEST_CASE(
 }
 
 // With a large r_min the gates before the exact one let nearly everything pass.
-TEST_CASE("so it is where nothing is large enough to need a surface point") {
+TEST_CASE("insertions keep the mesh valid where no facet is large enough to need a surface point") {
   Tally tally;
   Options options;
   for (int n = 0; n < kScenes; ++n) {
@@ -148,8 +147,7 @@ TEST_CASE("so it is where nothing is large enough to need a surface point") {
   CHECK(tally.refusals[static_cast<std::size_t>(Refusal::too_close)] > 50);
 }
 
-TEST_CASE(
-    "a point too near to a vertex is refused, and so is one whose disk would swallow a vertex") {
+TEST_CASE("a point too near a vertex is refused, and one whose cavity has a vertex inside") {
   const Scene scene = builtin_scene("sphere", 16);
   Options options;
   options.r_min = {1, Length::Unit::voxel};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices moved along Sigma: a mesh whose vertices were pushed about comes back within its limits,
-// counted by looking at every facet and every vertex, and each move keeps the mesh what it is.
+// Vertices moved along Sigma. After its vertices were displaced, moves bring a mesh back within its
+// limits, by a count over all facets and vertices. Each move keeps the mesh valid.
 #include "refine/operations.h"
 
 #include <doctest/doctest.h>
@@ -75,7 +75,7 @@ void check_moved(Stage& stage, const Stage::Snapshot& before) {
 
 }  // namespace
 
-TEST_CASE("vertices pushed along the surface are moved to where facets are good again") {
+TEST_CASE("moves make facets good again whose vertices were displaced along the surface") {
   for (const std::string name : {"linked_tori", "orbital"}) {
     CAPTURE(name);
     const Scene scene = builtin_scene(name, 20);
@@ -120,7 +120,7 @@ TEST_CASE("vertices pushed along the surface are moved to where facets are good 
   }
 }
 
-TEST_CASE("a mesh with nothing wanting stays as it is") {
+TEST_CASE("no vertex moves in a mesh without bad facets") {
   const Scene scene = builtin_scene("sphere", 16);
   Stage stage(scene, {}, true);
   REQUIRE(count_wanting(stage).over_limits + count_wanting(stage).not_delaunay == 0);
@@ -131,8 +131,7 @@ TEST_CASE("a mesh with nothing wanting stays as it is") {
   CHECK(stage.snapshot() == before);
 }
 
-TEST_CASE(
-    "every move keeps the mesh what it is, on meshes of all kinds and with random insertions") {
+TEST_CASE("every move keeps the mesh valid, on meshes of all kinds and after random insertions") {
   int moved = 0, kept = 0;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);

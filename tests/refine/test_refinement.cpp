@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one operation and its gates. What a disk is, against named patches and a plain count; each
-// gate by a change made to fail it, which must leave every byte as it was; the link condition
-// against a mesh made anew, for every collapse and flip of small meshes; random changes of any
-// kind.
+// The one operation and its gates. Disks: against named patches and a brute-force count. Gates: by
+// changes made to fail each, which must leave every byte as it was. The link condition: against the
+// changed mesh, for every collapse and flip of small meshes. Last, random changes.
 #include "refine/refinement.h"
 
 #include <doctest/doctest.h>
@@ -42,7 +41,7 @@ bool is_disk(const Triangles& facets) {
   return topology.components.size() == 1 && topology.euler() == 1 && topology.boundary_loops == 1;
 }
 
-// The linked patch says what it is made of.
+// Checks the links of a patch against its facets.
 void check_links(const Triangles& facets) {
   Disk patch;
   patch.facets = facets;
@@ -80,7 +79,7 @@ void check_links(const Triangles& facets) {
 
 }  // namespace
 
-TEST_CASE("disks are told from all that are none") {
+TEST_CASE("a disk links, and a patch that is no disk does not") {
   for (const Triangles& disk :
        {Triangles{{0, 1, 2}}, Triangles{{4, 9, 7}, {9, 4, 2}}, one_ring(3), one_ring(9), fan(1),
         fan(8), l_shape(), Triangles{{5, 6, 7}, {6, 5, 8}, {5, 7, 9}}}) {
@@ -131,7 +130,7 @@ TEST_CASE("disks are told from all that are none") {
   }
 }
 
-TEST_CASE("random pieces of meshes are disks exactly where a count says so") {
+TEST_CASE("random patches of meshes link exactly where a brute-force count finds a disk") {
   int disks = 0, others = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     CAPTURE(seed);
@@ -284,7 +283,7 @@ TEST_CASE("collapses pass the link condition exactly where they keep the mesh an
   CHECK(refused > 500);
 }
 
-TEST_CASE("flips pass it exactly where the diagonal is not there yet") {
+TEST_CASE("flips pass the link condition exactly where the other diagonal is no edge yet") {
   const Scene scene = builtin_scene("sphere", 16);
   const Parameters parameters = resolve({}, scene.volume);
   int allowed = 0, refused = 0;
@@ -325,7 +324,7 @@ Change cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
 
 // docs/proof.md, Theorem 4: a hexagon and the rest of a sphere with three holes share every second
 // edge of the hexagon. Joined in another order they are a torus with a hole.
-TEST_CASE("the order of boundary runs is the caller's to keep") {
+TEST_CASE("G1 passes boundary runs joined in another order, which change the topology") {
   const Scene scene = builtin_scene("sphere", 16);
   const Parameters parameters = resolve({}, scene.volume);
   const TriMesh mesh = mesh_of({{0, 1, 2},
@@ -350,7 +349,8 @@ TEST_CASE("the order of boundary runs is the caller's to keep") {
   CHECK(kinds_of(changed_mesh(mesh, change)) == Kinds{{-1, 1}});
 }
 
-TEST_CASE("every gate refuses what it is there for, and a refusal leaves all bytes as they were") {
+TEST_CASE(
+    "every gate refuses a change made to fail it, and a refusal leaves all bytes as they were") {
   const Scene scene = builtin_scene("linked_tori", 24);
   Options options;
   options.r_min = {0.05, Length::Unit::voxel};
@@ -465,7 +465,8 @@ TEST_CASE("every gate refuses what it is there for, and a refusal leaves all byt
 
 // Two sheets close to each other, and vertices of one pulled through the other and back. What the
 // gates before would say is set aside: no facet is held to have a surface point.
-TEST_CASE("no facet crosses another, exactly: what is refused would cross, what is done does not") {
+TEST_CASE(
+    "G5 is exact: every change that it refuses would cross, and no change that is made does") {
   std::vector<float> samples;
   for (int k = 0; k < 8; ++k) {
     for (int j = 0; j < 8; ++j) {
@@ -599,7 +600,7 @@ Change random_change(Stage& stage, Random& random) {
 
 }  // namespace
 
-TEST_CASE("thousands of changes of any kind: what is done is sound, what is not changes nothing") {
+TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one changes nothing") {
   int done = 0, refused = 0;
   std::size_t refusals[kRefusals] = {};
   for (int n = 0; n < kScenes; ++n) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh cut into parts, and refined in them: every part sees what it must, and the whole stays
-// what it was and comes out the same, whoever refines which part when.
+// A mesh cut into regions, and refined in them. Every region has the facets that it needs. The
+// whole stays valid, and it is the same in any order of regions.
 #include "refine/regions.h"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,9 @@ bool reaches_into(const Region& box, const TriMesh& mesh, const Triangle& v) {
 
 }  // namespace
 
-TEST_CASE("parts share no facet, lie in boxes that share no point, and see all that is there") {
+TEST_CASE(
+    "regions share no facet, lie in disjoint boxes, and have every facet that reaches into "
+    "theirs") {
   int cut = 0;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);
@@ -89,7 +91,7 @@ TEST_CASE("parts share no facet, lie in boxes that share no point, and see all t
   CHECK(cut >= 20);
 }
 
-TEST_CASE("a mesh refined in parts keeps what it is, and is the same with any number of threads") {
+TEST_CASE("a mesh refined in regions stays valid, and is the same with any number of threads") {
   std::size_t left_whole = 0, left_in_parts = 0, whole = 0, in_parts = 0, put_off = 0;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);

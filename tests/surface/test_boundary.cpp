@@ -21,7 +21,9 @@ bool on_box(const Box3& box, const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the box, in order") {
+TEST_CASE(
+    "coarse chains have all corners and keep the sagitta; split points lie on Sigma and the box, "
+    "in order") {
   int loops = 0, splits = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
@@ -70,7 +72,7 @@ TEST_CASE("coarse chains keep corners and sagitta; splits stay on Sigma, on the 
   CHECK(splits > 5000);
 }
 
-TEST_CASE("the chain links vertices both ways and survives insertion and renumbering") {
+TEST_CASE("a chain links vertices in both directions, also after insertion and renumbering") {
   BoundaryChain chain;
   const std::vector<VertexId> vertices = {5, 7, 9};
   const std::vector<CurvePlace> places = {{0, 0}, {0, 4}, {0, 8}};
@@ -98,7 +100,7 @@ TEST_CASE("the chain links vertices both ways and survives insertion and renumbe
 
 // The paper's tests can lose all facets at a vertex of the chain. Its neighbors then pointed to
 // nobody, and collapsing needles along the box read far outside of the chain.
-TEST_CASE("a vertex that is gone leaves its chain closed") {
+TEST_CASE("a chain stays closed when a vertex is removed") {
   BoundaryChain chain;
   chain.add_loop(std::vector<VertexId>{5, 7, 9, 11, 13},
                  std::vector<CurvePlace>{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}});

@@ -19,7 +19,7 @@ const Criteria kLoose = [] {
 }();
 }  // namespace
 
-TEST_CASE("a facet's measures") {
+TEST_CASE("measures of a right triangle equal those computed by hand") {
   // A right triangle: circumcenter in the middle of its longest side.
   const FacetShape s = measure({0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {1.5, 2, 0.75});
   CHECK(s.r == doctest::Approx(2.5));
@@ -58,7 +58,7 @@ TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
     small.r_min = 2;
     small.shape_floor = 2;
     CHECK_FALSE(violation(s, small) > 1);
-    // Either floor excuses from what is its own: r_min from geometry, shape_floor from shape.
+    // Each floor excuses its own criteria: r_min distance and size, shape_floor shape.
     const bool of_shape = c.fails[Criterion::r_over_l] < kInfinity;
     small.shape_floor = 0;
     CHECK((violation(s, small) > 1) == of_shape);
@@ -68,7 +68,7 @@ TEST_CASE("each condition alone makes a facet bad, and the floors excuse it") {
   }
 }
 
-TEST_CASE("the worst condition tells how bad a facet is; one without end is bad") {
+TEST_CASE("the violation is that of the worst criterion; an infinite facet is bad") {
   FacetShape s{2, 0.5, 0.8, 10};
   Criteria k;
   k[Criterion::h_over_r] = 0.2;
@@ -88,8 +88,7 @@ TEST_CASE("the worst condition tells how bad a facet is; one without end is bad"
   CHECK(violation({kInfinity, kInfinity, 0.5, 10}, k) > 1);
 }
 
-TEST_CASE(
-    "the queue: band by band, block by block, the worst of a block first, what was set last") {
+TEST_CASE("the queue pops by band, then block, then violation, each facet as it was set last") {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     CAPTURE(seed);
     Random random(seed);

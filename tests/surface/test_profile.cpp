@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What only benchmarks ask for must not change what is built, and must add up: the profile, and the
-// readings of the paper's criteria.
+// The profile and the readings of the paper's criteria, which only benchmarks use. They must not
+// change the mesh, and must add up.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST_CASE("a profile counts every insertion, stays within the stage's time and c
   }
 }
 
-TEST_CASE("bins of the insertion histograms") {
+TEST_CASE("insertions are counted in the right bins of the histograms") {
   InsertionHistograms h;
   h.add(0, 3);
   h.add(1, 3);
