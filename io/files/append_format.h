@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// printf into a string, for columns of text. What need not line up is easier with text.h.
+// printf into a string, for columns of text. For other text, text.h is simpler.
 #pragma once
 
 #include <cstdarg>

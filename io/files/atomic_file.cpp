@@ -21,8 +21,8 @@
 namespace deliso {
 namespace {
 
-// The open descriptor that a path stands for: `-`, /dev/stdout, /dev/stderr, /dev/fd/N. Opening
-// such a path would start at the beginning of the file behind it instead of where it is.
+// Returns the open descriptor that a path names: `-`, /dev/stdout, /dev/stderr, /dev/fd/N. Opening
+// such a path would write at the beginning of its file instead of at the current position.
 std::optional<int> descriptor_named(std::string_view path) {
   if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -41,8 +41,8 @@ std::string folder_of(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
 }
 
-// Calls `attempt` with names beside the target until it succeeds, or fails for another reason than
-// that there is such a file.
+// Calls `attempt` with new names in the target's folder until it succeeds. Ends as well if it fails
+// for another reason than that the name exists.
 template <class Attempt>
 void for_free_name(const std::string& target, Attempt attempt) {
   static std::atomic<unsigned> counter{0};
@@ -63,7 +63,7 @@ auto uninterrupted(Call call) {
 }  // namespace
 
 std::string follow_links(std::string path) {
-  constexpr int kLongestChain = 40;  // what Linux allows
+  constexpr int kLongestChain = 40;  // the limit of Linux
   for (int i = 0; i < kLongestChain && !descriptor_named(path); ++i) {
     std::error_code error;
     const std::filesystem::path link = std::filesystem::read_symlink(path, error);
@@ -105,7 +105,7 @@ AtomicFile::~AtomicFile() {
 // In the folder of the target, since neither a link nor a rename can cross file systems.
 void AtomicFile::open_temporary() {
 #ifdef O_TMPFILE
-  // The name is given through /proc at the end, so that must be there.
+  // commit() names the file through /proc, so /proc must exist.
   if (access("/proc/self/fd", X_OK) == 0) {
     const std::string folder = text(folder_of(target_), ".");
     descriptor_ =

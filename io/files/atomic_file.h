@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A file that appears whole or not at all: the bytes go to a temporary file in the target's folder,
-// which takes the target's name, and an old target's permissions, at commit(). On Linux, where the
-// file system can (ext4, XFS, Btrfs, tmpfs), it has no name before, and goes with its process.
+// A file that appears whole or not at all. The bytes go to a temporary file in the target's folder.
+// commit() gives it the target's name and the permissions of an old target. Some file systems of
+// Linux (ext4, XFS, Btrfs, tmpfs) allow a temporary without a name, which ends with its process.
 //
-//   A1  until commit() returns, a regular target is as it was (absent, or its old bytes);
-//   A2  when commit() is not reached, or fails, the temporary is removed;
-//   A3  what cannot be replaced is written in place: `-` and /dev/stdout (standard output), other
-//       descriptors under /dev/fd, devices, pipes; a symbolic link stays, its target is replaced;
-//   A4  every fault is an InputError of one line that names the path and the system's reason.
-// POSIX. A killed process may leave its temporary (.deliso-<pid>-<n>.tmp) behind where temporaries
-// need a name, and else when it is killed just between the two steps of taking the target's name.
-// Nothing ever reads or removes these but the user.
+//   A1  Until commit() returns, a regular target is unchanged: absent, or with its old bytes.
+//   A2  If commit() is not reached, or fails, the temporary is removed.
+//   A3  Standard output (`-`, /dev/stdout), other descriptors under /dev/fd, devices and pipes are
+//       written in place. A symbolic link stays; its target is replaced.
+//   A4  Every fault is an InputError of one line that names the path and the system's reason.
+//
+// POSIX. A killed process can leave its temporary (.deliso-<pid>-<n>.tmp) where temporaries need a
+// name, or between the two steps of commit(). Only the user reads or removes it.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 
 namespace deliso {
 
-// The path at the end of a chain of symbolic links; it need not exist. Stops at an open descriptor
-// (/dev/stdout, /dev/fd/N), whose link may lead to a name like `pipe:[4711]`.
+// Returns the path at the end of a chain of symbolic links; it need not exist. Stops at an open
+// descriptor (/dev/stdout, /dev/fd/N), whose link may lead to a name like `pipe:[4711]`.
 std::string follow_links(std::string path);
 
 class AtomicFile {
@@ -32,7 +32,7 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
-  // Writes what is buffered, closes, and gives the file its name. Nothing may be written after it.
+  // Writes the buffer, closes the file and gives it its name. No write() may follow.
   void commit();
 
   const std::string& path() const { return path_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Base64 (RFC 4648). As VTK's XML files hold it, several pieces, each with its own padding, may
-// stand one behind the other.
+// Base64 (RFC 4648). As in VTK's XML files, several pieces may follow each other, each with its own
+// padding.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace deliso {
 
-// Decodes groups of four characters, skipping white space, until `at_most` bytes are decoded or the
-// text ends or holds a character that is not base64; the caller sees from the size which. Padding
-// ends a piece, not the decoding.
+// Decodes groups of four characters; skips white space. Stops after `at_most` bytes, at the end of
+// the text, or at a character that is not base64; the caller sees it from the size. Padding ends a
+// piece, not the decoding.
 std::vector<std::byte> decode_base64(std::string_view text, std::size_t at_most);
 
-// In one line, padded. What is encoded in multiples of three bytes may be put together.
+// Returns the code in one line, padded. Codes of multiples of three bytes can be concatenated.
 std::string encode_base64(std::span<const std::byte> bytes);
 
 }  // namespace deliso

@@ -46,7 +46,7 @@ std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
 
 std::uint32_t adler32(std::span<const std::byte> bytes, std::uint32_t before) {
   constexpr std::uint32_t modulus = 65521;
-  constexpr std::size_t safe = 5552;  // so many bytes cannot overflow the sums
+  constexpr std::size_t safe = 5552;  // bytes that cannot overflow the sums
   std::uint32_t a = before & 0xffff, b = before >> 16;
   while (!bytes.empty()) {
     const std::size_t n = std::min(safe, bytes.size());

@@ -8,7 +8,7 @@
 
 namespace deliso {
 
-// `before`: the sum of the bytes that come before these.
+// `before`: the sum of the bytes before these.
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before = 0);
 std::uint32_t adler32(std::span<const std::byte> bytes, std::uint32_t before = 1);
 

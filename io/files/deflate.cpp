@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kWindow = 32768;
 constexpr std::size_t kShortest = 3, kLongest = 258;
 constexpr int kChain = 128;                  // earlier places tried for a match
-constexpr std::size_t kBlockTokens = 32768;  // a block's codes fit what is near each other
+constexpr std::size_t kBlockTokens = 32768;  // tokens with the same codes
 constexpr std::size_t kEnd = 256;            // the symbol that ends a block
 constexpr std::size_t kLengthCodes = 286, kDistanceCodes = 30, kDepthCodes = 16;
 
@@ -28,8 +28,8 @@ struct Token {
   std::uint16_t value;  // the byte, or the distance less 1
 };
 
-// A length or a distance as its symbol and the bits that follow it (RFC 1951, 3.2.5). Symbols come
-// in groups that double the range they cover: `group` symbols for each number of extra bits.
+// A length or a distance as its symbol and the bits that follow it (RFC 1951, 3.2.5). There are
+// `group` symbols for each number of extra bits, so each group covers twice the range of the last.
 struct Symbol {
   std::size_t symbol;
   std::uint32_t extra;
@@ -58,7 +58,8 @@ Symbol distance_symbol(std::uint16_t less_one) {
   return symbol_of(less_one, 2);
 }
 
-// Finds for each place the longest repetition of what follows within the window, greedily.
+// Returns the bytes as tokens. Greedily replaces the bytes at a place by their longest match in the
+// window.
 std::vector<Token> find_repetitions(std::string_view bytes) {
   constexpr std::uint32_t kNone = 0xffffffffu;
   constexpr int kHashBits = 15;
@@ -89,7 +90,7 @@ std::vector<Token> find_repetitions(std::string_view bytes) {
         if (length == longest) break;
       }
       const std::uint32_t next = older[candidate % kWindow];
-      if (next == kNone || next >= candidate) break;  // its place in the ring has been taken
+      if (next == kNone || next >= candidate) break;  // overwritten in the ring
       candidate = next;
     }
     if (length < kShortest) {
@@ -111,7 +112,7 @@ struct Code {
   std::vector<std::uint32_t> bits;  // first bit lowest, as deflate packs them
 };
 
-// Depths of the leaves in Huffman's tree for these counts.
+// Returns the depths of the leaves in the Huffman tree for these counts.
 std::vector<int> huffman_depths(std::span<const std::uint32_t> counts) {
   using Entry = std::pair<std::uint64_t, std::size_t>;  // count, node
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -137,7 +138,7 @@ std::vector<int> huffman_depths(std::span<const std::uint32_t> counts) {
   return depth;
 }
 
-// The canonical code (RFC 1951, 3.2.2) of a Huffman tree no deeper than `deepest`.
+// Returns the canonical code (RFC 1951, 3.2.2) of a Huffman tree of at most this depth.
 Code make_code(std::vector<std::uint32_t> counts, int deepest) {
   // With two symbols at least, the code is complete.
   for (std::size_t s = 0, used = 0; s < counts.size() && used < 2; ++s) {
@@ -164,7 +165,7 @@ Code make_code(std::vector<std::uint32_t> counts, int deepest) {
 
 class BitWriter {
  public:
-  // Goes on where `pending` holds the last `count` bits, fewer than 8, and leaves such there again.
+  // Begins with the last `count` bits, fewer than 8, in `pending`, and leaves the rest there again.
   BitWriter(std::string& out, std::uint64_t& pending, int& count)
       : out_(out), pending_(pending), count_(count) {}
 
@@ -187,7 +188,8 @@ class BitWriter {
   int& count_;
 };
 
-// The lengths of both codes, themselves in a code (RFC 1951, 3.2.7), without the symbols for runs.
+// Writes the lengths of both codes, themselves in a code (RFC 1951, 3.2.7), without the symbols for
+// runs.
 void put_codes(BitWriter& out, const Code& literal, const Code& distance) {
   constexpr std::array<std::size_t, 19> kOrder = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};

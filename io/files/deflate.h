@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Compression to deflate data (RFC 1951) in a zlib wrapping (RFC 1950): the other direction of
-// inflate.h. Repetitions are found by hash chains (LZ77), the rest is left to Huffman codes,
-// new ones for every block.
+// Compression to deflate data (RFC 1951) in a zlib wrapping (RFC 1950), the inverse of inflate.h.
+// Hash chains find repetitions (LZ77). Each block has new Huffman codes.
 //
-//   D1  the same bytes give the same data on every machine;
-//   D2  every block has codes of its own, at most 15 bits long, and no code is incomplete.
+//   D1  The same bytes give the same data on every machine.
+//   D2  Codes have at most 15 bits, and no code is incomplete.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +13,12 @@
 
 namespace deliso {
 
-// Compresses bytes as they come, piece by piece, each by itself: however long the whole, no more
-// than a piece is kept.
+// Compresses a stream piece by piece, each independently. Only one piece is in memory.
 class ZlibStream {
  public:
-  // Returns what of the data is ready, mostly nothing.
+  // Returns the data that is ready, mostly none.
   std::string add(std::string_view bytes);
-  std::string finish();  // the rest; nothing may be added after it
+  std::string finish();  // returns the rest; no bytes may follow
 
  private:
   static constexpr std::size_t kPiece = std::size_t{1} << 22;

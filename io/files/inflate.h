@@ -17,17 +17,17 @@ enum class Wrapping { gzip, zlib };
 
 struct Inflated {
   std::size_t size = 0;         // bytes written to `out`
-  bool ended = false;           // the data ended here, its checksum is right
-  const char* fault = nullptr;  // what is wrong with the data, else null
+  bool ended = false;           // the data ended here, with the right checksum
+  const char* fault = nullptr;  // message about the data, or null
 };
 
-// Decompresses `in` until it ends or `out` is full; a full `out` with more data to come is no
-// fault (ended is false), so a header can be read alone. A gzip file may consist of several
-// members; bytes behind the last one are ignored, as gzip does.
+// Decompresses `in` until it ends or `out` is full. A full `out` before the end is no fault (ended
+// is false), so a header can be read alone. A gzip file may have several members. Bytes after the
+// last one are ignored, as gzip does.
 Inflated inflate(std::span<const std::byte> in, Wrapping wrapping, std::span<std::byte> out);
 
-// The most bytes that `compressed` bytes can decompress to: a deflate bit pair stands for 258 bytes
-// at best. What a header promises beyond this is not worth allocating memory for.
+// Returns the most bytes that `compressed` bytes can decompress to: two bits of deflate data give
+// at most 258. No memory is allocated for a header that promises more.
 constexpr std::uint64_t largest_inflated(std::uint64_t compressed) {
   return compressed > UINT64_MAX / 1032 ? UINT64_MAX : 1032 * compressed;
 }

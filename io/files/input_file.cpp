@@ -20,10 +20,10 @@ namespace {
   fail(name, std::string(what) + ": " + std::generic_category().message(error));
 }
 
-// Closes what it opened.
+// An open file that is closed at destruction.
 class Descriptor {
  public:
-  // A user's pipe is waited for. What a file names could be one that nobody writes to.
+  // Waits for a pipe that the user names. A pipe that a file names might have no writer.
   Descriptor(const std::string& path, NamedBy named_by)
       : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY |
                                              (named_by == NamedBy::user ? 0 : O_NONBLOCK))) {

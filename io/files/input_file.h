@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The one door through which every file is read. A regular file is mapped into memory (so a volume
-// larger than memory works and nothing is copied), a pipe or standard input is read to its end.
+// Every file is read through these functions. A regular file is mapped into memory: nothing is
+// copied, and a volume may be larger than memory. A pipe or standard input is read to its end.
 //
-// 1. A mapping is read only and private, and is undone when the last owner of its bytes is gone.
-// 2. Folders and devices are refused: a device could give bytes without end. What another file
-//    names (a header its data) must be a regular file: a pipe could give none.
-// 3. Where somebody shortens a file while it is mapped, reading the bytes that are gone raises
-//    SIGBUS; the program says so in one line (app/signals.h), a host has to know by itself.
+// 1. A mapping is read only and private. It is undone with the last owner of its bytes.
+// 2. Folders and devices are refused: a device could give bytes without end. A file that another
+//    file names, such as a header its data, must be regular: a pipe could give none.
+// 3. If a file is shortened while it is mapped, reading the missing bytes raises SIGBUS. The
+// program
+//    reports it in one line (app/signals.h); another user of the library must handle it.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@
 
 namespace deliso {
 
-// Bytes that are kept alive by `owner`. `name` is what messages call them.
+// Bytes that `owner` keeps alive. Messages call them `name`.
 struct Bytes {
   std::string name;
   std::span<const std::byte> data;
@@ -27,7 +28,7 @@ struct Bytes {
   std::string_view text() const {
     return {reinterpret_cast<const char*>(data.data()), data.size()};
   }
-  // The bytes from `offset` on, with the same owner. pre: offset <= size().
+  // Returns the bytes from `offset` on, with the same owner. pre: offset <= size().
   Bytes from(std::size_t offset) const { return {name, data.subspan(offset), owner}; }
   Bytes first(std::size_t count) const { return {name, data.first(count), owner}; }
 };
@@ -43,7 +44,7 @@ struct Buffer {
 };
 Bytes bytes_of(Buffer buffer, std::string name);
 
-// Who names a file.
+// A user or another file names a file.
 enum class NamedBy { user, file };
 
 // Throw InputError if the file cannot be opened or read, or rule 2 forbids it.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two parts that decoding deflate data rests on: bits from bytes, and prefix codes (RFC 1951,
-// 3.1.1 and 3.2.2) as look-up tables.
+// Bits from bytes, and prefix codes as look-up tables (RFC 1951, 3.1.1 and 3.2.2), for inflate.h.
 #pragma once
 
 #include <array>
@@ -10,8 +9,8 @@
 
 namespace deliso {
 
-// Bits of a deflate stream, least significant first. Behind the end it yields zeros and counts
-// them, so that decoding may look ahead freely and check once per symbol.
+// Bits of a deflate stream, least significant first. After the end it gives zeros and counts them,
+// so that decoding can look ahead and test for the end once per symbol.
 class BitReader {
  public:
   explicit BitReader(std::span<const std::byte> in) : in_(in) {}
@@ -50,7 +49,7 @@ class BitReader {
     skip(n);
     return value;
   }
-  // Bits were used that the input does not have.
+  // True if bits after the end of the input were used.
   bool overrun() const { return 8 * missing_ > count_; }
 
   // Drops the bits up to the next byte boundary; returns the offset of the first unused byte.
@@ -72,11 +71,11 @@ class BitReader {
   std::size_t next_ = 0;  // first byte not yet in bits_
   std::uint64_t bits_ = 0;
   unsigned count_ = 0;       // valid bits in bits_
-  std::size_t missing_ = 0;  // bytes behind the end counted as zeros
+  std::size_t missing_ = 0;  // bytes after the end, given as zeros
 };
 
-// A prefix code as look-up tables: the next kRootBits bits select an entry; codes longer than that
-// continue in a second table. Symbols of the codes become entries through `entry_of`.
+// An entry of a prefix code's look-up tables. The next kRootBits bits select an entry; longer codes
+// continue in a second table. `entry_of` maps symbols to entries.
 struct Entry {
   std::uint16_t base = 0;  // literal, or first value of a length or distance, or second table
   std::uint8_t extra = 0;  // number of extra bits, or one of the kinds below
@@ -89,9 +88,9 @@ constexpr unsigned kLongestCode = 15;
 
 class PrefixCode {
  public:
-  // Builds the canonical code with these code lengths (0: symbol unused). False if the lengths are
-  // no prefix code. An incomplete code is accepted only if it has at most one symbol, as RFC 1951
-  // needs for distances.
+  // Builds the canonical code with these code lengths (0: symbol unused). Returns false if the
+  // lengths are no prefix code. An incomplete code may have one symbol at most, as RFC 1951 needs
+  // for distances.
   template <class EntryOf>
   bool build(std::span<const std::uint8_t> lengths, EntryOf entry_of) {
     std::array<std::uint16_t, kLongestCode + 1> count{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The little text handling that files need: lines, words, numbers. Nothing here throws or
-// allocates more than its result; a fault is a missing value, and the reader names it.
+// Lines, words and numbers of text files. Nothing here throws or allocates more than its result. A
+// fault is a missing value; the reader reports it.
 #pragma once
 
 #include <charconv>
@@ -19,15 +19,15 @@ class TextCursor {
   explicit TextCursor(std::string_view text) : text_(text) {}
 
   bool at_end() const { return position_ == text_.size(); }
-  // Offset of the next unread character.
+  // Returns the offset of the next unread character.
   std::size_t position() const { return position_; }
   std::string_view rest() const { return text_.substr(position_); }
 
-  // Moves over so many characters. pre: so many are left.
+  // Skips `count` characters. pre: the text has them.
   void skip(std::size_t count) { position_ += count; }
-  // The next line without its end ("\n" or "\r\n"); empty at the end of the text.
+  // Returns the next line without its end ("\n" or "\r\n"); empty at the end of the text.
   std::string_view line();
-  // The next run of characters other than white space; empty at the end of the text.
+  // Returns the next word, up to white space; empty at the end of the text.
   std::string_view word();
 
  private:
@@ -43,7 +43,7 @@ std::string lower(std::string_view text);
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::vector<std::string_view> words_of(std::string_view text);
 
-// The whole of `text` as a number ("+5" too); nothing if it is no number or does not fit.
+// Returns all of `text` as a number ("+5" too); nullopt if it is no number or does not fit.
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -59,11 +59,11 @@ inline std::optional<std::int64_t> to_int(std::string_view text) {
 inline std::optional<double> to_double(std::string_view text) {
   return number_in<double>(text);
 }
-// The whole of `text` as white-space separated numbers; nothing if a word is no number.
+// Returns all of `text` as numbers between white space; nullopt if a word is no number.
 std::optional<std::vector<std::int64_t>> to_ints(std::string_view text);
 std::optional<std::vector<double>> to_doubles(std::string_view text);
 
-// 'text' as it may stand in a message: shortened. (InputError sees to control characters.)
+// Returns 'text' shortened for a message. (InputError replaces control characters.)
 std::string quote(std::string_view text);
 
 }  // namespace deliso

@@ -69,7 +69,7 @@ VtkXml::VtkXml(const Bytes& bytes, std::string_view type, std::string_view use)
 
 XmlTag VtkXml::next() {
   tag_ = next_tag(text_, tag_.end);
-  // What follows AppendedData need not be markup.
+  // The bytes after AppendedData need not be markup.
   if (tag_.name == "AppendedData") appended_ = std::exchange(tag_, {{}, {}, text_.size()});
   if (tag_.name.empty()) tag_.end = text_.size();
   return tag_;
@@ -122,7 +122,7 @@ std::uint64_t VtkXml::header_word(std::span<const std::byte> bytes, std::size_t 
   return value;
 }
 
-// Only as much is decoded as the array's own header asks for.
+// Decodes only the bytes that the array's own header promises.
 Bytes VtkXml::from_base64(std::string_view text, std::uint64_t size,
                           const std::string& what) const {
   std::uint64_t coded = size;
@@ -143,7 +143,7 @@ Bytes VtkXml::from_base64(std::string_view text, std::uint64_t size,
   return compressed_ ? from_blocks(data, size, what) : from_block(data, size, what);
 }
 
-// A length and so many bytes.
+// Reads a length, then that number of bytes.
 Bytes VtkXml::from_block(const Bytes& data, std::uint64_t size, const std::string& what) const {
   if (data.size() < header_size_) fail("ends before " + what);
   const std::uint64_t length = header_word(data.data, 0);
@@ -154,8 +154,8 @@ Bytes VtkXml::from_block(const Bytes& data, std::uint64_t size, const std::strin
   return rest.first(static_cast<std::size_t>(size));
 }
 
-// Number of blocks, size of each before compression, of the last if it is smaller (else 0), their
-// sizes after compression; then the blocks.
+// Reads the number of blocks, the size of each before compression, that of the last if it is
+// smaller (else 0), and the sizes after compression. The blocks follow.
 Bytes VtkXml::from_blocks(const Bytes& data, std::uint64_t size, const std::string& what) const {
   if (data.size() < header_size_) fail("ends before " + what);
   const std::uint64_t blocks = header_word(data.data, 0);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// VTK's XML files ("VTK File Formats", XML formats): the markup tag by tag, and what stands in a
-// DataArray. An array holds text, or base64 in its place, or stands behind all markup (raw or
-// base64); each binary one with its length in front, or compressed in blocks as
-// vtkZLibDataCompressor cuts them.
+// VTK's XML files ("VTK File Formats", XML formats): the markup tag by tag, and the contents of a
+// DataArray. An array has text or base64 in its place, or raw bytes or base64 after all markup. A
+// binary one begins with its length, or with the sizes of its blocks by vtkZLibDataCompressor.
 //
-// Memory follows what the file holds: an array is decoded only where its own header promises
-// exactly the bytes that are wanted, and the file has enough for them.
+// Memory is bounded by the file's size. An array is decoded only if its own header promises exactly
+// the expected bytes, and the file has enough for them.
 #pragma once
 
 #include <bit>
@@ -28,36 +27,36 @@ struct XmlTag {
   std::optional<std::string_view> attribute(std::string_view wanted) const;
 };
 
-// The next tag at or behind `from`; processing instructions are passed over, and so are comments,
-// which `comments`, when given, keeps.
+// Returns the next tag at or after `from`. Skips processing instructions and comments. `comments`,
+// if given, receives the latter.
 XmlTag next_tag(std::string_view text, std::size_t from,
                 std::vector<std::string_view>* comments = nullptr);
 
-// Whether the first tag is VTK's.
+// True if the first tag is VTK's.
 bool looks_like_vtk_xml(std::string_view text);
 
-// All of these throw InputError in the name of the bytes.
+// A VTK XML file. All of its functions throw InputErrors with the name of the bytes.
 class VtkXml {
  public:
-  // pre: the bytes look like VTK's XML, and outlive this. `type` is what the file must hold,
-  // `use` what only that can be: "ImageData", "can be meshed".
+  // `type`: the required type of the file, as "ImageData". `use`: why, as "can be meshed". Keeps a
+  // reference to the bytes. pre: they look like VTK's XML.
   VtkXml(const Bytes& bytes, std::string_view type, std::string_view use);
 
-  // The next tag of the markup; its name is empty where that ends.
+  // Returns the next tag of the markup, with an empty name at its end.
   XmlTag next();
 
   std::endian byte_order() const { return byte_order_; }
-  // What stands before the root.
+  // Returns the comments before the root.
   const std::vector<std::string_view>& comments() const { return comments_; }
 
-  // The number in an attribute; `missing` where there is none.
+  // Returns the number in an attribute; `missing` if there is none.
   std::uint64_t count(const XmlTag& tag, std::string_view name, std::uint64_t missing) const;
 
   bool is_text(const XmlTag& array) const;
-  // What stands between the array's tag and the next.
+  // Returns the bytes between the array's tag and the next tag.
   Bytes inside(const XmlTag& array) const;
-  // The bytes of an array that is not text. It must have `size` of them; `what` needs them. pre:
-  // next() has come to the end.
+  // Returns the bytes of an array that is not text. It must have `size` of them, for `what`. pre:
+  // next() has reached the end.
   Bytes binary(const XmlTag& array, std::uint64_t size, const std::string& what) const;
 
  private:
