@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside of write_mesh: the writers, one per format, and what they share.
+// The writers of write_mesh, one per format, and their common functions.
 #pragma once
 
 #include <bit>
@@ -15,11 +15,11 @@
 
 namespace deliso {
 
-// A mesh as the file shall hold it: in the world frame, turned round where the frame mirrors; and
-// what is to be said of it. Keeps a reference to the mesh.
+// A mesh as files have it: in the world, with reversed facets if the frame mirrors; and its
+// comment. Keeps a reference to the mesh.
 class WorldMesh {
  public:
-  // `comment`: of printable ASCII, with no "\" and no "--" in it.
+  // `comment`: printable ASCII, without "\" and "--".
   WorldMesh(const TriMesh& mesh, std::string comment)
       : mesh_(mesh), mirrored_(mesh.frame.left_handed()), comment_(std::move(comment)) {}
 
@@ -27,11 +27,11 @@ class WorldMesh {
   std::size_t face_count() const { return mesh_.faces.size(); }
   Vec3 point(std::size_t v) const { return mesh_.frame.to_world(mesh_.points[VertexId(v)]); }
   std::string_view space() const { return short_name_of(mesh_.frame.space); }
-  // The comment as a line between these, or nothing where there is none.
+  // Returns the comment between these strings; empty if there is none.
   std::string comment_line(std::string_view before, std::string_view after) const {
     return comment_.empty() ? "" : std::string(before) + comment_ + std::string(after);
   }
-  // To go behind the program's name; empty where the space is not known.
+  // Returns the text after the program's name; empty if the space is unknown.
   std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
   Triangle triangle(std::size_t f) const {
     const Triangle& v = mesh_.faces[FaceId(f)].v;
@@ -44,7 +44,7 @@ class WorldMesh {
   std::string comment_;
 };
 
-// STL begins with so many free bytes, of which the writer's begin with this.
+// Free bytes at the beginning of binary STL, and the title with which the writer begins them.
 inline constexpr std::size_t kStlHeader = 80;
 inline constexpr std::string_view kStlTitle = "binary STL by DelIso";
 

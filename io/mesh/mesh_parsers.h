@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside of read_mesh: the parsers, one per format, and what they share.
+// The parsers of read_mesh, one per format, and their common functions.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace deliso {
 
-// Takes the next word off the front of `text`; empty when only blanks are left.
+// Removes the first word of `text` and returns it; empty if only blanks are left.
 inline std::string_view take_word(std::string_view& text) {
   std::size_t begin = 0;
   while (begin < text.size() && is_space(text[begin])) ++begin;
@@ -31,7 +31,7 @@ class Lines {
  public:
   Lines(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
 
-  // Moves to the next line; false at the end of the file.
+  // Moves to the next line. Returns false at the end of the file.
   bool next() {
     if (rest_.empty()) return false;
     const std::size_t end = rest_.find('\n');
@@ -40,7 +40,7 @@ class Lines {
     ++number_;
     return true;
   }
-  // The part of the line that no word has been taken of.
+  // Returns the rest of the line, without the words that were removed.
   std::string_view& line() { return line_; }
   std::string_view rest() const { return rest_; }
   std::size_t number() const { return number_; }
@@ -55,25 +55,25 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-// Of a file's comments so many are kept.
+// Most comments that are kept of a file.
 inline constexpr std::size_t kMostComments = 100;
 
-// Rule R5. `line`: without what marks it as a comment.
+// Appends a comment by rule R5. `line`: without the mark of a comment.
 inline void keep_comment(std::string_view line, std::vector<std::string>& comments) {
   while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
   while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
   if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
 }
 
-// What the parsers fill. Corners are checked by the parser, which knows where it is; points, finite
-// or not, by parse_mesh.
+// The result of a parser. The parser checks corners, since it knows the line; parse_mesh checks
+// that points are finite.
 struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<std::string> comments;
   std::vector<SeamVertex> seam;
 
-  // Rule R1. pre: three corners or more.
+  // Adds the triangles of a polygon by rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -81,7 +81,7 @@ struct MeshParts {
   }
 };
 
-// As many vertices as ids can name, and as many facets as link_faces can take.
+// Limits: vertices that have ids, and facets for link_faces.
 inline constexpr std::uint64_t kMostVertices = kNoId - 1;
 inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 
@@ -92,7 +92,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name);
 MeshParts parse_stl(std::string_view bytes, const std::string& name);
 MeshParts parse_vtp(std::string_view bytes, const std::string& name);
 
-// Whether the bytes can be binary STL and no text.
+// True if the bytes can be binary STL and are no text.
 bool looks_like_binary_stl(std::string_view bytes);
 
 }  // namespace deliso

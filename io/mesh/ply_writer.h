@@ -17,7 +17,7 @@ namespace deliso {
 struct PlyHeader {
   std::vector<std::string> comments;  // each of one line
   std::uint64_t vertices = 0, facets = 0;
-  std::span<const SeamVertex> seam{};  // a third element, of a part of a mesh
+  std::span<const SeamVertex> seam{};  // of a part of a mesh: the third element
   bool single_precision = false, ascii = false;
 };
 
@@ -25,7 +25,7 @@ class PlyWriter {
  public:
   // Writes the header. Keeps references.
   PlyWriter(AtomicFile& out, const PlyHeader& header);
-  // As many as the header says, then facets, then finish().
+  // All vertices of the header, then all facets, then finish().
   void vertex(const Vec3& p);
   void facet(const Triangle& t);
   // Writes the seam.

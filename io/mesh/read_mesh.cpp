@@ -20,7 +20,7 @@ MeshFormat format_of_bytes(std::string_view bytes) {
   return looks_like_vtk_xml(all) ? MeshFormat::vtp : MeshFormat::obj;
 }
 
-// What the predicates can take. `first`: where the format counts vertices from.
+// Throws unless all points are in the predicates' range. `first`: the format's first vertex number.
 void require_in_range(const std::vector<Vec3>& points, const std::string& name, std::size_t first) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     for (int axis = 0; axis < 3 && !in_range(points[v]); ++axis) {

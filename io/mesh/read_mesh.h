@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Reads a triangle mesh from PLY (ASCII, binary of either byte order), OFF, OBJ, STL (binary,
-// ASCII) or VTP (VTK XML PolyData of one piece, in every encoding that VTK writes but LZ4 and
-// LZMA).
+// ASCII) or VTP. VTP is VTK XML PolyData of one piece, in every encoding of VTK but LZ4 and LZMA.
 //
-//   R1  polygons are cut into triangles that fan out from their first corner;
-//   R2  what is not geometry (colors, normals, texture, groups, further elements) is skipped;
-//   R3  facets are kept as they are, with corners twice or edges of three facets: check_mesh says;
-//   R4  whatever the bytes, the outcome is a mesh whose corners are below the vertex count and
-//       whose points are in_range (base/frame.h), or an InputError of one line that names the file,
-//       the line, byte or vertex, and the fault. Memory follows what the file holds, never what it
-//       promises;
-//   R5  comments are handed back as far as they stand before the first number or statement, the
-//       first 100 that are not blank, without their mark and the blanks around them. They may hold
-//       any bytes. STL's are its 80 bytes, those that write_mesh adds to its own by themselves, or
-//       the name of the ASCII kind;
-//   R6  STL has no vertices of its own: corners at the same position, to the last bit of a float,
-//       are one, counted in the order in which they come. Normals are not read;
-//   R7  of VTP, polygons are read; vertices and lines are no geometry here (R2), triangle strips
-//       are refused.
+//   R1  Polygons are cut into triangles, in a fan from the first corner.
+//   R2  Colors, normals, textures, groups and further elements are skipped.
+//   R3  Facets stay as they are, even with equal corners or edges of three facets; check_mesh
+//       reports them.
+//   R4  Any bytes give a mesh or an InputError. In a mesh, corners are below the vertex count and
+//       points are in_range (base/frame.h). The error has one line: the file, the line, byte or
+//       vertex, and the fault. Memory is bounded by the file's size, not by its header.
+//   R5  Comments before the first number or statement are returned: the first 100 that are not
+//       blank, without their mark and outer blanks. They may have any bytes. Binary STL has its 80
+//       bytes, or the text that write_mesh put there; ASCII STL has its name.
+//   R6  STL has no vertices. Corners at the same position, to the last bit of a float, become one,
+//       numbered in order of occurrence. Normals are not read.
+//   R7  Of VTP, polygons are read; vertices and lines are skipped, triangle strips are refused.
 #pragma once
 
 #include <string>
@@ -29,17 +26,17 @@
 
 namespace deliso {
 
-// Reads the file at `path`, in the format of its ending. `-` is standard input, whose format is
-// told from its first bytes. The facets are linked (link_faces). `comments`, when given, become the
-// file's.
+// Returns the mesh in the file at `path`, with linked facets (link_faces). The path's ending
+// decides the format; of standard input (`-`) the first bytes do. `comments`, if given, receives
+// the file's.
 TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments = nullptr);
 
-// A part of a mesh from a PLY file; without a seam where the file has none.
+// Returns a part of a mesh from a PLY file; its seam is empty if the file has none.
 PartMesh read_part(const std::string& path);
-// The comments of a PLY file, of which only the header is read.
+// Returns the comments of a PLY file. Reads only its header.
 std::vector<std::string> read_ply_comments(const std::string& path);
 
-// The same from memory; `name` stands for the file in errors.
+// Returns the mesh in `bytes`. Errors call the file `name`.
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
                    std::vector<std::string>* comments = nullptr);
 

@@ -10,13 +10,13 @@
 namespace deliso {
 namespace {
 
-// Statements that say nothing of vertices and facets. Any other word is a fault: free-form surfaces
-// would be lost without notice, and a file of another kind would pass for an empty mesh.
+// Statements without vertices or facets. Any other word is a fault: otherwise free-form surfaces
+// would be lost without notice, and a file of another format would be an empty mesh.
 constexpr std::array<std::string_view, 12> kSkipped{"vt", "vn",     "vp",     "g", "o", "s",
                                                     "mg", "mtllib", "usemtl", "l", "p", "lod"};
 
-// The statement on the next line that holds one, with continued lines joined in `joined`.
-// `comments`, where they are given, keep those passed over.
+// Returns the next statement, with continued lines joined in `joined`. `comments`, if given,
+// receives the skipped comments.
 bool next_statement(Lines& lines, std::string& joined, std::string_view& statement,
                     std::vector<std::string>* comments) {
   while (lines.next()) {

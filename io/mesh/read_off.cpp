@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // OFF (Geomview): the keyword, the counts, a line per vertex, a line per facet. '#' opens a
-// comment. Numbers behind the first three of a vertex (normals, colors) and behind a facet's
-// corners (colors) are skipped.
+// comment. Numbers after the first three of a vertex (normals, colors) and after a facet's corners
+// (colors) are skipped.
 
 #include "io/mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
 
-// Moves to the next line that holds a word, and cuts its comment off, which `comments` keep.
+// Moves to the next line with a word. Cuts off its comment and appends it to `comments`.
 bool next_line_with_words(Lines& lines, std::vector<std::string>* comments = nullptr) {
   while (lines.next()) {
     std::string_view& line = lines.line();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PLY (Turk 1994): a text header that names elements and their properties, then the elements' data,
-// as words or as binary of either byte order. Of `vertex` the properties x, y, z are read, of
-// `face` the list vertex_indices (or vertex_index), of `seam` what mesh/seam_vertex.h says;
-// everything else is skipped by its declared type.
+// as words or as binary of either byte order. Reads x, y, z of `vertex`, the list vertex_indices
+// (or vertex_index) of `face`, and `seam` (mesh/seam_vertex.h). Other properties are skipped by
+// their declared type.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -34,7 +34,7 @@ struct Element {
   std::uint64_t count = 0;
   std::vector<Property> properties;
 
-  // kNoId when there is none.
+  // kNoId if there is none.
   std::size_t index_of(std::string_view wanted) const {
     for (std::size_t i = 0; i < properties.size(); ++i) {
       if (properties[i].name == wanted) return i;
@@ -89,7 +89,7 @@ Property property_in(std::string_view line, const Lines& lines) {
   return property;
 }
 
-// Leaves `lines` behind end_header.
+// Leaves `lines` at end_header.
 Header parse_header(Lines& lines) {
   if (!lines.next() || take_word(lines.line()) != "ply") lines.fail("does not open with 'ply'");
   Header header;
@@ -136,7 +136,7 @@ class WordSource {
       if (!lines_.next()) fail("the file ends too early");
       word = take_word(lines_.line());
     }
-    // The digits of a float are those of the float itself, as it stands in binary.
+    // The digits of a float are read as a float, so that text and binary agree.
     const std::optional<double> value =
         type == Type::f32 ? std::optional<double>(number_in<float>(word)) : number_in<double>(word);
     if (!value || (is_integer(type) && *value != std::trunc(*value))) {
@@ -155,7 +155,7 @@ class WordSource {
   Lines lines_;
 };
 
-// The data as binary, in the byte order that is the machine's or its opposite.
+// The data as binary, in the machine's byte order or the opposite.
 template <std::endian Order>
 class BinarySource {
  public:
@@ -227,7 +227,7 @@ void skip_property(Source& source, const Property& property) {
 
 template <class Source>
 void read_vertices(Source& source, const Element& element, MeshParts& mesh) {
-  // For each property the axis it gives, 3 for none.
+  // Per property: its axis, or 3.
   std::vector<int> axis_of(element.properties.size(), 3);
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, static_cast<char>('x' + axis));
@@ -284,7 +284,8 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
   }
 }
 
-// Rows of whole numbers, all properties there and in order; else the element is somebody else's.
+// Reads the seam: rows of whole numbers, with all properties in order. Another element of that name
+// is not ours and is skipped.
 template <class Source>
 void read_seam(Source& source, const Element& element, std::uint64_t vertices, MeshParts& mesh) {
   for (std::uint64_t n = 0; n < element.count; ++n) {

@@ -2,8 +2,7 @@
 // STL (3D Systems 1989): triangles by the positions of their corners, in single precision. Binary
 // (write_stl.cpp has the layout), or text: "solid name", for each triangle "facet normal" and three
 // numbers, "outer loop", three times "vertex" and three numbers, "endloop", "endfacet"; "endsolid".
-// A file may hold several solids. Binary ones that open with "solid" as well are told by their
-// size.
+// A file may have several solids. Binary files can begin with "solid" too; their size decides.
 #include <bit>
 #include <cstdint>
 
@@ -29,9 +28,9 @@ double coordinate_at(std::string_view bytes, std::size_t at) {
   return static_cast<double>(std::bit_cast<float>(bits_at(bytes, at))) + 0.0;
 }
 
-// Rule R6. `corners`: three for each triangle.
+// Merges corners by rule R6. `corners`: three per triangle.
 void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
-  std::vector<VertexId> vertex = first_at_place(corners);  // from here on of those that are done
+  std::vector<VertexId> vertex = first_at_place(corners);  // the loop replaces corners by vertices
   for (std::size_t c = 0; c < corners.size(); ++c) {
     if (vertex[c] < c) {
       vertex[c] = vertex[vertex[c]];
@@ -46,7 +45,7 @@ void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
   }
 }
 
-// Rule R5: what the writer puts behind its own title is a comment by itself.
+// Rule R5: the text after the writer's own title is a comment by itself.
 void keep_header(std::string_view header, std::vector<std::string>& comments) {
   header = header.substr(0, header.find('\0'));
   if (!header.starts_with(kStlTitle)) return keep_comment(header, comments);
@@ -84,7 +83,7 @@ MeshParts parse_binary(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
-// The words of the text kind, wherever its lines end.
+// The words of the text kind; line ends do not matter.
 class WordReader {
  public:
   explicit WordReader(Lines& lines) : lines_(lines) {}
@@ -95,7 +94,7 @@ class WordReader {
     const std::string word = next();
     if (word != wanted) lines_.fail(text("there is ", quote(word), " in place of ", quote(wanted)));
   }
-  // As the float that it is in the binary kind.
+  // Returns a float, as in the binary kind.
   double number() {
     const std::string_view word = raw();
     const auto value = number_in<double>(word);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// VTP: VTK's XML PolyData. Of its piece the points are read and the polygons: their corners one
-// behind the other (connectivity) and where each ends there (offsets). io/files/vtk_xml.h has the
-// markup and the arrays.
+// VTP: VTK's XML PolyData. Reads the points of its piece and the polygons. The array `connectivity`
+// has the corners of all polygons in order, `offsets` the end of each. The markup and the arrays
+// are in io/files/vtk_xml.h.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -14,7 +14,7 @@
 namespace deliso {
 namespace {
 
-// What a piece consists of.
+// The sections of a piece.
 constexpr std::string_view kSections[] = {"Points", "Polys",     "Verts",   "Lines",
                                           "Strips", "PointData", "CellData"};
 
@@ -105,7 +105,7 @@ class VtpParser {
                            });
   }
 
-  // Calls take(value) for each of an array's `count` values, which `what` needs.
+  // Calls take(value) for each of an array's `count` values. `what`: their use, for messages.
   template <class As, class Take>
   void for_each(const XmlTag& array, std::uint64_t count, const std::string& what,
                 Take take) const {

@@ -28,7 +28,7 @@ bool ends_with(std::string_view path, std::string_view ending) {
   return true;
 }
 
-// As it can stand in every format.
+// Returns a comment that every format allows.
 std::string clean(std::string comment) {
   for (std::size_t i = 0; i < comment.size(); ++i) {
     const char c = comment[i];

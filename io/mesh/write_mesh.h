@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Writes a triangle mesh as PLY, OFF, OBJ, STL or VTP.
 //
-// The same mesh gives the same bytes on every machine: numbers in text are the shortest that read
-// back the same (no locale), binary is little endian, and nothing of the time or place goes in.
-// Files appear whole or not at all (io/files/atomic_file.h); `-` is standard output.
+// The same mesh gives the same bytes on every machine. Numbers in text are the shortest that read
+// back the same, in any locale. Binary is little endian. Files contain no time or place. They
+// appear whole or not at all (io/files/atomic_file.h); `-` is standard output.
 //
-// A comment goes into the head of the file as one line of its own: PLY `comment`, OFF and OBJ `#`,
-// an XML comment in VTP, behind the rest of STL's 80 bytes where it fits there. What cannot stand
-// in all of these (bytes that are not printable ASCII, `\`, a second `-` in a row) is written as
-// `?`.
+// A comment is one line at the head of the file: PLY `comment`, OFF and OBJ `#`, an XML comment in
+// VTP. In STL it follows the title, if the 80 bytes suffice. Bytes that one of these formats does
+// not allow are written as `?`: all but printable ASCII, `\`, a second `-` in a row.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +29,8 @@ enum class MeshFormat : std::uint8_t {
   vtp,  // VTK XML PolyData with raw appended arrays, for ParaView and Slicer
 };
 
-// The format that the ending of `path` names, in any case. Throws InputError listing the endings.
+// Returns the format of the ending of `path`, in upper or lower case. For another ending throws an
+// InputError that lists the endings.
 MeshFormat mesh_format_of(std::string_view path);
 
 struct MeshWriteOptions {
@@ -39,18 +39,17 @@ struct MeshWriteOptions {
   bool ascii = false;                  // PLY only
   bool sync = false;                   // wait until the bytes are on the medium
   std::string comment{};               // empty: none
-  // PLY only: of a part of a mesh; an element `seam` behind the facets.
+  // PLY only, for a part of a mesh: an element `seam` after the facets.
   std::vector<SeamVertex> seam{};
 };
 
-// Whether coordinates are rounded to float: where that is asked for, and by STL. pre:
-// options.format.
+// True if coordinates are rounded to float: with single_precision, and in STL. pre: options.format.
 bool writes_single_precision(const MeshWriteOptions& options);
-// The points as the file will hold them: in the world, and rounded where it rounds.
-// pre: options.format.
+// Returns the points as the file will have them: in the world, rounded if it rounds. pre:
+// options.format.
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
 
-// A part as its file holds it; the facets are not linked.
+// A part as its file has it; the facets are not linked.
 struct PartMesh {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
@@ -58,9 +57,9 @@ struct PartMesh {
 };
 PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options);
 
-// In world coordinates: the mesh's frame is applied. Its space is written as SPACE=RAS or LPS where
-// it is known, in VTP as field data, where 3D Slicer looks for it; not in OFF.
-// Throws InputError on an unknown ending and on every fault of the file system.
+// Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS, in VTP as
+// field data for 3D Slicer, in OFF not at all. Throws InputError on an unknown ending and on every
+// fault of the file system.
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 }  // namespace deliso

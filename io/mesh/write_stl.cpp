@@ -16,7 +16,7 @@ void put_vector(AtomicFile& out, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) put_binary(out, static_cast<float>(p[axis]));
 }
 
-// Unit normal; zero, as the format allows, where the triangle has none.
+// Returns the unit normal; zero, as the format allows, if the triangle has none.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = area_normal(a, b, c);
   const double size = length(n);
@@ -30,7 +30,7 @@ void write_stl(AtomicFile& out, const WorldMesh& mesh) {
     throw InputError(
         text("cannot write '", out.path(), "': STL holds no ", mesh.face_count(), " facets"));
   }
-  // Readers take a file that opens with "solid" for the ASCII kind.
+  // Readers expect the ASCII kind in a file that begins with "solid".
   std::string header = std::string(kStlTitle) + mesh.space_note();
   const std::string comment = mesh.comment_line(" ", "");
   if (header.size() + comment.size() <= kStlHeader) header += comment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// VTP (VTK XML PolyData): an XML head that describes the arrays, then all of them raw behind the
+// VTP (VTK XML PolyData): an XML head that describes the arrays, then the raw arrays after the
 // underscore of AppendedData, each after its size in bytes. Offsets count from that underscore.
 #include "base/text.h"
 #include "io/mesh/mesh_formats.h"
