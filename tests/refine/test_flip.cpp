@@ -99,8 +99,7 @@ int flip_all(Stage& stage) {
 }  // namespace
 
 TEST_CASE(
-    "only edges that are not Delaunay are flipped; a flip lowers the radii and keeps the mesh "
-    "valid") {
+    "only edges that are not Delaunay are flipped; flips lower the radii, the mesh stays valid") {
   Tally tally;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);

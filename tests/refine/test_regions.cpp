@@ -27,9 +27,7 @@ bool reaches_into(const Region& box, const TriMesh& mesh, const Triangle& v) {
 
 }  // namespace
 
-TEST_CASE(
-    "regions share no facet, lie in disjoint boxes, and have every facet that reaches into "
-    "theirs") {
+TEST_CASE("regions share no facet, have disjoint boxes, and all facets that reach into their box") {
   int cut = 0;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);

@@ -22,8 +22,7 @@ bool on_box(const Box3& box, const Vec3& p) {
 }  // namespace
 
 TEST_CASE(
-    "coarse chains have all corners and keep the sagitta; split points lie on Sigma and the box, "
-    "in order") {
+    "coarse chains have corners and keep the sagitta; splits are on Sigma, on the box, in order") {
   int loops = 0, splits = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
