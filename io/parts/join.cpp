@@ -30,7 +30,7 @@ struct Part {
   PartNote note;
 };
 
-// Whether a grid edge lies in the plane of samples number n across an axis.
+// True if a grid edge lies in plane n of the samples across an axis.
 bool lies_in(const GridEdge& edge, int axis, int n) {
   return edge.axis != axis && edge.low[static_cast<std::size_t>(axis)] == n;
 }
@@ -41,10 +41,10 @@ class Joiner {
   Joined run(const std::string& output, bool single_precision, bool ascii);
 
  private:
-  // The place of a part's vertex in the whole: of the part's own, in their order, or of an earlier
-  // one's.
+  // Ids of a part's vertices in the whole. Own vertices have consecutive ids; foreign ones are on a
+  // seam and belong to an earlier part.
   struct Numbers {
-    std::uint64_t first = 0;                                  // of its own vertices
+    std::uint64_t first = 0;                                  // own vertex
     std::vector<std::pair<VertexId, std::uint64_t>> foreign;  // ascending
 
     struct Place {
@@ -58,7 +58,7 @@ class Joiner {
       return {first + v - static_cast<std::uint64_t>(at - foreign.begin()), false};
     }
   };
-  // An edge of a seam, as one part runs along it.
+  // An edge of a seam, in the direction of one part.
   struct SeamEdge {
     std::uint64_t low, high;
     bool upwards;
@@ -68,7 +68,7 @@ class Joiner {
   [[noreturn]] void fail_match(const Part& a, const Part& b) const {
     throw InputError(text("the seams of ", quote(a.path), " and ", quote(b.path), " do not match"));
   }
-  // pre: there is one part of each block, so that these numbers are those of the parts.
+  // pre: there is one part of each block, so parts and blocks have the same numbers.
   std::size_t number_of(Index3 block) const {
     const auto [i, j, k] = block;
     return static_cast<std::size_t>(i + of_.i * (j + std::int64_t{of_.j} * k));
@@ -101,7 +101,7 @@ Joiner::Joiner(std::span<const std::string> paths) {
     parts_.push_back({path, std::move(*note)});
   }
   DELISO_CHECK(!parts_.empty());
-  // Named first or not, of two that differ one is blamed: that of the later block.
+  // If two parts differ, the message names the one of the later block, in any order of paths.
   std::ranges::sort(parts_, {}, [](const Part& part) {
     const Index3 n = part.note.block.at;
     return std::tuple(n.k, n.j, n.i, part.path);
@@ -132,7 +132,7 @@ void Joiner::require_one_of_each() const {
                             " are both block ", name_of(parts_[n].note.block.at)));
     }
   }
-  // Counted up like an odometer: how many blocks there are may be more than 64 bits hold.
+  // Counts up like an odometer: the number of blocks may exceed 64 bits.
   Index3 due;
   for (std::size_t n = 0; due.k < of_.k; ++n) {
     if (n == parts_.size() || parts_[n].note.block.at != due) {
@@ -147,7 +147,7 @@ void Joiner::require_one_of_each() const {
   }
 }
 
-// Where there is no surface at a seam, the samples tell another volume.
+// Compares the samples at seams: without surface there, only they show a different volume.
 void Joiner::require_same_samples() const {
   for (const Part& part : parts_) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -187,7 +187,7 @@ void Joiner::number(std::uint32_t p, const PartMesh& part) {
   joined_.triangles += part.triangles.size();
 }
 
-// The part's boundary edges in its inner faces.
+// Returns the part's boundary edges in its inner faces.
 void Joiner::collect_edges(std::uint32_t p, PartMesh&& part) {
   const Index3 dims = parts_[p].note.dims;
   const Roi region = region_of(parts_[p].note.block, dims);
@@ -215,7 +215,7 @@ void Joiner::collect_edges(std::uint32_t p, PartMesh&& part) {
   }
 }
 
-// Every edge of a seam is run along by two parts, either way round.
+// Throws unless two parts have every edge of a seam, in opposite directions.
 void Joiner::match_edges() {
   std::ranges::sort(edges_, {},
                     [](const SeamEdge& e) { return std::tuple(e.low, e.high, e.part, e.upwards); });
@@ -236,7 +236,7 @@ void Joiner::match_edges() {
   joined_.seam_vertices = seam_.size();
 }
 
-// In each pass anew: a part that has changed in between is refused.
+// Reads the part again in each pass. A part that has changed since is refused.
 PartMesh Joiner::read(std::uint32_t p) const {
   PartMesh part = read_part(parts_[p].path);
   require_as_noted(parts_[p].note, part, parts_[p].path);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kLowered = "lowered=";
 constexpr std::string_view kVolume = "volume=", kFrame = "frame=";
 constexpr std::string_view kBlock = "block=", kSamples = "samples=";
-constexpr std::size_t kFrameNumbers = 12;  // of the origin and three axes; a space may follow
+constexpr std::size_t kFrameNumbers = 12;  // origin and three axes; a space may follow
 constexpr std::string_view kHolds = "holds=", kChecksum = "checksum=";
 
 std::string digits_of(std::uint32_t checksum) {
@@ -26,7 +26,7 @@ std::string digits_of(std::uint32_t checksum) {
   return digits;
 }
 
-// Of the samples on a face of the box, as numbers of type double: of any machine.
+// Returns the checksum of the samples on a face of the box as doubles; every machine has the same.
 std::string face_checksum(const Volume& volume, int face) {
   const int across = face / 2, u = (across + 1) % 3, v = (across + 2) % 3;
   const Index3 dims = volume.dims();
@@ -39,7 +39,7 @@ std::string face_checksum(const Volume& volume, int face) {
   return digits_of(crc32(std::as_bytes(std::span(samples))));
 }
 
-// What comes behind `comment`.
+// Returns the words after `comment`.
 std::string last_words(std::string_view comment, const PartMesh& part) {
   std::uint32_t sum = crc32(std::as_bytes(std::span(comment)));
   sum = crc32(std::as_bytes(std::span(part.points)), sum);
@@ -145,7 +145,7 @@ std::optional<PartNote> part_note(std::span<const std::string> comments) {
     try {
       if (auto note = note_in(comment)) return note;
     } catch (const InputError&) {
-      // Words with our names in somebody else's line.
+      // Another program's line with words like ours.
     }
   }
   return std::nullopt;
