@@ -21,13 +21,13 @@ double square(double x) {
   return x * x;
 }
 
-// Fields on [-1,1]^3. `width` is the distance of two samples.
+// Fields on [-1,1]^3. `width`: the distance between samples.
 
 double sphere(const Vec3& p, double) {
   return 0.7 - length(p);
 }
 
-// A torus round the z axis, as distance inside its tube.
+// A torus around the z axis, as distance inside its tube.
 double torus_of(const Vec3& p, double major, double minor) {
   return minor - std::sqrt(square(std::sqrt(square(p.x) + square(p.y)) - major) + square(p.z));
 }
@@ -38,7 +38,7 @@ double torus(const Vec3& p, double) {
 
 double linked_tori(const Vec3& p, double) {
   const Vec3 a{p.x + 0.22, p.y, p.z};
-  const Vec3 b{p.x - 0.22, p.z, p.y};  // round the y axis
+  const Vec3 b{p.x - 0.22, p.z, p.y};  // around the y axis
   return std::max(torus_of(a, 0.42, 0.15), torus_of(b, 0.42, 0.15));
 }
 
@@ -68,7 +68,7 @@ double orbital(const Vec3& p, double) {
   return square(3 * q.z * q.z - r2) * std::exp(-2.0 / 3.0 * std::sqrt(r2)) / peak;
 }
 
-// A plume that enters through the face x = -1, a ring round it on three spokes, two droplets.
+// A plume that enters through the face x = -1, a ring around it on three spokes, two droplets.
 double fuel(const Vec3& p, double) {
   const double rho = std::sqrt(square(p.y) + square(p.z));
   const double height = p.x + 0.1 - 0.1 * p.y - 0.05 * p.z;  // over the tilted plane of the ring

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A built-in field (builtin_fields.h) as an input that is named, like a file.
+// Built-in fields (builtin_fields.h) as inputs with names, like files.
 #pragma once
 
 #include <string_view>
@@ -10,12 +10,12 @@
 
 namespace deliso {
 
-// The field that "builtin:NAME[:SIZE]" names; null if `input` does not begin with "builtin:".
+// Returns the field of "builtin:NAME[:SIZE]"; null if `input` does not begin with "builtin:".
 // Throws InputError for an unknown name.
 const BuiltinField* find_builtin_field(std::string_view input);
 
-// The volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Throws InputError.
-// Of the options it takes the region and the block.
+// Returns the volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Uses only the region and the
+// block of the options. Throws InputError.
 Volume make_builtin_volume(std::string_view input, const ReadOptions& options = {});
 
 }  // namespace deliso

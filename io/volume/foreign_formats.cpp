@@ -79,7 +79,7 @@ void refuse_folder(const std::string& path) {
   for (const char* name : {".zarray", ".zgroup", "zarr.json"}) {
     if (std::filesystem::exists(path + "/" + name, fault)) fail(path, kZarr);
   }
-  // A folder of many files is not walked through for one name.
+  // One name does not justify a walk through a folder of many files.
   int looked_at = 0;
   for (auto entry = std::filesystem::directory_iterator(path, fault);
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;

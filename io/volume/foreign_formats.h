@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formats that people have volumes in and that are not read here: they are named, with a way to
-// one that is.
+// Common volume formats that are not read here. Their messages name the format and a way to convert
+// it.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace deliso {
 
-// Throw InputError: for a file that is in no format of ours, and for a folder.
+// Throw an InputError, for a file in an unknown format and for a folder.
 [[noreturn]] void refuse_file(const Bytes& bytes);
 [[noreturn]] void refuse_folder(const std::string& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of a file's named arrays to read, for the formats that have names (VTK's).
+// The choice between a file's named arrays (VTK).
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace deliso {
 
-// The index of the array that the options name; else that of `active`, the name that the file has
-// for the one to look at; else of the first that can be meshed. All go to the log, and a note where
-// one was taken out of several. Throws InputError when there is none, or it is not scalar. Of equal
-// names the first counts.
+// Returns the index of the array to read: the one that the options name, else `active`, the one
+// that the file names, else the first that can be meshed. Of equal names the first counts. Logs all
+// arrays, and a note if it chose one of several. Throws InputError if there is none or it is not
+// scalar.
 std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> arrays,
                          std::string_view active);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MetaImage (MetaIO): lines "Key = Value", the last of which, ElementDataFile, says where the data
-// is: LOCAL (behind the line) or a file.
+// MetaImage (MetaIO): lines "Key = Value". The last one, ElementDataFile, has the place of the
+// data: LOCAL (after the line) or a file.
 #include <map>
 #include <optional>
 #include <string>
@@ -32,7 +32,7 @@ class MetaHeader {
   }
 
   bool has(const std::string& key) const { return keys_.contains(key); }
-  // The value of the first of these spellings that is there.
+  // Returns the value of the first of these spellings that the header has.
   std::optional<std::string_view> find(std::initializer_list<const char*> spellings) const {
     for (const char* key : spellings)
       if (const auto found = keys_.find(lower(key)); found != keys_.end()) return found->second;
@@ -53,7 +53,7 @@ class MetaHeader {
     if (!value) fail_key(key, get(key), "not an integer");
     return *value;
   }
-  // `count` numbers, or nothing if no such key is there.
+  // Returns `count` numbers; nullopt if the header has no such key.
   std::optional<std::vector<double>> numbers(std::initializer_list<const char*> spellings,
                                              std::size_t count) const {
     const std::optional<std::string_view> text = find(spellings);
@@ -82,7 +82,7 @@ SampleType element_type(const VolumeInput& input, std::string_view name) {
   return supported_type(input, name);
 }
 
-// Spacing times the axes' directions, which are the rows of TransformMatrix.
+// Sets the steps: spacing times the axes' directions, which are the rows of TransformMatrix.
 void read_geometry(const MetaHeader& header, std::size_t dimension, SampleGrid& grid) {
   Vec3 spacing{1, 1, 1};
   if (const auto values = header.numbers({"ElementSpacing", "ElementSize"}, dimension))
@@ -129,7 +129,7 @@ SampleGrid read_grid(const VolumeInput& input, const MetaHeader& header) {
 }  // namespace
 
 bool looks_like_metaimage(const Bytes& bytes) {
-  // A text whose first line is one of the keys that writers begin with.
+  // A text whose first line has one of the keys with which writers begin.
   const std::string_view line = TextCursor(bytes.text().substr(0, 4096)).line();
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) return false;
@@ -154,7 +154,7 @@ Volume read_metaimage(const VolumeInput& input) {
   const bool compressed = header.is_true({"CompressedData"}, false);
   if (skip < -1 || (skip == -1 && compressed))
     header.fail_key("HeaderSize", header.get("HeaderSize"), "cannot be followed");
-  if (skip == -1) {  // the data stands at the end
+  if (skip == -1) {  // the data is at the end
     if (data.size() > size) data = data.from(data.size() - static_cast<std::size_t>(size));
   } else if (skip > 0) {
     if (static_cast<std::uint64_t>(skip) > data.size())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NIfTI-1 and NIfTI-2 (nifti1.h and nifti2.h of the NIfTI Data Format Working Group): a binary
-// header of 348 or 540 bytes in either byte order, in the same file as the data or beside it.
+// NIfTI-1 and NIfTI-2 (nifti1.h and nifti2.h of the NIfTI Data Format Working Group). The binary
+// header has 348 or 540 bytes, in either byte order, in the file of the data or beside it.
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -45,7 +45,7 @@ class FieldReader {
   bool swapped_;
 };
 
-// What both versions of the header say.
+// The fields that both versions of the header have.
 struct NiftiHeader {
   bool swapped = false;
   bool in_one_file = true;
@@ -101,7 +101,7 @@ NiftiHeader parse_version_2(const FieldReader& fields, bool swapped) {
   return h;
 }
 
-// The header at the start of `bytes`; nothing if there is none.
+// Returns the header at the start of `bytes`; nullopt if there is none.
 std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeader1) return std::nullopt;
   for (bool swapped : {false, true}) {

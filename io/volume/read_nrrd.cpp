@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NRRD, as teem's "Definition of NRRD File Format" has it: a magic line, lines "field: value",
-// an empty line, the data; or the data in a file of its own.
+// NRRD, by teem's "Definition of NRRD File Format". A magic line is first, then lines "field:
+// value", an empty line, and the data. The data may also be in another file.
 #include <limits>
 #include <map>
 #include <optional>
@@ -36,7 +36,7 @@ class NrrdHeader {
   }
 
   bool has(const std::string& field) const { return fields_.contains(field); }
-  // The field's value; `fallback` (null: an error) if it is missing.
+  // Returns the field's value, or `fallback` if it is missing; null: that is an error.
   std::string_view get(const std::string& field, const char* fallback = nullptr) const {
     const auto found = fields_.find(field);
     if (found != fields_.end()) return found->second;
@@ -66,7 +66,7 @@ class NrrdHeader {
   std::size_t data_offset_ = 0;
 };
 
-// "(1,0,0) none (0,1,0)" as vectors; nothing where the axis is not spatial.
+// Parses "(1,0,0) none (0,1,0)" as vectors; nullopt where the axis is not spatial.
 std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view text) {
   std::vector<std::optional<Vec3>> vectors;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -88,7 +88,8 @@ std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view t
   return vectors;
 }
 
-// The three axes that hold the samples: axes of size 1 beyond three are dropped, last ones first.
+// Returns the three axes of the samples. Of more than three, axes of size 1 are dropped, the last
+// ones first.
 std::vector<std::size_t> spatial_axes(const VolumeInput& input, const NrrdHeader& header,
                                       const std::vector<std::int64_t>& sizes) {
   std::vector<std::size_t> axes;
@@ -224,7 +225,7 @@ Volume read_nrrd(const VolumeInput& input) {
   if (gzip)
     return volume_from_compressed(grid, data, Wrapping::gzip, static_cast<std::uint64_t>(skip));
   const std::uint64_t size = data_size(grid);
-  if (skip == -1) {  // the data stands at the end
+  if (skip == -1) {  // the data is at the end
     if (data.size() > size) data = data.from(data.size() - static_cast<std::size_t>(size));
   } else {
     if (static_cast<std::uint64_t>(skip) > data.size())

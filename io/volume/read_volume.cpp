@@ -48,7 +48,7 @@ Volume read_recognized(const VolumeInput& input) {
   throw InputError(quote(text) + " is not " + wanted);
 }
 
-// "a<separator>b<separator>c" split; nothing if it has not `count` parts.
+// Splits "a<separator>b<separator>c"; nullopt unless it has `count` parts.
 std::optional<std::vector<std::string_view>> split(std::string_view text, char separator,
                                                    std::size_t count) {
   std::vector<std::string_view> parts;

@@ -13,21 +13,24 @@
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_volume.h)
 //
 // 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Only
-//    a NIfTI file with a scaling (scl_slope, scl_inter) is converted, to float32 (from types of up
-//    to 16 bits and float32) or float64, and the log says so.
-// 2. The format is told by the content, not the name; the name decides only where the content
-//    cannot (MetaImage, .raw). A .nhdr or .mhd finds its data beside itself.
-// 3. Coordinates are those of the file, in its own unit and anatomical space, which is recorded in
-//    Frame::space: NIfTI is RAS+, MetaImage LPS+, NRRD what its "space" says.
-// 4. Refused with a message, never guessed: 64-bit integers and complex samples, several components
-//    or time steps (trailing dimensions of 1 are fine), sheared grids (axes not at right angles
-//    within 1e-4), data of another size than the header says, more than one data file or piece,
-//    bzip2, hex, lz4 and lzma encodings. Of other formats that are told from their first bytes the
-//    message says how to convert them (foreign_formats.h).
-// 5. Of several arrays (VTK) the options name one; else it is the one that the file calls active,
+//    a NIfTI file with a scaling (scl_slope, scl_inter) is converted, and the log says so. Types of
+//    up to 16 bits and float32 become float32, others float64.
+// 2. The content decides the format; the name decides only where the content cannot (MetaImage,
+//    .raw). A .nhdr or .mhd has its data beside it.
+// 3. Coordinates are those of the file, in its own unit and anatomical space. Frame::space has the
+//    space: RAS+ for NIfTI, LPS+ for MetaImage, the field "space" for NRRD.
+// 4. Refused with a message, never guessed:
+//    - 64-bit integers, complex samples, several components or time steps (trailing dimensions of 1
+//      are allowed);
+//    - sheared grids: axes not at right angles within 1e-4;
+//    - data of another size than in the header, more than one data file or piece;
+//    - bzip2, hex, lz4 and lzma encodings.
+//    For other formats with known first bytes the message has a way to convert them
+//    (foreign_formats.h).
+// 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
 //    else the first that can be meshed, and the log says so.
-// 6. A hostile or damaged file gives an InputError or a valid volume, whatever it holds; memory is
-//    taken only for data that is there. NaN and infinite samples are found by value_range().
+// 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
+//    data that exists. value_range() finds NaN and infinite samples.
 #pragma once
 
 #include <bit>
@@ -47,16 +50,16 @@ struct Roi {
   Index3 begin, end;
 };
 
-// Block `at` of the `of` that a volume is cut into along each axis. Blocks share the samples at the
-// faces between them, so that every voxel is in one block.
+// Block `at` of a volume that is cut into `of` blocks along each axis. Blocks share the samples at
+// the faces between them, so that every voxel is in one block.
 struct BlockChoice {
   Index3 at, of;
 };
-// The samples of the block: v voxels become parts n of N, each from n v / N on. Throws InputError
-// where an axis has fewer voxels than blocks.
+// Returns the samples of the block. Of v voxels and N blocks along an axis, block n begins at voxel
+// n v / N. Throws InputError if an axis has fewer voxels than blocks.
 Roi region_of(const BlockChoice& block, Index3 dims);
 
-// How to read a file without a header.
+// The layout of a file without a header.
 struct RawLayout {
   Index3 dims;
   SampleType type = SampleType::u8;
@@ -66,30 +69,30 @@ struct RawLayout {
 };
 
 struct ReadOptions {
-  std::optional<RawLayout> raw;  // given: the input is plain raw data, whatever its name
-  std::optional<Roi> roi;        // given: only this part; the origin moves along
-  // Given: only this block, which knows of the whole (Volume::as_block). Not with a roi.
+  std::optional<RawLayout> raw;  // if given, the input is plain raw data, with any name
+  std::optional<Roi> roi;        // if given, only these samples are read; the origin moves along
+  // If given, only this block is read, as a block of the whole (Volume::as_block). Not with a roi.
   std::optional<BlockChoice> block{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
 };
 
-// An array of a file that has several, with names: what it holds for every point.
+// A named array of a file.
 struct NamedArray {
   std::string name;
-  std::string type;  // as --type has it; what that does not know, as the file has it
+  std::string type;  // in the spelling of --type, or of the file if --type has none
   std::uint64_t components = 1;
   bool read = false;  // the volume is this one
 };
 
-// What reading has to say beyond the volume itself.
+// Facts about the reading, beside the volume.
 struct ReadLog {
-  std::vector<std::string> notes;  // what a user should know, one line each
+  std::vector<std::string> notes;  // for the user, one line each
   std::vector<std::string> files;  // all that were opened, header and data
   std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
-// `input` is a path, "-" (standard input) or "builtin:NAME[:SIZE]". Throws InputError: one line
-// that names the file and the fault.
+// Returns the volume of `input`: a path, "-" (standard input) or "builtin:NAME[:SIZE]". Throws an
+// InputError of one line that names the file and the fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 
@@ -101,7 +104,7 @@ BlockChoice parse_block(std::string_view text);
 Index3 parse_dims(std::string_view text);
 SampleType parse_sample_type(std::string_view text);
 
-// The type of that name, in any format's spelling; nothing if it is unknown or unsupported.
+// Returns the type of that name, in any format's spelling; nullopt if it is unknown or unsupported.
 std::optional<SampleType> sample_type_named(std::string_view name);
 
 }  // namespace deliso

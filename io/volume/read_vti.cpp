@@ -68,7 +68,7 @@ class VtiParser {
     }
   }
 
-  // Walks the markup: the image, its piece, its arrays, of which it returns the one to read.
+  // Reads the markup: the image, its piece, its arrays. Returns the array to read.
   XmlTag read_structure() {
     std::string_view active;  // the array that PointData names
     std::vector<XmlTag> tags;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // VTK's legacy format with a STRUCTURED_POINTS data set ("VTK File Formats", simple legacy
-// formats): keyword lines, and arrays as numbers in text or as big-endian binary. Nothing says
-// where an array ends but its header, so those in front of the one to read are passed over by their
-// size.
+// formats): keyword lines, and arrays as numbers in text or as big-endian binary. Only the header
+// of an array shows its end, so earlier arrays are skipped by their size.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -18,7 +17,7 @@
 namespace deliso {
 namespace {
 
-// Bytes of a value; nothing for types whose values have no fixed size.
+// Returns the bytes of a value; nullopt if the type has no fixed size.
 std::optional<std::size_t> size_of_type(std::string_view type) {
   if (const auto known = sample_type_named(type)) return size_of(*known);
   const std::string word = lower(type);
@@ -29,7 +28,7 @@ std::optional<std::size_t> size_of_type(std::string_view type) {
   return std::nullopt;
 }
 
-// Attributes "KEYWORD name type", and how many values they have for a point.
+// Attributes "KEYWORD name type", and their values per point.
 struct Attribute {
   std::string_view keyword;
   std::uint64_t components;
@@ -55,7 +54,7 @@ class VtkParser {
     try {
       read_arrays();
     } catch (const InputError&) {
-      if (!has_wanted()) throw;  // what stands behind the array to read is nobody's fault
+      if (!has_wanted()) throw;  // a fault after the array to read does not matter
     }
     const std::size_t chosen = choose_array(input_, arrays_, "");
     grid_.type = supported_type(input_, arrays_[chosen].type);
@@ -99,7 +98,7 @@ class VtkParser {
     return {x, y, real(what)};
   }
 
-  // Everything up to POINT_DATA.
+  // Reads everything before POINT_DATA.
   void read_structure() {
     expect("dataset");
     const std::string kind = keyword();
@@ -130,7 +129,7 @@ class VtkParser {
                               std::to_string(n) + " points");
   }
 
-  // The arrays of POINT_DATA: where each begins.
+  // Finds the beginnings of the arrays of POINT_DATA.
   void read_arrays() {
     const auto points = static_cast<std::uint64_t>(grid_.dims[0] * grid_.dims[1] * grid_.dims[2]);
     for (std::string word = lower(text_.word()); !word.empty() && word != "cell_data";
@@ -140,15 +139,15 @@ class VtkParser {
     if (arrays_.empty()) fail(input_.name(), "ends before the samples");
   }
 
-  // Whether there is an array that choose_array can take, or refuse by its name.
+  // True if there is an array that choose_array can choose, or refuse by its name.
   bool has_wanted() const {
     const std::optional<std::string>& name = input_.options.array;
     return name ? std::ranges::find(arrays_, *name, &NamedArray::name) != arrays_.end()
                 : !arrays_.empty();
   }
 
-  // What `word` opens, with its data: an array (or several) of `tuples` tuples, a table of colors,
-  // or what VTK has to say of the array before. Those of points are noted.
+  // Skips the section that `word` opens, with its data: one or several arrays of `tuples` tuples, a
+  // table of colors, or metadata of the array before. Notes arrays of points.
   void read_attribute(const std::string& word, std::uint64_t tuples, bool of_points) {
     const auto simple = std::ranges::find(kAttributes, word, &Attribute::keyword);
     if (word == "metadata") {  // up to an empty line
@@ -185,7 +184,7 @@ class VtkParser {
     }
   }
 
-  // "name components tuples type" and the data, so many times.
+  // Reads "name components tuples type" and the data, once per array.
   void read_field(std::uint64_t arrays, std::uint64_t tuples, bool of_points) {
     for (std::uint64_t n = 0; n < arrays; ++n) {
       std::string name(text_.word());
@@ -202,7 +201,7 @@ class VtkParser {
     }
   }
 
-  // Notes an array whose data begins on the next line, and moves behind it.
+  // Notes an array whose data begins on the next line, and skips it.
   void pass(NamedArray array, std::uint64_t tuples, bool of_points) {
     text_.line();
     if (of_points) {
@@ -217,7 +216,7 @@ class VtkParser {
     if (!size)
       fail(input_.name(), text("array ", quote(array.name), " is of type ", quote(array.type),
                                ", which is not supported"));
-    // A value takes a byte at least.
+    // A value has a byte at least.
     const std::uint64_t rest = text_.rest().size();
     if (array.components != 0 && tuples > rest / array.components) ends();
     const std::uint64_t values = tuples * array.components;

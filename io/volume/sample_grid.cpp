@@ -45,7 +45,7 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
   return {spacing, frame};
 }
 
-// The part of the grid to keep, as checked index ranges.
+// Returns the region of the grid to keep, as checked index ranges.
 Roi region(const SampleGrid& grid) {
   Roi whole{{0, 0, 0},
             {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
@@ -86,7 +86,7 @@ void swap_bytes(std::span<std::byte> bytes, std::size_t word_size) {
   if (word_size == 8) swap_words<std::uint64_t>(bytes);
 }
 
-// The samples of the region, copied together.
+// Returns a copy of the region's samples.
 Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::byte> data) {
   const std::size_t nx = static_cast<std::size_t>(grid.dims[0]);
   const std::size_t ny = static_cast<std::size_t>(grid.dims[1]);
@@ -203,7 +203,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
 Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may_follow) {
   const std::uint64_t expected = data_size(grid);
   const std::uint64_t count = expected / size_of(grid.type);
-  // n numbers take 2n - 1 characters at least.
+  // n numbers have 2n - 1 characters at least.
   if (count > data.size() / 2 + 1)
     fail(data.name, "data is too short: " + describe(grid) + " do not fit in " +
                         std::to_string(data.size()) + " characters");

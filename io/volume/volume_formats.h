@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The readers behind read_volume(), one per format. Each is given a whole input, whose content has
-// been recognized, fills in a SampleGrid and finds the data. All throw InputError.
+// The readers of read_volume(), one per format. Each gets a whole input of its format, fills in a
+// SampleGrid and finds the data. All throw InputError.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ Volume read_nrrd(const VolumeInput& input);
 bool looks_like_metaimage(const Bytes& bytes);
 Volume read_metaimage(const VolumeInput& input);
 
-// Also true for gzip data: of the formats here only NIfTI is compressed as a whole.
+// True for gzip data too: of the formats here only NIfTI is compressed as a whole.
 bool looks_like_nifti(const Bytes& bytes);
 Volume read_nifti(const VolumeInput& input);
 
@@ -46,10 +46,10 @@ Volume read_vti(const VolumeInput& input);
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 
-// The file that a header of `input` names, which is put down in the log; relative names are taken
-// from the header's folder.
+// Opens the file that a header of `input` names, and logs it. Relative names begin at the header's
+// folder.
 Bytes open_data_file(const VolumeInput& input, std::string_view file_name);
-// The sample type of that name, or InputError.
+// Returns the sample type of that name. Throws InputError if there is none.
 SampleType supported_type(const VolumeInput& input, std::string_view name);
 
 }  // namespace deliso
