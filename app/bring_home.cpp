@@ -31,7 +31,7 @@ double bring_home(TriMesh& mesh, const Frame& at) {
     }
     p = {dot(to_x, q), dot(to_y, q), dot(to_z, q)};
   }
-  // What the predicates cannot take as it is far below all rounding.
+  // Coordinates too small for the predicates are far below all rounding.
   for (Vec3& p : mesh.points) {
     for (int axis = 0; axis < 3; ++axis) {
       if (std::fabs(p[axis]) < kSmallestCoordinate) p[axis] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh lies in the world, where its file has it; a volume is asked in its scaled frame.
+// Maps a mesh from the world, where its file has it, to the scaled frame of a volume.
 #pragma once
 
 #include "base/frame.h"
@@ -7,12 +7,12 @@
 
 namespace deliso {
 
-// Whether every coordinate is a float, so that rounding to one may have been.
+// True if every coordinate is a float, so that the mesh may have been rounded to floats.
 bool is_single_precision(const TriMesh& mesh);
 
-// Takes the mesh from the world to the volume's scaled frame, in place, and tells how far a vertex
-// may have been moved by rounding: to float where all coordinates are floats, else to double.
-// Coordinates too small for the predicates become 0.
+// Maps the mesh to the volume's scaled frame, in place. Returns the largest distance that rounding
+// may have moved a vertex: to float if all coordinates are floats, else to double. Coordinates too
+// small for the predicates become 0.
 double bring_home(TriMesh& mesh, const Frame& at);
 
 }  // namespace deliso

@@ -30,7 +30,7 @@ std::string share_text(std::size_t part, std::size_t whole) {
   return text(part, part > 0 ? " (" + rounded(100 * share, 3) + " %)" : "");
 }
 
-// `bound`: infinite where there is none.
+// `bound`: infinite if there is none.
 std::string distances_text(const char* name, const Distances& d, double bound, double voxel,
                            const Volume& volume) {
   if (d.points == 0) return text(name, "not measured\n");
@@ -162,7 +162,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   if (by_file && !given.r_min) options.limits.r_min = noted->r_min * voxel;
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const auto c = static_cast<Criterion>(n);
-    // As on the way to a mesh, h/r turns the distance off.
+    // As when a mesh is made, a limit of h/r turns the distance off.
     const bool is_given =
         given.limits[c] || (c == Criterion::distance && given.limits[Criterion::h_over_r]);
     if (kCriterionWords[n].check_help.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A verification for people and for programs, and the options it takes from the command line.
+// A verification as text and as JSON, and its options from the command line.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,21 @@
 
 namespace deliso {
 
-// What to do about crossings that rounding to float made.
+// Advice about crossings that rounding to float made.
 inline constexpr const char* kKeepDoubles =
     ".ply, .off, .obj and .vtp keep doubles, without --float";
 
-// The limits are those of the command line; of the check command those of `noted`, what the mesh's
-// file says, where options do not say otherwise. Distances are required by the check command alone,
-// and only where it was told one. Lengths in the scaled frame; position_error is left 0.
+// Returns the options of a verification, with lengths in the scaled frame and position_error 0. The
+// limits come from the command line; the check command prefers `noted`, the criteria in the mesh's
+// file, to defaults. Only the check command requires distances, and only if one was given.
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted = std::nullopt);
 
-// Aligned lines; lengths in voxels (the smallest spacing), places of faults in the world frame.
+// Returns aligned lines. Lengths are in voxels (the smallest spacing), places of faults in the
+// world.
 std::string verification_text(const Verification& v, const Volume& volume);
 
-// An object "check".
+// Adds an object "check".
 void add_verification(JsonWriter& json, const Verification& v, const Volume& volume);
 
 }  // namespace deliso

@@ -28,7 +28,8 @@ constexpr std::array<std::pair<std::string_view, Command>, 7> kCommands{
      {"trace", Command::trace},
      {"join", Command::join}}};
 
-// Insertions, deletions and replacements of characters between a and b (Levenshtein 1966).
+// Returns the least number of insertions, deletions and replacements from a to b (Levenshtein
+// 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -50,7 +51,7 @@ const OptionSpec& find_option(std::string_view name) {
   for (const OptionSpec& spec : option_table()) {
     if (spec.name == name) return spec;
     if (name.size() == 2 && spec.letter == name[1]) return spec;
-    // --isovalue is --iso, whatever follows.
+    // --isovalue is always --iso.
     const std::size_t distance = name.starts_with(spec.name) ? 0 : edit_distance(name, spec.name);
     if (name.size() > 2 && distance < least) {
       least = distance;
@@ -69,7 +70,7 @@ std::string_view name_of(Command command) {
   return {};
 }
 
-// The command that the first argument names; nothing when it names none.
+// Returns the command that the first argument names; nullopt if it names none.
 std::optional<Command> command_named(std::string_view word) {
   for (const auto& [name, command] : kCommands) {
     if (name == word) return command;
@@ -77,8 +78,8 @@ std::optional<Command> command_named(std::string_view word) {
   return std::nullopt;
 }
 
-// Throws where `word` was meant to be a command: a bare word, no file, and either like a command's
-// name or not the only input.
+// Throws if `word` was probably meant as a command. It is then a bare word and no file. Either it
+// is similar to a command's name, or it is not the only input.
 void refuse_unknown_command(std::string_view word, bool another_input) {
   if (word.find_first_of("./:") != std::string_view::npos) return;
   std::string_view nearest;
@@ -177,8 +178,8 @@ void check_join(const CommandLine& line) {
   }
 }
 
-// A block is meshed by what its samples say alone: what asks for all of the volume, or changes the
-// mesh at its faces, is not for blocks.
+// Refuses options that a block cannot have. A block is meshed from its samples alone, so no option
+// may need all of the volume or change the mesh at the block's faces.
 template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
@@ -201,7 +202,7 @@ void check_block(const CommandLine& line, const Given& given) {
   }
 }
 
-// What must hold between options, once all are read.
+// Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
   if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
     throw InputError("check needs a mesh and a volume: deliso check MESH INPUT --iso K");
@@ -234,8 +235,8 @@ void check_combination(CommandLine& line) {
   }
 }
 
-// --vertices and --triangles choose the distance that Stage 2 refines to: they exclude what sets it
-// otherwise, and what does without that stage.
+// --vertices and --triangles choose the bound on the distance in Stage 2. They exclude options that
+// set this bound, and options without that stage.
 template <class Given>
 void check_counts(const Options& options, bool paper, const Given& given) {
   const std::string_view name = given("--vertices")    ? "--vertices"
@@ -254,8 +255,8 @@ void check_counts(const Options& options, bool paper, const Given& given) {
   if (options.stop_after_recover) refuse("--stop-after");
 }
 
-// What --paper stands for, where options do not say otherwise; and the criteria of the paper turn
-// the bound on the distance off.
+// Applies --paper where options are not given. The paper's criteria turn the bound on the distance
+// off.
 template <class Given>
 void take_paper(Options& options, bool everything, const Given& given) {
   const Options paper = Options::paper();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program is asked to do, from its arguments.
+// The program's arguments, as a command with its options.
 #pragma once
 
 #include <cstddef>
@@ -20,67 +20,69 @@ namespace deliso {
 
 enum class Command { mesh, info, check, render, view, trace, join, help, version };
 
-// The part of the box at most, or at least, a fraction along an axis; or a plane of the mesh's
-// space.
+// The region of a picture that is kept: below or above a fraction of the box along an axis, or one
+// side of a plane in the mesh's space.
 struct ClipChoice {
   int axis = 0;
   double fraction = 1;
   bool keep_above = false;
-  std::optional<ClipPlane> plane;  // when given, the rest means nothing
+  std::optional<ClipPlane> plane;  // if given, the other members are ignored
 };
 
-// What the colors of a picture stand for.
+// The meaning of a picture's colors.
 enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient };
 
-// The two stages, or Marching Cubes for comparison (app/marching_cubes.h), which heeds no option of
-// theirs but `cap`.
+// The two stages, or Marching Cubes for comparison (app/marching_cubes.h). Of the stages' options
+// Marching Cubes uses only `cap`.
 enum class Method : std::uint8_t { delaunay, marching_cubes };
 
 struct CommandLine {
   Command command = Command::mesh;
-  std::optional<Command> help_of;  // for help: of this command alone
-  std::string input;  // a path, builtin:NAME[:SIZE], or - for standard input; pictures need it only
-                      // for some colors
-  // Paths, or - for standard input: one to check, some to draw or show; parts to join, paths alone.
+  std::optional<Command> help_of;  // of the help command: one command, or all
+  // A path, builtin:NAME[:SIZE], or - for standard input. Pictures need it only for some colors.
+  std::string input;
+  // Paths, or - for standard input: one to check, several to draw or show. Parts to join: paths.
   std::vector<std::string> meshes;
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
   std::optional<double> isovalue;
   ReadOptions read;
-  MeshWriteOptions write;  // its format is set wherever there is an output
+  MeshWriteOptions write;  // its format is set if there is an output
   Method method = Method::delaunay;
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
   ColorBy color_by = ColorBy::side;
-  std::optional<Up> up;  // absent: superior where the file tells, else +z
-  bool paper = false;    // the options are the paper's, but for those given
+  std::optional<Up> up;  // absent: superior if the file tells, else +z
+  bool paper = false;    // options that are not given are the paper's
   struct Given {
     PerCriterion<bool> limits;
     bool r_min = false;
-  } given;  // which criteria of a check are not left to the mesh's file, or to defaults
+  } given;  // of a check: limits from options, not from the mesh's file or defaults
   std::size_t trace_limit = 200'000;  // events
   bool trace_times = true;
   bool allow_empty = false;
   bool check = false;
-  double restricted_share = 0;  // the least that a check lets pass
+  double restricted_share = 0;  // the least that a check accepts
   bool quiet = false;
   bool verbose = false;
 };
 
-// The mesh is to have a number of vertices, not to keep to a distance.
+// True if a number of vertices is required instead of a bound on the distance.
 inline bool by_count(const Options& options) {
   return options.target_vertices != std::numeric_limits<std::size_t>::max();
 }
 
-// `arguments` without the program's name. Throws InputError with one line on the first fault:
-// unknown option or command (with the nearest known one), missing or bad value, option given twice,
-// option of another command, options that exclude each other, missing input or isovalue, format
-// that cannot be told.
+// Parses `arguments`, which are without the program's name. Throws an InputError of one line on the
+// first fault:
+// - an unknown option or command (with the nearest known one), or an option of another command;
+// - a missing or bad value, or an option given twice;
+// - options that exclude each other;
+// - a missing input or isovalue, or a mesh format that cannot be determined.
 CommandLine parse_command_line(std::span<const std::string_view> arguments);
 
-// The text of --help: of one command with all of its options, or of the program.
+// Returns the text of --help, of one command with all of its options or of the program.
 std::string help_text(std::optional<Command> command);
 
 }  // namespace deliso

@@ -23,7 +23,7 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-// Where in `criteria` a word of that name says its number; null: it is not known.
+// Returns the number in `criteria` that a word of that name sets; null if the name is unknown.
 double* place_of(Criteria& criteria, std::string_view name) {
   if (name == kRMin) return &criteria.r_min;
   const auto row = std::ranges::find(kCriterionTable, name, &CriterionRow::name);

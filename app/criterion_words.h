@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The criteria of surface/criteria.h in the words of options, help texts, reports and traces. Who
-// adds a row there adds one here.
+// The words for the criteria of surface/criteria.h in options, help texts, reports and traces. A
+// new row there needs one here.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace deliso {
 
 struct CriterionWords {
   std::string_view option;    // two hyphens and the criterion's name
-  std::string_view measured;  // what is, as the reports say it
+  std::string_view measured;  // the measure, in reports
   std::string_view key;       // in the JSON of a check
   std::string_view argument, help;
-  std::string_view check_help;  // empty: the check does not know what is measured
+  std::string_view check_help;  // empty: a check cannot measure it
 };
 
 inline constexpr std::array<CriterionWords, kCriteria> kCriterionWords{{

@@ -17,21 +17,21 @@ namespace {
 constexpr std::size_t kSamples = std::size_t{1} << 22;
 constexpr int kSlices = 32;
 
-// Vertices per voxel squared of surface: what is needed for the topology and for shape; on top of
-// it what a bound of one voxel on h, of 1 on h/r, and of 1 on r over pole height asks for, each
-// growing as the bound shrinks; and what there is when all triangles have a circumradius of one
-// voxel. Fitted to the built-in fields (their densities differ by factors) and to scanned volumes.
+// Vertices per voxel squared of surface. One number is for topology and shape. Three are added for
+// bounds of one voxel on h, of 1 on h/r, and of 1 on r over pole height. They grow as the bound
+// shrinks. The last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the
+// built-in fields, whose densities differ by factors, and to scanned volumes.
 constexpr double kBase = 0.03;
 constexpr double kDistance = 0.035, kHeight = 0.005, kPole = 0.04;
 constexpr double kFull = 0.67;
-// At creases of the interpolant, between voxels, h/r does not fall with r: down to r_min, vertices
-// per voxel of r_min.
+// Vertices per voxel of r_min at creases of the interpolant, between voxels. There h/r does not
+// fall with r, so refinement goes down to r_min.
 constexpr double kCrease = 0.03;
 
 // Crossings of grid edges along x, y and z.
 using Crossings = std::array<double, 3>;
 
-// How many of n samples lie on the other side of the threshold than those they are compared with.
+// Returns how many of n samples are on the other side of the threshold than `others`.
 template <class Sample>
 std::size_t count_changes(const Sample* samples, const Sample* others, std::size_t n,
                           Sample threshold) {
@@ -42,7 +42,8 @@ std::size_t count_changes(const Sample* samples, const Sample* others, std::size
   return changes;
 }
 
-// Those in every `stride`th slice and between it and the next, times how many slices it stands for.
+// Counts crossings in every `stride`th slice and between it and the next, times the number of
+// slices that it represents.
 template <class Sample>
 Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int stride) {
   const std::optional<Sample> threshold = inside_threshold<Sample>(kappa);
@@ -73,7 +74,7 @@ double density(const Options& options, const Volume& volume, double voxel) {
   const auto squared = [](double x) { return x * x; };
   const double h_over_r = options.limits[Criterion::h_over_r].value;
   const double r_over_pole = options.limits[Criterion::r_over_pole].value;
-  // With --vertices the distance is as small as the number allows.
+  // With --vertices the number decides.
   const double asked =
       by_count(options)
           ? Options::kNone
@@ -81,7 +82,7 @@ double density(const Options& options, const Volume& volume, double voxel) {
                       kPole / squared(r_over_pole), kFull / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
   const double creases = h_over_r < Options::kNone ? kCrease / r_min : 0;
-  // Nothing smaller than r_min is refined.
+  // Facets below r_min are not refined.
   return 1 / (1 / (kBase + asked + creases) + r_min * r_min / kFull);
 }
 
@@ -95,8 +96,8 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
       [&](const auto* samples) { return count_crossings(samples, dims, kappa, stride); });
   const Vec3 s = volume.spacing();
   const double voxel = std::min({s.x, s.y, s.z});
-  // A piece of surface with the unit normal n crosses lines along x as often as its area times
-  // |n.x|; |n.x| + |n.y| + |n.z| is 3/2 on the average over all directions.
+  // A piece of surface with the area A and the unit normal n crosses A |n.x| lines along x. The
+  // mean of |n.x| + |n.y| + |n.z| over all directions is 3/2.
   const double area =
       crossings[0] * s.y * s.z + crossings[1] * s.z * s.x + crossings[2] * s.x * s.y;
   return {crossings[0] + crossings[1] + crossings[2], area / (1.5 * voxel * voxel)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many vertices a mesh will have, before it is made: from how often the surface crosses grid
-// edges in some slices of the volume, and from what a criterion asks of a piece of surface.
+// An estimate of a mesh's number of vertices. It counts the grid edges that the surface crosses in
+// some slices of the volume. Each criterion needs a number of vertices per area.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +15,17 @@ namespace deliso {
 
 struct SurfaceEstimate {
   double crossings = 0;  // of grid edges
-  double area = 0;       // in voxels, squared; of the shortest side of one
+  double area = 0;       // in squares of a voxel's shortest side
 };
 
-// Looks at some 4 million samples, or at 32 slices where these are more, and at all of a smaller
-// volume. Within a few percent where the surface is alike in neighboring slices.
+// Returns the size of the surface from about 4 million samples, or 32 slices if these are more, or
+// all of a smaller volume. Within a few percent if neighboring slices are similar.
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 
-// By the bound on the distance, within a factor of 3 for surfaces whose curvature is that of most
-// data, a few voxels in radius; up to 6 too few for noise. By the paper's criteria no more than an
-// order of magnitude, since what they spend on a crease depends on its angle.
-// `surface`: the volume's at the isovalue.
+// Returns the expected number of vertices. By the bound on the distance it is right within a factor
+// of 3, if radii of curvature are a few voxels, as in most data. For noise it is up to 6 times too
+// low. By the paper's criteria it is only an order of magnitude: their vertices at a crease depend
+// on its angle. `surface`: the volume's at the isovalue.
 double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options);
 inline double expected_vertices(const Volume& volume, double kappa, const Options& options) {

@@ -16,8 +16,8 @@ namespace {
 
 using Values = std::vector<std::vector<double>>;  // of each mesh's facets
 
-// The upper end of a scale: above 99 % of the values, so that a few outliers do not take the
-// contrast from all others.
+// Returns the upper end of a scale: above 99 % of the values, so that a few outliers do not reduce
+// the contrast of the others.
 ColorBar scale_for(const Values& values, const char* title) {
   std::vector<double> all;
   double greatest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What --color-by makes of the meshes of a picture.
+// The colors of --color-by for the meshes of a picture.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 namespace deliso {
 
 struct FacetColors {
-  std::vector<std::vector<Rgb>> of_mesh;  // one for each; of no facets where sides have the colors
+  std::vector<std::vector<Rgb>> of_mesh;  // per mesh and facet; empty if sides have the colors
   std::optional<ColorBar> bar;            // one scale for all meshes
-  std::vector<std::size_t> components;    // of each mesh; empty but for ColorBy::component
+  std::vector<std::size_t> components;    // per mesh; only with ColorBy::component
 };
 
-// Reads the volume where the colors need one. Throws as read_input, and InputError where no facet
-// is near the isosurface.
+// Returns the colors. Reads the volume if they need one. Throws as read_input does, and an
+// InputError if no facet is near the isosurface.
 FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line);
 
 }  // namespace deliso

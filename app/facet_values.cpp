@@ -16,7 +16,7 @@
 namespace deliso {
 namespace {
 
-// f(a, b, c) of every facet's corners.
+// Returns f(a, b, c) for the corners of every facet.
 template <class F>
 std::vector<double> of_facets(const TriMesh& mesh, F f) {
   std::vector<double> values;
@@ -62,7 +62,7 @@ std::vector<double> smallest_angles(const TriMesh& mesh) {
 
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume,
                                         double isovalue) {
-  constexpr double kNear = 0.1;  // voxels; what is further is looked for in more directions
+  constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
   const Vec3 spacing = volume.spacing();
   const double voxel = std::min({spacing.x, spacing.y, spacing.z});
   const VoxelTree voxels(volume);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number for every facet of a mesh, in the order of its facets.
+// Values per facet of a mesh, in the order of its facets.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace deliso {
 
-// Connected components, numbered from the one with most facets on; of several alike, by their
-// smallest vertex.
+// Returns the number of each facet's component. Components are ordered by falling number of facets,
+// equal ones by their smallest vertex.
 struct FacetComponents {
   std::vector<std::uint32_t> of_facet;
   std::size_t count = 0;
@@ -21,13 +21,13 @@ FacetComponents facet_components(const TriMesh& mesh);
 
 std::vector<double> smallest_angles(const TriMesh& mesh);  // degrees; 0 without area
 
-// How far facets are from the isosurface, in voxels (of the shortest side): the furthest of the
-// points that `check` measures, infinite where the surface is not near. `home` lies in the volume's
-// frame; the isovalue is the user's.
+// Returns the distances of facets from the isosurface, in voxels (a voxel's shortest side). It is
+// the largest of the distances that `check` measures, infinite if the surface is not near. `home`:
+// the mesh in the volume's frame. The isovalue is the user's.
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume, double isovalue);
 
-// Size of the interpolant's gradient at the facets' middles, per unit of the volume's frame, which
-// is the world's.
+// Returns the size of the interpolant's gradient at the facets' middles, per unit of length. The
+// scaled frame and the world have the same unit.
 std::vector<double> gradient_sizes(const TriMesh& home, const Volume& volume);
 
 }  // namespace deliso

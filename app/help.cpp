@@ -23,7 +23,7 @@ void append_wrapped(std::string& text, std::string_view words, std::size_t colum
   text += words;
 }
 
-// `left`, and behind it from kColumn on, or below it, the words.
+// Appends `left`, then the words from kColumn on, in the same line or the next.
 void append_entry(std::string& text, std::string left, std::string_view words) {
   constexpr std::size_t kColumn = 30;
   if (left.size() + 2 > kColumn) {
@@ -104,7 +104,7 @@ std::string usage(Command command) {
 
 void append_options(std::string& text, Command command) {
   const std::span<const OptionGroup> groups = option_groups();
-  std::size_t next = 0, headed = 0;  // groups that begin, and that have a heading in the text
+  std::size_t next = 0, headed = 0;  // groups begun, and groups with a heading in the text
   for (const OptionSpec& spec : option_table()) {
     if (next < groups.size() && spec.name == groups[next].first) ++next;
     if ((spec.commands & flag_of(command)) == 0) continue;
@@ -116,7 +116,7 @@ void append_options(std::string& text, Command command) {
     if (spec.letter != 0) left.append({'-', spec.letter, ',', ' '});
     left += spec.name;
     if (!spec.argument.empty()) left.append(" ").append(spec.argument);
-    // A trace is of a run that meshes: where check means less by an option, it does not.
+    // A trace observes a meshing run, so its options have the meaning of mesh, not of check.
     const bool meshes = command == Command::mesh ||
                         (command == Command::trace && (spec.commands & kCheckOnly) != 0);
     const bool other = !meshes && !spec.other_help.empty();

@@ -33,7 +33,7 @@ Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins
       const auto sample = static_cast<double>(samples[n]);
       if (sample < range.min || sample > range.max) continue;
       const double bin = (sample - range.min) * per_value;
-      // Neither a range too wide for a double nor a single value may lead out of the bins.
+      // Clamped: the range may be too wide for a double, or a single value.
       ++histogram.counts[bin > 0 ? static_cast<std::size_t>(std::min(bin, last)) : 0];
     }
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a volume's samples are distributed.
+// The distribution of a volume's samples.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ struct Histogram {
   std::vector<std::uint64_t> counts;
 };
 
-// Of the samples in `range`: at most `bins` equal bins, of an integer type each of equally many
-// values.
+// Returns the histogram of the samples in `range`, with at most `bins` equal bins. For an integer
+// type each bin has the same number of values.
 Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins);
 
-// The value between two bins that parts the samples into the two most distinct classes: the
-// variance between the classes is largest (Otsu 1979). In the middle of the range for one bin.
+// Returns the value between two bins with the largest variance between the two classes of samples
+// (Otsu 1979). For one bin, the middle of the range.
 double otsu_threshold(const Histogram& histogram);
 
 bool is_integer(SampleType type);
 
-// One line per row of bins: its first value, a bar on a logarithmic scale, the share of samples.
+// Returns one line per row of bins: first value, bar on a logarithmic scale, share of samples.
 std::string histogram_text(const Histogram& histogram, int rows);
 
 }  // namespace deliso

@@ -19,7 +19,7 @@ namespace {
 constexpr int kBins = 256;
 constexpr int kRows = 16;
 constexpr std::size_t kSuggestions = 5;
-// The surface's components are counted where this takes a second or two at most.
+// Limit for counting the surface's components: a second or two.
 constexpr std::size_t kSamples = std::size_t{1} << 25;
 constexpr double kCrossings = 1 << 22;
 
@@ -36,7 +36,8 @@ std::string percent(double share) {
   return rounded(100 * share, 3) + " %";
 }
 
-// "about 71,000 vertices, 24 components"; two digits are more than is known.
+// Returns "about 71,000 vertices, 24 components" or the like; two digits are enough for an
+// estimate.
 std::string size_text(const Suggestion& s) {
   const double digit = std::pow(10, std::floor(std::log10(std::max(s.vertices, 10.0))) - 1);
   const double about = std::round(s.vertices / digit) * digit;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything the info command finds out about a volume, and its two forms: text for people, JSON
-// for programs.
+// The results of the info command about a volume, as text and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@ namespace deliso {
 
 struct Suggestion {
   Valley valley;
-  double vertices = 0;                      // expected of a mesh by the options
-  std::optional<std::uint64_t> components;  // of the exact surface, where that is quickly told
+  double vertices = 0;                      // expected for a mesh with the options
+  std::optional<std::uint64_t> components;  // of the exact surface, if they are quickly counted
 };
 
 struct Info {
@@ -30,13 +29,13 @@ struct Info {
   bool one_mode = false;                // the suggestion is Otsu's
   double seconds_suggestions = 0;
 
-  std::optional<double> isovalue;  // asked for; what follows is about it
+  std::optional<double> isovalue;  // the user's; the members below are about it
   double effective = 0;
   ContourSummary contour;
   double seconds_contour = 0;
 };
 
-// `input` must outlive the result.
+// Returns the information. Keeps a reference to `input`.
 Info find_info(const Input& input, const CommandLine& line);
 
 std::string info_text(const Info& info);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The volume a command works on, with what both commands report about it.
+// The volume of a command, with facts for its report.
 #pragma once
 
 #include <string>
@@ -17,18 +17,18 @@ struct Input {
   Volume volume;
   ValueRange range;
   ReadLog log;
-  double seconds = 0;  // reading, and looking at every sample once
+  double seconds = 0;  // for reading, and for one pass over the samples
 };
 
-// Reads the command's input. Throws InputError, also for the first NaN or infinite sample, and
-// where an output of the run cannot be written, or is one of the files that are read: of the
-// volume, and `others`.
+// Reads the command's input. Throws InputError, also for the first NaN or infinite sample. Also
+// throws if an output of the run cannot be written, or is a file that is read: of the volume or of
+// `others`.
 Input read_input(const CommandLine& line, std::vector<std::string> others = {});
 
-// Why there is no surface there: what the samples are.
+// Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);
 
-// Aligned lines for people, and an object "volume".
+// Give aligned lines, and an object "volume".
 std::string input_text(const Input& input);
 void add_input(JsonWriter& json, const Input& input);
 

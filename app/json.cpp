@@ -11,8 +11,8 @@
 namespace deliso {
 namespace {
 
-// Length of the UTF-8 sequence that s begins with; 0 where it is not one. (Overlong forms and
-// surrogates pass: a path that holds them still reads back as the bytes it was.)
+// Returns the length of the UTF-8 sequence at the beginning of s; 0 if there is none. Overlong
+// forms and surrogates pass, so a path with them reads back as the same bytes.
 std::size_t utf8_length(std::string_view s) {
   const auto lead = static_cast<unsigned char>(s[0]);
   const std::size_t length = lead < 0x80              ? 1

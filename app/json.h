@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A small writer of JSON (RFC 8259): nested objects and lists, two-space indentation. Keys come
-// out in the order they are added, numbers in the shortest form that reads back the same, so equal
-// content gives equal bytes.
+// A small writer of JSON (RFC 8259): nested objects and lists, two-space indentation. Keys keep
+// their order, and numbers have the shortest form that reads back the same. So equal content gives
+// equal bytes.
 #pragma once
 
 #include <concepts>
@@ -13,13 +13,13 @@
 
 namespace deliso {
 
-// The version of what the commands write; docs/report.schema.json says when it rises.
+// The version of the commands' JSON; docs/report.schema.json has the rules for a new one.
 inline constexpr int kSchema = 1;
 
 class JsonWriter {
  public:
   JsonWriter();
-  // What a command writes: begins with "schema", "command" and "version".
+  // Begins the JSON of a command with "schema", "command" and "version".
   explicit JsonWriter(std::string_view command);
 
   void open(std::string_view key);       // begins an object within the current one
@@ -29,7 +29,7 @@ class JsonWriter {
 
   void add(std::string_view key, std::string_view value);
   void add(std::string_view key, const char* value) { add(key, std::string_view(value)); }
-  void add(std::string_view key, double value);  // null where it is not finite
+  void add(std::string_view key, double value);  // null if it is not finite
   void add(std::string_view key, std::initializer_list<double> values);
   void add(std::string_view key, std::span<const std::string> values);
   void add(std::string_view key, bool value);
@@ -38,8 +38,8 @@ class JsonWriter {
     text_ += std::to_string(value);
   }
 
-  // Ends the outermost object and gives the whole text, with a newline at its end.
-  // pre: everything opened has been closed.
+  // Ends the outermost object and returns the whole text, with a newline at its end. pre: every
+  // other object and list is closed.
   std::string finish();
 
  private:
@@ -50,7 +50,7 @@ class JsonWriter {
   void append_string(std::string_view s);
 
   std::string text_;
-  std::string open_;  // the brackets that are not closed
+  std::string open_;  // brackets not closed yet
   bool first_ = true;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 using Loop = std::span<const std::uint8_t>;
 
-// Whether both edges bound one face of the voxel: a corner of each is on it, and the other, too.
+// True if one face of the voxel has both edges.
 bool in_one_face(int a, int b) {
   const auto [a0, a1] = corners_of_edge(a);
   const auto [b0, b1] = corners_of_edge(b);
@@ -26,8 +26,9 @@ bool in_one_face(int a, int b) {
   return all_set != 0 || any_set != 7;
 }
 
-// Cuts the part of a loop from i to k, closed by a diagonal, into triangles. Tries the corners in
-// between as the diagonal's third one, in order; false when none leads to diagonals as in M2.
+// Cuts the piece of a loop from i to k, closed by a diagonal, into triangles. Tries the corners
+// between them, in order, as the third corner at the diagonal. Returns false if none gives
+// diagonals as in M2.
 bool cut(Loop loop, std::size_t i, std::size_t k, std::vector<VoxelTriangle>& triangles) {
   if (k == i + 1) return true;
   const bool whole = i == 0 && k + 1 == loop.size();
@@ -41,7 +42,7 @@ bool cut(Loop loop, std::size_t i, std::size_t k, std::vector<VoxelTriangle>& tr
   return false;
 }
 
-// Takes the triangles of each voxel from the table, whatever its exact loops are.
+// Meshes each voxel by the table, which may differ from its exact loops.
 class TableSink {
  public:
   TableSink(const Volume& volume, std::vector<Vec3>& points, std::vector<Triangle>& triangles)

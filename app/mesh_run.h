@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything one run of the mesh command found out, and its two forms: text for people, JSON for
-// programs.
+// The results of a run of the mesh command, as text and as JSON.
 #pragma once
 
 #include <algorithm>
@@ -28,12 +27,12 @@ struct MeshRun {
   Report report;
   std::size_t vertices = 0, triangles = 0;
   TopologyCounts mesh;
-  std::string fault;        // first rule of mesh/tri_mesh.h that the mesh breaks; empty: none
+  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
-  double volume = 0;        // with --cap: what mesh and caps enclose, in world units
-  // Pairs of triangles that cross, of what is written: counted with --cap, and where coordinates
-  // are rounded to float. The second is what they would be in double precision.
+  double volume = 0;        // with --cap: the volume inside mesh and caps, in world units
+  // Pairs of crossing facets in the file, and how many they would be in double precision. Counted
+  // with --cap, and if coordinates are rounded to float.
   std::size_t crossings = 0, crossings_in_double = 0;
   std::optional<Verification> verification;  // with --check
 

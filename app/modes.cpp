@@ -16,14 +16,15 @@ namespace deliso {
 namespace {
 
 constexpr int kBins = 4096;
-constexpr double kSpike = 0.01, kGap = 1.0 / 32, kBulk = 1e-3;  // M1
-constexpr std::size_t kSpikes = 3;                              // at either end
-constexpr std::size_t kFew = 16;  // so few values are labels, none is padding or a neighbor's noise
-constexpr double kOutliers = 1e-4, kOccupied = 2;            // M2
-constexpr double kRatio = 1.5, kDeviations = 6, kAlike = 8;  // M3
+constexpr double kSpikeShare = 0.01, kGapShare = 1.0 / 32, kTailShare = 1e-3;  // M1
+constexpr std::size_t kMaxSpikes = 3;                                          // at either end
+// Up to this number of values they are labels: none is padding or noise around a mode.
+constexpr std::size_t kMaxLabels = 16;
+constexpr double kOutlierShare = 1e-4, kMinOccupiedBins = 2;              // M2
+constexpr double kMinRatio = 1.5, kMinDeviations = 6, kAlikeSamples = 8;  // M3
 constexpr int kKernels = 4;
 
-// What is at the two ends of the samples in a range.
+// The samples at the two ends of a range.
 struct Ends {
   std::uint64_t at_min = 0, at_max = 0;
   ValueRange inner;  // of the samples strictly between; min > max if there are none
@@ -48,8 +49,7 @@ std::uint64_t total_of(const Histogram& h) {
   return std::accumulate(h.counts.begin(), h.counts.end(), std::uint64_t{0});
 }
 
-// The bins without those at either end that hold no more than `share` of the samples: the first,
-// and the last.
+// Returns the first and last bin without the tails, which have at most `share` of the samples each.
 struct Span {
   std::size_t first, last;
 };
@@ -67,8 +67,8 @@ Span span_of(const Histogram& h, double share) {
   return span;
 }
 
-// As outliers may be far away, the bins are made anew for as long as most of them hold nothing
-// else.
+// Returns a histogram without outliers. Outliers may be far away, so it makes new bins while most
+// have only outliers.
 Histogram fine_histogram(const Volume& volume, ValueRange range, double outliers) {
   for (;;) {
     Histogram h = make_histogram(volume, range, kBins);
@@ -82,22 +82,23 @@ Histogram fine_histogram(const Volume& volume, ValueRange range, double outliers
   }
 }
 
-// What is wider than this has a gap beside it, M1; infinity where there are too few values to tell.
+// Returns the width above which a gap shows padding (M1); infinity if there are too few values.
 double gap_beside(const Histogram& core) {
-  const Span bulk = span_of(core, kBulk);
+  const Span bulk = span_of(core, kTailShare);
   std::size_t widest = 0, empty = 0, occupied = 0;
   for (std::size_t b = bulk.first; b <= bulk.last; ++b) {
     empty = core.counts[b] > 0 ? 0 : empty + 1;
     widest = std::max(widest, empty + 1);
     occupied += core.counts[b] > 0;
   }
-  if (occupied <= kFew) return std::numeric_limits<double>::infinity();
+  if (occupied <= kMaxLabels) return std::numeric_limits<double>::infinity();
   const auto bins = static_cast<double>(bulk.last - bulk.first + 1);
-  return core.width * std::max(kGap * bins, static_cast<double>(widest));
+  return core.width * std::max(kGapShare * bins, static_cast<double>(widest));
 }
 
-// The spikes of one end, from outside in, of which those are padding that lie beyond a gap. Puts
-// `end` where the others begin.
+// Removes spikes that are not padding: the ones without a gap wider than `wide` inside them. The
+// spikes of one end are ordered from outside in. Sets `end` to where the rest of the samples
+// begins.
 void keep_padding(std::vector<Padding>& spikes, double wide, double& end) {
   while (!spikes.empty() && !(std::abs(end - spikes.back().value) > wide)) {
     end = spikes.back().value;
@@ -105,28 +106,28 @@ void keep_padding(std::vector<Padding>& spikes, double wide, double& end) {
   }
 }
 
-// Takes the padding off the range.
+// Removes the padding from the range and returns it.
 std::vector<Padding> take_padding(const Volume& volume, ValueRange& range) {
   std::vector<Padding> low, high;
   const auto all = static_cast<double>(volume.sample_count());
   ValueRange core = range;
-  for (std::size_t n = 0; n < kSpikes; ++n) {
+  for (std::size_t n = 0; n < kMaxSpikes; ++n) {
     const Ends ends = ends_of(volume, core);
     const double at_min = static_cast<double>(ends.at_min) / all;
     const double at_max = static_cast<double>(ends.at_max) / all;
-    if (std::max(at_min, at_max) < kSpike) break;
+    if (std::max(at_min, at_max) < kSpikeShare) break;
     if (!(ends.inner.min < ends.inner.max)) return {};
-    if (at_min >= kSpike) {
+    if (at_min >= kSpikeShare) {
       low.push_back({core.min, at_min});
       core.min = ends.inner.min;
     }
-    if (at_max >= kSpike) {
+    if (at_max >= kSpikeShare) {
       high.push_back({core.max, at_max});
       core.max = ends.inner.max;
     }
   }
   if (low.empty() && high.empty()) return {};
-  const double wide = gap_beside(fine_histogram(volume, core, kBulk));
+  const double wide = gap_beside(fine_histogram(volume, core, kTailShare));
   keep_padding(low, wide, core.min);
   keep_padding(high, wide, core.max);
   range = core;
@@ -134,7 +135,7 @@ std::vector<Padding> take_padding(const Volume& volume, ValueRange& range) {
   return low;
 }
 
-// The length of the shortest interval with an eighth of the samples, in bins.
+// Returns the length of the shortest interval with an eighth of the samples, in bins.
 double shortest_eighth(const Histogram& h) {
   const auto eighth = (total_of(h) + 7) / 8;
   std::size_t best = h.counts.size(), end = 0;
@@ -148,19 +149,19 @@ double shortest_eighth(const Histogram& h) {
   return static_cast<double>(best);
 }
 
-// The standard deviation of the kernel, in bins.
+// Returns the standard deviation of the kernel, in bins.
 double kernel_of(const Histogram& h) {
-  const Span span = span_of(h, kOutliers);
+  const Span span = span_of(h, kOutlierShare);
   const auto occupied = static_cast<std::size_t>(std::count_if(
       h.counts.begin() + static_cast<std::ptrdiff_t>(span.first),
       h.counts.begin() + static_cast<std::ptrdiff_t>(span.last) + 1, [](auto n) { return n > 0; }));
-  if (occupied <= kFew) return 0.5;
+  if (occupied <= kMaxLabels) return 0.5;
   const double step =
       static_cast<double>(span.last - span.first + 1) / static_cast<double>(occupied);
-  constexpr double kEighth = 0.3147;  // how wide it is for a normal distribution of deviation 1
+  constexpr double kEighth = 0.3147;  // its length for a normal distribution of deviation 1
   const double best =
       0.9 * shortest_eighth(h) / kEighth * std::pow(static_cast<double>(total_of(h)), -0.2);
-  return std::max(best, kOccupied * step);
+  return std::max(best, kMinOccupiedBins * step);
 }
 
 std::vector<double> smoothed(const Histogram& h, double sigma) {
@@ -183,17 +184,17 @@ std::vector<double> smoothed(const Histogram& h, double sigma) {
   return density;
 }
 
-// M3: a height such that a valley of depth 1 counts. Where few samples are under the kernel it
-// grows with their standard deviations (2 sqrt(n) has a deviation of 1), where there are many with
-// their ratio.
+// Returns a height for M3, such that a valley of depth 1 counts. With few samples under the kernel
+// the height grows by their standard deviations: 2 sqrt(n) has a deviation of 1. With many it grows
+// by their ratio.
 double height(double samples) {
-  const double per_ratio = 1 / std::log(kRatio);
-  const double turn = std::pow(kDeviations * per_ratio, 2);
-  if (samples <= turn) return 2 * std::sqrt(samples) / kDeviations;
-  return 2 * std::sqrt(turn) / kDeviations + per_ratio * std::log(samples / turn);
+  const double per_ratio = 1 / std::log(kMinRatio);
+  const double turn = std::pow(kMinDeviations * per_ratio, 2);
+  if (samples <= turn) return 2 * std::sqrt(samples) / kMinDeviations;
+  return 2 * std::sqrt(turn) / kMinDeviations + per_ratio * std::log(samples / turn);
 }
 
-// Bins of the modes at even places, of the valleys between them at odd ones.
+// An extreme of the heights. In a list, modes are at even places, the valleys between at odd ones.
 struct Extreme {
   std::size_t bin;
   double height;
@@ -212,7 +213,7 @@ std::vector<Extreme> extremes_of(const std::vector<double>& heights) {
     }
     b = end;
   }
-  if (out.size() % 2 == 0 && !out.empty()) out.pop_back();  // it ends with a valley to nowhere
+  if (out.size() % 2 == 0 && !out.empty()) out.pop_back();  // a valley at the end
   return out;
 }
 
@@ -221,7 +222,7 @@ double depth_of(const std::vector<Extreme>& extremes, std::size_t valley) {
          extremes[valley].height;
 }
 
-// Fills in the shallowest valley for as long as it does not count.
+// Removes the shallowest valley while its depth is below 1, with the lower mode beside it.
 void drop_bumps(std::vector<Extreme>& extremes) {
   while (extremes.size() >= 3) {
     std::size_t shallowest = 1;
@@ -236,7 +237,7 @@ void drop_bumps(std::vector<Extreme>& extremes) {
   }
 }
 
-// In bins.
+// The floor of a valley, in bins.
 struct Floor {
   double middle;
   std::size_t lowest;
@@ -252,10 +253,10 @@ Floor floor_of(const std::vector<double>& heights, const std::vector<Extreme>& e
   return {static_cast<double>(first + last) / 2, extremes[valley].bin, depth_of(extremes, valley)};
 }
 
-// Adds the valleys of one kernel between whose modes there is none yet.
+// Adds the valleys of one kernel, if no known valley lies between the same modes.
 void add_floors(const Histogram& h, double sigma, std::vector<Floor>& floors) {
-  // So many samples have the deviation that a kernel estimate has.
-  const double counted = 2 * std::sqrt(std::numbers::pi) * sigma / kAlike;
+  // A kernel estimate has the deviation of this number of samples.
+  const double counted = 2 * std::sqrt(std::numbers::pi) * sigma / kAlikeSamples;
   std::vector<double> heights = smoothed(h, sigma);
   for (double& d : heights) d = height(d * counted);
   std::vector<Extreme> extremes = extremes_of(heights);
@@ -271,8 +272,8 @@ void add_floors(const Histogram& h, double sigma, std::vector<Floor>& floors) {
   }
 }
 
-// To as many digits as tell it from what is half a bin away; between two values of an integer type,
-// and not halfway, where the surface would pass through the middles of grid edges.
+// Rounds an isovalue to about a bin's width. For an integer type it lies between two values, but
+// not halfway: there the surface would pass through the middles of grid edges.
 double isovalue_at(const Volume& volume, const ValueRange& range, double value, double width) {
   if (is_integer(volume.type())) return std::ceil(value) - 0.4;
   const double grain = std::pow(10, std::floor(std::log10(width)));
@@ -304,14 +305,14 @@ Modes find_modes(const Volume& volume, const ValueRange& all, std::size_t most) 
   ValueRange range = all;
   modes.padding = take_padding(volume, range);
   if (!(range.min < range.max)) return modes;
-  const Histogram h = fine_histogram(volume, range, kOutliers);
+  const Histogram h = fine_histogram(volume, range, kOutlierShare);
   if (!(h.width > 0) || !std::isfinite(h.width)) return modes;
   const double sigma = kernel_of(h);
   std::vector<Floor> floors;
   for (int n = 0; n < kKernels; ++n) add_floors(h, std::ldexp(sigma, n), floors);
   std::ranges::sort(floors, {}, &Floor::lowest);
 
-  // The middle of a bin; of an integer type the middle of its values.
+  // The middle of a bin or, for an integer type, of its values.
   const double middle = is_integer(volume.type()) ? 0.5 * (h.width - 1) : 0.5 * h.width;
   const auto value_at = [&](double bin) { return h.range.min + middle + h.width * bin; };
   const std::vector<double> density = smoothed(h, sigma);

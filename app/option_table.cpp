@@ -18,7 +18,7 @@
 namespace deliso {
 namespace {
 
-// One of the names in a list of (name, value) pairs.
+// Returns the value of a name in a list of (name, value) pairs.
 template <class T, std::size_t N>
 T choose(std::string_view option, std::string_view text,
          const std::array<std::pair<std::string_view, T>, N>& choices) {
@@ -31,7 +31,7 @@ T choose(std::string_view option, std::string_view text,
                    "'");
 }
 
-// The volume layer's parsers name what is wrong, but no option.
+// Adds the option to the faults of the volume layer's parsers.
 template <class Parse>
 auto in_option(std::string_view option, std::string_view text, Parse parse) {
   try {

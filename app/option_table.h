@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one table of options: it drives the parsing, the suggestions for misspelt names and the help
-// texts.
+// The one table of options, for parsing, for suggestions to misspelt names and for help texts.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace deliso {
 
-// Which commands know an option.
+// The commands of an option.
 enum Commands : std::uint8_t {
   kMeshOnly = 1,
   kInfoOnly = 2,
@@ -45,12 +44,12 @@ constexpr Commands flag_of(Command command) {
 struct OptionSpec {
   std::string_view name;
   char letter;                // of its short form; 0: none
-  std::string_view argument;  // what stands after it; empty for a switch
+  std::string_view argument;  // the name of its value; empty for a switch
   Commands commands;
   std::string_view help;
   // Throws InputError that names the option.
   void (*apply)(CommandLine& line, std::string_view name, std::string_view value);
-  std::string_view other_help = {};  // of a command that is not mesh, where it means less there
+  std::string_view other_help = {};  // for commands other than mesh, if it has less effect there
 };
 
 // A heading of the help texts.

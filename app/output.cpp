@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What tells files apart: device and inode where there is one, else its place.
+// The identity of a file: device and inode if it exists, else its path.
 struct FileName {
   dev_t device = 0;
   ino_t inode = 0;
@@ -25,8 +25,8 @@ struct FileName {
   friend bool operator==(const FileName&, const FileName&) = default;
 };
 
-// The regular file, or the one to be, at `path`; nothing for devices, pipes, built-in fields.
-// `stream`: the descriptor that `-` is.
+// Returns the regular file, existing or future, at `path`; nullopt for devices, pipes and built-in
+// fields. `stream`: the descriptor of `-`.
 std::optional<FileName> file_named(const std::string& path, int stream) {
   if (path.empty() || path.starts_with("builtin:")) return std::nullopt;
   struct stat status {};
@@ -67,7 +67,7 @@ void require_outputs(std::span<const std::string> outputs, std::span<const std::
     for (const std::string& earlier : outputs.first(n)) {
       if (file_named(earlier, STDOUT_FILENO) == output) refuse("writes", earlier);
     }
-    // Opens it as it will be opened, and leaves nothing behind.
+    // Opens it as the run will, without effect on the target.
     if (outputs[n] != "-") const AtomicFile probe(outputs[n]);
   }
 }

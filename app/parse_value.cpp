@@ -33,7 +33,7 @@ std::optional<double> read_finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// Splits at `separator` into exactly N parts and reads each.
+// Splits at `separator` into exactly N parts and parses each.
 template <class Number, std::size_t N>
 std::optional<std::array<Number, N>> read_list(std::string_view text, char separator) {
   std::array<Number, N> numbers;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Option values from their text. All of it must be used: "1e" and "12abc" are no numbers. Each
-// throws InputError with one line that names the option and the text.
+// Parse option values. All of the text must be used: "1e" and "12abc" are no numbers. Each function
+// throws an InputError of one line that names the option and the text.
 #pragma once
 
 #include <cstdint>

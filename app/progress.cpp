@@ -82,7 +82,7 @@ double ProgressModel::at(std::string_view stage, double share) {
   double before = 0;
   for (const StageCost& s : stages_) {
     if (s.stage == stage) {
-      // Of a share that is no number nothing is done.
+      // A share that is no number counts as 0.
       const double done = share > 0 ? std::min(share, 1.0) : 0;
       reached_ = std::max(reached_, std::min(1.0, (before + s.cost * done) / total_));
       break;

@@ -17,7 +17,7 @@ void add_searches(JsonWriter& json, std::string_view key, const SearchCounters& 
   json.close();
 }
 
-// An object: its value, and in what.
+// Adds an object with a value and its unit.
 void add_length(JsonWriter& json, std::string_view key, const Length& length) {
   constexpr std::string_view kUnits[] = {"world", "box", "voxel"};
   json.open(key);

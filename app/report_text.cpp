@@ -13,7 +13,7 @@
 namespace deliso {
 namespace {
 
-// A share that may have nothing to be shared by.
+// Returns a share; the whole may be 0.
 std::string ratio(double a, double b, int digits) {
   if (b == 0) return "-";
   char text[32];
@@ -54,7 +54,7 @@ void append_quality(std::string& text, const MeshQuality& quality, double lambda
   }
 }
 
-// How near to the surface Stage 2 has brought the mesh.
+// Returns the distance to the surface that Stage 2 reached.
 std::string distance_text(const Options& options, const Report& report, double voxel,
                           bool verbose) {
   const auto both = [voxel](double length) {
@@ -69,7 +69,7 @@ std::string distance_text(const Options& options, const Report& report, double v
               verbose ? "          " + largest : std::string());
 }
 
-// The table of stages.
+// Appends the table of stages.
 void append_stages(std::string& text, const MeshRun& run) {
   const Report& report = run.report;
   text += "\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
@@ -90,7 +90,7 @@ void append_stages(std::string& text, const MeshRun& run) {
   append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 }
 
-// What Stage 2 did, and what was refused for which reasons.
+// Returns the operations of Stage 2, and the numbers refused by each test.
 void append_rungs(std::string& text, const Report& report) {
   const char* heading = "rungs";
   for (std::size_t r = 0; r < kRungs; ++r) {
@@ -110,7 +110,7 @@ void append_rungs(std::string& text, const Report& report) {
   }
 }
 
-// What was refused, and what is left.
+// Appends the counters that are not 0, and the operations of Stage 2.
 void append_counters(std::string& text, const Report& report) {
   const std::size_t before = text.size();
   for (std::size_t n = 0; n < kCounterCount; ++n) {
@@ -123,7 +123,7 @@ void append_counters(std::string& text, const Report& report) {
   if (text.size() == before) text += "counters  nothing refused or unresolved\n";
 }
 
-// What holds of the mesh, and where it falls short.
+// Returns what holds of the mesh, and how many triangles and points miss a limit.
 std::string verdict_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands. Each reads, calls the library, writes, and gives the exit status; faults are
+// The commands. Each reads, calls the library, writes, and returns the exit status. Faults are
 // thrown.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The info command: what a volume is, how its samples are distributed, what surface an isovalue
-// has.
+// The info command: a volume's properties, the distribution of its samples, and the surface at an
+// isovalue.
 #include "app/info.h"
 #include "app/output.h"
 #include "app/run.h"

@@ -33,9 +33,9 @@
 namespace deliso {
 namespace {
 
-// Vertices that are worth a word; and for which 32-bit ids cannot name the triangles of the exact
-// contour: it has about eight vertices for one of the mesh.
-constexpr double kMany = 1e7, kTooMany = 2.5e8;
+// Vertices from which a message warns; and from which 32-bit ids do not suffice for the triangles
+// of T, which has about eight vertices for one of the mesh.
+constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 
 std::uint64_t peak_memory_bytes() {
   rusage usage{};
@@ -43,7 +43,7 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-// Throws InputError where no sample can be on one of the two sides.
+// Throws InputError if no sample can be on one of the two sides.
 void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   if (range.min < isovalue && isovalue <= range.max) return;
   throw InputError(no_surface_text(isovalue, range) + ", everything is " +
@@ -51,19 +51,20 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
                    " (--allow-empty accepts that)");
 }
 
-// One line beforehand for what may take long and much memory; an InputError for what cannot be.
+// Warns in one line before a run that may need much time and memory. Throws an InputError before an
+// impossible one.
 void warn_of_size(double vertices, bool quiet) {
-  if (vertices <= kMany) return;
+  if (vertices <= kManyVertices) return;
   char words[160];
   std::snprintf(words, sizeof words,
                 "about %.0f million vertices are to be expected; a larger --max-distance or "
                 "--rmin, or --vertices N, gives fewer",
                 vertices / 1e6);
-  if (vertices > kTooMany) throw InputError(std::string("too large: ") + words);
+  if (vertices > kMaxVertices) throw InputError(std::string("too large: ") + words);
   if (!quiet) std::fprintf(stderr, "deliso: warning: %s\n", words);
 }
 
-// One line beforehand where there are more components than so many vertices can make.
+// Warns beforehand if the components need more vertices than asked for.
 void warn_of_components(const Volume& volume, double isovalue, const Options& options) {
   const ContourSummary summary = summarize_settled_contour(volume, isovalue, options.threads);
   const std::vector<std::uint8_t> chosen = chosen_components(summary, options.components);
@@ -80,14 +81,14 @@ void warn_of_components(const Volume& volume, double isovalue, const Options& op
       grouped(fewest_vertices(components, 1)).c_str());
 }
 
-// The facets from number `begin` to `end`, over the same vertices.
+// Returns the facets from `begin` to `end`, with the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   std::vector<Triangle> triangles;
   for (FaceId f(begin); f < end; ++f) triangles.push_back(mesh.faces[f].v);
   return make_tri_mesh(mesh.points, triangles);
 }
 
-// Checks the mesh, and counts and measures what is reported of it, side by side.
+// Checks and measures the mesh for the report, in threads.
 void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, bool reported,
              MeshRun& run) {
   const Options& options = run.line.options;
@@ -113,7 +114,7 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   if (run.fault.empty()) run.fault = boundary_fault;
 }
 
-// Holds the mesh against the volume, trusting no stage.
+// Verifies the mesh against the volume, independently of the stages.
 void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
   VerifyOptions options = verify_options(run.line, volume);
   if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
@@ -121,8 +122,8 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
-// Single precision and turned axes round: what is counted is what the file will hold. Only where
-// floats cross are the doubles counted as well, to tell whether rounding did it.
+// Counts crossings of the points as the file will have them: single precision and turned axes round
+// them. If some cross, counts those of the doubles too, to see whether rounding is the cause.
 void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
@@ -196,7 +197,7 @@ int run_mesh(const CommandLine& line) {
   const Stopwatch watch;
   run.vertices = mesh.points.size();
   run.triangles = mesh.faces.size();
-  // Caps are no part of what is compared with the exact surface.
+  // Caps are not compared with the exact surface.
   TriMesh without_caps;
   if (line.options.cap) without_caps = part_of(mesh, 0, run.report.cap.surface_triangles);
   const TriMesh& surface = line.options.cap ? without_caps : mesh;

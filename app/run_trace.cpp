@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trace command: volume and isovalue in, a page out on which the mesher can be watched.
+// The trace command: volume and isovalue in, a page out that shows the mesher's work.
 #include <cstdio>
 #include <filesystem>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The view command: meshes from files in, a page for a browser out. Points are single precision
-// there, so they are given from the middle of all meshes: a scanner's origin may be far away.
+// The view command: meshes from files in, a page for a browser out. Its points have single
+// precision. They are relative to the middle of all meshes, since a scanner's origin may be far
+// away.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -24,7 +25,7 @@
 namespace deliso {
 namespace {
 
-// Of all vertices; the origin alone where there are none.
+// Returns the middle of the box of all vertices; the origin if there are none.
 Vec3 middle_of(const std::vector<TriMesh>& meshes) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};

@@ -15,10 +15,10 @@
 namespace deliso {
 namespace {
 
-// In a signal handler nothing may be allocated, and the C library's files not be used: the list of
-// mappings (proc(5), "address-address permissions offset device inode path") is read byte by byte.
+// A signal handler may neither allocate nor use the C library's files. So it reads the list of
+// mappings byte by byte (proc(5), "address-address permissions offset device inode path").
 
-// One line of the list, without its end; false when there is none.
+// Reads one line of the list, without its end. Returns false if there is none.
 bool read_line(int file, char* line, std::size_t room) {
   std::size_t size = 0;
   char c;
@@ -57,7 +57,7 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
     const std::uintptr_t end = take_hexadecimal(*at == '-' ? ++at : at);
     const char* const path = std::strchr(at, '/');
     if (where < begin || where >= end || path == nullptr) continue;
-    // Several threads may meet the end of the file at once: the first one speaks for all.
+    // Several threads may reach the end of the file at once: only the first reports it.
     static std::atomic_flag is_said;
     while (is_said.test_and_set()) pause();
     if (isatty(STDERR_FILENO) != 0) say("\r\033[K");  // over a progress bar
@@ -66,7 +66,7 @@ void on_bus_error(int signal, siginfo_t* info, void*) {
     say(": was cut short while it was read\n");
     _exit(kBadUsage);
   }
-  // No file's: a fault of the program itself, which shall be seen as one.
+  // Not in a mapped file: a fault of the program, which must stay visible as one.
   std::signal(signal, SIG_DFL);
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the system tells by a signal, as one line and the exit status for bad input instead.
+// Turns signals about files into one line and the exit status for bad input.
 #pragma once
 
 #include <csignal>
 
 namespace deliso {
 
-// From now on a file that somebody shortens while it is mapped ends the program by one line that
-// names it, and a file that grows beyond the system's limit (RLIMIT_FSIZE) makes write() fail.
+// Handles signals about files. If a mapped file is shortened, the program ends with one line that
+// names it. If a file grows beyond the system's limit (RLIMIT_FSIZE), write() fails.
 void handle_signals();
 
-// Keeps SIGINT, SIGTERM and SIGHUP waiting for as long as it lives, so that they do not leave a
-// temporary file behind: writing takes a moment, and then the signal has its way.
+// Blocks SIGINT, SIGTERM and SIGHUP during its lifetime, so that they leave no temporary file. They
+// take effect after the write.
 class DeferSignals {
  public:
   DeferSignals();

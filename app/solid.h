@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the reports say of caps and of the volume that they close in.
+// Caps and the enclosed volume in reports.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace deliso {
 
-// A volume of the scaled frame, in world units.
+// Returns a volume of the scaled frame in world units.
 double world_volume(double scaled, const Frame& frame);
 
-// "volume 12.5, caps of 7 new vertices and 31 triangles, ...", without an end of line.
+// Returns "volume 12.5, caps of 7 new vertices and 31 triangles, ...", without an end of line.
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                        const MeshQuality& caps);
 
-// An object "solid".
+// Adds an object "solid".
 void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                const MeshQuality& caps);
 

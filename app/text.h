@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and names of files as the program prints them.
+// Numbers and file names in the program's texts.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace deliso {
 
 std::string number_text(double value);  // the shortest digits that read back as the same number
-std::string rounded(double value, int digits = 4);  // to so many significant digits
+std::string rounded(double value, int digits = 4);  // to this number of significant digits
 std::string grouped(std::uint64_t n);               // 1234567 -> "1,234,567"
 std::string short_name(const std::string& file);    // of the file alone; "standard input" for -
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many);  // "1 vertex"

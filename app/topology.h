@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh and the exact contour are compared by, and how reports say it.
+// The topology of a mesh and of the exact contour in reports.
 #pragma once
 
 #include <string>

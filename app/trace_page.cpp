@@ -41,7 +41,7 @@ void add_routines(JsonWriter& json) {
   json.close();
 }
 
-// As strings, and what the refusals mean beside them.
+// The names as strings, with the meanings of the refusals.
 void add_outcomes(JsonWriter& json) {
   std::vector<std::string> names, texts;
   for (std::size_t n = 0; n < static_cast<std::size_t>(TraceOutcome::count_); ++n) {

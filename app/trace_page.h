@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trace as a page's data: its arrays by name, and the header that explains them.
+// A trace as data of a page: arrays by name, and a header that explains them.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ namespace deliso {
 inline constexpr std::size_t kMostSamplesShown = std::size_t{1} << 21;
 
 void add_trace(const Trace& trace, PageData& data);
-// Integers of 8 and 16 bits as they are, others as shares of the range, in 16 bits.
+// Adds the samples: integers of 8 and 16 bits unchanged, others as shares of the range in 16 bits.
 void add_samples(const Volume& volume, const ValueRange& range, PageData& data);
-// What the arrays mean, what the run was, and how long it took unless times are left out.
-// The axis of the scaled frame that is nearest to superior, which is +z in RAS and LPS; +z where
-// the file names neither.
+// Returns the axis of the scaled frame that is nearest to superior, which is +z in RAS and LPS; +z
+// if the file names neither.
 Up superior_of(const Frame& frame);
 
+// Returns the header: the meaning of the arrays, the run, and its times unless they are left out.
 std::string trace_header(const CommandLine& line, const Input& input, const Report& report,
                          const Trace& trace);
 
