@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A reader of JSON (RFC 8259) and a validator for the part of JSON Schema 2020-12 that
-// docs/report.schema.json uses: type, properties, required, additionalProperties, items, enum,
+// A reader of JSON (RFC 8259), and a validator for the keywords of JSON Schema 2020-12 in
+// docs/report.schema.json. These are type, properties, required, additionalProperties, items, enum,
 // const, minimum, oneOf and $ref into $defs. Any other keyword in a schema is a fault.
 #pragma once
 
@@ -37,7 +37,7 @@ class Parser {
  public:
   explicit Parser(std::string_view text) : rest_(text) {}
 
-  // Throws std::runtime_error for what is no JSON, or has a key twice.
+  // Throws std::runtime_error if the text is no JSON or has a key twice.
   Value parse() {
     Value value = parse_value();
     skip_space();

@@ -24,7 +24,7 @@ TEST_CASE("Marching Cubes of tiny volumes of noise become closed solids") {
 
 // Marching Cubes may well cross itself there. Its vertices lie a few roundings apart, and caps were
 // refined between them for ever.
-TEST_CASE("caps of Marching Cubes on samples of all sizes are made in no time, whatever they are") {
+TEST_CASE("caps of Marching Cubes on samples of all sizes need little time") {
   std::size_t triangles = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);

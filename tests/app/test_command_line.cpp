@@ -66,7 +66,7 @@ std::vector<HelpEntry> options_in_help(std::span<const Command> commands = kAllC
 
 }  // namespace
 
-TEST_CASE("the defaults: by distance, in voxels") {
+TEST_CASE("by default the distance is bounded, in voxels") {
   const CommandLine line = parse({"engine.nhdr", "--iso", "40.1"});
   CHECK(line.command == Command::mesh);
   CHECK(line.input == "engine.nhdr");
@@ -194,7 +194,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.input == "in.raw");
 }
 
-TEST_CASE("lengths: in voxels, or in the unit that is the option's own") {
+TEST_CASE("lengths are in voxels or in the option's own unit") {
   const auto length = [](std::string_view option, std::string_view text) {
     const Options options = parse({"a", "--iso", "1", option, text}).options;
     return option == "--rmin"      ? options.r_min
@@ -216,7 +216,7 @@ TEST_CASE("lengths: in voxels, or in the unit that is the option's own") {
   }
 }
 
-TEST_CASE("--paper is everything as published, but for what is given") {
+TEST_CASE("--paper sets everything as published, except options that are given") {
   const Options published = Options::paper();
   for (const std::string_view command : {"mesh", "check"}) {
     std::vector<std::string_view> arguments = {command, "a", "--iso", "1", "--paper"};
@@ -261,7 +261,7 @@ TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
   }
 }
 
-TEST_CASE("--vertices and --triangles, and what excludes them") {
+TEST_CASE("--vertices and --triangles are parsed, and options that exclude them are refused") {
   CHECK(parse({"a", "--iso", "1", "--vertices", "1000"}).options.target_vertices == 1000);
   CHECK(parse({"a", "--iso", "1", "--triangles", "1000"}).options.target_vertices == 500);
   CHECK(by_count(parse({"a", "--iso", "1", "--vertices", "4"}).options));
@@ -302,7 +302,7 @@ TEST_CASE("the criteria of a check are known as given or not") {
   CHECK(others.given.limits[Criterion::h_over_r]);
 }
 
-TEST_CASE("the help of a command lists what it takes, and nothing else") {
+TEST_CASE("the help of a command lists its options and no others") {
   for (std::size_t n = 0; n < std::size(kAllCommands); ++n) {
     const auto listed = options_in_help({&kAllCommands[n], 1});
     for (const HelpEntry& entry : options_in_help()) {
@@ -328,7 +328,7 @@ TEST_CASE("the help of a command lists what it takes, and nothing else") {
   CHECK(help_text(std::nullopt).find("deliso COMMAND --help") != std::string::npos);
 }
 
-TEST_CASE("what was meant to be a command, or an option") {
+TEST_CASE("a misspelt command or a synonym of --iso is answered with the right name") {
   CHECK(refusal({"mash", "vol", "--iso", "1"}) == "unknown command 'mash'; did you mean mesh?");
   CHECK(refusal({"rendr"}) == "unknown command 'rendr'; did you mean render?");
   CHECK(refusal({"frobnicate", "vol", "--iso", "1"}) ==
@@ -409,7 +409,7 @@ TEST_CASE("render takes any number of meshes, and one plane or as many as meshes
   CHECK(refusal({"render", "a", "", "-o", "m.png"}) != "");
 }
 
-TEST_CASE("labels: auto for all, or one text for each mesh") {
+TEST_CASE("labels are auto for all, or one text for each mesh") {
   const auto labels = [](std::vector<std::string_view> meshes, std::string_view text) {
     meshes.insert(meshes.begin(), "render");
     meshes.insert(meshes.end(), {"-o", "m.png", "--labels", text});
@@ -426,7 +426,7 @@ TEST_CASE("labels: auto for all, or one text for each mesh") {
   }
 }
 
-TEST_CASE("colors, their volume and their isovalue") {
+TEST_CASE("options of colors are parsed, and a missing volume or isovalue is refused") {
   const CommandLine line =
       parse({"render", "m.off", "-o", "m.png", "--color-by", "distance", "--volume", "v.raw",
              "--dims", "2x3x4", "--type", "uint8", "--iso", "7", "--background", "#ff8000"});
@@ -498,7 +498,7 @@ TEST_CASE("the larger the picture, the less it can be zoomed into") {
   parse({"render", "m", "-o", "-", "--zoom", "64", "--size", "8192x8192"});
 }
 
-TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quotes it") {
+TEST_CASE("a bad view, size, zoom or plane is refused in one line that quotes it") {
   const std::pair<std::string_view, std::vector<std::string_view>> never[] = {
       {"--view", {"1", "1,2,3", "1,", ",1", "1,91", "361,0", "nan,0", "a,b", "1;2"}},
       {"--up", {"-", "w", "Z", "+z", "zz", "--z", "x,y", "2"}},
@@ -526,7 +526,7 @@ TEST_CASE("what is no view, size, zoom or plane is refused, in one line that quo
   }
 }
 
-TEST_CASE("every format by its name and by its ending") {
+TEST_CASE("every format is chosen by its name and by its ending") {
   const std::pair<std::string, MeshFormat> formats[] = {{"ply", MeshFormat::ply},
                                                         {"off", MeshFormat::off},
                                                         {"obj", MeshFormat::obj},
@@ -636,7 +636,7 @@ TEST_CASE("text that is no number of the right kind is refused, in one line that
   }
 }
 
-TEST_CASE("options that do not go together") {
+TEST_CASE("options that exclude each other are refused") {
   CHECK(refusal({}) != "");
   CHECK(refusal({"--iso", "1"}) != "");
   CHECK(refusal({"a.nrrd"}) != "");
@@ -660,7 +660,7 @@ TEST_CASE("options that do not go together") {
   CHECK(refusal({"a", "--iso", "1", "--zoom", "2"}).starts_with("--zoom has no meaning"));
 }
 
-TEST_CASE("whatever the arguments, a command line or an InputError of one line") {
+TEST_CASE("any arguments give a command line or an InputError of one line") {
   std::vector<std::string> words = {
       "mesh", "info", "render", "a.png", "a.nrrd", "builtin:torus", "-",
       "--",   "-o",   "-k",     "1",     "0.5vox", "2x2x2",         "m.ply",
@@ -685,7 +685,7 @@ TEST_CASE("whatever the arguments, a command line or an InputError of one line")
   CHECK(accepted > 100);
 }
 
-TEST_CASE("a block of a volume, and what cannot be asked of it") {
+TEST_CASE("--block is parsed, and options that a block cannot have are refused") {
   const CommandLine line = parse({"a.nrrd", "--iso", "1", "--block", "1,0,2/2,3,4", "-o", "p.ply"});
   REQUIRE(line.read.block.has_value());
   CHECK(line.read.block->at == Index3{1, 0, 2});

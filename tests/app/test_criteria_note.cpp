@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The line of a mesh's criteria: what is written is read back, and whatever else a comment is, it
-// is taken for no such line or for criteria in range.
+// The line of a mesh's criteria. A written line is read back. Any other comment is ignored, or
+// gives criteria in range.
 #include "app/criteria_note.h"
 
 #include <doctest/doctest.h>
@@ -57,7 +57,7 @@ Volume long_voxels() {
 
 }  // namespace
 
-TEST_CASE("the line of a command line, in voxels whatever the units were") {
+TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   const Volume volume = long_voxels();
   Report report;
   report.max_distance = 0.0625;
@@ -71,7 +71,7 @@ TEST_CASE("the line of a command line, in voxels whatever the units were") {
         words(" r-min=2 max-distance=0.4 lambda=1.5 max-radius=4"));
   CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
   CHECK(note({"--paper"}) == words(" r-min=0.008 lambda=2 eps1=0.1 eps2=0.2"));
-  // What was reached, not what is the default.
+  // The distance reached, not the default.
   CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 max-distance=0.125 lambda=2"));
   CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
   CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
@@ -79,7 +79,7 @@ TEST_CASE("the line of a command line, in voxels whatever the units were") {
   CHECK_FALSE(read(note({"--stop-after", "recover"})));
 }
 
-TEST_CASE("what is written is read back to the last bit") {
+TEST_CASE("criteria are read back to the last bit") {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -97,7 +97,7 @@ TEST_CASE("what is written is read back to the last bit") {
   }
 }
 
-TEST_CASE("a line of a later version, and lines that are none") {
+TEST_CASE("a line of a later version is read, and bad lines are ignored") {
   CHECK(read("deliso 9.9-beta  color=red r-min=0.25 lambda=3 max-distance=0.5 words more ") ==
         asking(0.25, {{Criterion::distance, 0.5}, {Criterion::r_over_l, 3}}));
   CHECK_FALSE(noted_criteria({}));
@@ -146,7 +146,7 @@ TEST_CASE("no bytes in a comment do harm") {
   CHECK(passed > 1000);
 }
 
-TEST_CASE("a check judges by the file's criteria, but for what is given") {
+TEST_CASE("a check uses the file's criteria, except those given as options") {
   const Volume volume = long_voxels();
   const auto limits = [](double distance, double h_over_r, double r_over_l, double r_min) {
     return asking(r_min, {{Criterion::distance, distance},

@@ -46,7 +46,7 @@ Volume ball(double radius, Vec3 spacing, double side) {
 
 }  // namespace
 
-TEST_CASE("where every sample is looked at, crossings are those of the exact contour") {
+TEST_CASE("if every sample is read, the crossings are those of T") {
   for (const std::string name :
        {"sphere", "gyroid", "fuel", "noise", "marschner_lobb", "machine"}) {
     CAPTURE(name);
@@ -74,7 +74,7 @@ TEST_CASE("the area of balls, whatever the shape of voxels and however many slic
   check_ball(110, {1, 1, 1}, 120, 0.05);  // 241^3: a third of the slices
 }
 
-TEST_CASE("within a factor of 3 of what meshing gives, by distance") {
+TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
   int cases = 0;
   for (const std::string name :
        {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "orbital", "fuel", "machine"}) {

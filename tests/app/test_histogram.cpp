@@ -60,7 +60,7 @@ TEST_CASE("every sample is in one bin, its own where there is a bin per value") 
   }
 }
 
-TEST_CASE("no threshold parts the samples better than Otsu's") {
+TEST_CASE("no threshold separates the samples better than Otsu's") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     CAPTURE(seed);
     Random random(seed);

@@ -60,7 +60,7 @@ TEST_CASE("lists of objects") {
         "2\n}\n");
 }
 
-TEST_CASE("numbers read back as they were; what JSON has no number for is null") {
+TEST_CASE("numbers read back the same; numbers that JSON lacks become null") {
   for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
     Random random(seed);
     const std::uint64_t bits = random.next();

@@ -72,7 +72,8 @@ Volume noise(std::uint64_t seed, Index3 dims) {
 
 }  // namespace
 
-TEST_CASE("every case: corners on crossed edges, a rim in the faces, diagonals inside the voxel") {
+TEST_CASE(
+    "every case has corners on crossed edges, its boundary in faces, diagonals in the voxel") {
   std::size_t most = 0;
   for (int mask = 0; mask < 256; ++mask) {
     CAPTURE(mask);
@@ -100,7 +101,7 @@ TEST_CASE("every case: corners on crossed edges, a rim in the faces, diagonals i
   CHECK(most <= 5);
 }
 
-TEST_CASE("every pair of cases that can be neighbors: the rims in their common face are the same") {
+TEST_CASE("cases that can be neighbors have the same boundary in their common face") {
   int pairs = 0;
   for (int axis = 0; axis < 3; ++axis) {
     // The rim in the high face of one, and in the low face of the other, by the face's four signs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mixtures whose modes are known, and what is padding and what is none.
+// Mixtures with known modes, and samples with and without padding.
 #include "app/modes.h"
 
 #include <doctest/doctest.h>
@@ -148,7 +148,7 @@ TEST_CASE("the valleys of mixtures of normal distributions, with padding and out
   for (std::uint64_t seed = 301; seed <= 400; ++seed) check_mixture<std::int32_t>(seed);
 }
 
-TEST_CASE("one mode is not parted by its noise, nor by a comb") {
+TEST_CASE("neither noise nor a comb splits one mode") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -165,7 +165,7 @@ TEST_CASE("one mode is not parted by its noise, nor by a comb") {
   }
 }
 
-TEST_CASE("a chest: padding is named and parted from nothing, tissues are parted") {
+TEST_CASE("a chest: padding is named and has no valley, tissues have valleys between them") {
   for (const double noise : {10.0, 20.0}) {
     CAPTURE(noise);
     const Modes modes = modes_of(synthetic_chest(noise));
@@ -187,7 +187,7 @@ TEST_CASE("a chest: padding is named and parted from nothing, tissues are parted
   }
 }
 
-TEST_CASE("what is padding, at either end and at both") {
+TEST_CASE("padding is found at either end and at both") {
   Random random(3);
   const std::vector<Normal> parts{{100, 10, 0.5}, {300, 20, 0.5}};
   const auto padded = [&](std::vector<double> values) {
@@ -221,7 +221,7 @@ TEST_CASE("what is padding, at either end and at both") {
   }
 }
 
-TEST_CASE("what is no padding: masks, labels, a background next to the rest, few samples") {
+TEST_CASE("masks, labels, a background next to the rest and few samples are no padding") {
   const auto repeated = [](std::vector<std::uint8_t> values, std::size_t times) {
     std::vector<std::uint8_t> samples;
     for (const std::uint8_t v : values) samples.insert(samples.end(), times, v);
@@ -260,7 +260,7 @@ TEST_CASE("single values and the widest range of doubles do no harm") {
   }
 }
 
-TEST_CASE("the best ones stay where only some are asked for") {
+TEST_CASE("of a limited number of valleys the best are kept") {
   Random random(11);
   const auto samples = draw<float>(
       random, {{0, 1, 0.2}, {10, 1, 0.2}, {20, 1, 0.2}, {30, 1, 0.2}, {40, 1, 0.2}}, 50000);

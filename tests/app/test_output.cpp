@@ -30,7 +30,7 @@ std::string fault(const Names& outputs, const Names& inputs) {
 
 }  // namespace
 
-TEST_CASE("what cannot be written is known before the work") {
+TEST_CASE("an output that cannot be written is refused before the work") {
   CHECK(fault({"-", "", "/dev/null"}, {}) == "");
   CHECK(fault({"mesh-of-the-test.ply"}, {}) == "");
   CHECK_FALSE(std::filesystem::exists("mesh-of-the-test.ply"));
@@ -48,7 +48,7 @@ TEST_CASE("what cannot be written is known before the work") {
   }
 }
 
-TEST_CASE("two names of one file in a run") {
+TEST_CASE("an output that is the same file as another name is refused") {
   const TemporaryFolder folder;
   const std::string a = folder / "a", same = folder / "./a", hard = folder / "hard",
                     soft = folder / "soft", b = folder / "b", absent = folder / "absent",

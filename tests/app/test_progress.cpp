@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bar's shares and lines, whatever it is told; what the stages tell.
+// The bar's shares and lines for any calls, and the stages that a run reports.
 #include "app/progress.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ std::size_t width_of(std::string line) {
 
 }  // namespace
 
-TEST_CASE("the bar never goes back, whatever it is told") {
+TEST_CASE("the bar never goes back") {
   const std::vector<StageCost> stages = mesh_stages(command_line({}));
   REQUIRE(stages.size() > 5);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -54,7 +54,7 @@ TEST_CASE("the bar never goes back, whatever it is told") {
   }
 }
 
-TEST_CASE("from 0 to 100 % in order, and not there before the last stage ends") {
+TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage ends") {
   for (const std::vector<std::string_view>& more :
        std::vector<std::vector<std::string_view>>{{},
                                                   {"--paper"},
@@ -74,7 +74,7 @@ TEST_CASE("from 0 to 100 % in order, and not there before the last stage ends") 
   }
 }
 
-TEST_CASE("the program knows every stage that a run tells of") {
+TEST_CASE("the program knows every stage that a run reports") {
   for (const std::vector<std::string_view>& more :
        std::vector<std::vector<std::string_view>>{{},
                                                   {"--paper"},

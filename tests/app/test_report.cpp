@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the commands write as JSON follows docs/report.schema.json, all that it can hold included,
-// and every word of the reports is explained in docs/guide/report.md.
+// The JSON of the commands follows docs/report.schema.json, and uses all of it. Every word of the
+// reports is explained in docs/guide/report.md.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -133,7 +133,7 @@ void collect_objects(json::Value& value, std::vector<json::Value*>& objects) {
 
 }  // namespace
 
-TEST_CASE("everything that the commands write follows the schema, which is versioned") {
+TEST_CASE("all JSON of the commands follows the schema, which has a version") {
   const json::Validator validator(schema());
   for (const json::Value& report : reports()) {
     REQUIRE(report.order.size() > 3);
@@ -145,7 +145,7 @@ TEST_CASE("everything that the commands write follows the schema, which is versi
   }
 }
 
-TEST_CASE("all that the schema describes is written by some run") {
+TEST_CASE("everything in the schema is written by some run") {
   std::set<std::string> keys, described;
   for (const json::Value& report : reports()) collect_keys(report, keys);
   collect_properties(schema(), described);
@@ -158,7 +158,7 @@ TEST_CASE("all that the schema describes is written by some run") {
   for (const std::string& key : described) CHECK_MESSAGE(keys.contains(key), key);
 }
 
-TEST_CASE("what is broken is refused: a key more and another type anywhere, a key less") {
+TEST_CASE("the schema refuses an added key, a missing key and another type anywhere") {
   const json::Validator validator(schema());
   int broken = 0;
   for (const std::size_t which : {0u, 8u, 10u, 12u, 13u}) {

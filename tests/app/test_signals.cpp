@@ -35,7 +35,7 @@ struct Outcome {
   std::string said;
 };
 
-// What becomes of a process that does this, and what it says on standard error.
+// Runs `work` in a process. Returns how it ended and its standard error.
 template <class Work>
 Outcome of_process(Work work) {
   int ends[2];
@@ -122,7 +122,7 @@ TEST_CASE("a mapped file that shrinks under several threads ends in one line all
   }
 }
 
-TEST_CASE("a bus error that no file has to do with stays one") {
+TEST_CASE("a bus error outside mapped files stays a bus error") {
   const Outcome outcome = of_process([] {
     handle_signals();
     kill(getpid(), SIGBUS);
@@ -132,7 +132,7 @@ TEST_CASE("a bus error that no file has to do with stays one") {
   CHECK(outcome.status == SIGBUS);
 }
 
-TEST_CASE("a file that outgrows the system's limit is a fault of writing") {
+TEST_CASE("a file over the system's limit is an error of writing") {
   const TemporaryFolder folder;
   const Outcome outcome = of_process([&] {
     handle_signals();

@@ -76,7 +76,7 @@ TEST_CASE("the page has every array of the events, of one length, and both ways'
                                                                    : 3) *
                                                               begin.back());
     }
-    // What is told of the run never falls, and the mesh is there in the end.
+    // The run's counts never fall, and the page has the final mesh.
     const auto searches = array_of<std::uint32_t>(page, "event_searches");
     CHECK(std::is_sorted(searches.begin(), searches.end()));
     CHECK(array_of<std::uint32_t>(page, "tets").size() > 0);
@@ -103,7 +103,7 @@ TEST_CASE("samples are those of the volume") {
   }
 }
 
-TEST_CASE("without times two pages are the same, and the limit is said") {
+TEST_CASE("without times two pages are the same, and the page has the limit") {
   const TemporaryFolder folder;
   const std::string file = folder / "page.html";
   const auto page = [&] { return page_of({"builtin:fuel:16", "--no-times"}, file); };
@@ -116,9 +116,8 @@ TEST_CASE("without times two pages are the same, and the limit is said") {
   CHECK(has(element_of(cut, "header"), "\"limit\": 20"));
 }
 
-// A site that came after the trace was full has no number, and still was asked for it: memory
-// behind the numbers was read. What is read must not show in the page, so the sanitizers are to
-// tell.
+// A site added after the trace was full has no number. Its number was read all the same, from
+// memory after the array. The page does not show it, so only sanitizers can find the fault.
 TEST_CASE("a trace that fills up in the middle of a stage has events of vertices that it knows") {
   const TemporaryFolder folder;
   for (const std::string_view way : {"", "--recover=paper", "--paper"}) {
@@ -143,7 +142,7 @@ TEST_CASE("a trace that fills up in the middle of a stage has events of vertices
   }
 }
 
-TEST_CASE("up is superior where the file tells, and what is asked for before that") {
+TEST_CASE("up is superior if the file tells it, and --up goes before that") {
   using enum AnatomicalSpace;
   Frame frame;
   CHECK(superior_of(frame) == Up{2, 1});
@@ -161,7 +160,7 @@ TEST_CASE("up is superior where the file tells, and what is asked for before tha
   CHECK(has(element_of(page, "header"), "\"up\": [0, -1]"));
 }
 
-TEST_CASE("what a trace refuses") {
+TEST_CASE("options that a trace cannot have are refused") {
   const auto refusal = [](std::vector<std::string_view> arguments) -> std::string {
     arguments.insert(arguments.begin(), "trace");
     try {

@@ -58,7 +58,7 @@ class FileSizeLimit {
 
 }  // namespace
 
-TEST_CASE("writes what it is given, in pieces of every size") {
+TEST_CASE("bytes written in pieces of every size are in the file") {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
@@ -91,7 +91,7 @@ TEST_CASE("without commit the old file stays and nothing is left beside it") {
   CHECK(folder.file_count() == 1);
 }
 
-TEST_CASE("a name without a folder, a name of the greatest length") {
+TEST_CASE("a name without a folder and a name of the greatest length are written") {
   const TemporaryFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path());
@@ -145,7 +145,7 @@ TEST_CASE("pipes are written to, not replaced") {
   CHECK(folder.file_count() == 1);
 }
 
-TEST_CASE("standard output under each of its names, going on where it is") {
+TEST_CASE("standard output under each of its names continues at its position") {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/stdout", folder / "link");
   std::fflush(stdout);

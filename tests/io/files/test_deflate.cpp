@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is compressed comes back byte by byte through inflate.h, whose own tests are
-// independent of this compressor.
+// Compressed bytes come back through inflate.h, whose own tests are independent of this compressor.
 #include "io/files/deflate.h"
 
 #include <doctest/doctest.h>
@@ -85,7 +84,7 @@ TEST_CASE("byte counts like Fibonacci numbers, whose Huffman tree is too deep, c
   CHECK(inflated(deflate_zlib(content), content.size()) == content);
 }
 
-TEST_CASE("what repeats becomes small, what is random hardly grows") {
+TEST_CASE("repetitions become small, and random bytes hardly grow") {
   CHECK(deflate_zlib(std::string(1000000, 'a')).size() < 6000);
   std::string noise;
   Random random(1);

@@ -71,7 +71,7 @@ constexpr unsigned char kZlibData[] = {
 
 }  // namespace
 
-TEST_CASE("checksums: published values, and bit by bit") {
+TEST_CASE("checksums equal published values and those computed bit by bit") {
   CHECK(crc32(bytes_of("123456789")) == 0xcbf43926u);
   CHECK(adler32(bytes_of("Wikipedia")) == 0x11e60398u);
   CHECK(crc32({}) == 0);
@@ -87,7 +87,7 @@ TEST_CASE("checksums: published values, and bit by bit") {
   CHECK(adler32(bytes_of(high)) == slow_adler32(high));
 }
 
-TEST_CASE("data of gzip and zlib themselves") {
+TEST_CASE("data made by gzip and zlib is decompressed") {
   std::string lines;
   for (int n = 0; n < 60; ++n)
     lines += "voxel " + std::to_string(n) + " of " + std::to_string(n * n % 7) + "\n";
@@ -105,7 +105,7 @@ TEST_CASE("data of gzip and zlib themselves") {
   CHECK(is_whole(run(zlib, Wrapping::zlib, values.size()), values));
 }
 
-TEST_CASE("random blocks of every kind, with random codes") {
+TEST_CASE("random blocks of every kind, with random codes, are decompressed") {
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     Random random(seed);
     DeflateWriter writer;
@@ -135,7 +135,7 @@ TEST_CASE("random blocks of every kind, with random codes") {
   }
 }
 
-TEST_CASE("matches up to the greatest distance, over block borders") {
+TEST_CASE("matches up to the greatest distance, across blocks, are decompressed") {
   Random random(7);
   std::vector<Token> tokens = literals(random_bytes(random, 32768));
   for (int n = 0; n < 2000; ++n)
@@ -165,7 +165,7 @@ TEST_CASE("gzip headers with every optional field, several members, bytes behind
     CHECK(run(data.substr(0, size), Wrapping::gzip, 99).inflated.fault != nullptr);
 }
 
-TEST_CASE("every fault has its words") {
+TEST_CASE("every fault has its message") {
   const std::string content = "0123456789";
   const auto fault = [](const std::string& data, Wrapping wrapping) {
     const Inflated result = run(data, wrapping, 100).inflated;

@@ -50,7 +50,7 @@ TEST_CASE("base64: RFC 4648's examples, random bytes, pieces one behind the othe
   }
 }
 
-TEST_CASE("lines, words, numbers") {
+TEST_CASE("lines, words and numbers are parsed") {
   TextCursor text("a line\r\n\n  two   words\nlast");
   CHECK(text.line() == "a line");
   CHECK(text.line() == "");

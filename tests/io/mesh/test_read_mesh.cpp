@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is written comes back; what other programs write is understood; whatever else the bytes are,
-// the outcome is a sound mesh or one line that says what is wrong where.
+// Written meshes are read back, and so are files of other programs. Any other bytes give a sound
+// mesh, or one line with the fault and its place.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -289,7 +289,7 @@ TEST_CASE("written meshes come back, in every format and type") {
   }
 }
 
-TEST_CASE("polygons, further elements and properties, comments, line ends of other systems") {
+TEST_CASE("polygons are read with other elements, comments and line ends of other systems") {
   const TriMesh expected = make_tri_mesh(kRichPoints, kRichTriangles);
   CHECK(same(parse_mesh(rich_ply(true, false), MeshFormat::ply, "in"), expected));
   CHECK(same(parse_mesh(rich_ply(false, false), MeshFormat::ply, "in"), expected));
@@ -304,7 +304,7 @@ TEST_CASE("polygons, further elements and properties, comments, line ends of oth
   CHECK(obj.faces[2].v == Triangle{2, 4, 3});
 }
 
-TEST_CASE("a comment that is written is handed back") {
+TEST_CASE("a written comment is read back") {
   const TemporaryFolder folder;
   const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
   for (const TriMesh& mesh : {random_mesh(5), TriMesh{}}) {
@@ -325,7 +325,7 @@ TEST_CASE("a comment that is written is handed back") {
   }
 }
 
-TEST_CASE("comments of the head, and no others, whatever their bytes and length") {
+TEST_CASE("only comments of the head are read, with any bytes and length") {
   using Comments = std::vector<std::string>;
   const auto comments_of = [](const std::string& bytes, MeshFormat format) {
     Comments comments;
@@ -367,7 +367,7 @@ TEST_CASE("comments of the head, and no others, whatever their bytes and length"
 }
 
 // A mesh with a vertex at 1e306 was checked for ever: no exact predicate ends there.
-TEST_CASE("coordinates that the predicates cannot take are refused, by vertex and value") {
+TEST_CASE("coordinates out of the predicates' range are refused, with vertex and value") {
   const auto line = [](const std::string& what) {
     return "'in': coordinate " + what + ", not a number up to 1e+30 in size";
   };
@@ -394,7 +394,7 @@ TEST_CASE("the counts of OFF may stand on the first line") {
       1);
 }
 
-TEST_CASE("faults of PLY files") {
+TEST_CASE("each fault of a PLY file has its message") {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
       "property float y\nproperty float z\nelement face 1\n"
@@ -438,7 +438,7 @@ TEST_CASE("faults of PLY files") {
                   "end_header\n0 0\n") == "'in' line 6: vertices have no coordinate z");
 }
 
-TEST_CASE("faults of OFF files") {
+TEST_CASE("each fault of an OFF file has its message") {
   CHECK(off_error("") == "'in' line 0: the file is empty");
   CHECK(off_error("\n# OFF\n") == "'in' line 2: the file is empty");
   CHECK(off_error("4OFF\n") ==
@@ -457,7 +457,7 @@ TEST_CASE("faults of OFF files") {
   CHECK(off_error("OFF\n0 0 0\n5\n") == "'in' line 3: something follows the last of 0 facets");
 }
 
-TEST_CASE("faults of OBJ files") {
+TEST_CASE("each fault of an OBJ file has its message") {
   CHECK(obj_error("") == "'in' line 0: the file is empty");
   CHECK(obj_error("\n \r\n") == "'in' line 2: the file is empty");
   CHECK(obj_error("v 0 0\n") == "'in' line 1: coordinate 2 of vertex 1 is ''");
@@ -479,7 +479,7 @@ TEST_CASE("faults of OBJ files") {
         "'in' line 1: unknown statement '?ELF??" + std::string(54, 'x') + "...'");
 }
 
-TEST_CASE("files that are not there or cannot be read") {
+TEST_CASE("missing and unreadable files are refused") {
   const auto error = [](const std::string& path) -> std::string {
     try {
       read_mesh(path);
@@ -548,7 +548,7 @@ TEST_CASE("no mutation of a file does harm") {
   CHECK(errors > 1000);
 }
 
-TEST_CASE("noise and promises") {
+TEST_CASE("random bytes, also after headers with large counts, give a mesh or an InputError") {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     Random random(seed);
     std::string noise(random.below(400), ' ');

@@ -54,7 +54,7 @@ void check_same_places(const TriMesh& a, const TriMesh& b) {
 
 }  // namespace
 
-TEST_CASE("both kinds give the triangles back, and as many vertices as there were") {
+TEST_CASE("both kinds give the same triangles and number of vertices") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
     RandomMesh source(seed % 2 ? torus_grid(4, 5) : l_shape(), seed);
@@ -86,7 +86,7 @@ TEST_CASE("both kinds give the triangles back, and as many vertices as there wer
   CHECK(read("solid\nendsolid\n").faces.empty());
 }
 
-TEST_CASE("0 and -0 are one place, the next float is another") {
+TEST_CASE("0 and -0 are one position, and the next float is another") {
   const float next = std::nextafter(1.0f, 2.0f);
   const std::string head = "SOLID Two Triangles\n";
   const auto facet = [](const std::string& a) {
@@ -129,7 +129,7 @@ TEST_CASE("comments: the writer's by itself, and what others have in the header"
   CHECK(comments == Comments{"made by hand"});
 }
 
-TEST_CASE("faults of STL files") {
+TEST_CASE("each fault of an STL file has its message") {
   const TriMesh mesh = mesh_of(tetrahedron());
   const std::string bytes = binary_stl(mesh);
   CHECK(error_of("") == "'in': is no STL file: it ends within the header");

@@ -34,7 +34,7 @@ std::string replaced(std::string file, const std::string& old, const std::string
 
 }  // namespace
 
-TEST_CASE("polygons in every encoding, type and byte order") {
+TEST_CASE("polygons in every encoding, type and byte order are read") {
   int files = 0;
   for (const VtkForm& form : all_vtk_forms()) {
     for (const bool wide : {false, true}) {
@@ -57,7 +57,7 @@ TEST_CASE("polygons in every encoding, type and byte order") {
   CHECK(files == 74);
 }
 
-TEST_CASE("text of single precision is that of the float") {
+TEST_CASE("text of single precision is read as floats") {
   const std::string file = vtp({{0.1, 0.2, 0.3}}, {}, {.format = "ascii"}, false);
   CHECK(file.find("0.1 0.2 0.3") != std::string::npos);
   const TriMesh mesh = parse_mesh(file, MeshFormat::vtp, "in");
@@ -65,7 +65,7 @@ TEST_CASE("text of single precision is that of the float") {
   CHECK(mesh.points[0].x == static_cast<double>(0.1f));
 }
 
-TEST_CASE("faults of VTP files") {
+TEST_CASE("each fault of a VTP file has its message") {
   const std::string words = vtp(kPoints, kPolygons, {.format = "ascii"}, true);
   const std::string raw = vtp(kPoints, kPolygons, {}, true);
   const auto text_with = [&](const std::string& old, const std::string& now) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the writers put into files, byte by byte where the format is text, decoded by hand where it
-// is binary; the same bytes in every locale; nothing left behind by a fault.
+// Files of the writers: text byte by byte, binary decoded by hand. The bytes are the same in every
+// locale, and a fault leaves no file.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -159,7 +159,7 @@ TEST_CASE("binary STL: corners, and normals by the right-hand rule") {
   CHECK(flat >= 1);
 }
 
-TEST_CASE("VTP: the arrays lie where the XML says, each behind its size") {
+TEST_CASE("VTP: each array is at its offset in the XML, after its size") {
   for (const bool single : {false, true}) {
     const TriMesh mesh = random_sphere(9);
     const std::string bytes =
@@ -200,7 +200,7 @@ TEST_CASE("VTP: the arrays lie where the XML says, each behind its size") {
   }
 }
 
-TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and changes no more") {
+TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data; nothing else changes") {
   const TriMesh mesh = random_sphere(3);
   const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
       {MeshFormat::ply, {"comment DelIso", "comment DelIso SPACE=LPS"}},
@@ -225,7 +225,7 @@ TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data, and c
   }
 }
 
-TEST_CASE("a comment is a line of its own in the head, and changes no more") {
+TEST_CASE("a comment is a line of its own in the head; nothing else changes") {
   TriMesh mesh = random_sphere(4);
   mesh.frame.space = AnatomicalSpace::ras;
   const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
@@ -268,7 +268,7 @@ TEST_CASE("STL has a comment where the header has room for all of it") {
   }
 }
 
-TEST_CASE("bytes that cannot stand in a comment of every format are written as question marks") {
+TEST_CASE("bytes that some format does not allow in comments are written as question marks") {
   const std::pair<std::string, std::string> comments[] = {
       {"two\nlines\r\tand\x01 more", "two?lines??and? more"},
       {std::string("a\0b", 3), "a?b"},
@@ -315,7 +315,7 @@ TEST_CASE("the locale changes nothing") {
   }
 }
 
-TEST_CASE("the world frame moves points, and a mirroring one turns triangles round") {
+TEST_CASE("the world frame moves points, and a mirroring one reverses triangles") {
   const TriMesh mesh = random_sphere(5);
   const auto volume = [](const std::string& obj) {
     std::vector<Vec3> points;
@@ -370,7 +370,7 @@ TEST_CASE("the points as written are those that are read back") {
   }
 }
 
-TEST_CASE("the ending names the format") {
+TEST_CASE("the ending decides the format") {
   CHECK(mesh_format_of("a.ply") == MeshFormat::ply);
   CHECK(mesh_format_of("dir.off/a.OBJ") == MeshFormat::obj);
   CHECK(mesh_format_of("a.ply.Vtp") == MeshFormat::vtp);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volumes meshed block by block and joined: the whole is what one run would have to be, both sides
-// of a seam come to the same, and what does not belong together is refused.
+// Volumes meshed block by block and joined. The whole must be valid like the mesh of one run. Both
+// sides of a seam are equal. Parts that do not belong together are refused.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ TEST_CASE("both sides of a seam have the same vertices in the same places") {
   CHECK(compared > 500);
 }
 
-TEST_CASE("the whole has the same bytes in whatever order the parts are named") {
+TEST_CASE("the whole has the same bytes in any order of the parts") {
   Parts parts(sphere(14, 5), {2, 2, 2}, 0);
   const Joined joined = parts.join();
   CHECK(joined.parts == 8);
@@ -157,7 +157,7 @@ TEST_CASE("blocks without surface are parts like others, and so are blocks of on
   CHECK(parts.join().vertices == 0);
 }
 
-TEST_CASE("a seam asks for the criteria: coarser ones give a coarser seam") {
+TEST_CASE("coarser criteria give a coarser seam") {
   const Volume volume = sphere(40, 15);
   Options coarse;
   coarse.limits[Criterion::distance].value = 0.4;
@@ -168,7 +168,7 @@ TEST_CASE("a seam asks for the criteria: coarser ones give a coarser seam") {
   CHECK(fine.seam_vertices < 100);
 }
 
-TEST_CASE("what does not belong together is refused, and the file is named") {
+TEST_CASE("parts that do not belong together are refused, with the file's name") {
   const Volume volume = sphere(14, 5);
   Parts parts(volume, {2, 1, 1}, 0);
   const std::vector<std::string> paths = parts.paths;
@@ -210,7 +210,7 @@ TEST_CASE("what does not belong together is refused, and the file is named") {
   CHECK(fault_of(paths, to).empty());
 }
 
-TEST_CASE("a part that is not what its note says is refused, and so is one that has no checksum") {
+TEST_CASE("a part that differs from its note, or has no checksum, is refused") {
   Parts parts(sphere(14, 5), {2, 1, 1}, 0);
   const std::string ours = content(parts.paths[1]), to = parts.folder / "refused.ply";
   const std::string edited = parts.folder / "edited.ply";

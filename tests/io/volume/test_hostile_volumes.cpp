@@ -136,7 +136,7 @@ TEST_CASE("damaged files of every form") {
   CHECK(refused > 5000);
 }
 
-TEST_CASE("files cut anywhere") {
+TEST_CASE("truncated files are refused where every byte counts") {
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u16, {3, 4, 5}, 23);
   int cut = 0;
@@ -149,8 +149,8 @@ TEST_CASE("files cut anywhere") {
       const std::size_t size = random.below(static_cast<std::uint32_t>(last.content.size()));
       folder.write(last.name, last.content.substr(0, size));
       const bool has_volume = reads(folder.path(stored.files[0].name), stored.options);
-      // VTK's files end with markup that nobody needs, the last number of a text may lose digits,
-      // and data "at the end" may have anything in front; otherwise every byte counts.
+      // VTK's files end with markup that is not needed. The last number of a text may lose digits.
+      // Data "at the end" may have any bytes before it. Otherwise every byte counts.
       const bool may_read = stored.label.starts_with("vt") ||
                             stored.label.find("ascii") != std::string::npos ||
                             stored.label.find("at end") != std::string::npos;

@@ -59,7 +59,7 @@ std::string vti_of_three() {
 
 }  // namespace
 
-TEST_CASE("the array that is named is read, wherever it stands") {
+TEST_CASE("the named array is read, at any place in the file") {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
     CAPTURE(binary);
@@ -82,7 +82,7 @@ TEST_CASE("the array that is named is read, wherever it stands") {
   CHECK(pressure.log.notes.empty());
 }
 
-TEST_CASE("without a name the first that can be meshed is read, and that is said") {
+TEST_CASE("without a name the first array that can be meshed is read and logged") {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
     const Outcome first = read(folder, "v.vtk", vtk_of_many(binary), std::nullopt);
@@ -104,7 +104,7 @@ TEST_CASE("without a name the first that can be meshed is read, and that is said
   CHECK(first.log.notes[0].ends_with("array 'density' is read, one of 3; --array names another"));
 }
 
-TEST_CASE("names that are not there, arrays that cannot be meshed, formats without names") {
+TEST_CASE("unknown names, arrays that cannot be meshed and formats without names are refused") {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {
     const auto error = [&](const std::string& name) {

@@ -67,7 +67,7 @@ Truth small_truth(SampleType type = SampleType::u8) {
 }  // namespace
 
 // A header may name any path. /dev/zero was read until memory was out, a pipe waited for.
-TEST_CASE("data files that are devices or pipes") {
+TEST_CASE("data files that are devices or pipes are refused") {
   const TemporaryFolder folder;
   REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
   const std::pair<const char*, const char*> others[] = {{"/dev/zero", "is a device"},
@@ -84,7 +84,7 @@ TEST_CASE("data files that are devices or pipes") {
 }
 
 // The image of a NIfTI header is found by its name, and once had a door of its own.
-TEST_CASE("an image of NIfTI that is a device or a pipe") {
+TEST_CASE("an image of NIfTI that is a device or a pipe is refused") {
   const TemporaryFolder folder;
   NiftiForm pair;
   pair.pair = true;
@@ -98,7 +98,7 @@ TEST_CASE("an image of NIfTI that is a device or a pipe") {
   CHECK(fault(folder, "v.hdr").find("is no regular file") != std::string::npos);
 }
 
-TEST_CASE("files that are not there, not readable, empty, no volumes") {
+TEST_CASE("files that are missing, unreadable, empty or no volumes are refused") {
   const TemporaryFolder folder;
   CHECK(fault(folder, "none.nrrd") == "none.nrrd: cannot open: No such file or directory");
   std::filesystem::create_directories(folder.path("folder"));
@@ -114,7 +114,7 @@ TEST_CASE("files that are not there, not readable, empty, no volumes") {
   CHECK(fault_of(folder, "a\nb.nrrd", "x").starts_with("a?b.nrrd: is in no known format"));
 }
 
-TEST_CASE("sizes that do not fit the data") {
+TEST_CASE("sizes that do not fit the data are refused") {
   const TemporaryFolder folder;
   CHECK(fault_of(folder, "v.nrrd", nrrd_with("", "", 23)) ==
         "v.nrrd: data is too short: 2 x 3 x 4 uint8 samples need 24 bytes, found 23");
@@ -148,7 +148,7 @@ TEST_CASE("sizes that do not fit the data") {
       "more");
 }
 
-TEST_CASE("numbers in text") {
+TEST_CASE("each fault of numbers in text has its message") {
   const TemporaryFolder folder;
   const std::string header =
       "NRRD0004\ntype: uchar\ndimension: 3\nencoding: ascii\nsizes: 2 2 2\n\n";
@@ -165,7 +165,7 @@ TEST_CASE("numbers in text") {
         "v.nrrd: sample 2 is 'x3', not a number of type uint8");
 }
 
-TEST_CASE("NRRD headers") {
+TEST_CASE("each fault of an NRRD header has its message") {
   const TemporaryFolder folder;
   const auto with = [&](const std::string& field, const std::string& value) {
     return fault_of(folder, "v.nrrd", nrrd_with(field, value));
@@ -234,7 +234,7 @@ TEST_CASE("NRRD headers") {
         "meshed");
 }
 
-TEST_CASE("MetaImage headers") {
+TEST_CASE("each fault of a MetaImage header has its message") {
   const TemporaryFolder folder;
   const std::string good =
       metaimage(small_truth(SampleType::i16), std::endian::little, "raw", MetaForm::local)[0]
@@ -277,7 +277,7 @@ TEST_CASE("MetaImage headers") {
         std::string::npos);
 }
 
-TEST_CASE("NIfTI headers") {
+TEST_CASE("each fault of a NIfTI header has its message") {
   const TemporaryFolder folder;
   const auto with = [&](std::size_t at, std::uint64_t value, int bytes) {
     std::string file = nifti(small_truth(SampleType::i16), {})[0].content;
@@ -319,7 +319,7 @@ TEST_CASE("NIfTI headers") {
         std::string::npos);
 }
 
-TEST_CASE("VTK files") {
+TEST_CASE("each fault of a VTK file has its message") {
   const TemporaryFolder folder;
   const auto legacy = [&](const std::string& old, const std::string& now) {
     std::string file = vtk(small_truth(), true, false)[0].content;
@@ -390,7 +390,7 @@ TEST_CASE("VTK files") {
         "v.vti: ends before 2 x 3 x 4 int16 samples");
 }
 
-TEST_CASE("formats of others are named, with a way to one of ours") {
+TEST_CASE("foreign formats are named, with a way to convert them") {
   const TemporaryFolder folder;
   const std::string nothing(400, '\0');
   const auto at = [&](std::size_t offset, const std::string& magic) {
@@ -424,7 +424,7 @@ TEST_CASE("formats of others are named, with a way to one of ours") {
   }
 }
 
-TEST_CASE("axes and origins that are no numbers, or too large, in every format") {
+TEST_CASE("axes and origins that are no numbers, or too large, are refused in every format") {
   const TemporaryFolder folder;
   int refused = 0;
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, 1e31}) {
@@ -503,7 +503,7 @@ TEST_CASE("raw data and regions") {
   CHECK(read(25) == "");
 }
 
-TEST_CASE("what is no regular file is read to its end") {
+TEST_CASE("an input that is no regular file is read to its end") {
   const TemporaryFolder folder;
   ReadOptions options;
   options.raw = RawLayout{{2, 3, 4}};

@@ -98,7 +98,7 @@ TEST_CASE("every format, encoding, type and byte order reads back what was writt
   CHECK(volumes > 3000);
 }
 
-TEST_CASE("where a file sits in the body is kept") {
+TEST_CASE("the anatomical space of a file is kept") {
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
   const auto space = [&](const std::vector<NamedFile>& files) {
@@ -115,7 +115,7 @@ TEST_CASE("where a file sits in the body is kept") {
   CHECK(space(ras) == AnatomicalSpace::ras);
 }
 
-TEST_CASE("a region is the same part of every format") {
+TEST_CASE("a region has the same samples in every format") {
   const TemporaryFolder folder;
   Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
   truth.spacing = {0.5, 1.25, 3};
@@ -149,7 +149,7 @@ TEST_CASE("a region is the same part of every format") {
   }
 }
 
-TEST_CASE("blocks are regions that know where they lie, and have every voxel once") {
+TEST_CASE("blocks know their place in the whole, and have every voxel once") {
   const Volume whole = make_builtin_volume("builtin:noise:23");
   const Index3 of{3, 2, 4};
   std::vector<int> seen(whole.sample_count());  // voxels, by their first samples
@@ -195,7 +195,7 @@ TEST_CASE("blocks are regions that know where they lie, and have every voxel onc
 }
 
 TEST_CASE("raw data in native order is mapped, not copied") {
-  // A volume that refers to its file sees what is written into the file; a copy would not.
+  // A volume that refers to its file changes with the file; a copy would not.
   const TemporaryFolder folder;
   const Truth truth = random_truth(SampleType::u8, {8, 8, 8}, 5);
   const auto files = nrrd(truth, std::endian::native, "raw", NrrdForm::detached);
@@ -210,7 +210,7 @@ TEST_CASE("raw data in native order is mapped, not copied") {
   CHECK(volume.sample(7, 7, 7) == static_cast<double>(static_cast<int>(before) ^ 1));
 }
 
-TEST_CASE("NIfTI scaling is applied and said") {
+TEST_CASE("NIfTI scaling is applied and logged") {
   const TemporaryFolder folder;
   for (SampleType type : kAllTypes) {
     const Truth truth = random_truth(type, {3, 4, 5}, 11);
@@ -270,7 +270,7 @@ TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes 
   CHECK(read(three + "spacings: 1 1 1\r\nbyte skip: 0").sample(1, 2, 3) == 'x');
 }
 
-TEST_CASE("data files are found beside their header, wherever that is") {
+TEST_CASE("data files are found beside their header, in any folder") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path("deep/er"));
   const Truth truth = random_truth(SampleType::u16, {4, 5, 6}, 9);
@@ -315,7 +315,7 @@ TEST_CASE("standard input is recognized by its content") {
   }
 }
 
-TEST_CASE("command-line spellings") {
+TEST_CASE("command-line spellings are parsed") {
   const Roi roi = parse_roi("0:64,3:10,5:7");
   CHECK(roi.begin == Index3{0, 3, 5});
   CHECK(roi.end == Index3{64, 10, 7});

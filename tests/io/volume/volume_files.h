@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volumes written in every format and encoding that the readers know, byte by byte after the
-// formats' descriptions, so that what is read back can be held against what was written.
+// Volumes written in every format and encoding of the readers, byte by byte by the formats'
+// descriptions. Tests compare the volume that is read with the written one.
 #pragma once
 
 #include <unistd.h>
@@ -326,8 +326,8 @@ inline std::string vtk_values(bool binary, int count, int bytes, int from) {
   return all + "\n";
 }
 
-// Everything that may stand in a legacy file, with two scalar arrays of 2 x 3 x 4 points, density
-// (10 to 33) and pressure (1000 to 1023), behind the rest.
+// Returns a legacy file with all kinds of sections. Last are two scalar arrays of 2 x 3 x 4 points:
+// density (10 to 33) and pressure (1000 to 1023).
 inline std::string vtk_of_many(bool binary, const std::string& end = "") {
   constexpr int points = 24;
   const auto v = [&](int count, int bytes, int from = 0) {
