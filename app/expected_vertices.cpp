@@ -21,12 +21,12 @@ constexpr int kSlices = 32;
 // bounds of one voxel on h, of 1 on h/r, and of 1 on r over pole height. They grow as the bound
 // shrinks. The last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the
 // built-in fields, whose densities differ by factors, and to scanned volumes.
-constexpr double kBase = 0.03;
-constexpr double kDistance = 0.035, kHeight = 0.005, kPole = 0.04;
-constexpr double kFull = 0.67;
+constexpr double kBaseDensity = 0.03;
+constexpr double kDistanceDensity = 0.035, kHeightDensity = 0.005, kPoleDensity = 0.04;
+constexpr double kRadiusDensity = 0.67;
 // Vertices per voxel of r_min at creases of the interpolant, between voxels. There h/r does not
 // fall with r, so refinement goes down to r_min.
-constexpr double kCrease = 0.03;
+constexpr double kCreaseDensity = 0.03;
 
 // Crossings of grid edges along x, y and z.
 using Crossings = std::array<double, 3>;
@@ -69,7 +69,7 @@ Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int 
 }
 
 double density(const Options& options, const Volume& volume, double voxel) {
-  if (options.stop_after_recover) return kBase;
+  if (options.stop_after_recover) return kBaseDensity;
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
   const auto squared = [](double x) { return x * x; };
   const double h_over_r = options.limits[Criterion::h_over_r].value;
@@ -78,12 +78,13 @@ double density(const Options& options, const Volume& volume, double voxel) {
   const double asked =
       by_count(options)
           ? Options::kNone
-          : std::max({kDistance / length(Criterion::distance), kHeight / squared(h_over_r),
-                      kPole / squared(r_over_pole), kFull / squared(length(Criterion::radius))});
+          : std::max({kDistanceDensity / length(Criterion::distance),
+                      kHeightDensity / squared(h_over_r), kPoleDensity / squared(r_over_pole),
+                      kRadiusDensity / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
-  const double creases = h_over_r < Options::kNone ? kCrease / r_min : 0;
+  const double creases = h_over_r < Options::kNone ? kCreaseDensity / r_min : 0;
   // Facets below r_min are not refined.
-  return 1 / (1 / (kBase + asked + creases) + r_min * r_min / kFull);
+  return 1 / (1 / (kBaseDensity + asked + creases) + r_min * r_min / kRadiusDensity);
 }
 
 }  // namespace
