@@ -85,7 +85,7 @@ struct Criteria {
     return none;
   }();
   double r_min = 0;        // smaller facets are refined for shape only
-  double shape_floor = 0;  // smaller facets are not refined at all
+  double shape_floor = 0;  // smaller ones are not refined for shape either
 
   double& operator[](Criterion c) { return limits[c]; }
   double operator[](Criterion c) const { return limits[c]; }
