@@ -23,10 +23,10 @@ int run(std::span<const std::string_view> arguments) {
   switch (line.command) {
     case Command::help:
       print(help_text(line.help_of));
-      return kFine;
+      return kExitSuccess;
     case Command::version:
       print("deliso " + std::string(kVersion) + "\n");
-      return kFine;
+      return kExitSuccess;
     case Command::info:
       return run_info(line);
     case Command::render:

@@ -7,7 +7,7 @@
 
 namespace deliso {
 
-inline constexpr int kFine = 0;
+inline constexpr int kExitSuccess = 0;
 inline constexpr int kFaultFound = 1;
 inline constexpr int kBadUsage = 2;
 

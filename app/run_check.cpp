@@ -48,7 +48,7 @@ int run_check(const CommandLine& line) {
     }
     print(text);
   }
-  return result.faults.any() ? kFaultFound : kFine;
+  return result.faults.any() ? kFaultFound : kExitSuccess;
 }
 
 }  // namespace deliso

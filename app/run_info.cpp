@@ -12,7 +12,7 @@ int run_info(const CommandLine& line) {
   const Info info = find_info(input, line);
   if (!line.json.empty()) write_text(line.json, info_json(info));
   if (!line.quiet && line.json != "-") print(info_text(info));
-  return kFine;
+  return kExitSuccess;
 }
 
 }  // namespace deliso

@@ -22,7 +22,7 @@ int run_join(const CommandLine& line) {
           counted(joined.seam_vertices, "vertex", "vertices") + ", " +
           counted(joined.seam_edges, "edge", "edges") + "\n");
   }
-  return kFine;
+  return kExitSuccess;
 }
 
 }  // namespace deliso

@@ -222,7 +222,7 @@ int run_mesh(const CommandLine& line) {
       print(text);
     }
   }
-  return run.sound() ? kFine : kFaultFound;
+  return run.sound() ? kExitSuccess : kFaultFound;
 }
 
 }  // namespace deliso

@@ -115,7 +115,7 @@ int run_render(const CommandLine& line) {
       print(report);
     }
   }
-  return kFine;
+  return kExitSuccess;
 }
 
 }  // namespace deliso

@@ -67,7 +67,7 @@ int run_trace(const CommandLine& line) {
           counted(mesh.faces.size(), "triangle", "triangles") + " in the end, in " + line.output +
           "\n");
   }
-  return kFine;
+  return kExitSuccess;
 }
 
 }  // namespace deliso

@@ -107,7 +107,7 @@ int run_view(const CommandLine& line) {
     write_page(line.output, title, header.finish(), data);
   }
   if (!line.quiet && line.output != "-") print(sizes + " in " + line.output + "\n");
-  return kFine;
+  return kExitSuccess;
 }
 
 }  // namespace deliso

@@ -27,7 +27,7 @@ std::string page_of(const std::vector<std::string_view>& options, const std::str
   std::vector<std::string_view> arguments{"trace", "-q", "-o", file};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const CommandLine line = parse_command_line(arguments);
-  CHECK(run_trace(line) == kFine);
+  CHECK(run_trace(line) == kExitSuccess);
   return file_bytes(file);
 }
 
