@@ -4,15 +4,15 @@
 // and went. Each kind of thing has a color and a switch of its own.
 
 const kMarks = {
-  point: { label: 'Point', color: 0xd6246e },
-  caller: { label: 'What called for it', color: 0xf2b01e },
+  point: { label: 'Point', color: 0xe8590c },
+  caller: { label: 'What called for it', color: 0xffc233 },
   edge: { label: 'Voronoi edge and its hits', color: 0x0b90b1 },
-  ball: { label: 'Surface ball', color: 0x54bec8 },
-  zone: { label: 'Conflict zone', color: 0x9e7acc },
-  star: { label: 'Disk looked at (D_q or E), its rim', color: 0xe0a100 },
-  cone: { label: 'Cone D that was refused', color: 0xb0399b },
-  came: { label: 'Facets that come', color: 0x2f9e5f },
-  went: { label: 'Facets that go', color: 0xcf3f3a },
+  ball: { label: 'Surface ball', color: 0x8ecae6 },
+  zone: { label: 'Conflict zone', color: 0x7b9fd6 },
+  star: { label: 'Disk looked at (D_q or E), its rim', color: 0xb35c00 },
+  cone: { label: 'Cone D that was refused', color: 0x4361ee, dash: 'dashed' },
+  came: { label: 'Facets that come', color: 0x1d74d8 },
+  went: { label: 'Facets that go', color: 0xf08a24, dash: 'dashed' },
 };
 
 // The edges that one of these triangles alone has: pairs of vertices.
@@ -94,6 +94,12 @@ class EventMarks {
     this.normal = unit(this.normal);
   }
 
+  // Marks that this event has and that are switched on.
+  shown() {
+    return Object.entries(kMarks).filter(([key]) => this.on[key] &&
+      [this.fills, this.lines, this.dots].some((group) => group[key]?.count > 0)).map(([, mark]) => mark);
+  }
+
   // Whether so little changes that it can be pointed at.
   is_small(e) {
     const { trace } = this;
@@ -124,7 +130,11 @@ class EventMarks {
       corners.forEach((p) => extend_box(this.box, ...p));
       this.normal = add(this.normal, cross(subtract(corners[1], corners[0]),
                                            subtract(corners[2], corners[0])));
-      if (width > 0) this.lines[key].add_triangle(...corners, color, width);
+      if (width > 0 && kMarks[key].dash) {
+        corners.forEach((p, i) => this.lines[key].add_dashed(p, corners[(i + 1) % 3], color, width));
+      } else if (width > 0) {
+        this.lines[key].add_triangle(...corners, color, width);
+      }
     }
   }
 

@@ -183,6 +183,11 @@ class LineLayer extends MarkLayer {
     this.put(2 * this.count + 1, b[0], b[1], b[2], Math.round(8 * width));
     ++this.count;
   }
+  add_dashed(a, b, color, width) {
+    const kParts = 9;
+    const at = (n) => add(a, scaled(subtract(b, a), n / kParts));
+    for (let n = 0; n < kParts; n += 2) this.add(at(n), at(n + 1), color, width);
+  }
   add_triangle(a, b, c, color, width) {
     this.add(a, b, color, width);
     this.add(b, c, color, width);

@@ -22,8 +22,6 @@ class Trace {
     }
     this.routines_used = this.numbers_used('routine');
     this.reasons_used = this.numbers_used('reason');
-    this.routine_colors = this.colors_by_frequency('routine');
-    this.reason_colors = this.colors_by_frequency('reason');
     this.add_up();
   }
 
@@ -32,17 +30,8 @@ class Trace {
     const values = this.arrays['event_' + what]?.subarray(0, this.count) ?? [];
     return [...new Set(values)].sort((a, b) => a - b);
   }
-  // The most frequent have the first colors.
-  colors_by_frequency(what) {
-    const counts = new Map();
-    for (const n of this.arrays['event_' + what]?.subarray(0, this.count) ?? []) {
-      counts.set(n, (counts.get(n) ?? 0) + 1);
-    }
-    const ranked = [...counts].sort(([a, x], [b, y]) => y - x || a - b);
-    return new Map(ranked.map(([n], rank) => [n, kind_color(rank)]));
-  }
-  routine_color(routine) { return this.routine_colors.get(routine) ?? kKinds.at(-1); }
-  reason_color(reason) { return this.reason_colors.get(reason) ?? kKinds.at(-1); }
+  routine_style(routine) { return kOperations[this.routines[routine]?.name] ?? kOther; }
+  reason_style(reason) { return kCriteria[this.reasons[reason]?.name] ?? kOther; }
 
   // The events of which all is there: a page may be cut off.
   whole_events() {

@@ -4,7 +4,7 @@
 
 const kLane = 11;         // height in CSS pixels
 const kHead = 11;         // of the room above the lanes for the head's knob
-const kLabels = 148;      // width of the names, where there is room
+const kCurves = 44;       // height of the curves
 
 // What makes two events of one kind.
 const kKindsOfEvent = {
@@ -20,13 +20,14 @@ class Timeline {
     this.go = go;
     this.at = 0;
     this.playing = false;
-    this.speed = 4;       // events per second
+    this.speed = 0;       // events per second; 0: as long as the event is rare
+    this.seconds = seconds_of_events(trace);
     this.kind = 'routine';
     this.canvas = element('canvas', { class: 'lanes', tabindex: 0, role: 'slider',
                                       'aria-label': 'Event', 'aria-valuemin': 1,
                                       'aria-valuemax': Math.max(1, trace.count) });
     this.lanes = trace.routines_used;
-    this.canvas.style.height = `${kHead + this.lanes.length * kLane + 15}px`;
+    this.canvas.style.height = `${this.top + this.lanes.length * kLane + 15}px`;
     this.picture = document.createElement('canvas');
     place.append(this.buttons(), this.canvas);
     this.listen();
@@ -44,7 +45,7 @@ class Timeline {
       .filter(([, name], n) => n > 0 && this.occurs('outcome', n));
     const kind = choice('Kind', [...kinds, ...others], this.kind, (value) => { this.kind = value; });
     kind.classList.add('inline');
-    const speed = choice('Speed', [1, 4, 15, 60, 250, 1000].map((n) => [n, `${n} / s`]), this.speed,
+    const speed = choice('Speed', [[0, 'slow where rare'], ...[1, 4, 15, 60, 250, 1000].map((n) => [n, `${n} / s`])], this.speed,
                          (value) => { this.speed = Number(value); });
     speed.classList.add('inline');
     return element('div', { class: 'buttons' },
@@ -105,18 +106,22 @@ class Timeline {
     let before = performance.now(), due = 0;
     const tick = (now) => {
       if (!this.playing) return;
-      due += this.speed * Math.min(now - before, 250) / 1000;
+      due += Math.min(now - before, 250) / 1000;
       before = now;
-      const steps = Math.floor(due);
-      due -= steps;
-      if (steps > 0) this.show(this.at + steps);
+      let to = this.at;
+      for (; to < this.trace.count - 1 && due >= this.stay(to); ++to) due -= this.stay(to);
+      if (to > this.at) this.show(to);
       if (this.at >= this.trace.count - 1) this.play(false);
       else requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
   }
 
-  get labels() { return this.canvas.clientWidth > 700 ? kLabels : 0; }
+  // Seconds that playback stays at an event.
+  stay(e) { return this.speed > 0 ? 1 / this.speed : this.seconds[e]; }
+
+  get labels() { return this.canvas.clientWidth > 700 ? 130 : 104; }
+  get top() { return kHead + kCurves; }
 
   listen() {
     const { canvas } = this;
@@ -128,7 +133,7 @@ class Timeline {
     };
     canvas.addEventListener('pointerdown', (event) => {
       this.play(false);
-      const lane = Math.floor((event.offsetY - kHead) / kLane);
+      const lane = Math.floor((event.offsetY - this.top) / kLane);
       if (event.offsetX < this.labels) {
         if (lane >= 0 && lane < this.lanes.length) this.next_in_lane(this.lanes[lane]);
         return;
@@ -170,25 +175,35 @@ class Timeline {
     const wide = Math.max(1, columns / Math.max(1, trace.count));
     const full = Math.max(1, trace.count / columns);
     this.lanes.forEach((routine, row) => {
-      const y = kHead + row * kLane;
-      context.fillStyle = css_color(trace.routine_color(routine));
+      const y = this.top + row * kLane;
+      const { color, dash, label } = trace.routine_style(routine);
+      context.fillStyle = css_color(color);
       for (let column = 0; column < columns; ++column) {
         const share = there[row * columns + column] / full;
         if (share === 0) continue;
         context.globalAlpha = clamp(0.25 + 0.75 * share, 0, 1);
-        context.fillRect(labels + column, y + 1, wide, kLane - 2);
+        if (dash === 'solid') context.fillRect(labels + column, y + 1, wide, kLane - 2);
+        else for (const dy of dash === 'dashed' ? [1, 6] : [1, 4, 7]) {
+          context.fillRect(labels + column, y + dy, wide, dash === 'dashed' ? 4 : 2);
+        }
       }
       context.globalAlpha = 1;
       context.fillStyle = line;
       context.fillRect(labels, y + kLane - 0.5, columns, 0.5);
-      if (labels === 0) return;
       context.fillStyle = ink;
       context.textAlign = 'left';
       context.textBaseline = 'middle';
-      const { name, figure } = trace.routines[routine];
-      context.fillText(figure ? `${name} (Fig. ${figure})` : name, 2, y + kLane / 2 + 0.5, labels - 10);
+      context.fillText(label, 2, y + kLane / 2 + 0.5, labels - 10);
     });
-    const bottom = kHead + this.lanes.length * kLane;
+    const curves = curves_of(trace, columns);
+    const orange = css_color(style_color('--accent')), blue = css_color(style_color('--focus'));
+    draw_curve(context, curves.worst, labels, kHead, kCurves - 4, orange, []);
+    draw_curve(context, curves.vertices, labels, kHead, kCurves - 4, blue, [5, 3]);
+    context.fillStyle = orange;
+    if (curves.name) context.fillText(`\u2014 worst ${kCriteria[curves.name].label}`, 2, kHead + 12, labels - 10);
+    context.fillStyle = blue;
+    context.fillText('- - vertices so far', 2, kHead + 28, labels - 10);
+    const bottom = this.top + this.lanes.length * kLane;
     context.fillStyle = ink;
     context.textBaseline = 'bottom';
     if (trace.switch_at >= 0) {
@@ -210,7 +225,7 @@ class Timeline {
     context.drawImage(this.picture, 0, 0, width, height);
     const x = labels + (this.at + 0.5) / Math.max(1, trace.count) * (width - labels);
     context.fillStyle = css_color(style_color('--accent'));
-    context.fillRect(x - 1, 5, 2, kHead - 5 + this.lanes.length * kLane);
+    context.fillRect(x - 1, 5, 2, this.top - 5 + this.lanes.length * kLane);
     context.beginPath();
     context.arc(clamp(x, 5, width - 5), 5.5, 5, 0, 7);
     context.fill();

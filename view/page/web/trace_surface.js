@@ -6,6 +6,8 @@ const kColorsOfSurface = [['side', 'side of the surface'], ['routine', 'routine 
                           ['reason', 'criterion that made it'], ['age', 'age'],
                           ['component', 'component']];
 
+const legend_row = ({ color, label, dash }) => [color, label, dash];
+
 class TraceSurface {
   constructor(trace, points) {
     this.trace = trace;
@@ -22,8 +24,8 @@ class TraceSurface {
     const { trace } = this;
     const e = this.history.birth[id];
     switch (this.color_by) {
-      case 'routine': return trace.routine_color(trace.arrays.event_routine[e]);
-      case 'reason': return trace.reason_color(trace.arrays.event_reason?.[e] ?? 0);
+      case 'routine': return trace.routine_style(trace.arrays.event_routine[e]).color;
+      case 'reason': return trace.reason_style(trace.arrays.event_reason?.[e] ?? 0).color;
       case 'age': return kSides | Math.min(e, 0xffffff);
       case 'component': return this.components?.color(this.history.corners[3 * id]) ?? kSides;
       default: return kSides;
@@ -75,14 +77,14 @@ class TraceSurface {
     }
   }
 
-  // Pairs of a color and what it stands for.
+  // A color, what it stands for, and a dash.
   legend() {
     const { trace } = this;
     switch (this.color_by) {
       case 'routine':
-        return trace.routines_used.map((n) => [trace.routine_color(n), trace.routines[n].name]);
+        return trace.routines_used.map((n) => trace.routine_style(n)).map(legend_row);
       case 'reason':
-        return trace.reasons_used.map((n) => [trace.reason_color(n), trace.reasons[n].name]);
+        return trace.reasons_used.map((n) => trace.reason_style(n)).map(legend_row);
       case 'age':
         return [[sequential_color(1), 'new'], [sequential_color(0.5), 'half way back'],
                 [sequential_color(0), 'from the beginning']];

@@ -1,6 +1,9 @@
 'use strict';
 // The page of `deliso trace`: one run of both stages, event by event.
 
+const legend_item = ([color, text, dash = 'solid']) =>
+  element('li', {}, element('span', { class: `swatch ${dash}`, style: `--swatch:${css_color(color)}` }), text);
+
 class TraceView {
   constructor(scene, data) {
     this.scene = scene;
@@ -42,7 +45,12 @@ class TraceView {
     this.show_legend();
     this.show_title();
     this.draw_frame();
-    this.timeline.show(0);
+    this.timeline.show(trace.count - 1);
+    scene.fit(false);
+    this.follow = true;
+    this.tour = new Tour(document.getElementById('tour'), trace, (stop, n) => this.show_stop(stop, n),
+                         () => this.end_tour());
+    show_terms_of(document.body);
   }
 
   show_title() {
@@ -73,14 +81,35 @@ class TraceView {
     this.tell(e);
     this.numbers.show(e);
     // Of quick play, the eye could not follow.
-    if (this.follow && !(this.timeline?.playing && this.timeline.speed > 15)) this.zoom_to_step();
+    if (this.follow && !(this.timeline?.playing && this.timeline.stay(e) < 1 / 15)) this.zoom_to_step();
+    this.show_canvas_legend();
+    this.scene.invalidate();
+  }
+
+  show_stop(stop, n) {
+    this.timeline.play(false);
+    this.vertices.visible = n === 0;
+    this.timeline.show(stop.event);
+    if (stop.whole) this.scene.fit();
+    else this.zoom_to_step();
+  }
+
+  end_tour() {
+    this.vertices.visible = false;
     this.scene.invalidate();
   }
 
   show_legend() {
-    this.legend.replaceChildren(...this.surface.legend().map(([color, text]) =>
-      element('li', {}, element('span', { class: 'swatch', style: `background:${css_color(color)}` }),
-              text)));
+    this.legend.replaceChildren(...this.surface.legend().map(legend_item));
+  }
+
+  // Just what this step shows.
+  show_canvas_legend() {
+    const regions = this.regions?.layer.visible;
+    document.getElementById('canvas-legend').replaceChildren(
+      ...(regions ? [] : this.surface.legend().slice(0, 6)).map(legend_item),
+      ...(regions ? [element('li', {}, 'one tone for each region of T')] : []),
+      ...this.marks.shown().map(legend_row).map(legend_item));
   }
 
   // Side by side at the switch, or where that is asked for.
@@ -106,10 +135,10 @@ class TraceView {
     this.telling.replaceChildren(
       element('p', { class: 'where' }, where),
       element('h2', {}, element('span', { class: 'swatch', style:
-        `background:${css_color(this.trace.routine_color(this.trace.arrays.event_routine[e]))}` }),
+        `background:${css_color(this.trace.routine_style(this.trace.arrays.event_routine[e]).color)}` }),
               title, ...outcome),
       ...lines.map(([kind, text, heading]) =>
-        element('p', { class: kind }, ...(heading ? [element('strong', {}, heading)] : []), text)));
+        element('p', { class: kind }, ...(heading ? [element('strong', {}, heading)] : []), ...with_terms(text))));
   }
 
   zoom_to_step() {
@@ -180,7 +209,7 @@ class TraceView {
       this.after = on;
       this.show(this.event);
     });
-    this.follow_toggle = toggle('Follow: go to every step', false, (on) => {
+    this.follow_toggle = toggle('Follow: go to every step', true, (on) => {
       this.follow = on;
       if (on) this.zoom_to_step();
       else this.scene.fit();
@@ -268,8 +297,9 @@ class TraceView {
 
   keys() {
     const { timeline, scene } = this;
-    return { ' ': () => timeline.play(!timeline.playing), ArrowRight: () => timeline.step(1),
-             ArrowLeft: () => timeline.step(-1), PageDown: () => timeline.step(100),
+    return { ' ': () => timeline.play(!timeline.playing), ArrowRight: () => this.tour.on ? this.tour.step(1) : timeline.step(1),
+             ArrowLeft: () => this.tour.on ? this.tour.step(-1) : timeline.step(-1),
+             Escape: () => this.tour.end(), PageDown: () => timeline.step(100),
              PageUp: () => timeline.step(-100), Home: () => timeline.show(0),
              End: () => timeline.show(this.trace.count - 1), n: () => timeline.next_of_kind(1),
              p: () => timeline.next_of_kind(-1), z: () => this.zoom_to_step(), f: () => scene.fit(),
@@ -283,7 +313,8 @@ class TraceView {
   }
 
   static help() {
-    return ['Timeline', [['Space', 'play, stop'], ['Left Right', 'one step'],
+    return ['Timeline', [['Space', 'play, stop'], ['Left Right', 'one step; in the tour one stop'],
+                         ['Escape', 'leave the tour'],
                          ['PageUp PageDown', 'a hundred steps'], ['Home End', 'first, last'],
                          ['N P', 'next, previous of the kind'], ['Z', 'go to what this step changes'],
                          ['L', 'follow: go to every step'], ['B', 'the surface before, after the step'],

@@ -1,0 +1,57 @@
+'use strict';
+// What runs along the timeline: the seconds that playback stays at an event, and two curves.
+
+const kPlaySeconds = 60, kMostSeconds = 1.5;  // of a whole trace, and of one event
+
+const kMeasured = ['h', 'h/r', 'r/l', 'r/pole', 'r'];  // criteria whose value is times the limit
+
+// All events of one kind together last as the root of their number, so the rare last longer each.
+function seconds_of_events(trace) {
+  const { event_routine: routine, event_reason: reason, event_outcome: outcome } = trace.arrays;
+  const counts = new Map(), kinds = [];
+  for (let e = 0; e < trace.count; ++e) {
+    const kind = (routine[e] << 16) + ((reason?.[e] ?? 0) << 8) + (outcome?.[e] ?? 0);
+    kinds.push(kind);
+    counts.set(kind, (counts.get(kind) ?? 0) + 1);
+  }
+  let all = 0;
+  for (const n of counts.values()) all += Math.sqrt(n);
+  return Float64Array.from(kinds, (kind) =>
+    Math.min(kMostSeconds, kPlaySeconds / all / Math.sqrt(counts.get(kind))));
+}
+
+// Of the criteria with a limit the first that the trace has: its name; null without one.
+function measured_criterion(trace) {
+  const used = new Set(trace.reasons_used.map((n) => trace.reasons[n]?.name));
+  return kMeasured.find((name) => used.has(name)) ?? null;
+}
+
+// Per column of the timeline: the worst value that was handled there, and vertices so far.
+function curves_of(trace, columns) {
+  const name = measured_criterion(trace);
+  const worst = new Float64Array(columns).fill(NaN), vertices = new Float64Array(columns).fill(NaN);
+  for (let e = 0; e < trace.count; ++e) {
+    const column = Math.floor(e / trace.count * columns);
+    vertices[column] = trace.vertices[e + 1];
+    const value = trace.value(e);
+    if (trace.reason(e)?.name === name && Number.isFinite(value) && !(worst[column] >= value)) {
+      worst[column] = value;
+    }
+  }
+  return { name, worst, vertices };
+}
+
+// A curve from low to high over its highest value; columns without a value are passed over.
+function draw_curve(context, values, left, top, height, color, dashes) {
+  const most = values.reduce((a, b) => b > a ? b : a, 0);
+  if (!(most > 0)) return;
+  context.strokeStyle = color;
+  context.lineWidth = 1.4;
+  context.setLineDash(dashes);
+  context.beginPath();
+  values.forEach((value, n) => {
+    if (Number.isFinite(value)) context.lineTo(left + n, top + height * (1 - 0.92 * value / most));
+  });
+  context.stroke();
+  context.setLineDash([]);
+}

@@ -1,0 +1,109 @@
+'use strict';
+// A tour of a trace: eight stops, each at an event of this very trace.
+
+const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'half disk', 'several hits'];
+
+// The event with the greatest weight; -1 where none has a finite one.
+function heaviest(trace, weight) {
+  let best = -1, most = -Infinity;
+  for (let e = 0; e < trace.count; ++e) {
+    const w = weight(e);
+    if (w > most) [best, most] = [e, w];
+  }
+  return best;
+}
+
+// {title, event, text, whole}: event -1, where the trace has none such; `whole`: all is in view.
+function tour_stops(trace) {
+  const none = -Infinity;
+  const value = (e) => Number.isFinite(trace.value(e)) ? trace.value(e) : 0;
+  const because = (e) => trace.reason(e)?.name;
+  const done = (e) => !trace.refused(e);
+  const operation = (e) => (kOperations[trace.routine(e).name] ?? kOther).label;
+  const limit = measured_criterion(trace);
+  const cavity = (e) => trace.size('removed', e);
+  const broken = heaviest(trace, (e) => kBroken.includes(because(e)) && done(e) ? value(e) : none);
+  const protrusion = heaviest(trace, (e) => because(e) === 'protrusion' && done(e) ? value(e) : none);
+  const insertion = heaviest(trace, (e) => trace.stage(e) === 2 && done(e) && e !== trace.switch_at &&
+    trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
+  const refusal = heaviest(trace, (e) => trace.stage(e) === 2 && trace.refused(e)
+    ? trace.size('cone', e) + trace.size('star', e) : none);
+  const worst = heaviest(trace, (e) => limit && because(e) === limit && trace.stage(e) === 2 ? value(e) : none);
+  const last = trace.count - 1;
+  const live = trace.begin('added', trace.count) - trace.begin('removed', trace.count);
+  const stop = (title, event, text, missing, whole = false) =>
+    ({ title, event, text: event < 0 ? missing : text(event), whole });
+  return [
+    stop('A sample of the surface', last < 0 ? -1 : 0, () =>
+      `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface. Each dot is one.`,
+         'The trace has no events.', true),
+    stop('A region that breaks a condition', broken, (e) =>
+      `Here a condition of Stage 1 fails (${because(e)}): the pieces around this site do not meet as pieces ` +
+      'of a surface should. A new site is inserted to mend it.', 'No region broke a condition in this trace.'),
+    stop('A protrusion', protrusion, (e) =>
+      `The mesh would miss this protrusion of the surface. A site is inserted ${rounded(value(e))} units ` +
+      'from the nearest one.', 'No protrusion was missed in this trace.'),
+    stop('From Recover to Refine', trace.switch_at, () =>
+      'The switch: the shape is now right. The tetrahedra are left behind, and Refine works on the plain ' +
+      'mesh of triangles.', 'The trace ends before Refine begins.', true),
+    stop('An insertion with its cavity', insertion, (e) =>
+      `A point is inserted. The cavity of ${counted(cavity(e), 'facet', 'facets')} goes, and a cone of ` +
+      `${counted(trace.size('added', e), 'facet', 'facets')} around the point takes its place.`,
+         'No point was inserted in Refine.'),
+    stop('A refused operation', refusal, (e) =>
+      `The operation \u201c${operation(e)}\u201d was refused: ${trace.outcome_text(e)}. A gate tests every change, and ` +
+      'this one did not pass. The mesh stays as it was.', 'No operation was refused in this trace.'),
+    stop('The worst facet', worst, (e) =>
+      `This facet breaks its criterion most: ${kCriteria[limit].label} is ${rounded(value(e))} times the limit.`,
+         'No facet was over a limit in Refine.'),
+    stop('Done', last, () =>
+      `The finished mesh has ${counted(live, 'facet', 'facets')}, after ${counted(trace.count, 'step', 'steps')}` +
+      `: ${grouped(trace.inserted[0][trace.count])} points inserted in Recover, ` +
+      `${grouped(trace.inserted[1][trace.count])} in Refine.`, 'The trace has no events.', true),
+  ];
+}
+
+class Tour {
+  // go(stop) shows a stop, leave() the finished surface for free exploration.
+  constructor(place, trace, go, leave) {
+    Object.assign(this, { place, go, leave, stops: tour_stops(trace), at: -1 });
+    const facets = trace.begin('added', trace.count) - trace.begin('removed', trace.count);
+    this.opening = `This is the finished surface, ${counted(facets, 'facet', 'facets')} made in ` +
+                   `${counted(trace.count, 'step', 'steps')}; the timeline goes back to any of them.`;
+    place.hidden = false;
+    this.invite();
+  }
+
+  get on() { return this.at >= 0; }
+
+  invite() {
+    this.place.replaceChildren(element('p', {}, ...with_terms(this.opening)),
+      element('div', { class: 'row' }, button('Take the tour', 'A tour of eight stops', () => this.show(0))));
+  }
+
+  show(n) {
+    if (n < 0) return;
+    if (n >= this.stops.length) return this.end();
+    this.at = n;
+    const stop = this.stops[n];
+    const last = n + 1 === this.stops.length;
+    const next = button(last ? 'Explore' : 'Next', 'Next (right arrow)', () => this.show(n + 1));
+    const back = button('Back', 'Back (left arrow)', () => this.show(n - 1));
+    back.disabled = n === 0;
+    this.place.replaceChildren(
+      element('p', { 'aria-live': 'polite' },
+              element('strong', {}, `${n + 1} of ${this.stops.length}. ${stop.title}. `), ...with_terms(stop.text)),
+      element('div', { class: 'row' }, back, next, button('Leave', 'Leave the tour (Escape)', () => this.end())));
+    next.focus();
+    if (stop.event >= 0) this.go(stop, n);
+  }
+
+  step(by) { this.show(this.at + by); }
+
+  end() {
+    if (!this.on) return;
+    this.at = -1;
+    this.invite();
+    this.leave();
+  }
+}
