@@ -8,4 +8,4 @@ for script in "$1"/view/page/web/*.js; do
   node --check "$script"
 done
 exec node "$1/tests/view/page/run_web_tests.js" "$1" view/page/web/page.html \
-  tests/view/page/test_web.js 10
+  tests/view/page/test_web.js 20

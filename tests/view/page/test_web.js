@@ -485,3 +485,65 @@ test('panes lie along the longer side, and every place is in its pane', () => {
     assert.equal(scene.place_of(-5, -5).pane, 0);
   }
 });
+
+// The names that the program writes into a trace.
+const source_of = (name) => fs.readFileSync(path.join(root, name), 'utf8');
+function names_in(file, from, shape) {
+  const text = source_of(file);
+  const begin = text.indexOf(from);
+  assert.ok(begin >= 0, from);
+  return [...text.slice(begin, text.indexOf('};', begin)).matchAll(shape)].map((match) => match[1]);
+}
+
+test('tables of colors: every operation and criterion, fixed, distinct, not red against green', () => {
+  const routines = names_in('view/trace/trace_names.cpp', 'RoutineName names[]', /\{"(\w+)"/g);
+  const rungs = names_in('src/surface/report.h', 'kRungNames', /"(\w+)"/g);
+  const reasons = names_in('view/trace/trace_names.cpp', 'ReasonName names[]', /\{"([^"]+)",/g);
+  assert.ok(routines.length === 10 && rungs.length >= 7 && reasons.length >= 18);
+  assert.deepEqual(Object.keys(kOperations), [...routines, ...rungs]);
+  for (const reason of [...reasons, ...kMeasured]) assert.ok(kCriteria[reason], reason);
+  for (const table of [kOperations, kCriteria]) {
+    const rows = Object.values(table);
+    for (const key of ['color', 'label']) {
+      assert.equal(new Set(rows.map((row) => row[key])).size, rows.length, key);
+    }
+    // Blue has its strongest part last, orange first; green never leads.
+    for (const { color } of [...rows, ...Object.values(kMarks)]) {
+      assert.ok(green_of(color) <= Math.max(red_of(color), blue_of(color)), color.toString(16));
+    }
+  }
+  // The same, whatever a trace has most of.
+  const { arrays } = random_trace(random_from(1), 20);
+  const trace = new Trace({ header: { routines: [{ name: 'flip', stage: 2 }] }, arrays });
+  assert.equal(trace.routine_style(0), kOperations.flip);
+});
+
+test('terms of the page stand in the glossary, with their definitions', () => {
+  const rows = source_of('docs/glossary.md').split('\n').filter((line) => line.startsWith('| <a'));
+  for (const [term, meaning] of Object.entries(kTerms)) {
+    const row = rows.find((line) => line.split(' | ')[1]?.startsWith(meaning));
+    assert.ok(row, `${term}: ${meaning}`);
+    assert.ok(row.includes(term) || row.includes(term.replace('circumradius', 'r')), term);
+  }
+});
+
+test('playback: the rare lasts longer, the whole about a minute', () => {
+  const events = 4000;
+  const arrays = { event_routine: Uint8Array.from({ length: events }, (_, e) => e % 400 === 7 ? 1 : 0) };
+  const trace = new Trace({ header: { routines: [{ name: 'a' }, { name: 'b' }] }, arrays });
+  const seconds = seconds_of_events(trace);
+  assert.ok(seconds[7] > 5 * seconds[8]);
+  assert.ok(Math.abs(seconds.reduce((a, b) => a + b) - kPlaySeconds) < 1);
+});
+
+test('the tour stops at events of the trace, and says where there is none', () => {
+  const arrays = { event_routine: Uint8Array.of(0, 1, 2, 2), event_outcome: Uint8Array.of(0, 0, 0, 1),
+                   event_reason: Uint8Array.of(0, 0, 1, 1), event_value: Float32Array.of(1, 1, 3, 2) };
+  const header = { routines: [{ name: 'certify', stage: 1 }, { name: 'build_tri_mesh', stage: 2 },
+                              { name: 'flip', stage: 2 }],
+                   outcomes: ['done', 'refused: turned'], reasons: [{ name: 'beginning' }, { name: 'h' }] };
+  const stops = tour_stops(new Trace({ header, arrays }));
+  assert.deepEqual(stops.map(({ event }) => event), [0, -1, -1, 1, -1, 3, 2, 3]);
+  for (const { text, event } of stops) assert.ok(text && (event >= 0 || /\bno\b/i.test(text)));
+  assert.ok(tour_stops(new Trace({ header: {}, arrays: {} })).every(({ event }) => event === -1));
+});
