@@ -3,6 +3,8 @@
 
 const kBroken = ['region', 'interface', 'triple', 'boundary', 'no disk', 'half disk', 'several hits'];
 
+const kInsertions = ['surface_point', 'foot', 'far_point'];
+
 // The event with the greatest weight; -1 where none has a finite one.
 function heaviest(trace, weight) {
   let best = -1, most = -Infinity;
@@ -22,10 +24,11 @@ function tour_stops(trace) {
   const operation = (e) => (kOperations[trace.routine(e).name] ?? kOther).label;
   const limit = measured_criterion(trace);
   const cavity = (e) => trace.size('removed', e);
-  const broken = heaviest(trace, (e) => kBroken.includes(because(e)) && done(e) ? value(e) : none);
+  const broken = heaviest(trace, (e) => kBroken.includes(because(e)) && done(e)
+    ? -Math.abs(cavity(e) - 8) : none);  // few enough to be seen
   const protrusion = heaviest(trace, (e) => because(e) === 'protrusion' && done(e) ? value(e) : none);
-  const insertion = heaviest(trace, (e) => trace.stage(e) === 2 && done(e) && e !== trace.switch_at &&
-    trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
+  const insertion = heaviest(trace, (e) => kInsertions.includes(trace.routine(e).name) &&
+    done(e) && trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
   const refusal = heaviest(trace, (e) => trace.stage(e) === 2 && trace.refused(e)
     ? trace.size('cone', e) + trace.size('star', e) : none);
   const worst = heaviest(trace, (e) => limit && because(e) === limit && trace.stage(e) === 2 ? value(e) : none);
