@@ -23,6 +23,33 @@ printf 'OFF\n0 0 0\n' >"$work/empty.off"
 "$deliso" view "$work/empty.off" -q -o "$work/empty.html"
 "$deliso" trace builtin:torus:20 -q -o "$work/certified.html"
 "$deliso" trace builtin:fuel:20 --paper -q -o "$work/paper.html"
+# The tour, by its keys, to the end; then a few steps. A fault in it is told by the page's message.
+for page in certified paper; do
+  sed '/^<\/body>$/,$d' "$work/$page.html" >"$work/$page-tour.html"
+  cat >>"$work/$page-tour.html" <<'END'
+<script>
+const press = (key) => document.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+const wait = setInterval(() => {
+  if (!window.deliso) return;
+  clearInterval(wait);
+  const { view } = window.deliso, seen = new Set();
+  document.querySelector('#tour button').click();
+  for (let n = 0; n < 8; ++n) {
+    seen.add(document.querySelector('#tour strong').textContent);
+    if (n < 7) press('ArrowRight');
+  }
+  press('ArrowLeft');
+  press('Escape');
+  document.querySelector('#tour .term').focus();
+  press('Home');
+  if (seen.size !== 8 || view.tour.on || view.event !== 0 ||
+      document.querySelector('.term-entry').hidden) throw new Error('the tour');
+}, 20);
+</script>
+</body>
+</html>
+END
+done
 # Cut off in the middle of its data.
 head -c $(($(wc -c <"$work/paper.html") * 9 / 10)) "$work/paper.html" >"$work/cut.html"
 
@@ -33,7 +60,7 @@ setTimeout(() => document.dispatchEvent(new KeyboardEvent("keydown", {key: "p"})
 
 # A page is fine when it has begun and hides its message.
 faults=0
-for page in two empty certified paper cut link; do
+for page in two empty certified paper certified-tour paper-tour cut link; do
   if ! timeout 60 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \
     --enable-unsafe-swiftshader --user-data-dir="$work/profile" --virtual-time-budget=4000 \
     --dump-dom "file://$work/$page.html$([ $page = link ] && echo "#color-by=r_over_l&brush-angle=0-47")" \

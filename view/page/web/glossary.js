@@ -22,14 +22,14 @@ const kTerms = {
   'switch': 'the step from Del S to a plain mesh, between the stages',
 };
 
-const kTermPattern = new RegExp(`\\b(${Object.keys(kTerms).join('|')})(?=s?\\b)`, 'gi');
+const kTermPattern = new RegExp(`\\b(${Object.keys(kTerms).join('|')})s?\\b`, 'gi');
 
 // Texts and elements: of every term the first place.
 function with_terms(text) {
   const parts = [], seen = new Set();
   let from = 0;
   for (const match of text.matchAll(kTermPattern)) {
-    const term = Object.keys(kTerms).find((name) => name.toLowerCase() === match[0].toLowerCase());
+    const term = Object.keys(kTerms).find((name) => name.toLowerCase() === match[1].toLowerCase());
     if (seen.has(term)) continue;
     seen.add(term);
     parts.push(text.slice(from, match.index), element('span', { class: 'term', tabindex: 0,

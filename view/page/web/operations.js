@@ -16,20 +16,20 @@ const kOperations = {
              ['multi_intersect', 'several hits'], ['extract_manifold', 'make disks'],
              ['approximate_geom', 'rough shape'], ['certify', 'certify regions'],
              ['find_protrusions', 'protrusions'], ['part_crossings', 'undo crossings'],
-             ['turn_out', 'turn components']], 0x0b2f6b, 0x9fd0f5),
+             ['turn_out', 'turn components']], 0x2a5fb0, 0x9fd0f5),
   build_tri_mesh: { label: 'the switch', color: 0x7d7d7d, dash: 'solid' },
   ...styled([['surface_point', 'insert'], ['foot', 'insert nearby'],
              ['boundary_split', 'split boundary'], ['flip', 'flip'], ['collapse', 'collapse'],
-             ['move', 'move'], ['far_point', 'insert far point']], 0x8a3b00, 0xffcf70),
+             ['move', 'move'], ['far_point', 'insert far point']], 0xa84a00, 0xffcf70),
 };
 
 const kCriteria = {
   beginning: { label: 'beginning', color: 0x7d7d7d, dash: 'solid' },
   ...styled(['several hits', 'no facet', 'half disk', 'no disk', 'off the box', 'encroached', 'region',
              'interface', 'triple', 'boundary', 'protrusion', 'crossing', 'inside out']
-    .map((name) => [name, name]), 0x0b2f6b, 0x9fd0f5),
+    .map((name) => [name, name]), 0x2a5fb0, 0x9fd0f5),
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],
              ['no surface point', 'no surface point'], ['off its curve', 'off its curve'],
-             ['far point', 'far point']], 0x8a3b00, 0xffcf70),
+             ['far point', 'far point']], 0xa84a00, 0xffcf70),
 };

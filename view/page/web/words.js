@@ -48,7 +48,9 @@ function tell_event(trace, e) {
   const counts = count_changes(trace, e);
   if (counts) lines.push(['', counts]);
   const figure = routine.figure ? `, Figure ${routine.figure}` : '';
-  return { title: routine.title ?? routine.name, where: `Stage ${trace.stage(e)}${figure}`, lines };
+  const plain = kOperations[routine.name]?.label;
+  const title = plain ? `${plain} (${routine.name})` : routine.name;
+  return { title, where: `Stage ${trace.stage(e)}${figure}`, lines };
 }
 
 function count_changes(trace, e) {
