@@ -1,6 +1,8 @@
 'use strict';
 // The page of `deliso trace`: one run of both stages, event by event.
 
+const kPointColor = 0x7a8aa3;
+
 const legend_item = ([color, text, dash = 'solid']) =>
   element('li', {}, element('span', { class: `swatch ${dash}`, style: `--swatch:${css_color(color)}` }), text);
 
@@ -109,6 +111,7 @@ class TraceView {
     document.getElementById('canvas-legend').replaceChildren(
       ...(regions ? [] : this.surface.legend().slice(0, 6)).map(legend_item),
       ...(regions ? [element('li', {}, 'one tone for each region of T')] : []),
+      ...(this.vertices.visible ? [legend_item([kPointColor, 'points so far'])] : []),
       ...this.marks.shown().map(legend_row).map(legend_item));
   }
 
@@ -168,7 +171,7 @@ class TraceView {
   make_vertices() {
     const layer = new DotLayer({ visible: false });
     const { points } = this.trace;
-    for (let n = 0; n < points.length / 3; ++n) layer.add(point_at(points, n), 0x7a8aa3, 4);
+    for (let n = 0; n < points.length / 3; ++n) layer.add(point_at(points, n), kPointColor, 4);
     return layer;
   }
 
