@@ -95,9 +95,11 @@ class EventMarks {
   }
 
   // Marks that this event has and that are switched on.
-  shown() {
-    return Object.entries(kMarks).filter(([key]) => this.on[key] &&
-      [this.fills, this.lines, this.dots].some((group) => group[key]?.count > 0)).map(([, mark]) => mark);
+  shown(e) {
+    const there = (key) => key === 'caller' ? this.trace.count > 0 && this.trace.caller(e).length > 0 :
+      [this.fills, this.lines, this.dots].some((group) => group[key]?.count > 0);
+    return Object.entries(kMarks).filter(([key]) => this.on[key] && there(key))
+      .map(([, mark]) => mark);
   }
 
   // Whether so little changes that it can be pointed at.

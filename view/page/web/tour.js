@@ -67,7 +67,7 @@ function tour_stops(trace) {
 }
 
 class Tour {
-  // go(stop) shows a stop, leave() the finished surface for free exploration.
+  // go(stop, n) shows stop n; leave() takes away what only the tour shows.
   constructor(place, trace, go, leave) {
     Object.assign(this, { place, go, leave, stops: tour_stops(trace), at: -1 });
     const facets = trace.begin('added', trace.count) - trace.begin('removed', trace.count);

@@ -98,6 +98,7 @@ class TraceView {
 
   end_tour() {
     this.vertices.visible = false;
+    this.show_canvas_legend();
     this.scene.invalidate();
   }
 
@@ -112,7 +113,7 @@ class TraceView {
       ...(regions ? [] : this.surface.legend().slice(0, 6)).map(legend_item),
       ...(regions ? [element('li', {}, 'one tone for each region of T')] : []),
       ...(this.vertices.visible ? [legend_item([kPointColor, 'points so far'])] : []),
-      ...this.marks.shown().map(legend_row).map(legend_item));
+      ...this.marks.shown(this.event).map(legend_row).map(legend_item));
   }
 
   // Side by side at the switch, or where that is asked for.
