@@ -4,12 +4,12 @@
 // and went. Each kind of thing has a color and a switch of its own.
 
 const kMarks = {
-  point: { label: 'Point', color: 0xe8590c },
+  point: { label: 'Point', color: 0x14213d },
   caller: { label: 'What called for it', color: 0xffc233 },
   edge: { label: 'Voronoi edge and its hits', color: 0x0b90b1 },
-  ball: { label: 'Surface ball', color: 0x8ecae6 },
+  ball: { label: 'Surface ball', color: 0x1f4e8c },
   zone: { label: 'Conflict zone', color: 0x7b9fd6 },
-  star: { label: 'Disk looked at (D_q or E), its rim', color: 0xb35c00 },
+  star: { label: 'Disk looked at (D_q or E), its rim', color: 0x5a2d00 },
   cone: { label: 'Cone D that was refused', color: 0x4361ee, dash: 'dashed' },
   came: { label: 'Facets that come', color: 0x1d74d8 },
   went: { label: 'Facets that go', color: 0xf08a24, dash: 'dashed' },

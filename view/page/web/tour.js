@@ -37,8 +37,8 @@ function tour_stops(trace) {
   const stop = (title, event, text, missing, whole = false) =>
     ({ title, event, text: event < 0 ? missing : text(event), whole });
   return [
-    stop('A sample of the surface', last < 0 ? -1 : 0, () =>
-      `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface. Each dot is one.`,
+    stop('The first sites', last < 0 ? -1 : 0, () =>
+      `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface, samples of it. Each dot is one.`,
          'The trace has no events.', true),
     stop('A region that breaks a condition', broken, (e) =>
       `Here a condition of Stage 1 fails (${because(e)}): the pieces around this site do not meet as pieces ` +

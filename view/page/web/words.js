@@ -49,7 +49,7 @@ function tell_event(trace, e) {
   if (counts) lines.push(['', counts]);
   const figure = routine.figure ? `, Figure ${routine.figure}` : '';
   const plain = kOperations[routine.name]?.label;
-  const title = plain ? `${plain} (${routine.name})` : routine.name;
+  const title = plain && plain !== routine.name ? `${plain} (${routine.name})` : routine.name;
   return { title, where: `Stage ${trace.stage(e)}${figure}`, lines };
 }
 
