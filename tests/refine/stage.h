@@ -116,6 +116,16 @@ inline std::string crossing_in(const TriMesh& mesh) {
   return "";
 }
 
+// Vertices that some facet uses.
+inline std::size_t used_vertices(const TriMesh& mesh) {
+  std::vector<std::uint8_t> used(mesh.points.size(), 0);
+  for (const Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
+    for (const VertexId v : face.v) used[v] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
 // Stage 1 done, and what Stage 2's proposers need.
 class Stage {
  public:

@@ -13,15 +13,6 @@ using namespace deliso::test;
 
 namespace {
 
-std::size_t used_vertices(const TriMesh& mesh) {
-  std::vector<std::uint8_t> used(mesh.points.size(), 0);
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    for (const VertexId v : face.v) used[v] = 1;
-  }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-}
-
 std::size_t closed_components(const TriMesh& mesh) {
   std::size_t closed = 0;
   for (const auto& [euler, loops] : kinds_of(mesh)) closed += loops == 0;

@@ -24,15 +24,6 @@ double shortest_edge(const Stage& stage, FaceId f) {
   return std::sqrt(shortest_edge2(stage.corner(f, 0), stage.corner(f, 1), stage.corner(f, 2)));
 }
 
-std::size_t used_vertices(const TriMesh& mesh) {
-  std::vector<std::uint8_t> used(mesh.points.size(), 0);
-  for (const Face& face : mesh.faces) {
-    if (is_dead(face)) continue;
-    for (const VertexId v : face.v) used[v] = 1;
-  }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-}
-
 std::size_t boundary_vertices(const Stage& stage) {
   std::size_t n = 0;
   for (VertexId v = 0; v < stage.mesh.points.size(); ++v) {
