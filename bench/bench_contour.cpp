@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact contour: topology against the ground truth, and time, for the built-in fields and for
-// the eight (volume, isovalue) pairs of the paper's Table 1.
+// Compares the topology of the exact contour with the ground truth, and times it. It does so for
+// the built-in fields and the eight (volume, isovalue) pairs of the paper's Table 1.
 //   bench_contour [FOLDER] [--repeat R]
 // FOLDER holds fuel.nhdr, atom.nhdr, ... Prints the best of R runs (5) in processor time: T, and
 // the summary alone. Exit status 1 when a topology differs from the truth.

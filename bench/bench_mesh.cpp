@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 2's insertion, gates and all (refine/operations.h), on a sphere: points are inserted at the
-// centers of surface balls, facet after facet in the order of a queue, as RefineGeom does it; in a
-// second pass at random facets, so that no insertion finds the mesh around it in the cache. At last
-// every edge is looked at for a flip.
+// Times insertions of Stage 2 (refine/operations.h) on a sphere. Points are inserted at the centers
+// of surface balls, in the order of a queue, as RefineGeom does it. In a second pass the facets are
+// random, so that the mesh around a point is not in the cache. Last, every edge is tested for a flip.
 //   bench_mesh [POINTS ...]
 // Prints nanoseconds of processor time per insertion and what was refused, and per edge.
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where Recover's time goes, by the paper's way (Options::paper(); §3.2 speaks of 80 to 85 % for
-// finding which new simplices are restricted Delaunay), searches per insertion in both stages, and
-// how the times of single insertions are spread. Half a minute on the paper's volumes.
+// Profiles Recover by the paper's way (Options::paper()). The paper's §3.2 gives 80 to 85 % for
+// finding new restricted simplices. Also counts searches per insertion in both stages, and the
+// distribution of the times of insertions. Half a minute on the paper's volumes.
 #include <cmath>
 #include <numeric>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Cost against the size of the output by the published criteria (Options::paper()), in one stage
-// and in two, and in two by the certified way through Recover: a built-in field at rising
-// resolution with triangles as fine as the voxels, and one at falling epsilons. Needs no data;
-// about forty seconds.
+// Measures the cost against the size of the output, by the published criteria (Options::paper()).
+// It compares one stage, two stages, and two stages with the certified Recover. One series is a
+// built-in field at rising resolution, with triangles as fine as the voxels. The other is a field
+// at falling epsilons. Needs no data; about forty seconds.
 #include <limits>
 #include <string>
 #include <utility>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Table 4: voxel-ray computations per intersection search (CPI), and per search that found a point
-// (CPI*), in Recover and in Refine, everything as published (Options::paper()), and the same
-// criteria by the certified way through Recover. Counts, so one run each: half a minute on the
-// paper's volumes.
+// (CPI*), in Recover and in Refine. It has two runs: as published (Options::paper()), and certified
+// by the same criteria. These are counts, so one run each: half a minute on the paper's volumes.
 #include <array>
 
 #include "support/runs.h"

@@ -2,9 +2,9 @@
 // The paper's data sets (Table 1) with its figures (Tables 2 to 4), read from bench/datasets.tsv,
 // and the volumes that stand behind them on this machine.
 //
-//   D1  a data set whose file is missing or unreadable is replaced by a built-in field, and says
-//   so; D2  whatever else is not as in the paper (a crop, other samples than the manifest's) is
-//   said too.
+//   D1  If the file of a data set is missing or unreadable, a built-in field stands in, and the
+//       tables say so.
+//   D2  The tables also say what else differs from the paper, such as a crop or other samples.
 #pragma once
 
 #include <string>

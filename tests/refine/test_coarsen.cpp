@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coarsening of refined meshes of all kinds, down to the fewest vertices: what is left is a mesh of
-// the same topology, embedded, with its vertices on Sigma, and the least error goes first.
+// Coarsens refined meshes of all kinds, down to the fewest vertices. The mesh keeps its topology,
+// stays embedded, and its vertices stay on Sigma. The least error is removed first.
 #include "refine/coarsen.h"
 
 #include <doctest/doctest.h>

@@ -113,8 +113,8 @@ void PageData::add(std::string_view name, std::span<const std::uint8_t> values) 
   put(name, "u8", values);
 }
 
-// The markup is the page but for the files it names: a line that links a style sheet or a script
-// becomes the file, the line of the data the data.
+// Writes the markup. A line that links a style sheet or a script is replaced by that file, and the
+// line of the data by the data.
 void write_page(const std::string& path, std::string_view title, std::string_view header,
                 const PageData& data, const PageSources& sources) {
   AtomicFile out(path);

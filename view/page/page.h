@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Pages for a browser: one HTML file that holds its markup, style and scripts (view/page/web, built
-// in) and its data, and asks no network for anything.
+// Writes pages for a browser. A page is one HTML file with its markup, style and scripts
+// (view/page/web, built in) and its data. It needs no network.
 //
-//   W1  The data is a header, JSON in <script id="header">, and named flat arrays of numbers. Where
-//       they lie is JSON in <script id="arrays">,
-//         {"points": {"type": "f32", "offset": 0, "length": 3}, ...},
-//       with offsets in bytes, multiples of 4, and lengths in elements; the bytes of all of them,
-//       little-endian and compressed (zlib), are one piece of base64 in <script id="bytes">.
-//   W2  No text that is put into a page can end the element that it is in: "<" is \u003c in JSON
-//   and
-//       &lt; in markup.
+//   W1  The data is a header, JSON in <script id="header">, and named flat arrays of numbers. A
+//       table of the arrays is JSON in <script id="arrays">:
+//         {"points": {"type": "f32", "offset": 0, "length": 3}, ...}
+//       Offsets are in bytes, multiples of 4. Lengths are in elements. The bytes of all arrays,
+//       little-endian, compressed (zlib) and in base64, are in <script id="bytes">.
+//   W2  No text in a page can end its element: "<" is \u003c in JSON and &lt; in markup.
 //   W3  The same sources, title, header and data give the same bytes.
 #pragma once
 

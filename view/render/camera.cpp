@@ -39,7 +39,7 @@ Vec3 along_axes(const Camera& camera, const Vec3& p) {
   return {dot(camera.right, p), dot(camera.up, p), dot(camera.back, p)};
 }
 
-// The box, along the camera's axes, of what is drawn.
+// Returns the bounding box, along the camera's axes, of the unclipped corners.
 Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};

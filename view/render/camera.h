@@ -2,9 +2,9 @@
 // A camera infinitely far away (parallel projection), upright: one of the axes, +z by default, is
 // up in the picture.
 //
-//   C1  right, up and back are orthonormal and right-handed; back points to the eye;
-//   C2  picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left
-//   corner; C3  depth is in the mesh's units, larger is nearer to the eye.
+//   C1  Right, up and back are orthonormal and right-handed. Back points to the eye.
+//   C2  Picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left.
+//   C3  Depth is in the mesh's units. Larger is nearer to the eye.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct Up {
   friend constexpr bool operator==(const Up&, const Up&) = default;
 };
 
-// Where the eye is, in degrees: azimuth from +x towards +y, elevation above the xy plane; all of it
-// rotated so that +z becomes `up`, and +x the axis after it.
+// The direction of the eye, in degrees: azimuth from +x towards +y, elevation above the xy plane.
+// It is then rotated so that +z becomes `up`, and +x the axis after it.
 struct View {
   double azimuth = 0, elevation = 0;
   Up up = {};
@@ -71,9 +71,9 @@ struct Aim {
   std::optional<Vec3> look_at;  // in the middle of the picture; absent: the middle of what is seen
 };
 
-// The camera that sees all corners of the subjects' facets that are not clipped, as large as a
-// narrow margin allows, and is then aimed. Throws InputError where nothing is left to see of any of
-// them, they are too large for the arithmetic, or look_at is beside all that is seen.
+// Returns a camera that shows all unclipped corners of the subjects, with a narrow margin, and is
+// then aimed. Throws InputError if all corners are clipped, if they are too large for the
+// arithmetic, or if look_at is beside all of them.
 Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
                   PictureSize size);
 

@@ -16,8 +16,8 @@ struct ColorBar {
   bool open = false;  // there are greater numbers, which have the color of hi
 };
 
-// The places that get a number: multiples of 1, 2 or 5 times a power of ten, from 0 to `hi`, four
-// to seven of them where `hi` is such a multiple too. pre: hi > 0, finite.
+// Returns the values to label: multiples of 1, 2 or 5 times a power of ten, from 0 to `hi`. There
+// are four to seven of them if `hi` is such a multiple too. pre: hi > 0, finite.
 std::vector<double> ticks_up_to(double hi);
 
 // The least number from `value` on that ends such a scale. pre: value > 0, finite.

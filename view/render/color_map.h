@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Colors that stand for numbers.
 //
-//   M1  along the sequential map lightness grows, evenly to the eye, so that it can be read in gray
-//       and by the color-blind: violet, blue, green, light yellow, none so dark that it
-//       hides light and shade;
-//   M2  the colors of kinds differ in hue and are alike in lightness.
+//   M1  Along the sequential map lightness grows evenly, so it can be read in gray and by the
+//       color-blind. It runs over violet, blue, green and light yellow. No color is so dark that it
+//       hides light and shade.
+//   M2  The colors of kinds differ in hue and are alike in lightness.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace deliso {
 
-// From 0 to 1; what is beyond, or no number, is taken as the nearer end, or as 1.
+// Returns the color of a share from 0 to 1. Shares beyond are clamped, and NaN counts as 1.
 Rgb sequential_color(double share);
 
 // The first kCategories differ; from there on they come again.

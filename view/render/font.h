@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A small font of strokes, for the captions and scales of pictures: the printable characters of
-// ASCII, drawn by a pen with a round tip, at any size, with smooth edges.
+// A small font of strokes, for the captions and scales of pictures. It has the printable characters
+// of ASCII. A pen with a round tip draws them at any size, with smooth edges.
 #pragma once
 
 #include <string_view>
@@ -14,12 +14,13 @@ inline constexpr char kFirstGlyph = ' ', kLastGlyph = '~';
 // Whether every character has a glyph.
 bool is_drawable(std::string_view text);
 
-// From the left edge of the first glyph to the right edge of the last, in pixels. `height` is that
-// of capital letters; a third of it is needed below the baseline. pre: is_drawable(text).
+// Returns the width in pixels, from the left edge of the first glyph to the right edge of the last.
+// `height` is that of capital letters. A third of it is needed below the baseline. pre:
+// is_drawable(text).
 double text_width(std::string_view text, double height);
 
-// Draws over what is there, glyphs standing on the line y = baseline from x = left on; what is
-// beside the image is left out. pre: is_drawable(text).
+// Draws the text over the image, on the line y = baseline, from x = left on. Parts beside the image
+// are left out. pre: is_drawable(text).
 void draw_text(Image& image, std::string_view text, double left, double baseline, double height,
                Rgb color);
 

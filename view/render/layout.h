@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where things are in a picture: a strip of captions at the top, one for each panel; the panels,
-// side by side, with thin rules between them; a strip for a color bar at the bottom.
+// The layout of a picture. At the top is a strip of captions, one for each panel. Then come the
+// panels, side by side, with thin rules between them. At the bottom is a strip for a color bar.
 //
-//   L1  text, lines and rules grow with the picture, from the size on where they can just be read:
-//       a print looks like the screen.
+//   L1  Text, lines and rules grow with the picture, from the least size that can be read. So a
+//       print looks like the screen.
 #pragma once
 
 #include <cstddef>

@@ -77,7 +77,7 @@ Rectangle common(const Rectangle& a, const Rectangle& b) {
           std::max(a.column_begin, b.column_begin), std::min(a.column_end, b.column_end)};
 }
 
-// What is seen in some rows of the picture.
+// The samples of some rows of the picture.
 class Band {
  public:
   Band(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end)
@@ -113,7 +113,7 @@ class Band {
   void draw(FaceId f, const Rectangle& within);
   // No sample of the facet in the rectangle is nearer to the eye.
   double nearest_possible(FaceId f, const Rectangle& within) const;
-  // The furthest of what is seen in the rectangle so far.
+  // The furthest depth in the rectangle so far.
   double furthest_seen(const Rectangle& within) const;
 
  private:
@@ -280,7 +280,7 @@ class FrontToBack {
 
 ProjectedMesh project(const TriMesh& mesh, const Camera& camera, int samples_per_side,
                       const std::optional<ClipPlane>& clip) {
-  // What is not drawn (vertices of no facet, clipped ones) can lie anywhere. The bound keeps the
+  // Vertices that are not drawn (of no facet, or clipped) can lie anywhere. The bound keeps the
   // conversion defined and twice_area below 2^62.
   constexpr double kBound = 0x1p29;
   const double unit = static_cast<double>(kUnit * samples_per_side);

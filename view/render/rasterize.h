@@ -2,10 +2,10 @@
 // Which facet is seen at which place of a picture: a z-buffer over a grid of samples, several to a
 // pixel and direction.
 //
-//   Z1  corners are snapped to 1/256 of the sample distance; from there on coverage is exact
-//       (integers), so that facets with a common edge leave no gap;
-//   Z2  a sample has the facet nearest to the eye, and the one of the lower id at equal depth;
-//   Z3  clipping is decided sample by sample, so a facet can be drawn in part.
+//   Z1  Corners are snapped to 1/256 of the sample distance. From there on coverage is exact
+//       (integers), so facets with a common edge leave no gap.
+//   Z2  A sample has the facet nearest to the eye, and the one of the lower id at equal depth.
+//   Z3  Clipping is decided sample by sample, so a facet can be drawn in part.
 #pragma once
 
 #include <array>

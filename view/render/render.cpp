@@ -64,8 +64,8 @@ Rgb pixel_color(const Shader& shader, const Vec3& background, std::span<const Fa
   return {to_byte(mean.x), to_byte(mean.y), to_byte(mean.z)};
 }
 
-// Area of the surface seen, in the mesh's units; what is seen at an angle counts less, by the root
-// of the cosine: halfway between how large it is and how large it looks.
+// Returns the area of the surface seen, in the mesh's units. Facets at an angle count less, by the
+// root of the cosine: halfway between their own size and their size in the picture.
 double area_seen(const Subject& subject, const Camera& camera) {
   const TriMesh& mesh = *subject.mesh;
   const ProjectedMesh projected = project(mesh, camera, 1, subject.clip);

@@ -2,9 +2,9 @@
 // Draws triangle meshes: z-buffer (rasterize.h), colors (shade.h), and the mean over all samples of
 // a pixel against jagged edges. The same meshes and options give the same picture.
 //
-//   P1  several subjects are drawn side by side (layout.h), in panels of one size, all by one
-//       camera: what lies at the same place in space does so in every panel;
-//   P2  edges are drawn in all panels or in none, by lines of one width and strength.
+//   P1  Several subjects are drawn side by side (layout.h), in panels of one size, all by one
+//       camera. So a place in space is at the same place in every panel.
+//   P2  Edges are drawn in all panels or in none, by lines of one width and strength.
 #pragma once
 
 #include <optional>
@@ -41,11 +41,10 @@ double largest_zoom(PictureSize size);
 // Throws InputError where the picture is too small for its parts.
 Layout layout_of(const RenderOptions& options, std::size_t panels);
 
-// Of a ring of views from above, the one that sees most of the surfaces, clipped as they shall be
-// drawn: area of the surface through every pixel of a small picture, of the proportions of `panel`.
-// Where there are clipping planes, only views that look into every cut count, from further above or
-// from below where it takes that; and all again where cuts face away from each other. Throws as
-// fit_camera.
+// Returns the view, of a ring of views from above, that sees the largest area of the clipped
+// surfaces. The area is measured in a small picture with the proportions of `panel`. With clipping
+// planes only views that look into every cut count; if there are none, views from further above and
+// from below, and then all again. Throws as fit_camera.
 View best_view(std::span<const Subject> subjects, PictureSize panel, const Up& up = {});
 
 // pre: at least one subject, sides from 1 to kLargestSide, 0 < zoom <= largest_zoom. Throws as

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes a picture as PNG (ISO/IEC 15948): 8 bit RGB, not interlaced, each row with the filter that
-// leaves the least (the standard's own rule of thumb, 12.8). The same picture gives the same bytes.
+// Writes a picture as PNG (ISO/IEC 15948): 8 bit RGB, not interlaced. Each row has the filter with
+// the smallest sum (the standard's rule of thumb, 12.8). The same picture gives the same bytes.
 #pragma once
 
 #include <string>

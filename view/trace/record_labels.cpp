@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of the certified way: why a vertex of T becomes a site, the vertices of T that it takes, and the
-// facets of K, the dual of the labels, that go and come with that.
+// Records the certified Stage 1: why a vertex of T becomes a site, the vertices of T in its region,
+// and the facets of K that are removed and added.
 #include <cmath>
 
 #include "view/trace/recorder.h"

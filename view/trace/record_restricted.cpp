@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of the paper's way: who asks for an insertion, its conflict zone, and the facets of Del S|Sigma
-// that go and come with it, told with the outside of Sigma in front.
+// Records the paper's Stage 1: which test asks for an insertion, and its conflict zone. Also the
+// facets of Del S|Sigma that are removed and added, oriented with the outside of Sigma in front.
 #include <utility>
 
 #include "base/triangle.h"

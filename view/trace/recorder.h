@@ -47,8 +47,8 @@ class TraceRecorder : public Observer {
   void edge_split(SiteId from, SiteId to) override;
   void attempt_ended(Attempt attempt, const Vec3& x) override;
 
-  // Stage 2, record_mesh.cpp: every operation with the cavity, what takes its place, and the test
-  // that refused it; nothing before the mesh is handed over or after it is finished.
+  // Stage 2, record_mesh.cpp: every operation with its cavity, the new facets, and the test that
+  // refused it. Nothing is recorded before the mesh is handed over or after it is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
   void facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) override;
   void operation_tried(Rung rung, const Change& change, std::optional<Refusal> refusal) override;
