@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Times insertions of Stage 2 (refine/operations.h) on a sphere. Points are inserted at the centers
 // of surface balls, in the order of a queue, as RefineGeom does it. In a second pass the facets are
-// random, so that the mesh around a point is not in the cache. Last, every edge is tested for a flip.
+// random, so that the mesh around a point is not in the cache. Last, every edge is tested for a
+// flip.
 //   bench_mesh [POINTS ...]
 // Prints nanoseconds of processor time per insertion and what was refused, and per edge.
 #include <cmath>

@@ -2,8 +2,8 @@
 // How early can one switch to Stage 2 (the open question of the paper's §6)? Compares the
 // paper's way with ApproximateGeom's epsilon from 0.1 to none, and the certified way with and
 // without its search for protrusions, all by the published criteria. Last comes the certified way
-// with its own defaults, by distance. Prints points at the switch, time, violations, and whether the
-// final topology is exact. One run each: two minutes on the paper's volumes.
+// with its own defaults, by distance. Prints points at the switch, time, violations, and whether
+// the final topology is exact. One run each: two minutes on the paper's volumes.
 #include <array>
 #include <limits>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Table 2: all refinement on the 3D triangulation (--single-stage) against two stages, to the same
-// threshold, both as published (Options::paper()). Beside them stands the certified way, by the same
-// criteria and by the distance (the default). About two minutes on the paper's volumes.
+// threshold, both as published (Options::paper()). Beside them stands the certified way, by the
+// same criteria and by the distance (the default). About two minutes on the paper's volumes.
 #include "support/runs.h"
 
 using namespace deliso;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -120,7 +121,8 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
                                             const ComponentChoice& choice) {
   const std::vector<ContourComponent>& components = summary.components;
   std::vector<std::uint8_t> chosen;
-  for (const ContourComponent& c : components) chosen.push_back(c.side() >= choice.min_voxels);
+  std::ranges::transform(components, std::back_inserter(chosen),
+                         [&](const ContourComponent& c) { return c.side() >= choice.min_voxels; });
   if (choice.largest == 0 || choice.largest >= components.size()) return chosen;
   std::vector<std::size_t> by_size(components.size());
   std::iota(by_size.begin(), by_size.end(), 0);
