@@ -37,9 +37,6 @@ constexpr Signature kSignatures[] = {
     {128, "DICM"sv, kDicom},
     {0, "II*\0"sv, kTiff},
     {0, "MM\0*"sv, kTiff},
-    {0, "\x93NUMPY"sv,
-     "is a NumPy array: write it with the array's tofile('volume.raw'), and give --dims and "
-     "--type"},
     {0, "\x89HDF\r\n\x1a\n"sv,
      "is HDF5: make it raw with 'h5dump -d DATASET -b LE -o volume.raw FILE', and give --dims and "
      "--type"},

@@ -19,11 +19,13 @@ struct Format {
   bool (*is_of)(const Bytes& bytes);
   Volume (*read)(const VolumeInput& input);
   bool has_named_arrays = false;
+  bool has_spacing = true;
 };
 constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
                                {looks_like_vtk, read_vtk, true},
                                {looks_like_nifti, read_nifti},
                                {looks_like_vti, read_vti, true},
+                               {looks_like_npy, read_npy, false, false},
                                {looks_like_metaimage, read_metaimage}};
 
 void refuse_array(const std::string& name, const ReadOptions& options) {
@@ -39,6 +41,9 @@ Volume read_recognized(const VolumeInput& input) {
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
+    if (format.has_spacing && input.options.spacing) {
+      fail(input.name(), "has a spacing of its own: --spacing is for raw files and NumPy arrays");
+    }
     return format.read(input);
   }
   refuse_file(input.bytes);

@@ -9,18 +9,21 @@
 //   VTK legacy      .vtk, STRUCTURED_POINTS           BINARY, ASCII; one scalar array
 //   VTK XML         .vti, one piece                   appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor
+//   NumPy           .npy, an array [z][y][x]          raw, C or Fortran order
 //   plain           any, dims and type from options   raw
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_volume.h)
 //
-// 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Only
-//    a NIfTI file with a scaling (scl_slope, scl_inter) is converted, and the log says so. Types of
-//    up to 16 bits and float32 become float32, others float64.
+// 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Two
+//    are converted, and the log says so. A NIfTI file with a scaling (scl_slope, scl_inter) becomes
+//    float32 from types of up to 16 bits and float32, else float64. NumPy's 64-bit integers become
+//    float64.
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and anatomical space. Frame::space has the
 //    space: RAS+ for NIfTI, LPS+ for MetaImage, the field "space" for NRRD.
 // 4. Refused with a message, never guessed:
-//    - 64-bit integers, complex samples, several components or time steps (trailing dimensions of 1
+//    - other 64-bit integers, complex samples, several components or time steps (trailing
+//    dimensions of 1
 //      are allowed);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
@@ -74,6 +77,7 @@ struct ReadOptions {
   // If given, only this block is read, as a block of the whole (Volume::as_block). Not with a roi.
   std::optional<BlockChoice> block{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
+  std::optional<Vec3> spacing{};       // of a NumPy array, along x, y and z; 1,1,1 if not given
 };
 
 // A named array of a file.

@@ -43,6 +43,9 @@ Volume read_vtk(const VolumeInput& input);
 bool looks_like_vti(const Bytes& bytes);
 Volume read_vti(const VolumeInput& input);
 
+bool looks_like_npy(const Bytes& bytes);
+Volume read_npy(const VolumeInput& input);
+
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 

@@ -244,6 +244,96 @@ TEST_CASE("NIfTI scaling is applied and logged") {
   }
 }
 
+TEST_CASE("a NumPy array is indexed [z][y][x], in C and in Fortran order") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::i16, {4, 3, 2}, 7);
+  const auto sample = [&](int i, int j, int k) {
+    std::int16_t value;
+    std::memcpy(&value, truth.bytes.data() + 2 * (i + 4 * (j + 3 * k)), 2);
+    return value;
+  };
+  std::string by_z;  // z runs fastest
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 2; ++k) {
+        const std::int16_t value = sample(i, j, k);
+        by_z.append(reinterpret_cast<const char*>(&value), 2);
+      }
+    }
+  }
+  ReadOptions options;
+  options.spacing = Vec3{0.5, 2, 3};
+  const Volume c = read_volume(
+      folder.write("c.npy", npy("<i2", false, "1, 2, 3, 4", truth.in_order(std::endian::little))),
+      options);
+  const Volume f = read_volume(folder.write("f.npy", npy("<i2", true, "2, 3, 4", by_z)), options);
+  REQUIRE(c.dims() == Index3{4, 3, 2});
+  REQUIRE(f.dims() == Index3{2, 3, 4});
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 2; ++k) {
+        CHECK(c.sample(i, j, k) == sample(i, j, k));
+        CHECK(f.sample(k, j, i) == sample(i, j, k));
+        const Vec3 place{0.5 * i, 2.0 * j, 3.0 * k};
+        CHECK(c.frame().to_world({0.5 * i, 2.0 * j, 3.0 * k}) == place);
+        CHECK(f.frame().to_world({3.0 * k, 2.0 * j, 0.5 * i}) == place);
+      }
+    }
+  }
+}
+
+TEST_CASE("NumPy's integers of 64 bits become float64, and its booleans bytes") {
+  const TemporaryFolder folder;
+  const std::int64_t values[] = {0, 1, -1, 255, -256, 1LL << 40, -(1LL << 52), (1LL << 53)};
+  for (const bool big : {false, true}) {
+    std::string bytes;
+    for (const std::int64_t value : values) {
+      for (int n = 0; n < 8; ++n) {
+        bytes += static_cast<char>(static_cast<std::uint64_t>(value) >> 8 * (big ? 7 - n : n));
+      }
+    }
+    ReadLog log;
+    const Volume volume = read_volume(
+        folder.write("v.npy", npy(big ? ">i8" : "<i8", false, "2, 2, 2", bytes)), {}, &log);
+    CHECK(volume.type() == SampleType::f64);
+    CHECK(log.notes.size() == 1);
+    for (int n = 0; n < 8; ++n) {
+      CHECK(volume.sample(n & 1, n >> 1 & 1, n >> 2) == static_cast<double>(values[n]));
+    }
+  }
+  const Volume mask = read_volume(
+      folder.write("b.npy", npy("|b1", false, "2, 2, 2", std::string("\1\0\1\0\0\0\1\1", 8))));
+  CHECK(mask.type() == SampleType::u8);
+  CHECK(mask.sample(0, 0, 0) == 1);
+  CHECK(mask.sample(1, 0, 0) == 0);
+}
+
+TEST_CASE("NumPy arrays that cannot be meshed are refused by name") {
+  const TemporaryFolder folder;
+  const std::string eight(8, '\0');
+  const std::pair<std::string, std::string> files[] = {
+      {npy("<f4", false, "2, 2, 2", eight), "need 32 bytes, found 8"},
+      {npy("<i8", false, "2, 2, 2", eight), "need 64 bytes, found 8"},
+      {npy("<f2", false, "2, 2, 2", eight), "'<f2' are not supported"},
+      {npy("<c8", false, "2, 2, 2", eight), "'<c8' are not supported"},
+      {npy("|u1", false, "2, 4", eight), "of 2 dimensions"},
+      {npy("|u1", false, "2, 2, 2, 2", eight), "of 4 dimensions"},
+      {npy("|u1", false, "2, x, 2", eight), "not of integers"},
+      {npy("|u1", false, "2, 2, 2", eight, 4), "version 4"},
+      {npy("|u1", false, "2, 2, 2", eight).substr(0, 30), "ends in the header"},
+      {std::string("\x93NUMPY\1\0\2\0{}", 12), "no key 'shape'"}};
+  for (const auto& [content, message] : files) {
+    CAPTURE(message);
+    try {
+      read_volume(folder.write("v.npy", content));
+      FAIL("accepted");
+    } catch (const InputError& error) {
+      CHECK(std::string(error.what()).find(message) != std::string::npos);
+      CHECK(std::string(error.what()).find("v.npy: ") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("NRRD without directions: spacings, axis mins and maxs, centers; axes of size 1") {
   const TemporaryFolder folder;
   const auto read = [&](const std::string& fields) {

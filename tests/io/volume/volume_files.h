@@ -388,6 +388,37 @@ inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
 
 // ---- all of them
 
+// A .npy file of these samples, as numpy.lib.format describes it: `shape` is in Python's order.
+inline std::string npy(const std::string& descr, bool fortran, const std::string& shape,
+                       const std::string& samples, int version = 1) {
+  std::string header = "{'descr': '" + descr +
+                       "', 'fortran_order': " + (fortran ? "True" : "False") + ", 'shape': (" +
+                       shape + "), }";
+  const std::size_t length_size = version == 1 ? 2 : 4;
+  while ((8 + length_size + header.size() + 1) % 64 != 0) header += ' ';
+  header += '\n';
+  std::string file = "\x93NUMPY";
+  file += static_cast<char>(version);
+  file += '\0';
+  for (std::size_t n = 0; n < length_size; ++n) {
+    file += static_cast<char>(header.size() >> 8 * n & 255);
+  }
+  return file + header + samples;
+}
+
+inline std::string npy(const Truth& t, std::endian order, int version) {
+  constexpr std::pair<SampleType, const char*> kKinds[] = {
+      {SampleType::u8, "u1"},  {SampleType::i8, "i1"},  {SampleType::u16, "u2"},
+      {SampleType::i16, "i2"}, {SampleType::u32, "u4"}, {SampleType::i32, "i4"},
+      {SampleType::f32, "f4"}, {SampleType::f64, "f8"}};
+  std::string descr(1, size_of(t.type) == 1 ? '|' : order == std::endian::big ? '>' : '<');
+  for (const auto& [type, kind] : kKinds) {
+    if (type == t.type) descr += kind;
+  }
+  const std::string shape = to_text(t.dims.k) + ", " + to_text(t.dims.j) + ", " + to_text(t.dims.i);
+  return npy(descr, false, shape, t.in_order(order), version);
+}
+
 struct StoredVolume {
   std::string label;
   std::vector<NamedFile> files;  // the first is the one to read
@@ -437,6 +468,12 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
         std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
     raw.options.raw = RawLayout{t.dims, t.type, t.spacing, order, 4};
     all.push_back(raw);
+    for (int version : {1, 2, 3}) {
+      StoredVolume array{
+          "npy " + to_text(version) + name(order), {{"v.npy", npy(t, order, version)}}, false, {}};
+      array.options.spacing = t.spacing;
+      all.push_back(array);
+    }
   }
   all.push_back({"vti ascii", vti(t, {"ascii", "", std::endian::little, 4, 0})});
   for (bool binary : {false, true})

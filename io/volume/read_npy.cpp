@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// NumPy's .npy, versions 1 to 3 (numpy.lib.format): a magic number, the length of the header, the
+// header, which is a Python dictionary in text, and the samples.
+//
+// An array is indexed [z][y][x], as scikit-image and SimpleITK have it: in C order x runs fastest,
+// in Fortran order z does.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "io/files/text_scan.h"
+#include "io/volume/sample_grid.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::size_t kVersionEnd = 8;
+
+// Returns the text behind 'key': in the header, without leading blanks.
+std::string_view value_of(const VolumeInput& input, std::string_view header, std::string_view key) {
+  const std::size_t at = header.find(text("'", key, "':"));
+  if (at == std::string_view::npos) fail(input.name(), "the header has no key " + quote(key));
+  return trimmed(header.substr(at + key.size() + 3));
+}
+
+// Returns the text between `open` and the next `close`, if `text` begins with `open`.
+std::string_view between(const VolumeInput& input, std::string_view text, char open, char close,
+                         const char* wanted) {
+  const std::size_t end = text.find(close, 1);
+  if (!text.starts_with(open) || end == std::string_view::npos) {
+    fail(input.name(),
+         std::string("the header has ") + quote(text.substr(0, 20)) + " in place of " + wanted);
+  }
+  return text.substr(1, end - 1);
+}
+
+// Returns the lengths of the axes, slowest first in C order. Axes of length 1 beyond three are
+// left out.
+std::vector<std::int64_t> shape_of(const VolumeInput& input, std::string_view header) {
+  std::string lengths(between(input, value_of(input, header, "shape"), '(', ')', "a shape"));
+  std::ranges::replace(lengths, ',', ' ');
+  std::optional<std::vector<std::int64_t>> shape = to_ints(lengths);
+  if (!shape) fail(input.name(), text("the shape (", lengths, ") is not of integers"));
+  for (std::size_t n = shape->size(); n-- > 0 && shape->size() > 3;) {
+    if ((*shape)[n] == 1) shape->erase(shape->begin() + static_cast<std::ptrdiff_t>(n));
+  }
+  if (shape->size() != 3) {
+    fail(input.name(), "is an array of " + std::to_string(shape->size()) +
+                           " dimensions: only three-dimensional ones can be meshed");
+  }
+  return *shape;
+}
+
+// How the samples are stored. Integers of 64 bits become float64.
+struct Samples {
+  SampleType type = SampleType::u8;
+  std::endian byte_order = std::endian::little;
+  char wide = 0;  // 'i' or 'u' for 64-bit integers
+};
+
+Samples samples_of(const VolumeInput& input, std::string_view header) {
+  const std::string_view descr =
+      between(input, value_of(input, header, "descr"), '\'', '\'', "a plain type");
+  Samples samples;
+  if (descr.starts_with('>')) samples.byte_order = std::endian::big;
+  const std::string_view kind = descr.substr(std::min<std::size_t>(1, descr.size()));
+  constexpr std::pair<std::string_view, SampleType> kKinds[] = {
+      {"b1", SampleType::u8},  {"u1", SampleType::u8},  {"i1", SampleType::i8},
+      {"u2", SampleType::u16}, {"i2", SampleType::i16}, {"u4", SampleType::u32},
+      {"i4", SampleType::i32}, {"f4", SampleType::f32}, {"f8", SampleType::f64},
+      {"i8", SampleType::f64}, {"u8", SampleType::f64}};
+  for (const auto& [name, type] : kKinds) {
+    if (kind != name) continue;
+    samples.type = type;
+    if (kind == "i8" || kind == "u8") samples.wide = kind[0];
+    return samples;
+  }
+  fail(input.name(), "samples of type " + quote(descr) +
+                         " are not supported: write the array with astype('float32')");
+}
+
+// Returns the 64-bit integers of `data` as float64, in native order.
+Bytes to_doubles(const Bytes& data, const Samples& samples) {
+  const std::size_t count = data.size() / 8;
+  Buffer buffer(8 * count);
+  for (std::size_t n = 0; n < count; ++n) {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const std::size_t at = samples.byte_order == std::endian::big ? k : 7 - k;
+      bits = bits << 8 | std::to_integer<std::uint64_t>(data.data[8 * n + at]);
+    }
+    const double value = samples.wide == 'i'
+                             ? static_cast<double>(std::bit_cast<std::int64_t>(bits))
+                             : static_cast<double>(bits);
+    std::memcpy(buffer.span().data() + 8 * n, &value, 8);
+  }
+  return bytes_of(std::move(buffer), data.name);
+}
+
+}  // namespace
+
+bool looks_like_npy(const Bytes& bytes) {
+  return bytes.text().starts_with(kMagic);
+}
+
+Volume read_npy(const VolumeInput& input) {
+  const Bytes& bytes = input.bytes;
+  const auto byte = [&](std::size_t n) { return std::to_integer<std::size_t>(bytes.data[n]); };
+  const std::size_t major = bytes.size() > kMagic.size() ? byte(kMagic.size()) : 0;
+  const std::size_t length_size = major == 1 ? 2 : 4;
+  if (major < 1 || major > 3) {
+    fail(input.name(), "has version " + std::to_string(major) + " of .npy: 1, 2 and 3 are known");
+  }
+  std::size_t length = 0, begin = kVersionEnd + length_size;
+  if (bytes.size() < begin) fail(input.name(), "ends in the header");
+  for (std::size_t n = length_size; n-- > 0;) length = length << 8 | byte(kVersionEnd + n);
+  if (bytes.size() - begin < length) fail(input.name(), "ends in the header");
+  const std::string_view header = bytes.text().substr(begin, length);
+
+  const std::vector<std::int64_t> shape = shape_of(input, header);
+  const Samples samples = samples_of(input, header);
+  const std::string_view order = value_of(input, header, "fortran_order");
+  const bool is_fortran = order.starts_with("True");
+  if (!is_fortran && !order.starts_with("False")) {
+    fail(input.name(), "the header's fortran_order is neither True nor False");
+  }
+
+  SampleGrid grid = grid_of(input);
+  grid.type = samples.type;
+  grid.byte_order = samples.byte_order;
+  grid.set_spacing(input.options.spacing.value_or(Vec3{1, 1, 1}));
+  for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = shape[is_fortran ? n : 2 - n];
+  if (is_fortran) std::swap(grid.steps[0], grid.steps[2]);
+  const Bytes data = bytes.from(begin + length);
+  if (samples.wide == 0) return volume_from_raw(grid, data);
+  if (data.size() != data_size(grid)) return volume_from_raw(grid, data);  // refuses the size
+  grid.byte_order = std::endian::native;
+  input.note("64-bit integers are read as float64");
+  return volume_from_raw(grid, to_doubles(data, samples));
+}
+
+}  // namespace deliso
