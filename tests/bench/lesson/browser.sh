@@ -82,8 +82,8 @@ END
 
 faults=0
 for size in 1280,800 390,844; do
-  if ! timeout 60 "$browser" --headless=new --no-sandbox --user-data-dir="$work/profile" \
-    --window-size=$size --virtual-time-budget=4000 --enable-logging=stderr --dump-dom \
+  if ! timeout 120 "$browser" --headless=new --no-sandbox --user-data-dir="$work/profile" \
+    --window-size=$size --virtual-time-budget=20000 --enable-logging=stderr --dump-dom \
     "file://$work/lesson.html" >"$work/dom" 2>"$work/log"; then
     # A browser that cannot run here (a container without what it needs) tests nothing.
     if [ ! -s "$work/dom" ]; then

@@ -58,30 +58,39 @@ sed 's|^</body>|<script>HTMLAnchorElement.prototype.click = function() { documen
 setTimeout(() => document.dispatchEvent(new KeyboardEvent("keydown", {key: "p"})), 1500);</script></body>|' \
   "$work/two.html" >"$work/link.html"
 
-# A page is fine when it has begun and hides its message.
+# A page is fine when it has begun and hides its message, and the link's shows what it is to show.
+is_fine() {
+  grep -q 'id="message"[^>]*hidden=""' "$work/$page.dom" || return 1
+  [ "$page" != link ] && return 0
+  for text in 'data-saved="torus-fuel' ' or more</li>' 'Brushed: ' 'bars: torus.ply'; do
+    grep -q "$text" "$work/link.dom" || return 1
+  done
+}
+
+# The browser's virtual time does not wait for the decompression of the data: on a busy machine a
+# page may need more of it.
 faults=0
 for page in two empty certified paper certified-tour paper-tour cut link; do
-  if ! timeout 60 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \
-    --enable-unsafe-swiftshader --user-data-dir="$work/profile" --virtual-time-budget=4000 \
-    --dump-dom "file://$work/$page.html$([ $page = link ] && echo "#color-by=r_over_l&brush-angle=0-47")" \
-    >"$work/$page.dom" 2>"$work/$page.log"; then
+  verdict=
+  for budget in 4000 20000 100000; do
+    timeout 120 "$browser" --headless=new --no-sandbox --use-angle=swiftshader \
+      --enable-unsafe-swiftshader --user-data-dir="$work/profile" --virtual-time-budget=$budget \
+      --dump-dom "file://$work/$page.html$([ $page = link ] && echo "#color-by=r_over_l&brush-angle=0-47")" \
+      >"$work/$page.dom" 2>"$work/$page.log" || true
     # A browser that cannot run here (a container without what it needs) tests nothing.
     if [ ! -s "$work/$page.dom" ]; then
       echo "$browser does not run here"
       exit 77
     fi
-  fi
-  if grep -q 'id="message"[^>]*hidden=""' "$work/$page.dom"; then
-    echo "$page: fine"
-  else
-    echo "$page: $(sed -n 's/.*id="message"[^>]*>\([^<]*\)<.*/\1/p' "$work/$page.dom")"
+    if is_fine; then
+      verdict=fine
+      break
+    fi
+  done
+  if [ -z "$verdict" ]; then
+    verdict=$(sed -n 's/.*id="message"[^>]*>\([^<]*\)<.*/\1/p' "$work/$page.dom")
     faults=$((faults + 1))
   fi
-done
-for text in 'data-saved="torus-fuel' ' or more</li>' 'Brushed: ' 'bars: torus.ply'; do
-  if ! grep -q "$text" "$work/link.dom"; then
-    echo "link: without $text"
-    faults=$((faults + 1))
-  fi
+  echo "$page: $verdict"
 done
 exit "$((faults > 0))"
