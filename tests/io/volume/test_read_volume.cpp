@@ -322,13 +322,13 @@ TEST_CASE("NumPy arrays that cannot be meshed are refused by name") {
       {npy("|u1", false, "2, 2, 2", eight, 4), "version 4"},
       {npy("|u1", false, "2, 2, 2", eight).substr(0, 30), "ends in the header"},
       {std::string("\x93NUMPY\1\0\2\0{}", 12), "no key 'shape'"}};
-  for (const auto& [content, message] : files) {
-    CAPTURE(message);
+  for (const auto& file : files) {
+    CAPTURE(file.second);
     try {
-      read_volume(folder.write("v.npy", content));
+      read_volume(folder.write("v.npy", file.first));
       FAIL("accepted");
     } catch (const InputError& error) {
-      CHECK(std::string(error.what()).find(message) != std::string::npos);
+      CHECK(std::string(error.what()).find(file.second) != std::string::npos);
       CHECK(std::string(error.what()).find("v.npy: ") != std::string::npos);
     }
   }
