@@ -67,7 +67,7 @@ void refuse_file(const Bytes& bytes) {
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
   if (has_ending(bytes.name, ".hdr")) fail(bytes.name, "is no NIfTI header");
   fail(bytes.name,
-       "is in no known format (NRRD, MetaImage, NIfTI, VTK; raw data needs dimensions "
+       "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy; raw data needs dimensions "
        "and type)");
 }
 

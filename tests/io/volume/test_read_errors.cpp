@@ -105,7 +105,8 @@ TEST_CASE("files that are missing, unreadable, empty or no volumes are refused")
   CHECK(fault(folder, "folder") == "folder: is a directory, not a file");
   CHECK(fault_of(folder, "v.nrrd", "") == "v.nrrd: is empty");
   const std::string unknown =
-      ": is in no known format (NRRD, MetaImage, NIfTI, VTK; raw data needs dimensions and type)";
+      ": is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy; raw data needs dimensions and "
+      "type)";
   CHECK(fault_of(folder, "v.txt", "some text\n") == "v.txt" + unknown);
   CHECK(fault_of(folder, "v.nii", std::string(1000, '\0')) == "v.nii" + unknown);
   CHECK(fault_of(folder, "v.raw", "abc") ==
