@@ -13,11 +13,6 @@
 namespace deliso {
 namespace {
 
-double voxel_of(const Volume& volume) {
-  const Vec3 s = volume.spacing();
-  return std::min({s.x, s.y, s.z});
-}
-
 std::string place_text(const Vec3& p) {
   constexpr int kDigits = 7;
   return text("(", rounded(p.x, kDigits), " ", rounded(p.y, kDigits), " ", rounded(p.z, kDigits),
@@ -158,7 +153,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   options.limits.shape_floor = 0;
   options.require_distance = line.command == Command::check && given.limits[Criterion::distance];
   const bool by_file = line.command == Command::check && noted && !line.paper;
-  const double voxel = voxel_of(volume);
+  const double voxel = volume.voxel();
   if (by_file && !given.r_min) options.limits.r_min = noted->r_min * voxel;
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const auto c = static_cast<Criterion>(n);
@@ -175,7 +170,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
 }
 
 std::string verification_text(const Verification& v, const Volume& volume) {
-  const double voxel = voxel_of(volume);
+  const double voxel = volume.voxel();
   std::string out = "check     " + counts_text(v.mesh) +
                     "\n          exact: " + counts_text(v.exact) + "; " +
                     text(v.equal_components, " alike");
@@ -210,7 +205,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
 }
 
 void add_verification(JsonWriter& json, const Verification& v, const Volume& volume) {
-  const double voxel = voxel_of(volume);
+  const double voxel = volume.voxel();
   const DelaunayShare& d = v.delaunay;
   json.open("check");
   json.add("vertices", v.vertices);

@@ -22,7 +22,7 @@ inline constexpr const char* kKeepDoubles =
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted = std::nullopt);
 
-// Returns aligned lines. Lengths are in voxels (the smallest spacing), places of faults in the
+// Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.
 std::string verification_text(const Verification& v, const Volume& volume);
 

@@ -76,8 +76,7 @@ std::string criteria_note(const CommandLine& line, const Volume& volume, const R
     return text(kProgram, " ", kVersion, " method=marching-cubes");
   }
   if (options.stop_after_recover) return text(kProgram, " ", kVersion, " stop-after=recover");
-  const Vec3 spacing = volume.spacing();
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const double voxel = volume.voxel();
   // Lengths that were given in voxels stay as they are, to the last digit.
   const auto in_voxels = [&](const Length& length) {
     return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / voxel;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The criteria of a mesh, as one line in its file, so that a check can use the same criteria.
-// Lengths are in voxels (a voxel's shortest side), so the line does not depend on the file's frame.
+// Lengths are in voxels, so the line does not depend on the file's frame.
 #pragma once
 
 #include <optional>

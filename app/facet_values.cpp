@@ -64,7 +64,7 @@ std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volum
                                         double isovalue) {
   constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
   const Vec3 spacing = volume.spacing();
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const double voxel = volume.voxel();
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, settled_isovalue(volume, isovalue));
   const double limit = kSearchDiagonals * length(spacing);

@@ -21,9 +21,9 @@ FacetComponents facet_components(const TriMesh& mesh);
 
 std::vector<double> smallest_angles(const TriMesh& mesh);  // degrees; 0 without area
 
-// Returns the distances of facets from the isosurface, in voxels (a voxel's shortest side). It is
-// the largest of the distances that `check` measures, infinite if the surface is not near. `home`:
-// the mesh in the volume's frame. The isovalue is the user's.
+// Returns the distances of facets from the isosurface, in voxels: for each the
+// largest distance that `check` measures, infinite if the surface is not near. `home`: the mesh in
+// the volume's frame. The isovalue is the user's.
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume, double isovalue);
 
 // Returns the size of the interpolant's gradient at the facets' middles, per unit of length. The

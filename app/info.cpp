@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "app/component_table.h"
 #include "app/expected_vertices.h"
 #include "app/json.h"
 #include "app/text.h"
@@ -60,8 +61,9 @@ std::string suggestions_text(const Info& info) {
     text += "                            parts " + percent(v.below) + " below from " +
             percent(v.above) + " above";
     text += info.one_mode ? ", by Otsu's rule: there is one mode\n"
+            : v.in_tail   ? ", beyond the mode at " + rounded(v.mode_below) + ": bone, in a CT\n"
                           : ", between the modes at " + rounded(v.mode_below) + " and " +
-                                rounded(v.mode_above) + "\n";
+                              rounded(v.mode_above) + "\n";
     heading = "        ";
   }
   return text;
@@ -106,6 +108,7 @@ std::string info_text(const Info& info) {
     text += "\nsurface   " + topology_text(info.contour.topology()) + "\n          in " +
             std::to_string(info.contour.active_voxels) + " voxels";
     append_format(text, ", found in %.3f s\n", info.seconds_contour);
+    text += components_text(info.contour);
   }
   return text;
 }
@@ -125,12 +128,12 @@ std::string info_json(const Info& info) {
   for (const Suggestion& s : info.suggestions) {
     json.open_item();
     json.add("isovalue", s.valley.isovalue);
-    json.add("rule", info.one_mode ? "otsu" : "valley");
+    json.add("rule", info.one_mode ? "otsu" : s.valley.in_tail ? "tail" : "valley");
     json.add("share_below", s.valley.below);
     json.add("share_above", s.valley.above);
     if (!info.one_mode) {
       json.add("mode_below", s.valley.mode_below);
-      json.add("mode_above", s.valley.mode_above);
+      if (!s.valley.in_tail) json.add("mode_above", s.valley.mode_above);
     }
     json.add("expected_vertices", std::round(s.vertices));
     if (s.components) json.add("components", *s.components);
@@ -145,6 +148,7 @@ std::string info_json(const Info& info) {
     json.add("isovalue_effective", info.effective);
     add_topology(json, "topology", info.contour.topology());
     json.add("active_voxels", info.contour.active_voxels);
+    add_components(json, info.contour);
     json.add("seconds_contour", info.seconds_contour);
     json.close();
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "app/histogram.h"
 #include "app/output.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -54,11 +55,14 @@ std::string no_surface_text(double isovalue, const ValueRange& range) {
 std::string input_text(const Input& input) {
   const Volume& volume = input.volume;
   const Index3 dims = volume.dims();
+  const auto sample_text = [&](double sample) {
+    return is_integer(volume.type()) ? number_text(sample) : rounded(sample, 7);
+  };
   std::string text = "volume    " + input.name + "\n          " + std::to_string(dims.i) + " x " +
                      std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
                      std::string(name_of(volume.type())) + ", spacing " +
-                     text_of(volume.spacing()) + ", samples " + number_text(input.range.min) +
-                     " to " + number_text(input.range.max) + "\n";
+                     text_of(volume.spacing()) + ", samples " + sample_text(input.range.min) +
+                     " to " + sample_text(input.range.max) + "\n";
 
   if (volume.is_block()) {
     const Index3 first = volume.first(), whole = volume.whole_dims();

@@ -23,6 +23,8 @@ constexpr std::size_t kMaxLabels = 16;
 constexpr double kOutlierShare = 1e-4, kMinOccupiedBins = 2;              // M2
 constexpr double kMinRatio = 1.5, kMinDeviations = 6, kAlikeSamples = 8;  // M3
 constexpr int kKernels = 4;
+constexpr std::size_t kTailHalfWidths = 2;  // M5
+constexpr double kLeastTailShare = 1e-3;
 
 // The samples at the two ends of a range.
 struct Ends {
@@ -276,8 +278,10 @@ void add_floors(const Histogram& h, double sigma, std::vector<Floor>& floors) {
 // not halfway: there the surface would pass through the middles of grid edges.
 double isovalue_at(const Volume& volume, const ValueRange& range, double value, double width) {
   if (is_integer(volume.type())) return std::ceil(value) - 0.4;
-  const double grain = std::pow(10, std::floor(std::log10(width)));
-  const double round = std::round(value / grain) * grain;
+  // A quotient of whole numbers is the double nearest to the decimal, a product is not.
+  const double digits = std::floor(std::log10(width)), scale = std::pow(10, std::abs(digits));
+  const double round =
+      digits < 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
   return range.min < round && round <= range.max ? round : value;
 }
 
@@ -335,8 +339,24 @@ Modes find_modes(const Volume& volume, const ValueRange& all, std::size_t most) 
   modes.by_otsu = modes.valleys.empty();
   if (modes.by_otsu) {
     modes.valleys.emplace_back().isovalue = isovalue_at(volume, range, otsu_threshold(h), h.width);
+  } else {
+    const std::size_t lowest = floors.back().lowest;
+    const auto mode = static_cast<std::size_t>(mode_between(lowest, density.size()));
+    std::size_t half = mode;
+    while (half < density.size() && 2 * density[half] > density[mode]) ++half;
+    Histogram above = h;
+    std::fill_n(above.counts.begin(), lowest, 0);
+    const double threshold = otsu_threshold(above);
+    if (threshold > value_at(static_cast<double>(mode + kTailHalfWidths * (half - mode)))) {
+      Valley& tail = modes.valleys.emplace_back();
+      tail.isovalue = isovalue_at(volume, range, threshold, h.width);
+      tail.mode_below = value_at(static_cast<double>(mode));
+      tail.in_tail = true;
+    }
   }
   count_sides(volume, range, modes.valleys);
+  std::erase_if(modes.valleys,
+                [](const Valley& v) { return v.in_tail && v.above < kLeastTailShare; });
   for (Valley& v : modes.valleys) v.score *= std::min(v.below, v.above);
   std::ranges::stable_sort(modes.valleys, std::greater<>(), &Valley::score);
   if (modes.valleys.size() > most) modes.valleys.resize(most);

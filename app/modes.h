@@ -17,7 +17,11 @@
 //       eight count as one.
 //   M4  A valley's isovalue is in the middle of its floor. The floor is less high above the lowest
 //       bin than a valley must be deep.
-// If there is only one mode, Otsu's threshold (1979) replaces the valleys.
+//   M5  A material of few samples has no mode, such as bone in a CT. Then Otsu's threshold (1979)
+//   of
+//       the samples above the last valley is tried too. It must lie beyond the last mode by two of
+//       the mode's half widths, with a thousandth of the samples above it.
+// If there is only one mode, Otsu's threshold of all samples replaces the valleys.
 #pragma once
 
 #include <cstddef>
@@ -36,6 +40,7 @@ struct Valley {
   double isovalue = 0;  // between two values of an integer type, so that no sample equals it
   double below = 0, above = 0;            // shares of the samples without padding
   double mode_below = 0, mode_above = 0;  // the values of the two modes
+  bool in_tail = false;                   // M5: there is no mode above
   double score = 0;  // depth in multiples of the least of M3, times the smaller share
 };
 

@@ -198,8 +198,7 @@ std::string report_text(const MeshRun& run) {
   const bool refined =
       run.line.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
-    const Vec3 s = run.input.volume.spacing();
-    text += distance_text(options, report, std::min({s.x, s.y, s.z}), verbose);
+    text += distance_text(options, report, run.input.volume.voxel(), verbose);
   }
   if (run.verification) text += verification_text(*run.verification, run.input.volume);
   if (verbose) {

@@ -77,10 +77,9 @@ int run_view(const CommandLine& line) {
   header.add("up", {double(up.axis), up.sign});
   header.add("origin", {middle.x, middle.y, middle.z});
   if (input) {
-    const Vec3 spacing = input->volume.spacing();
     header.add("volume", short_name(input->name));
     header.add("iso", *line.isovalue);
-    header.add("voxel", std::min({spacing.x, spacing.y, spacing.z}));
+    header.add("voxel", input->volume.voxel());
   }
   header.open_list("meshes");
   for (std::size_t n = 0; n < meshes.size(); ++n) {

@@ -170,7 +170,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   json.add("iso", report.kappa_effective);
   json.add("way", line.options.recover == RecoverWay::paper ? "paper" : "certified");
   json.add("box", {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z});
-  json.add("voxel", std::min({spacing.x, spacing.y, spacing.z}));
+  json.add("voxel", volume.voxel());
   json.add("r_min", report.r_min);
   json.add("truncated", trace.truncated());
   json.add("limit", line.trace_limit);

@@ -70,8 +70,7 @@ Measured measure(const TriMesh& mesh, const Volume& volume, double isovalue, con
   asked.limits[Criterion::r_over_pole] = kNotAsked;  // the check knows no poles
   const Verification v = verify(mesh, volume, settled_isovalue(volume, isovalue, threads), asked);
 
-  const Vec3 spacing = volume.spacing();
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const double voxel = volume.voxel();
   const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
   Measured m;
   m[Metric::vertices] = count(v.vertices);

@@ -92,14 +92,12 @@ void check_vertices_on_surface(const CleanMesh& mesh, const std::vector<std::uin
 void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const Isosurface& surface,
                       const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
-  const Vec3 spacing = volume.spacing();
   const ComparedComponents compared =
       compare_components(mesh, contour, volume, options.components, options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = compared.left_out;
-  check_vertices_on_surface(mesh, compared.extra, surface,
-                            std::min({spacing.x, spacing.y, spacing.z}), options.threads, result);
+  check_vertices_on_surface(mesh, compared.extra, surface, volume.voxel(), options.threads, result);
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -210,7 +208,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     if (options.progress) options.progress(share);
   };
   const Vec3 spacing = volume.spacing();
-  const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+  const double voxel = volume.voxel();
   Verification result;
   Faults& faults = result.faults;
   result.limits = options.limits;

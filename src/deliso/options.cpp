@@ -12,11 +12,6 @@ namespace {
 // Facets with a smaller circumradius are not refined, not even for shape.
 constexpr double kShapeFloorVoxels = 0.05;
 
-double voxel_of(const Volume& volume) {
-  const Vec3 s = volume.spacing();
-  return std::min({s.x, s.y, s.z});
-}
-
 }  // namespace
 
 double Length::in(const Volume& volume) const {
@@ -24,7 +19,7 @@ double Length::in(const Volume& volume) const {
     case Unit::box:
       return value * volume.box().smallest_side();
     case Unit::voxel:
-      return value * voxel_of(volume);
+      return value * volume.voxel();
     case Unit::world:
       break;
   }
@@ -38,7 +33,7 @@ void require_limits(const Options& o, const Volume& volume) {
         "refinement "
         "to Stage 2");
   }
-  const double r_min_voxels = o.r_min.in(volume) / voxel_of(volume);
+  const double r_min_voxels = o.r_min.in(volume) / volume.voxel();
   if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
     throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",
                           kSmallestRMin, ": at creases refinement would hardly end"));
@@ -75,7 +70,7 @@ Options Options::paper() {
 }
 
 Parameters resolve(const Options& o, const Volume& volume) {
-  const double voxel = voxel_of(volume), r_min = o.r_min.in(volume);
+  const double voxel = volume.voxel(), r_min = o.r_min.in(volume);
   Parameters p{};
   static_cast<RunSettings&>(p) = o;
   p.voxel = voxel;

@@ -12,7 +12,7 @@
 namespace deliso {
 
 // A length: in world units, as a share of the smallest side b of the box, or in voxels (`0.5vox`,
-// of a voxel's shortest side). As a criterion's limit it may be a ratio, with Unit::world.
+// Volume::voxel()). As a criterion's limit it may be a ratio, with Unit::world.
 struct Length {
   enum class Unit : std::uint8_t { world, box, voxel };
   double value = 0;

@@ -33,7 +33,7 @@ struct RunSettings {
 };
 
 struct Parameters : RunSettings {
-  double voxel;  // shortest side of a voxel
+  double voxel;  // Volume::voxel()
   double r_min;
   double fingers;     // Stage 1, certified: largest distance from a vertex of T to K
   Criteria recovery;  // ApproximateGeom, paper §3.1

@@ -92,6 +92,18 @@ unsigned Volume::inner_faces() const {
   return faces;
 }
 
+double Volume::voxel() const {
+  const auto [x, y, z] = spacing_;
+  if (x == y && y == z) return x;
+  // Newton's method from above, the same bits on every machine, which cbrt() need not give.
+  double side = std::max({x, y, z});
+  for (;;) {
+    const double next = (2 * side + x / side * y / side * z) / 3;
+    if (!(next < side)) return side;
+    side = next;
+  }
+}
+
 Box3 Volume::box() const {
   return {position({0, 0, 0}), position({dims_.i - 1, dims_.j - 1, dims_.k - 1})};
 }

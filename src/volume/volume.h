@@ -82,6 +82,8 @@ class Volume {
   Index3 dims() const { return dims_; }
   Index3 voxels() const { return {dims_.i - 1, dims_.j - 1, dims_.k - 1}; }
   Vec3 spacing() const { return spacing_; }
+  // Returns the side of the cube with a voxel's volume: the unit of lengths in voxels.
+  double voxel() const;
   SampleType type() const { return type_; }
   const Frame& frame() const { return frame_; }
   // The first sample's index in the larger volume, and that volume's size; 0 and dims() without

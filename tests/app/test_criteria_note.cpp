@@ -50,9 +50,9 @@ std::string words(const std::string& behind_version) {
   return text("deliso ", kVersion, behind_version);
 }
 
-// 9 x 9 x 9 samples at a spacing of 0.5, 2, 3: a voxel's shortest side is 0.5.
+// 9 x 9 x 9 samples; a cube with a voxel's volume has a side of 0.5.
 Volume long_voxels() {
-  return Volume::from_samples({9, 9, 9}, {0.5, 2, 3}, std::vector<float>(729, 0));
+  return Volume::from_samples({9, 9, 9}, {0.25, 0.5, 1}, std::vector<float>(729, 0));
 }
 
 }  // namespace
@@ -68,9 +68,9 @@ TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   };
   CHECK(note({}) == words(" r-min=0.5 max-distance=0.1 lambda=2"));
   CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
-        words(" r-min=2 max-distance=0.4 lambda=1.5 max-radius=4"));
+        words(" r-min=1 max-distance=0.4 lambda=1.5 max-radius=4"));
   CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
-  CHECK(note({"--paper"}) == words(" r-min=0.008 lambda=2 eps1=0.1 eps2=0.2"));
+  CHECK(note({"--paper"}) == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
   // The distance reached, not the default.
   CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 max-distance=0.125 lambda=2"));
   CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
@@ -168,7 +168,7 @@ TEST_CASE("a check uses the file's criteria, except those given as options") {
   CHECK(options({"--eps1", "0.2"}).limits == limits(kNotAsked, 0.2, 1.5, 0.7 * 0.5));
   CHECK(options({"--eps1", "0.2", "--max-distance", "0.25"}).limits ==
         limits(0.25, 0.2, 1.5, 0.7 * 0.5));
-  CHECK(options({"--paper"}).limits == limits(kNotAsked, 0.1, 2, 0.001 * 4));
+  CHECK(options({"--paper"}).limits == limits(kNotAsked, 0.1, 2, 0.001 * 2));
 
   // A length is a share of a voxel in the file.
   Criteria with_radius = limits(kNotAsked, kNotAsked, 2, 1);

@@ -63,7 +63,7 @@ TEST_CASE("if every sample is read, the crossings are those of T") {
 TEST_CASE("the area of balls, whatever the shape of voxels and however many slices are left out") {
   const auto check_ball = [](double radius, Vec3 spacing, double side, double within) {
     CAPTURE(spacing.z);
-    const double voxel = std::min({spacing.x, spacing.y, spacing.z});
+    const double voxel = std::cbrt(spacing.x * spacing.y * spacing.z);
     const double exact = 4 * kPi * radius * radius / (voxel * voxel);
     const double area = estimate_surface(ball(radius, spacing, side), 0).area;
     CHECK(area == doctest::Approx(exact).epsilon(within));
@@ -98,6 +98,20 @@ TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
     }
   }
   CHECK(cases == 64);
+}
+
+TEST_CASE("for noise the estimate is within 30 % of the mesh") {
+  const Field field("noise:32");
+  for (const double d : {1.0, 0.3, 0.1}) {
+    CAPTURE(d);
+    Options options;
+    options.limits[Criterion::distance] = {d, Length::Unit::voxel};
+    Report report;
+    const double vertices = static_cast<double>(
+        mesh_isosurface(field.volume, field.kappa, options, report).points.size());
+    CHECK(expected_vertices(field.volume, field.kappa, options) ==
+          doctest::Approx(vertices).epsilon(0.3));
+  }
 }
 
 TEST_CASE("no mesh has fewer vertices than its components need") {

@@ -148,6 +148,28 @@ TEST_CASE("the valleys of mixtures of normal distributions, with padding and out
   for (std::uint64_t seed = 301; seed <= 400; ++seed) check_mixture<std::int32_t>(seed);
 }
 
+TEST_CASE("a material of few samples beyond the last mode is tried too") {
+  int in_tail = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<std::int16_t> samples =
+        draw<std::int16_t>(random, {{-1000, 30, 0.6}, {40, 20, 0.4}}, 40000);
+    const std::size_t bone = 100 + random.below(2000);
+    for (std::size_t n = 0; n < bone; ++n) {
+      samples.push_back(static_cast<std::int16_t>(random.uniform(200, 1500)));
+    }
+    const Modes modes = modes_of(samples);
+    // It may make a low mode of its own.
+    CHECK(std::ranges::any_of(modes.valleys, [](const Valley& v) {
+      return std::abs(v.mode_below - 40) < 20 && v.isovalue > 100 && v.isovalue < 900;
+    }));
+    CHECK(!modes.valleys[0].in_tail);
+    in_tail += std::ranges::any_of(modes.valleys, &Valley::in_tail);
+  }
+  CHECK(in_tail > 40);
+}
+
 TEST_CASE("neither noise nor a comb splits one mode") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     CAPTURE(seed);

@@ -221,7 +221,7 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
         "D",        "r_min",      "r/l",           "h/r",      "labels",   "rungs",   "counters",
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
-        "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try"}) {
+        "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try", "largest", "sizes"}) {
     check_row(word);
   }
 }

@@ -319,12 +319,12 @@ TEST_CASE("lengths in world units, shares of the box and voxels resolve to the s
   CHECK(Length{0.5, Length::Unit::box}.in(volume) == 8);
   const Volume flat = Volume::from_samples<float>({3, 3, 5}, {2, 3, 0.5}, std::vector<float>(45));
   CHECK(Length{4}.in(flat) == 4);
-  CHECK(Length{4, Length::Unit::voxel}.in(flat) == 2);
+  CHECK(Length{4, Length::Unit::voxel}.in(flat) == 4 * flat.voxel());
   CHECK(Length{4, Length::Unit::box}.in(flat) == 8);
   const Parameters p = resolve({}, flat);
-  CHECK(p.voxel == 0.5);
-  CHECK(p.r_min == 0.25);
-  CHECK(p.refinement[Criterion::distance] == doctest::Approx(0.05));
+  CHECK(p.voxel == flat.voxel());
+  CHECK(p.r_min == flat.voxel() / 2);
+  CHECK(p.refinement[Criterion::distance] == doctest::Approx(flat.voxel() / 10));
   CHECK(p.refinement[Criterion::h_over_r] == Options::kNone);
   CHECK_FALSE(p.asks_for_poles());
   const Parameters published = resolve(Options::paper(), flat);

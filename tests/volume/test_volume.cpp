@@ -157,6 +157,22 @@ void check_bad_sample(T bad, const char* word) {
 
 }  // namespace
 
+TEST_CASE("the unit of lengths in voxels is the side of a cube with a voxel's volume") {
+  const auto unit = [](Vec3 spacing) {
+    return Volume::from_samples<float>({1, 1, 1}, spacing, {0}).voxel();
+  };
+  CHECK(unit({0.7, 0.7, 0.7}) == 0.7);
+  CHECK(unit({0.25, 0.5, 1}) == 0.5);
+  Random random(24);
+  for (int n = 0; n < 1000; ++n) {
+    const auto side = [&] { return std::exp2(20 * random.uniform() - 10); };
+    const Vec3 s{side(), side(), side()};
+    CAPTURE(n);
+    CHECK(unit(s) ==
+          doctest::Approx(std::cbrt(s.x) * std::cbrt(s.y) * std::cbrt(s.z)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("value and gradient are those of the weighted sum of all samples") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     check_interpolation<std::uint8_t>(seed);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "app/component_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "app/text.h"
+#include "io/files/append_format.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kRows = 10;
+constexpr std::size_t kListed = 100;  // in JSON
+
+// The components whose longest side has lo to 2 lo - 1 voxels.
+struct SizeClass {
+  int lo = 1;
+  std::uint64_t count = 0, crossings = 0;
+};
+
+// The same order as that of --largest (contour/contour.h, chosen_components).
+std::vector<ContourComponent> largest_first(const ContourSummary& surface) {
+  std::vector<ContourComponent> sorted = surface.components;
+  std::ranges::stable_sort(sorted, std::ranges::greater(), &ContourComponent::crossings);
+  return sorted;
+}
+
+std::vector<SizeClass> size_classes(const ContourSummary& surface) {
+  std::vector<SizeClass> classes;
+  for (const ContourComponent& c : surface.components) {
+    const auto n = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(c.side())) - 1);
+    while (classes.size() <= n) classes.push_back({1 << classes.size()});
+    ++classes[n].count;
+    classes[n].crossings += c.crossings;
+  }
+  return classes;
+}
+
+std::uint64_t crossings_of(std::span<const ContourComponent> components) {
+  std::uint64_t sum = 0;
+  for (const ContourComponent& c : components) sum += c.crossings;
+  return sum;
+}
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(1, whole));
+}
+
+Index3 extent(const ContourComponent& c) {
+  return {1 + c.hi.i - c.lo.i, 1 + c.hi.j - c.lo.j, 1 + c.hi.k - c.lo.k};
+}
+
+}  // namespace
+
+std::string components_text(const ContourSummary& surface) {
+  if (surface.components.size() < 2) return {};
+  const std::vector<ContourComponent> sorted = largest_first(surface);
+  const std::uint64_t whole = crossings_of(sorted);
+  std::string text = "largest   share      voxels             Euler number  boundary loops\n";
+  const std::size_t rows = std::min(kRows, sorted.size());
+  for (std::size_t n = 0; n < rows; ++n) {
+    const ContourComponent& c = sorted[n];
+    const Index3 e = extent(c);
+    const std::string voxels =
+        std::to_string(e.i) + " x " + std::to_string(e.j) + " x " + std::to_string(e.k);
+    append_format(text, "%7zu   %7.3f %%  %-18s %12lld  %14llu\n", n + 1,
+                  100 * share(c.crossings, whole), voxels.c_str(), static_cast<long long>(c.euler),
+                  static_cast<unsigned long long>(c.boundary_loops));
+  }
+  if (rows < sorted.size()) {
+    append_format(text, "   rest   %7.3f %%  %s\n",
+                  100 * share(crossings_of(std::span(sorted).subspan(rows)), whole),
+                  counted(sorted.size() - rows, "component", "components").c_str());
+  }
+  text += "sizes     longest side in voxels   components   share\n";
+  for (const SizeClass& c : size_classes(surface)) {
+    if (c.count == 0) continue;
+    const std::string side =
+        c.lo == 1 ? "1" : std::to_string(c.lo) + " to " + std::to_string(2 * c.lo - 1);
+    append_format(text, "          %-22s   %10llu   %7.3f %%\n", side.c_str(),
+                  static_cast<unsigned long long>(c.count), 100 * share(c.crossings, whole));
+  }
+  return text;
+}
+
+void add_components(JsonWriter& json, const ContourSummary& surface) {
+  const std::vector<ContourComponent> sorted = largest_first(surface);
+  const std::uint64_t whole = crossings_of(sorted);
+  json.open_list("largest_components");
+  for (const ContourComponent& c : std::span(sorted).first(std::min(kListed, sorted.size()))) {
+    json.open_item();
+    json.add("share", share(c.crossings, whole));
+    json.add("first_voxel", {double(c.lo.i), double(c.lo.j), double(c.lo.k)});
+    json.add("last_voxel", {double(c.hi.i), double(c.hi.j), double(c.hi.k)});
+    json.add("euler", c.euler);
+    json.add("boundary_loops", c.boundary_loops);
+    json.close();
+  }
+  json.close();
+  json.open_list("component_sizes");
+  for (const SizeClass& c : size_classes(surface)) {
+    json.open_item();
+    json.add("longest_side_from", c.lo);
+    json.add("longest_side_to", 2 * c.lo - 1);
+    json.add("components", c.count);
+    json.add("share", share(c.crossings, whole));
+    json.close();
+  }
+  json.close();
+}
+
+}  // namespace deliso
