@@ -18,7 +18,8 @@ inline constexpr const char* kKeepDoubles =
 
 // Returns the options of a verification, with lengths in the scaled frame and position_error 0. The
 // limits come from the command line; the check command prefers `noted`, the criteria in the mesh's
-// file, to defaults. Only the check command requires distances, and only if one was given.
+// file, to defaults. It alone requires that few triangles are over a limit, if the file notes
+// criteria, and distances, if one was given.
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted = std::nullopt);
 

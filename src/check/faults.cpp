@@ -22,6 +22,7 @@ std::string_view name_of(FaultKind kind) {
                                                              "turned caps",
                                                              "no volume",
                                                              "restricted share",
+                                                             "over limits",
                                                              "too far",
                                                              "not measured"};
   return kNames[static_cast<std::size_t>(kind)];

@@ -33,10 +33,11 @@ enum class FaultKind : std::uint8_t {
   turned_caps,            // triangles of a solid on the box that face into it
   no_volume,              // a solid that encloses nothing, or is reversed
   restricted_share,       // too few triangles are restricted Delaunay facets
+  over_limits,            // more triangles than allowed are over a limit
   too_far,                // a distance over the given bound
   not_measured,           // omitted, since it would cost more than n log n
 };
-inline constexpr std::size_t kFaultKinds = 20;
+inline constexpr std::size_t kFaultKinds = 21;
 
 std::string_view name_of(FaultKind kind);  // "duplicate vertices"
 

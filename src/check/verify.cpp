@@ -120,9 +120,11 @@ void check_share(const TriMesh& mesh, const CleanMesh& clean, double least, Veri
                             share.triangles - share.restricted - share.first_outside.size());
 }
 
-void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Criteria& limits,
-                    int threads, Verification& result) {
-  const std::vector<double> heights = surface_heights(mesh, surface, threads);
+void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const VerifyOptions& options,
+                    Verification& result) {
+  const Criteria& limits = options.limits;
+  Vec3 first_over{};
+  const std::vector<double> heights = surface_heights(mesh, surface, options.threads);
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
     const Triangle& t = mesh.triangles[n];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
@@ -136,7 +138,7 @@ void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Crit
       result.over.values[k] += over;
       any |= over;
     }
-    result.over_a_limit += any;
+    if (any && result.over_a_limit++ == 0) first_over = (a + b + c) / 3;
     if (r > limits.r_min) {
       ++result.triangles_above_r_min;
       if (std::isfinite(h)) {
@@ -144,6 +146,13 @@ void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Crit
         result.max_h_over_r_above_r_min = std::max(result.max_h_over_r_above_r_min, h / r);
       }
     }
+  }
+  const double most = options.most_over_limit * static_cast<double>(mesh.triangles.size());
+  if (!result.faults.any() && static_cast<double>(result.over_a_limit) > most) {
+    result.faults.add(FaultKind::over_limits,
+                      text(result.over_a_limit, " triangles are over a limit, more than ",
+                           100 * options.most_over_limit, " %"),
+                      first_over);
   }
 }
 
@@ -271,7 +280,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     require_distance(result.to_surface, voxel, "a point of the mesh", faults);
     require_distance(result.from_surface, voxel, "a point of the surface", faults);
   }
-  hold_to_limits(clean, surface, options.limits, threads, result);
+  hold_to_limits(clean, surface, options, result);
   result.boundary = measure_boundary(clean, surface, options.limits);
   result.seconds_distances = of_distances.seconds();
   return result;

@@ -9,9 +9,8 @@
 //   V3  A component with faulty edges or vertices has no topology: it is not compared.
 //   V4  Vertices of extra components are not tested for lying on Sigma.
 //   V5  The share of restricted Delaunay facets is always measured. It is a fault only on request,
-//       and only if there is no other.
-// A stage may leave criteria unmet (below r_min, or without room). These are counted, and are a
-// fault only on request.
+//       and only if there is no other. So are triangles over a limit.
+// A stage may leave criteria unmet (below r_min, or without room), so these are counted.
 #pragma once
 
 #include <cstddef>
@@ -40,9 +39,10 @@ struct VerifyOptions {
   double position_error = 0;    // rounding of the vertices; scaled frame
   double restricted_share = 0;  // the least share of restricted Delaunay facets that is no fault
   // The limits on triangles, with h from the circumcenter to Sigma. Triangles over a limit are
-  // counted, and are no fault. Also counted are points of the mesh further than max_distance from
+  // counted. Also counted are points of the mesh further than max_distance from
   // Sigma, and points of Sigma further than twice that from the mesh (as in Stage 2).
   Criteria limits;
+  double most_over_limit = 1;     // the largest share of triangles over a limit that is no fault
   bool require_distance = false;  // these points are faults, unless r_min allows them
   int threads = 1;
   std::function<void(double)> progress;  // called with the share done; may be empty

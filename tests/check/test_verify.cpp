@@ -254,7 +254,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
   }
 }
 
-TEST_CASE("triangles over a limit are counted as brute force does, and are no fault") {
+TEST_CASE("triangles over a limit are counted as brute force does; too many are a fault") {
   const Good good("fuel");
   const VoxelTree tree(good.volume);
   const Isosurface surface(good.volume, tree, good.kappa);
@@ -299,7 +299,16 @@ TEST_CASE("triangles over a limit are counted as brute force does, and are no fa
         CHECK(v.quality.over_lambda == needles);
         CHECK(v.over_a_limit == any);
         CHECK(v.limits[Criterion::distance] == bound);
-        over_some += any > 0 && any < good.mesh.faces.size();
+        if (any == 0 || any == good.mesh.faces.size()) continue;
+        ++over_some;
+        const auto faults_with = [&](double allowed) {
+          options.most_over_limit = allowed / static_cast<double>(good.mesh.faces.size());
+          const Faults found = verify(good.mesh, good.volume, good.kappa, options).faults;
+          CHECK(found.any() == (found.count(FaultKind::over_limits) > 0));
+          return found.count(FaultKind::over_limits);
+        };
+        CHECK(faults_with(double(any) + 0.5) == 0);
+        CHECK(faults_with(double(any) - 0.5) == 1);
       }
     }
   }
