@@ -95,11 +95,15 @@ double ProgressModel::at(std::string_view stage, double share) {
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,
                           bool colored) {
   constexpr int kWidest = 30, kNarrowest = 5;
+  constexpr double kEstimateFrom = 5, kEstimateShare = 0.05;  // seconds; of the run
   const double done = std::clamp(share, 0.0, 1.0);
   std::string text;
   // Rounded down: 100 % is the end.
   append_format(text, "%3.0f %%  %-8s %s", std::floor(100 * done), std::string(stage).c_str(),
                 time_text(seconds).c_str());
+  if (seconds >= kEstimateFrom && done >= kEstimateShare && done < 1) {
+    append_format(text, ", %s left", time_text(seconds * (1 - done) / done).c_str());
+  }
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
   constexpr std::string_view kBefore = "meshing  [", kAfter = "] ";
   const int width = std::min(
