@@ -20,16 +20,14 @@ constexpr std::array<Rgb, 9> kSequence = {{{78, 41, 153},
                                            {182, 237, 106},
                                            {255, 244, 101}}};
 
-constexpr std::array<Rgb, kCategories> kKinds = {{{92, 140, 214},
-                                                  {238, 150, 62},
-                                                  {104, 178, 100},
-                                                  {214, 96, 92},
-                                                  {158, 122, 204},
-                                                  {84, 190, 200},
-                                                  {226, 142, 190},
-                                                  {184, 182, 72},
-                                                  {160, 122, 94},
-                                                  {150, 158, 170}}};
+// Okabe and Ito (2008): seven hues that stay apart for readers who lack a kind of cones.
+constexpr std::array<Rgb, kCategories> kKinds = {{{86, 180, 233},
+                                                  {230, 159, 0},
+                                                  {0, 158, 115},
+                                                  {204, 121, 167},
+                                                  {0, 114, 178},
+                                                  {240, 228, 66},
+                                                  {213, 94, 0}}};
 
 }  // namespace
 

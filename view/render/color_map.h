@@ -17,7 +17,7 @@ namespace deliso {
 Rgb sequential_color(double share);
 
 // The first kCategories differ; from there on they come again.
-inline constexpr std::size_t kCategories = 10;
+inline constexpr std::size_t kCategories = 7;
 Rgb category_color(std::size_t number);
 
 }  // namespace deliso

@@ -4,10 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/random.h"
 #include "base/text.h"
+#include "base/vec3.h"
 #include "view/render/color_map.h"
 
 using namespace deliso;
@@ -66,15 +68,31 @@ TEST_CASE("the sequential map gets lighter evenly; its ends hold beyond them") {
   CHECK(sequential_color(std::nan("")) == sequential_color(1));
 }
 
-TEST_CASE("kinds have colors that differ, alike in lightness") {
+// What a reader without red (protanopia) or green cones (deuteranopia) sees: Vienot, Brettel and
+// Mollon 1999, as rows of linear light.
+Vec3 seen_without(bool red, const Rgb& color) {
+  const auto linear = [](int byte) {
+    const double c = byte / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const double r = linear(color.red), g = linear(color.green), b = linear(color.blue);
+  const double warm = red ? 0.11238 * r + 0.88762 * g : 0.29275 * r + 0.70725 * g;
+  const double cold = red ? b + 0.00401 * (r - g) : b - 0.02234 * (r - g);
+  return {std::cbrt(warm), std::cbrt(warm), std::cbrt(std::max(0.0, cold))};
+}
+
+TEST_CASE("kinds have colors that differ, also without red or green cones") {
   for (std::size_t a = 0; a < kCategories; ++a) {
     const Rgb p = category_color(a);
-    CHECK(lightness(p) > 50);
-    CHECK(lightness(p) < 76);
+    CHECK(lightness(p) > 45);
+    CHECK(lightness(p) < 92);
     CHECK(category_color(a + kCategories) == p);
     for (std::size_t b = 0; b < a; ++b) {
       const Rgb q = category_color(b);
       CHECK(std::abs(p.red - q.red) + std::abs(p.green - q.green) + std::abs(p.blue - q.blue) > 60);
+      for (const bool red : {true, false}) {
+        CHECK(length(seen_without(red, p) - seen_without(red, q)) > 0.12);
+      }
     }
   }
 }

@@ -8,9 +8,8 @@ const kOutside = 0x9ebae0, kInside = 0xeda861;
 const kSequence = [0x4e2999, 0x344eb8, 0x0073b7, 0x0b90b1, 0x06acb1, 0x01c8a7, 0x5ce089, 0xb6ed6a,
                    0xfff465];
 
-// Hues for kinds of things, alike in lightness.
-const kKinds = [0x5c8cd6, 0xee963e, 0x68b264, 0xd6605c, 0x9e7acc, 0x54bec8, 0xe28ebe, 0xb8b648,
-                0xa07a5e, 0x969eaa];
+// Okabe and Ito (2008): seven hues that stay apart for readers who lack a kind of cones.
+const kKinds = [0x56b4e9, 0xe69f00, 0x009e73, 0xcc79a7, 0x0072b2, 0xf0e442, 0xd55e00];
 
 const red_of = (color) => color >> 16 & 255;
 const green_of = (color) => color >> 8 & 255;
