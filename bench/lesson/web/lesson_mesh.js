@@ -1,8 +1,9 @@
 'use strict';
 // Stage 2 on a slice. A mesh is a list of loops of points, with the inside on the left.
 
-// The edge from a to b with its center, its dual line, its surface point x (nothing: the line does not
-// meet Sigma near it), the distance h of x from the center, and the radius of its surface ball.
+// The edge from a to b: its center, its dual line, its surface point x, the distance h of x from
+// the center, and the radius of its surface ball. There is no x if the line does not meet Sigma
+// near the edge.
 function facet_of(field, kappa, a, b) {
   const length = distance(a, b), center = between(a, b, 0.5);
   const outwards = [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];

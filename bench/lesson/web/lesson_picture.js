@@ -1,6 +1,6 @@
 'use strict';
-// The picture of a screen, as SVG in CSS pixels: drawn anew whenever something changes, but for the
-// handles of the sites, which keep the focus and the finger.
+// The picture of a screen, as SVG in CSS pixels. It is drawn anew when something changes. Only the
+// handles of the sites stay, since they keep the focus and the finger.
 
 const kSvg = 'http://www.w3.org/2000/svg';
 

@@ -1,9 +1,10 @@
 'use strict';
 // Stage 1 on a slice: the regions of sites on T, the certificate, and the dual mesh K.
 
-// sites: vertices of T, all different. Returns {site_of, far, arcs, interfaces}: for each vertex the
-// number of its nearest site and the distance from it; for each site the arcs of its region, as
-// {vertices, closed}; the edges of T whose ends have different sites, as {a, b, from, to}.
+// sites: vertices of T, all different. Returns {site_of, far, arcs, interfaces}. For each vertex,
+// site_of has the number of its nearest site, and far the distance from it. For each site, arcs has the
+// arcs of its region, as {vertices, closed}. interfaces has the edges of T whose ends have different
+// sites, as {a, b, from, to}.
 function regions_of(contour, sites) {
   const far = contour.points.map(() => Infinity);
   const site_of = contour.points.map((p, v) => {
@@ -33,9 +34,9 @@ function regions_of(contour, sites) {
   return { site_of, far, arcs, interfaces };
 }
 
-// The certificate: nothing when K has the topology of T, else the first condition that fails,
-// {kind, site, other, stray, insert}. `stray` are the vertices at fault; `insert` is the one of them
-// that is furthest from its site.
+// The certificate. Returns nothing if K has the topology of T. Otherwise returns the first
+// condition that fails: {kind, site, other, stray, insert}. `stray` are the vertices at fault.
+// `insert` is the one of them that is furthest from its site.
 function certificate_of(contour, sites, regions) {
   const furthest = (vertices) => vertices.reduce(
     (best, v) => regions.far[v] > 0 && (best < 0 || regions.far[v] > regions.far[best]) ? v : best, -1);

@@ -1,6 +1,6 @@
 'use strict';
-// What a page shows, in its address behind #, so that a link opens the same view: the camera, the
-// panel's choices, switches and sliders that are not as they were at first, and brushes.
+// The page's address says behind # what the page shows, so that a link opens the same view. It has the
+// camera, the brushes, and each choice, switch and slider of the panel that has been changed.
 
 // Inputs without a word of their own, by what they are called, numbered where several are called the same.
 function named_inputs(panel) {

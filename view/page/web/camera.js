@@ -1,7 +1,7 @@
 'use strict';
 // A camera that turns about a point. Azimuth and elevation are those of `deliso render --view`: from
-// +x towards +y, and above the xy plane; with another axis up, all rotated as there (rotated() of
-// view/render/camera.cpp). Lengths are the scene's.
+// +x towards +y, and above the xy plane. If another axis is up, the camera is rotated as there
+// (rotated() of view/render/camera.cpp). Lengths are the scene's.
 
 const kHalfAngle = 14 * Math.PI / 180;  // of what is seen from bottom to top
 
@@ -50,10 +50,10 @@ class Camera {
     this.middle = box_middle(box);
     this.radius = box_radius(box);
   }
-  // Where all points are seen, as large as a view of this aspect lets them. A point at (x, y, depth)
-  // along the camera's axes is seen up to the left and right border from a distance of at least
-  // depth + |x - center| / tangent: the borders are planes, and four maxima tell where they touch. A
-  // share of the height is left free at the top.
+  // The smallest distance from which all points are seen. A point at (x, y, depth) along the
+  // camera's axes is seen from a distance of at least depth + |x - center| / tangent. The borders
+  // of the picture are planes, so four maxima are enough. A share
+  // of the height is left free at the top.
   place_for(aspect, free = 0) {
     const { right, up, back, middle } = this;
     const low = Math.tan(kHalfAngle) / 1.08, wide = low * aspect, high = low * (1 - 2 * free);
@@ -105,8 +105,8 @@ class Camera {
   }
   eye() { return add(this.target, scaled(this.back, this.distance)); }
 
-  // Into `out`, of 16 floats; in multiples of the scene's size, as such places matter by their ratios
-  // alone, and the card's numbers end at 1e38.
+  // Writes the projection into `out`, 16 floats. Lengths are in multiples of the scene's size, since
+  // the card's numbers end at 1e38 and only ratios matter.
   project(out, aspect) {
     const eye = this.eye();
     const depth = dot(subtract(eye, this.middle), this.back);

@@ -1,7 +1,7 @@
 'use strict';
-// What is drawn of one event over the surface: the point, what called for it, the conflict zone, the
-// Voronoi edge and its hits, D_q or E with its rim, the cone, the surface ball, the facets that came
-// and went. Each kind of thing has a color and a switch of its own.
+// What is drawn of one event over the surface: the point and what called for it, the conflict zone
+// or the cavity, and the Voronoi edge with its hits. Also the cone, the surface ball, and the
+// facets that came and went. Each kind of thing has a color and a switch of its own.
 
 const kMarks = {
   point: { label: 'Point', color: 0x14213d },

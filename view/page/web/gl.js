@@ -1,7 +1,7 @@
 'use strict';
-// The graphics card: programs, and textures as growing arrays. All of it can be lost at any time
-// (a driver that starts anew, a laptop that wakes); what is here keeps its content in memory, and
-// makes its part on the card again when it belongs to a context of the past.
+// The graphics card: programs, and textures as growing arrays. The card can lose all of it at any
+// time, as when a driver starts anew or a laptop wakes. So each object keeps its content in memory. It
+// makes its part on the card again if that belongs to an earlier context.
 
 // Whether WebGL is there, but by the processor.
 function draws_by_software() {

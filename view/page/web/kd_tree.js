@@ -1,7 +1,7 @@
 'use strict';
-// The min/max kd-tree over a volume's voxels, as src/kdtree/voxel_tree.h has it (rules K1 to K4
-// there): implicit, so that the samples are all that a page needs to hold of it. Lengths are in
-// voxels; sample (i, j, k) lies at (i, j, k).
+// The min/max kd-tree over a volume's voxels, as in src/kdtree/voxel_tree.h (rules K1 to K4 there).
+// It is implicit, so that a page holds the samples alone.
+// Lengths are in voxels; sample (i, j, k) lies at (i, j, k).
 
 const kLeafVoxels = 128;
 
@@ -132,7 +132,7 @@ class VoxelTree {
     return inside !== 0 && inside !== 8;
   }
 
-  // CollectVoxels of Figure 12 along a line, with all that it looks at on the way: nodes in the order
+  // CollectVoxels of Figure 12 along a line. Returns all that it looks at: the nodes in the order
   // of the visit, and the active voxels with their pieces of the line.
   walk(line, kappa, t0 = 0, t1 = 1) {
     const nodes = [], voxels = [];

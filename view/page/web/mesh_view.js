@@ -1,6 +1,6 @@
 'use strict';
-// The page of `deliso view`: one finished mesh, or two side by side with a camera in common;
-// histograms that highlight what is brushed, components, a clipping plane.
+// The page of `deliso view`: one finished mesh, or two side by side with one camera. It has
+// histograms that highlight what is brushed, components, and a clipping plane.
 
 class MeshView {
   constructor(scene, { header, arrays }) {

@@ -1,6 +1,7 @@
 'use strict';
-// One fixed color for every operation and every criterion, whatever the trace: blues for Stage 1,
-// oranges for Stage 2, so that no pair is red against green. `dash` tells neighbors in lightness apart.
+// One fixed color for every operation and every criterion, whatever the trace. Stage 1 has blues
+// and Stage 2 oranges, so that no pair is red against green. `dash` tells neighbors in lightness
+// apart.
 
 const kStyles = ['solid', 'dashed', 'dotted'];
 const kOther = { label: 'other', color: 0x969eaa, dash: 'solid' };

@@ -1,8 +1,8 @@
 'use strict';
 // A trace and its surface at every step. The trace lists what each event took from the surface and
-// put there; from that follows, once, when every facet came and when it went. The surface at a step
-// is then either its neighbor's with a few facets changed, or all facets looked through once: so
-// any step is near, and no copies need to be kept.
+// put there. From this follows when every facet came and when it went. The surface at a step is made
+// from that of a neighboring step by changing a few facets, or in one pass over all facets. So any
+// step is quickly reached, and no copies are kept.
 
 // The lists of a trace, with the numbers that an item has.
 const kLists = { removed: 3, added: 3, zone: 4, star: 3, cone: 3, hits: 3, relabel: 2 };

@@ -112,9 +112,9 @@ class Regions {
   }
 }
 
-// Which tetrahedra are inside a surface of some of their facets, counter-clockwise seen from outside:
-// those on the inner side of such a facet, and from there on across all others. Where the surface has
-// holes or facets of no tetrahedron, it is the nearest of its facets that tells.
+// Finds the tetrahedra inside a surface, which is made of some of their facets, counter-clockwise seen
+// from outside. A tetrahedron on the inner side of such a facet is inside. So are its neighbors across
+// other facets. Where the surface has holes or facets of no tetrahedron, the nearest facet decides.
 function inside_of(tetrahedra, surface, points) {
   const key = (corners) => corners.sort((a, b) => a - b).join(' ');
   const at_facet = new Map();  // of the two tetrahedra there, and -1 in front where it is the surface's

@@ -1,7 +1,7 @@
 'use strict';
-// What runs on the graphics card (GLSL ES 3.00). Nothing is sent per vertex: a vertex knows its
-// number alone and fetches what it is from textures that hold points, facets and lines as they are.
-// So a facet that changes is one texel, and a corner may be drawn as often as it has facets.
+// The programs of the graphics card (GLSL ES 3.00). Nothing is sent per vertex. A vertex has its number
+// alone, and reads the rest from textures of points, facets and lines. So a facet that changes is one
+// texel, and a corner may be drawn as often as it has facets.
 
 const kShaderHead = `#version 300 es
 precision highp float;
@@ -39,10 +39,10 @@ void main() {
   gl_Position = (facet.w & 0x02000000u) != 0u ? vec4(0, 0, 2, 1) : u_project * vec4(point, 1);
 }`;
 
-// Places are told from the camera's target, in multiples of the scene's size: squares of lengths in a
-// mesh's own unit may be too large for the card. Lights as in view/render/shade.cpp. A flat facet's normal is that of its picture: the eye's side, from
-// how places change over pixels. Lines are as strong as the share of a pixel that they cover,
-// and cover no more than a part of facets that are small on the screen.
+// Places are relative to the camera's target, in multiples of the scene's size, since squares of lengths
+// in a mesh's own unit may be too large for the card. Lights are as in view/render/shade.cpp. A flat
+// facet's normal follows from how places change over pixels, on the eye's side. A line is as strong as
+// the share of a pixel that it covers. It covers only a part of a facet that is small on the screen.
 const kTriangleFragment = kShaderHead + `
 uniform vec3 u_key, u_fill, u_gloss, u_outside, u_inside, u_edge_color, u_sequence[9];
 uniform vec4 u_clip;

@@ -1,6 +1,6 @@
 'use strict';
-// The timeline: a lane for every routine, with a mark where it was at work; a head that is dragged
-// or played; buttons for steps, and for the next event of a kind.
+// The timeline. Every routine has a lane, with a mark where it was at work. The head is dragged or
+// played. Buttons go by steps, and to the next event of a kind.
 
 const kLane = 11;         // height in CSS pixels
 const kHead = 11;         // of the room above the lanes for the head's knob

@@ -1,6 +1,6 @@
 'use strict';
-// The surface of a trace at the present step: its facets in a layer, with the colors that stand for
-// what made them, and those that come or go in colors of their own.
+// The surface of a trace at the present step. A facet's color stands for what made it. Facets that come
+// or go have colors of their own.
 
 const kColorsOfSurface = [['side', 'side of the surface'], ['routine', 'routine that made it'],
                           ['reason', 'criterion that made it'], ['age', 'age'],
@@ -95,8 +95,8 @@ class TraceSurface {
     }
   }
 
-  // The facet that a ray meets first, by its id, and how far that is in multiples of the direction;
-  // -1 and Infinity where it meets none.
+  // Returns the id of the facet that a ray meets first, and how far it is, in multiples of the
+  // direction. Returns -1 and Infinity if the ray meets none.
   nearest(origin, direction) {
     const { live, history } = this;
     const { points } = this.trace;
