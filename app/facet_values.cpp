@@ -53,6 +53,30 @@ FacetComponents facet_components(const TriMesh& mesh) {
   return result;
 }
 
+std::vector<std::uint8_t> facets_of_most_area(const TriMesh& mesh,
+                                              const FacetComponents& components) {
+  constexpr double kShare = 0.99;
+  const std::vector<double> areas =
+      of_facets(mesh, [](const Vec3& a, const Vec3& b, const Vec3& c) {
+        return 0.5 * length(area_normal(a, b, c));
+      });
+  std::vector<std::pair<double, std::uint32_t>> largest(components.count);
+  for (std::uint32_t c = 0; c < largest.size(); ++c) largest[c].second = c;
+  for (std::size_t f = 0; f < areas.size(); ++f) largest[components.of_facet[f]].first -= areas[f];
+  std::ranges::sort(largest);
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<std::uint8_t> is_kept(components.count, 0);
+  double kept = 0;
+  for (const auto& [minus_area, c] : largest) {
+    if (kept >= kShare * all && kept > 0) break;
+    kept -= minus_area;
+    is_kept[c] = 1;
+  }
+  std::vector<std::uint8_t> marks;
+  for (const std::uint32_t c : components.of_facet) marks.push_back(is_kept[c]);
+  return marks;
+}
+
 std::vector<double> smallest_angles(const TriMesh& mesh) {
   return of_facets(mesh, [](const Vec3& a, const Vec3& b, const Vec3& c) {
     const double least = std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});

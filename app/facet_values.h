@@ -19,6 +19,11 @@ struct FacetComponents {
 };
 FacetComponents facet_components(const TriMesh& mesh);
 
+// Marks the facets of the largest components that together have 99 % of the mesh's area. So specks
+// far away do not shrink its picture.
+std::vector<std::uint8_t> facets_of_most_area(const TriMesh& mesh,
+                                              const FacetComponents& components);
+
 std::vector<double> smallest_angles(const TriMesh& mesh);  // degrees; 0 without area
 
 // Returns the distances of facets from the isosurface, in voxels: for each the

@@ -293,6 +293,30 @@ constexpr OptionSpec kRest[] = {
     {"--volume", 0, "INPUT", kShown, "the volume that --color-by asks",
      [](Line& l, Text, Text v) { l.input = v; },
      "the volume whose isosurface triangles are measured against, with --iso"},
+    {"--occlusion", 0, "WHEN", kRenderOnly,
+     "on (default): places that see little of the sky are darker, so that sheets in front of each "
+     "other can be told apart; or off",
+     [](Line& l, Text o, Text v) {
+       using Choice = std::pair<std::string_view, bool>;
+       l.render.occlusion = choose(o, v, std::to_array<Choice>({{"on", true}, {"off", false}}));
+     }},
+    {"--opacity", 0, "X", kRenderOnly,
+     "of triangles, above 0 to 1 (default 1); below 1 what is behind is seen through them",
+     [](Line& l, Text o, Text v) { l.render.opacity = parse_share(o, v); }},
+    {"--color", 0, "COLOR", kRenderOnly,
+     "of the surface: #rrggbb, white or black; or as in '#9ebae0/#eda861', outside and inside",
+     [](Line& l, Text o, Text v) {
+       const std::size_t slash = v.find('/');
+       Palette& palette = l.render.palette;
+       palette.outside = parse_color(o, v.substr(0, slash));
+       if (slash != Text::npos) palette.inside = parse_color(o, v.substr(slash + 1));
+     }},
+    {"--scale-bar", 0, "UNIT", kRenderOnly,
+     "a bar of a round length, with this unit, as in mm; '' for none",
+     [](Line& l, Text o, Text v) { l.render.scale_bar = parse_drawable(o, v); }},
+    {"--axes", 0, "", kRenderOnly,
+     "the directions of the axes: x, y, z, or R, A, S and L, P, S where the mesh names its space",
+     [](Line& l, Text, Text) { l.axes = true; }},
     {"--background", 0, "COLOR", kRenderOnly, "white (default), black or #rrggbb",
      [](Line& l, Text o, Text v) { l.render.palette.background = parse_color(o, v); }},
 

@@ -155,12 +155,17 @@ std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std:
   return clips;
 }
 
-std::vector<std::string> parse_labels(std::string_view option, std::string_view text) {
+std::string parse_drawable(std::string_view option, std::string_view text) {
   if (!is_drawable(text)) refuse(option, text, "printable characters of ASCII");
+  return std::string(text);
+}
+
+std::vector<std::string> parse_labels(std::string_view option, std::string_view given) {
+  const std::string text = parse_drawable(option, given);
   std::vector<std::string> labels;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('/', begin), text.size());
-    labels.emplace_back(text.substr(begin, end - begin));
+    labels.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
   return labels;

@@ -29,6 +29,7 @@ PictureSize parse_picture_size(std::string_view option, std::string_view text); 
 // -x:0.5 or a,b,c,d; several with a / between them; nothing for "off".
 std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std::string_view text);
 // Printable characters of ASCII, with a / between one text and the next; either can be empty.
+std::string parse_drawable(std::string_view option, std::string_view text);  // ASCII
 std::vector<std::string> parse_labels(std::string_view option, std::string_view text);
 Vec3 parse_color(std::string_view option, std::string_view text);  // white, black, #rrggbb: 0 to 1
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The render command: meshes from files in, a picture out.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/facet_colors.h"
+#include "app/facet_values.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "app/signals.h"
@@ -47,6 +50,17 @@ ClipPlane plane_of(const ClipChoice& clip, const Box3& box) {
   return plane;
 }
 
+// The patient's directions if all meshes name the same space.
+std::array<std::string_view, 3> axis_names(std::span<const TriMesh> meshes) {
+  const AnatomicalSpace space = meshes.front().frame.space;
+  for (const TriMesh& mesh : meshes) {
+    if (mesh.frame.space != space) return {"x", "y", "z"};
+  }
+  if (space == AnatomicalSpace::ras) return {"R", "A", "S"};
+  if (space == AnatomicalSpace::lps) return {"L", "P", "S"};
+  return {"x", "y", "z"};
+}
+
 std::string caption_of(const std::string& label, const std::string& file, const std::string& size) {
   if (label != "auto") return label;
   std::string caption = short_name(file) + ": " + size;
@@ -75,8 +89,14 @@ int run_render(const CommandLine& line) {
   options.bar = colors.bar;
   std::vector<Subject> subjects;
   std::string sizes;
+  std::vector<std::vector<std::uint8_t>> framed(meshes.size());
+  options.threads = line.options.threads;
+  if (line.axes) options.axes = axis_names(meshes);
   for (std::size_t n = 0; n < meshes.size(); ++n) {
-    subjects.push_back({&meshes[n], {}, colors.of_mesh[n]});
+    if (!options.aim.look_at && line.clips.empty()) {
+      framed[n] = facets_of_most_area(meshes[n], facet_components(meshes[n]));
+    }
+    subjects.push_back({&meshes[n], {}, colors.of_mesh[n], framed[n]});
     if (!line.clips.empty()) {
       const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
       if (clip) subjects.back().clip = plane_of(*clip, box);

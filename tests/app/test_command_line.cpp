@@ -376,6 +376,18 @@ TEST_CASE("every option of pictures reaches its field") {
   CHECK(line.clips[0]->fraction == 0.25);
   CHECK(line.clips[0]->keep_above);
   CHECK(line.quiet);
+  const CommandLine paper =
+      parse({"render", "m.off", "-o", "-", "--opacity", "0.25", "--color", "#ff0000/black",
+             "--scale-bar", "mm", "--axes", "--occlusion", "off"});
+  CHECK(paper.render.opacity == 0.25);
+  CHECK(paper.render.palette.outside == Vec3{1, 0, 0});
+  CHECK(paper.render.palette.inside == Vec3{0, 0, 0});
+  CHECK(paper.render.scale_bar == "mm");
+  CHECK(paper.axes);
+  CHECK_FALSE(paper.render.occlusion);
+  CHECK(refusal({"render", "m.off", "-o", "-", "--opacity", "0"}).find("--opacity") == 0);
+  CHECK(refusal({"render", "m.off", "-o", "-", "--opacity", "1.5"}).find("--opacity") == 0);
+  CHECK(refusal({"render", "m.off", "-o", "-", "--color", "red/"}).find("--color") == 0);
   const CommandLine plane = parse({"render", "m.off", "-o", "-", "--clip", "1,-2,0.5,7"});
   REQUIRE(plane.clips.size() == 1);
   REQUIRE(plane.clips[0].has_value());

@@ -53,6 +53,26 @@ TEST_CASE("components are numbered from the largest on, and share vertices") {
   CHECK(facet_components(TriMesh{}).count == 0);
 }
 
+TEST_CASE("the largest components that have 99 % of the area are framed, specks are not") {
+  // Right triangles with legs 10, 0.8, and 0.3: areas 50, 0.32, 0.045.
+  std::vector<Vec3> points;
+  Triangles triangles;
+  for (const double leg : {0.3, 10.0, 0.8}) {
+    const auto v = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), {{0, 0, leg}, {leg, 0, leg}, {0, leg, leg}});
+    triangles.push_back(triangle_of(v, v + 1, v + 2));
+  }
+  const auto framed = [&](const TriMesh& mesh) {
+    return facets_of_most_area(mesh, facet_components(mesh));
+  };
+  using Marks = std::vector<std::uint8_t>;
+  CHECK(framed(make_tri_mesh(points, triangles)) == Marks{0, 1, 0});
+  points[4].x = 1;  // the largest has now an area of 5
+  CHECK(framed(make_tri_mesh(points, triangles)) == Marks{0, 1, 1});
+  const std::vector<Vec3> flat(6);
+  CHECK(framed(make_tri_mesh(flat, Triangles{{0, 1, 2}, {3, 4, 5}})) == Marks{1, 1});
+}
+
 TEST_CASE("distances of triangles beside a plane, in voxels") {
   const Volume volume = slope();
   const Vec3 normal = Vec3{1, 2, -2} / 3;

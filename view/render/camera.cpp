@@ -44,8 +44,10 @@ Box3 seen_box(std::span<const Subject> subjects, const Camera& camera) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   for (const Subject& subject : subjects) {
-    for (const Face& face : subject.mesh->faces) {
-      for (const VertexId v : face.v) {
+    const auto& faces = subject.mesh->faces;
+    for (FaceId f = 0; f < faces.size(); ++f) {
+      if (!subject.framed.empty() && subject.framed[f] == 0) continue;
+      for (const VertexId v : faces[f].v) {
         const Vec3& p = subject.mesh->points[v];
         if (subject.clip && subject.clip->height(p) > 0) continue;
         const Vec3 q = along_axes(camera, p);

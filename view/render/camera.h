@@ -7,6 +7,7 @@
 //   C3  Depth is in the mesh's units. Larger is nearer to the eye.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -42,11 +43,12 @@ struct ClipPlane {
 };
 
 // A mesh, the part of it to be drawn, and the colors of its facets, the palette's where there are
-// none. Keeps a pointer to the mesh and a view of the colors.
+// none. Keeps a pointer to the mesh and views of the rest.
 struct Subject {
   const TriMesh* mesh;
   std::optional<ClipPlane> clip;
   std::span<const Rgb> colors = {};
+  std::span<const std::uint8_t> framed = {};  // of facets: what a camera is to show; empty: all
 };
 
 struct Camera {
@@ -71,9 +73,9 @@ struct Aim {
   std::optional<Vec3> look_at;  // in the middle of the picture; absent: the middle of what is seen
 };
 
-// Returns a camera that shows all unclipped corners of the subjects, with a narrow margin, and is
-// then aimed. Throws InputError if all corners are clipped, if they are too large for the
-// arithmetic, or if look_at is beside all of them.
+// Returns a camera that shows all unclipped corners of the subjects' framed facets, with a narrow
+// margin, and is then aimed. Throws InputError if all corners are clipped, if they are too large
+// for the arithmetic, or if look_at is beside all of them.
 Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim& aim,
                   PictureSize size);
 

@@ -80,17 +80,20 @@ Rectangle common(const Rectangle& a, const Rectangle& b) {
 // The samples of some rows of the picture.
 class Band {
  public:
-  Band(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end)
+  Band(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end,
+       const Layer* front = nullptr)
       : mesh_(mesh),
         projected_(projected),
         all_{row_begin, row_end, 0, projected.columns},
         seen_(static_cast<std::size_t>(projected.columns) *
                   static_cast<std::size_t>(row_end - row_begin),
               kNoId),
-        nearest_(seen_.size(), -std::numeric_limits<double>::infinity()) {}
+        nearest_(seen_.size(), -std::numeric_limits<double>::infinity()),
+        front_(front) {}
 
   const Rectangle& all() const { return all_; }
   std::vector<FaceId>& seen() { return seen_; }
+  std::vector<double>& nearest() { return nearest_; }
   const Point& corner(FaceId f, std::size_t i) const {
     return projected_.points[mesh_.faces[f].v[i]];
   }
@@ -122,6 +125,11 @@ class Band {
                static_cast<std::size_t>(projected_.columns) +
            static_cast<std::size_t>(column);
   }
+  bool is_behind_front(FaceId f, double depth, std::size_t at) const {
+    if (front_ == nullptr) return true;
+    const double last = front_->depths[at];
+    return depth < last || (depth == last && f > front_->faces[at]);
+  }
   CornerWeights weights_at(FaceId f, std::int64_t row, std::int64_t column) const {
     return corners_at(projected_, mesh_.faces[f].v, static_cast<int>(column),
                       static_cast<int>(row));
@@ -132,6 +140,7 @@ class Band {
   Rectangle all_;
   std::vector<FaceId> seen_;
   std::vector<double> nearest_;  // depths
+  const Layer* front_;           // only what is behind it is drawn; null: all
 };
 
 void Band::draw(FaceId f, const Rectangle& within) {
@@ -153,7 +162,8 @@ void Band::draw(FaceId f, const Rectangle& within) {
     for (std::int64_t step = begin; step < end; ++step, ++at) {
       if (!(clipped && height.at(corners) > 0)) {
         const double here = depth.at(corners);
-        if (here > nearest_[at] || (here == nearest_[at] && f < seen_[at])) {
+        const bool is_nearest = here > nearest_[at] || (here == nearest_[at] && f < seen_[at]);
+        if (is_nearest && is_behind_front(f, here, at)) {
           nearest_[at] = here;
           seen_[at] = f;
         }
@@ -307,11 +317,11 @@ CornerWeights corners_at(const ProjectedMesh& mesh, const Triangle& triangle, in
           twice_area(a, b, c.x, c.y)};
 }
 
-std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& projected,
-                                  int row_begin, int row_end) {
+Layer visible_layer(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end,
+                    const Layer* front) {
   // So many facets over each sample, on the average, that sorting them is worth while.
   constexpr double kDeep = 16;
-  Band band(mesh, projected, row_begin, row_end);
+  Band band(mesh, projected, row_begin, row_end, front);
   double samples = 0;
   std::vector<FaceId> faces;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
@@ -325,7 +335,12 @@ std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& proj
   } else {
     for (const FaceId f : faces) band.draw(f, band.box_of(f));
   }
-  return std::move(band.seen());
+  return {std::move(band.seen()), std::move(band.nearest())};
+}
+
+std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& projected,
+                                  int row_begin, int row_end) {
+  return visible_layer(mesh, projected, row_begin, row_end).faces;
 }
 
 }  // namespace deliso

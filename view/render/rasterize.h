@@ -6,6 +6,8 @@
 //       (integers), so facets with a common edge leave no gap.
 //   Z2  A sample has the facet nearest to the eye, and the one of the lower id at equal depth.
 //   Z3  Clipping is decided sample by sample, so a facet can be drawn in part.
+//   Z4  Layers behind the first are peeled off: the next one is the nearest of what is behind the
+//       last (Everitt 2001).
 #pragma once
 
 #include <array>
@@ -47,7 +49,16 @@ struct CornerWeights {
 };
 CornerWeights corners_at(const ProjectedMesh& mesh, const Triangle& triangle, int column, int row);
 
-// The samples of the rows from row_begin to row_end, row by row; kNoId where nothing is seen.
+// What the samples of some rows see, row by row; kNoId and minus infinity where nothing is seen.
+struct Layer {
+  std::vector<FaceId> faces;
+  std::vector<double> depths;
+};
+
+// Returns the first layer of the rows from row_begin to row_end or, with `front`, the next one
+// behind it.
+Layer visible_layer(const TriMesh& mesh, const ProjectedMesh& projected, int row_begin, int row_end,
+                    const Layer* front = nullptr);
 std::vector<FaceId> visible_faces(const TriMesh& mesh, const ProjectedMesh& projected,
                                   int row_begin, int row_end);
 

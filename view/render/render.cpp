@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/triangle.h"
 #include "view/render/rasterize.h"
+#include "view/render/scale_bar.h"
 
 namespace deliso {
 namespace {
@@ -17,6 +18,7 @@ constexpr double kMostInk = 0.2;                  // share of the surface that e
 constexpr double kThinnestEdge = 0.4;             // pixels; thinner lines are no longer told apart
 constexpr double kLargestZoom = 64;               // where the picture's size allows it
 constexpr double kLargestSpan = 0x1p21;           // samples; of rasterize.h
+constexpr std::size_t kMostLayers = 24;           // of a transparent surface
 constexpr std::size_t kSamplesAtOnce = 1u << 22;  // bounds the memory
 
 // Length of the edges per area of the surface, in the mesh's units.
@@ -48,16 +50,23 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::floor(255 * value + 0.5), 0.0, 255.0));
 }
 
-// The mean of a pixel's samples.
-Rgb pixel_color(const Shader& shader, const Vec3& background, std::span<const FaceId> faces,
+// The mean of a pixel's samples, each the mixture of its layers from front to back.
+Rgb pixel_color(const Shader& shader, const RenderOptions& options, std::span<const Layer> layers,
                 int columns, int first_row, int x, int y) {
   Vec3 sum;
   for (int row = y * kSamplesPerSide; row < (y + 1) * kSamplesPerSide; ++row) {
     for (int column = x * kSamplesPerSide; column < (x + 1) * kSamplesPerSide; ++column) {
-      const FaceId face =
-          faces[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
-                static_cast<std::size_t>(column)];
-      sum = sum + (face == kNoId ? background : shader.color(face, column, row));
+      const std::size_t sample =
+          static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
+          static_cast<std::size_t>(column);
+      double light = 1;  // the share that passes the layers so far
+      for (const Layer& layer : layers) {
+        const FaceId face = layer.faces[sample];
+        if (face == kNoId) break;
+        sum = sum + light * options.opacity * shader.color(face, column, row);
+        light *= 1 - options.opacity;
+      }
+      sum = sum + light * options.palette.background;
     }
   }
   const Vec3 mean = sum / (kSamplesPerSide * kSamplesPerSide);
@@ -80,26 +89,49 @@ double area_seen(const Subject& subject, const Camera& camera) {
   return area / (camera.scale * camera.scale);
 }
 
+// Returns how many layers are drawn: until a layer behind them would change no byte.
+std::size_t count_layers(double opacity) {
+  constexpr double kLeastLight = 1.0 / 512;
+  if (opacity >= 1) return 1;
+  return static_cast<std::size_t>(
+      std::min<double>(kMostLayers, std::ceil(std::log(kLeastLight) / std::log(1 - opacity))));
+}
+
+std::vector<Layer> visible_layers(const TriMesh& mesh, const ProjectedMesh& projected,
+                                  int row_begin, int row_end, std::size_t count) {
+  std::vector<Layer> layers{visible_layer(mesh, projected, row_begin, row_end)};
+  while (layers.size() < count) {
+    Layer next = visible_layer(mesh, projected, row_begin, row_end, &layers.back());
+    if (std::ranges::all_of(next.faces, [](FaceId f) { return f == kNoId; })) break;
+    layers.push_back(std::move(next));
+  }
+  return layers;
+}
+
 // Draws into the part of the image that begins at (left, top) and has the camera's size.
 void draw_panel(const Subject& subject, const Camera& camera, const RenderOptions& options,
                 double width_of_edges, Image& image, int left, int top) {
   const TriMesh& mesh = *subject.mesh;
   const ProjectedMesh projected = project(mesh, camera, kSamplesPerSide, subject.clip);
+  const std::vector<SkySeen> sky = options.occlusion && options.opacity == 1
+                                       ? find_sky(subject, vertex_normals(mesh), options.threads)
+                                       : std::vector<SkySeen>{};
   const Shader shader(subject, projected, camera, options.shading, width_of_edges * kSamplesPerSide,
-                      options.palette);
+                      options.palette, sky);
+  const std::size_t layers = count_layers(options.opacity);
 
   const std::size_t samples_per_line =
       static_cast<std::size_t>(projected.columns) * kSamplesPerSide;
   const int lines_at_once =
-      static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / samples_per_line));
+      static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / layers / samples_per_line));
   for (int begin = 0; begin < camera.size.height; begin += lines_at_once) {
     const int end = std::min(camera.size.height, begin + lines_at_once);
-    const std::vector<FaceId> faces =
-        visible_faces(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide);
+    const std::vector<Layer> seen =
+        visible_layers(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide, layers);
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < camera.size.width; ++x) {
-        image.at(left + x, top + y) = pixel_color(shader, options.palette.background, faces,
-                                                  projected.columns, begin * kSamplesPerSide, x, y);
+        image.at(left + x, top + y) =
+            pixel_color(shader, options, seen, projected.columns, begin * kSamplesPerSide, x, y);
       }
     }
   }
@@ -163,6 +195,7 @@ Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   DELISO_CHECK(1 <= std::min(size.width, size.height));
   DELISO_CHECK(std::max(size.width, size.height) <= kLargestSide);
   DELISO_CHECK(0 < options.aim.zoom && options.aim.zoom <= largest_zoom(size));
+  DELISO_CHECK(0 < options.opacity && options.opacity <= 1);
   DELISO_CHECK(options.captions.empty() || options.captions.size() == subjects.size());
 
   const Layout layout = layout_of(options, subjects.size());
@@ -180,6 +213,8 @@ Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   }
   draw_rules(image, layout, subjects.size(), mixed(background, ink, 0.25));
   if (options.bar) draw_color_bar(image, layout, *options.bar, ink);
+  if (options.scale_bar) draw_scale_bar(image, layout, camera, *options.scale_bar, ink);
+  if (options.axes) draw_axes(image, layout, camera, *options.axes, ink);
   return image;
 }
 

@@ -7,9 +7,11 @@
 //   P2  Edges are drawn in all panels or in none, by lines of one width and strength.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mesh/tri_mesh.h"
@@ -27,9 +29,14 @@ struct RenderOptions {
   PictureSize size;  // of the whole picture
   Shading shading = Shading::smooth;
   Edges edges = Edges::automatic;
+  bool occlusion = true;  // places between opaque sheets are darker (occlusion.h)
+  double opacity = 1;     // of a facet, above 0; below 1 what is behind is seen through it
+  int threads = 1;
   Palette palette;
   std::vector<std::string> captions;  // none, or one for each panel; drawable characters
   std::optional<ColorBar> bar;
+  std::optional<std::string> scale_bar;  // the unit of lengths, which may be empty; drawable
+  std::optional<std::array<std::string_view, 3>> axes;  // their names; drawable
 };
 
 inline constexpr int kLargestSide = 16384;  // pixels of a picture

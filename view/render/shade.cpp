@@ -9,6 +9,9 @@
 namespace deliso {
 namespace {
 
+// Shares of the light where nothing is seen of the sky. Colors with a meaning are darkened less.
+constexpr double kDarkest = 0.25, kDarkestColored = 0.6;
+
 Vec3 unit(const Vec3& v) {
   const double size = length(v);
   return size > 0 ? v / size : Vec3{};
@@ -28,9 +31,11 @@ std::vector<Vec3> vertex_normals(const TriMesh& mesh) {
 }
 
 Shader::Shader(const Subject& subject, const ProjectedMesh& projected, const Camera& camera,
-               Shading shading, double edge_width, const Palette& palette)
+               Shading shading, double edge_width, const Palette& palette,
+               std::span<const SkySeen> sky)
     : mesh_(*subject.mesh),
       colors_(subject.colors),
+      sky_(sky),
       projected_(projected),
       camera_(camera),
       palette_(palette),
@@ -57,7 +62,16 @@ Vec3 Shader::color(FaceId face, int column, int row) const {
                              corners.share(2) * normals_[t[2]]);
     if (dot(smooth, normal) > 0) normal = smooth;
   }
-  const Vec3 surface = lit(surface_color(face, outside), outside ? normal : -normal);
+  Vec3 surface = lit(surface_color(face, outside), outside ? normal : -normal);
+  if (!sky_.empty()) {
+    double seen = 0;
+    for (int i = 0; i < 3; ++i) {
+      const SkySeen& s = sky_[t[static_cast<std::size_t>(i)]];
+      seen += corners.share(i) * (outside ? s.outside : s.inside);
+    }
+    const double darkest = colors_.empty() ? kDarkest : kDarkestColored;
+    surface = (darkest + (1 - darkest) * std::clamp(seen, 0.0, 1.0)) * surface;
+  }
   return (1 - edge) * surface + edge * palette_.edge;
 }
 

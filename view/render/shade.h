@@ -9,6 +9,7 @@
 
 #include "mesh/tri_mesh.h"
 #include "view/render/camera.h"
+#include "view/render/occlusion.h"
 #include "view/render/rasterize.h"
 
 namespace deliso {
@@ -34,9 +35,10 @@ std::vector<Vec3> vertex_normals(const TriMesh& mesh);
 
 class Shader {
  public:
-  // Keeps references to all but the palette. edge_width in samples, 0: no edges.
+  // Keeps references to all but the palette. edge_width in samples, 0: no edges. `sky`: what each
+  // vertex sees of it; empty: no occlusion.
   Shader(const Subject& subject, const ProjectedMesh& projected, const Camera& camera,
-         Shading shading, double edge_width, const Palette& palette);
+         Shading shading, double edge_width, const Palette& palette, std::span<const SkySeen> sky);
 
   // The color of the facet at a sample that it covers, each part from 0 to 1.
   Vec3 color(FaceId face, int column, int row) const;
@@ -48,6 +50,7 @@ class Shader {
 
   const TriMesh& mesh_;
   std::span<const Rgb> colors_;
+  std::span<const SkySeen> sky_;
   const ProjectedMesh& projected_;
   const Camera& camera_;
   Palette palette_;

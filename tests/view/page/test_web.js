@@ -63,6 +63,19 @@ test('measures of triangles, against angles and sides', () => {
   }
   const flat = measure_triangles(Float32Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0), Uint32Array.of(0, 1, 2));
   assert.deepEqual([flat.angle[0], flat.radius[0], flat.r_over_l[0]], [0, Infinity, Infinity]);
+  const right = measure_triangles(Float32Array.of(0, 0, 0, 3, 0, 0, 0, 4, 0), Uint32Array.of(0, 1, 2));
+  assert.ok(Math.abs(right.area[0] - 6) < 1e-5);
+  assert.equal(flat.area[0], 0);
+});
+
+test('a view frames the largest components, which have 99 % of the area', () => {
+  const triangles = Uint32Array.from({ length: 12 }, (_, n) => n);
+  const framed = (areas, component) =>
+    Array.from(triangles_of_most_area(Float32Array.from(areas), component, triangles));
+  assert.deepEqual(framed([50, 49.5, 0.3, 0.2], [0, 0, 1, 2]), [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(framed([50, 40, 9, 1], [0, 0, 1, 2]), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+  assert.deepEqual(framed([50, 40, 8, 2], [0, 0, 1, 2]), Array.from(triangles));
+  assert.deepEqual(framed([0, 0, 0, 0], [0, 0, 0, 0]), Array.from(triangles));
 });
 
 test('bins hold every value once, and round_up gives the next round number', () => {

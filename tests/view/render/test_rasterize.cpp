@@ -4,8 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/random.h"
 #include "mesh/meshes.h"
@@ -131,6 +134,46 @@ TEST_CASE("coverage, depth order and clipping, against every facet at every samp
   CHECK(counts.covered > 10000);
   CHECK(counts.hidden > 5000);
   CHECK(counts.clipped > 5000);
+}
+
+TEST_CASE("layers are peeled off in the order of depth, until every facet has been seen") {
+  std::size_t deepest = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const TriMesh mesh = random_facets(random, 1 + random.below(12));
+    const ProjectedMesh projected = project(mesh, flat_camera(), 1, std::nullopt);
+    std::vector<std::vector<FaceId>> seen(static_cast<std::size_t>(kSize.width * kSize.height));
+    Layer last;
+    for (std::size_t n = 0;; ++n) {
+      REQUIRE(n <= mesh.faces.size());
+      Layer layer = visible_layer(mesh, projected, 0, projected.rows, n == 0 ? nullptr : &last);
+      std::size_t any = 0;
+      for (std::size_t at = 0; at < seen.size(); ++at) {
+        if (layer.faces[at] == kNoId) continue;
+        ++any;
+        if (n > 0) REQUIRE(layer.depths[at] <= last.depths[at]);
+        seen[at].push_back(layer.faces[at]);
+      }
+      deepest = std::max(deepest, n);
+      if (any == 0) break;
+      last = std::move(layer);
+    }
+    for (std::size_t at = 0; at < seen.size(); ++at) {
+      const double x = static_cast<double>(at % kSize.width) + 0.5;
+      const double y = std::floor(static_cast<double>(at) / kSize.width) + 0.5;
+      std::vector<FaceId> covering;
+      for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+        const Triangle& t = mesh.faces[f].v;
+        if (covers(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], x, y)) {
+          covering.push_back(f);
+        }
+      }
+      std::ranges::sort(seen[at]);
+      REQUIRE(seen[at] == covering);
+    }
+  }
+  CHECK(deepest >= 5);
 }
 
 TEST_CASE("very many facets over each sample, sorted from the front to the back") {

@@ -1,12 +1,12 @@
 'use strict';
 // What a triangle is like: src/mesh/quality.h. All from flat arrays of coordinates and corners.
 
-// The smallest angle in degrees, circumradius over shortest edge, and the circumradius, per
-// triangle. Without area: 0, Infinity, Infinity.
+// The smallest angle in degrees, circumradius over shortest edge, the circumradius, and the area, per
+// triangle. Without area: 0, Infinity, Infinity, 0.
 function measure_triangles(points, triangles) {
   const count = triangles.length / 3;
   const angle = new Float32Array(count), r_over_l = new Float32Array(count);
-  const radius = new Float32Array(count);
+  const radius = new Float32Array(count), area = new Float32Array(count);
   const distance = (a, b) => {
     const x = points[a] - points[b], y = points[a + 1] - points[b + 1];
     const z = points[a + 2] - points[b + 2];
@@ -21,11 +21,27 @@ function measure_triangles(points, triangles) {
     const product = (most + (middle + least)) * (least - (most - middle)) *
                     (least + (most - middle)) * (most + (middle - least));
     const twice_area = 0.5 * Math.sqrt(Math.max(product, 0));
+    area[n] = twice_area / 2;
     angle[n] = twice_area > 0 ? Math.asin(Math.min(1, twice_area / (middle * most))) * 180 / Math.PI : 0;
     radius[n] = twice_area > 0 ? p * q * s / (2 * twice_area) : Infinity;
     r_over_l[n] = twice_area > 0 ? radius[n] / least : Infinity;
   }
-  return { angle, r_over_l, radius };
+  return { angle, r_over_l, radius, area };
+}
+
+// The triangles of the largest components that together have 99 % of the area, so that specks far
+// away do not shrink the picture.
+function triangles_of_most_area(area, component, triangles) {
+  const areas = [];
+  let left = 0.99 * area.reduce((sum, a) => sum + a, 0);
+  area.forEach((a, n) => { areas[component[n]] = (areas[component[n]] ?? 0) + a; });
+  const kept = new Set();
+  for (const c of [...areas.keys()].sort((a, b) => (areas[b] ?? 0) - (areas[a] ?? 0))) {
+    if (left <= 0 && kept.size > 0) break;
+    kept.add(c);
+    left -= areas[c] ?? 0;
+  }
+  return triangles.filter((_, i) => kept.has(component[Math.floor(i / 3)]));
 }
 
 // The value that a share of the finite ones does not exceed; 0 where there are none.

@@ -17,7 +17,7 @@ class MeshView {
     this.box = box;
     scene.panes = this.meshes.map((mesh) =>
       ({ layers: [mesh.layer, mesh.mark], caption: '', clip: null }));
-    scene.camera.set_scene(box, this.meshes.map((mesh) => points_named(mesh.points, mesh.triangles)));
+    scene.camera.set_scene(box, this.meshes.map((mesh) => points_named(mesh.points, mesh.framed)));
     scene.before_draw = () => this.stale && this.paint_now();
     scene.on_pick = (ray, pane, twice) => this.pick(ray, pane, twice);
     this.build_panel(document.getElementById('panel'));
@@ -45,6 +45,7 @@ class MeshView {
                    box: box_of_points(points, triangles), ...measure_triangles(points, triangles) };
     if (arrays['h' + n]?.length >= count && arrays['h' + n].length > 0) mesh.h = arrays['h' + n];
     if (this.header.voxel) mesh.radius = mesh.radius.map((r) => r / this.header.voxel);
+    mesh.framed = triangles_of_most_area(mesh.area, component, triangles);
     mesh.sizes = [];
     for (const c of component) mesh.sizes[c] = (mesh.sizes[c] ?? 0) + 1;
     mesh.layer = new FacetLayer(texels_of_points(points), { edge_width: kEdgeWidth });
