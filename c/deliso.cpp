@@ -160,14 +160,15 @@ const char* deliso_last_error() {
   return last_error;
 }
 
-deliso_status deliso_volume_create(const void* samples, deliso_type type, const size_t shape[3],
-                                   deliso_order order, const double spacing[3],
-                                   const double origin[3], deliso_volume** volume) {
+deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3], int order,
+                                   const double spacing[3], const double origin[3],
+                                   deliso_volume** volume) {
   return guarded(nullptr, [&] {
     require(samples, "samples");
     require(shape, "shape");
     require(volume, "volume");
     if (type < DELISO_UINT8 || type > DELISO_FLOAT64) throw InputError("no such type of samples");
+    if (order != DELISO_C_ORDER && order != DELISO_FORTRAN_ORDER) throw InputError("no such order");
     const bool is_fortran = order == DELISO_FORTRAN_ORDER;
     SampleGrid grid;
     grid.name = kName;

@@ -84,12 +84,12 @@ DELISO_API const char* deliso_version(void);
 DELISO_API const char* deliso_last_error(void);
 
 /* Makes a volume of an array indexed [z][y][x], with shape[0] samples along z, shape[1] along y and
- * shape[2] along x. Spacing and origin are along x, y, z; null stands for 1, 1, 1 and for 0, 0, 0.
- * The samples are borrowed: they must stay as they are until the volume is freed. */
-DELISO_API deliso_status deliso_volume_create(const void* samples, deliso_type type,
-                                              const size_t shape[3], deliso_order order,
-                                              const double spacing[3], const double origin[3],
-                                              deliso_volume** volume);
+ * shape[2] along x. `type` is a deliso_type, `order` a deliso_order. Spacing and origin are along
+ * x, y, z; null stands for 1, 1, 1 and for 0, 0, 0. The samples are borrowed: they must stay as
+ * they are until the volume is freed. */
+DELISO_API deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3],
+                                              int order, const double spacing[3],
+                                              const double origin[3], deliso_volume** volume);
 DELISO_API void deliso_volume_free(deliso_volume* volume); /* null is allowed */
 
 /* Meshes the surface on which the volume's interpolant has the isovalue. `options` are texts
