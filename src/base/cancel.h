@@ -17,15 +17,15 @@ struct Canceled : std::exception {
 // polls `flag`. The flag may be null, and is set by any thread or by a signal handler.
 class CancelScope {
  public:
-  explicit CancelScope(const volatile int* flag) : before_(flag_) { flag_ = flag; }
-  ~CancelScope() { flag_ = before_; }
+  explicit CancelScope(const volatile int* flag) : before_(current) { current = flag; }
+  ~CancelScope() { current = before_; }
   CancelScope(const CancelScope&) = delete;
   CancelScope& operator=(const CancelScope&) = delete;
 
-  static const volatile int* flag() { return flag_; }
+  static const volatile int* flag() { return current; }
 
  private:
-  static inline constinit thread_local const volatile int* flag_ = nullptr;
+  static inline constinit thread_local const volatile int* current = nullptr;
   const volatile int* before_;
 };
 
