@@ -112,7 +112,8 @@ DELISO_API void deliso_mesh_free(deliso_mesh* mesh); /* null is allowed */
  *   vertices   x, y, z of each
  *   triangles  three numbers of vertices each, counterclockwise seen from the smaller samples
  *   normals    a unit vector at each vertex, towards the smaller samples, against the gradient of
- *              the interpolant averaged over a voxel along each axis; 0, 0, 0 where that is 0
+ *              the interpolant averaged over a voxel along each axis, on caps too; 0, 0, 0 where
+ *              that is 0
  *   report     what the program writes with --json
  *   warnings   lines, or an empty text */
 DELISO_API const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count);
