@@ -18,7 +18,7 @@ CONFIGURE = cmake -S . -Wno-dev $(CXX_FLAG)
 SANITIZE_BUILD = $(BUILD)-sanitize
 FUZZ_BUILD = $(BUILD)-fuzz
 FUZZ_CLANG ?= clang++
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app tests bench examples -name '*.h' -o -name '*.cpp')
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test figures bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: doctest clean
@@ -93,7 +93,7 @@ fuzz:
 tidy:
 	@$(CONFIGURE) -B $(BUILD)-tidy -DCMAKE_CXX_COMPILER=clang++ -DDELISO_BUILD_TESTS=OFF \
 	  -DDELISO_BUILD_BENCH=OFF >/dev/null
-	@find src io view app -name '*.cpp' | sort | xargs -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
+	@find src io view app c -name '*.cpp' | sort | xargs -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)-tidy
 
 format:
 	clang-format -i $(OURS)

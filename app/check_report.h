@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/command_line.h"
 #include "app/criteria_note.h"
+#include "app/input.h"
 #include "app/json.h"
 #include "check/verify.h"
 
@@ -22,6 +24,17 @@ inline constexpr const char* kKeepDoubles =
 // criteria, and distances, if one was given.
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted = std::nullopt);
+
+// The check command without its files: a mesh in the world, with the comments of its file.
+struct CheckRun {
+  Verification verification;
+  bool by_comments = false;  // the criteria come from the comments
+  bool is_single = false;    // all coordinates are floats
+  std::string json;
+};
+CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comments,
+                             const CommandLine& line, const Input& input,
+                             std::function<void(double)> progress = {});
 
 // Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.

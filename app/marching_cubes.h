@@ -42,8 +42,9 @@ TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& opti
                       Report& report);
 
 // Returns the function that makes a mesh this way.
-inline decltype(mesh_isosurface)& mesher_of(Method method) {
-  return method == Method::marching_cubes ? mesh_by_cubes : mesh_isosurface;
+inline decltype(mesh_by_cubes)& mesher_of(Method method) {
+  if (method == Method::marching_cubes) return mesh_by_cubes;
+  return mesh_isosurface;
 }
 
 }  // namespace deliso

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The results of a run of the mesh command, as text and as JSON.
+// A run of the mesh command without its files, and its results as text and as JSON.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/progress.h"
 #include "app/topology.h"
 #include "check/verify.h"
+#include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
 #include "surface/report.h"
 
@@ -48,6 +51,16 @@ struct MeshRun {
            !(has_solid() && crossings > 0) && !(verification && verification->faults.any());
   }
 };
+
+// Meshes the run's input as its command line asks, checks and measures the mesh, and fills in the
+// run. Calls `warn` with each warning, one line. Throws InputError.
+TriMesh mesh_input(MeshRun& run, Progress& progress,
+                   const std::function<void(const std::string&)>& warn);
+
+// Returns how the mesh of the run is written, with the comments of its file.
+MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
+
+std::uint64_t peak_memory_bytes();  // of the process
 
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);

@@ -118,29 +118,33 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
   return line.append(kAfter) + text;
 }
 
-Progress::Progress(std::vector<StageCost> stages, bool wanted)
-    : model_(std::move(stages)),
-      visible_(wanted && can_redraw()),
-      colored_(!is_set("NO_COLOR")),
-      start_(Clock::now()),
-      last_(start_) {}
+Progress::Progress(std::vector<StageCost> stages)
+    : model_(std::move(stages)), start_(Clock::now()), last_(start_) {}
 
 void Progress::show(std::string_view stage, double share) {
-  if (!visible_) return;
   const double of_all = model_.at(stage, share);
   const Clock::time_point now = Clock::now();
   if (stage == stage_ && now - last_ < std::chrono::milliseconds(100)) return;
   last_ = now;
   stage_ = stage;
+  draw(stage_, of_all);
+}
+
+ProgressBar::ProgressBar(std::vector<StageCost> stages, bool wanted)
+    : Progress(std::move(stages)),
+      visible_(wanted && can_redraw()),
+      colored_(!is_set("NO_COLOR")) {}
+
+void ProgressBar::draw(const std::string& stage, double share_of_run) {
+  if (!visible_) return;
   const std::string line =
-      progress_line(stage, of_all, std::chrono::duration<double>(now - start_).count(),
-                    terminal_columns(), colored_);
+      progress_line(stage, share_of_run, seconds(), terminal_columns(), colored_);
   std::fprintf(stderr, "\r\033[K%s", line.c_str());
   std::fflush(stderr);
   drawn_ = true;
 }
 
-void Progress::clear() {
+void ProgressBar::clear() {
   if (!drawn_) return;
   std::fputs("\r\033[K", stderr);
   std::fflush(stderr);

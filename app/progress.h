@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One progress bar on standard error for a whole run. It appears only in a terminal, and disappears
-// at the end.
+// The progress of a whole run. The program draws one bar on standard error. It appears only in a
+// terminal, and disappears at the end.
 //
 // Every stage has a share of the bar: its typical share of the time. It was measured on ENGINE,
 // BABY and LEG, by default and by the paper's way (docs/results.md has the data sets). On other
@@ -48,9 +48,7 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
 
 class Progress : public Observer {
  public:
-  // Shows nothing if `wanted` is false or standard error is no terminal that can redraw a line.
-  Progress(std::vector<StageCost> stages, bool wanted);
-  ~Progress() override { clear(); }
+  explicit Progress(std::vector<StageCost> stages);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -61,20 +59,37 @@ class Progress : public Observer {
     show(std::string(stage_), steps / (steps + static_cast<double>(queued)));
   }
 
-  // Shows that `share` of the stage is done, in [0, 1]. Cheap to call often: it draws when a stage
-  // begins, and ten times a second.
+  // Shows that `share` of the stage is done, in [0, 1]. Cheap to call often: it calls draw() when a
+  // stage begins, and ten times a second.
   void show(std::string_view stage, double share);
-  void clear();
+  virtual void clear() {}
+
+ protected:
+  // Shows the share of the run that is done. Called by one thread at a time.
+  virtual void draw(const std::string& stage, double share_of_run) = 0;
+  double seconds() const { return std::chrono::duration<double>(last_ - start_).count(); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   ProgressModel model_;
+  std::string stage_;
+  Clock::time_point start_, last_;
+};
+
+class ProgressBar : public Progress {
+ public:
+  // Shows nothing if `wanted` is false or standard error is no terminal that can redraw a line.
+  ProgressBar(std::vector<StageCost> stages, bool wanted);
+  ~ProgressBar() override { ProgressBar::clear(); }
+  void clear() override;
+
+ private:
+  void draw(const std::string& stage, double share_of_run) override;
+
   bool visible_;
   bool colored_;
   bool drawn_ = false;
-  std::string stage_;
-  Clock::time_point start_, last_;
 };
 
 }  // namespace deliso

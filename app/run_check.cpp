@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
+#include <utility>
 #include <vector>
 
 #include "app/bring_home.h"
@@ -13,34 +14,43 @@
 #include "io/parts/part_note.h"
 
 namespace deliso {
-int run_check(const CommandLine& line) {
-  std::vector<std::string> comments;
-  TriMesh mesh = read_mesh(line.meshes.front(), &comments);
-  const Input input = read_input(line, line.meshes);
+
+CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comments,
+                             const CommandLine& line, const Input& input,
+                             std::function<void(double)> progress) {
   const Volume& volume = input.volume;
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
-  const bool is_single = is_single_precision(mesh);
+  options.progress = std::move(progress);
+  CheckRun run{{}, noted.has_value(), is_single_precision(mesh), {}};
   options.position_error = bring_home(mesh, volume.frame());
   const double isovalue = is_of_blocks(comments)
                               ? isovalue_of_blocks(volume.type(), *line.isovalue)
                               : settled_isovalue(volume, *line.isovalue, options.threads);
-  const Verification result = verify(mesh, volume, isovalue, options);
+  run.verification = verify(mesh, volume, isovalue, options);
 
-  if (!line.json.empty()) {
-    JsonWriter json("check");
-    json.add("mesh", line.meshes.front());
-    json.add("criteria_of_file", noted.has_value());
-    add_input(json, input);
-    json.add("isovalue", *line.isovalue);
-    add_verification(json, result, volume);
-    write_text(line.json, json.finish());
-  }
+  JsonWriter json("check");
+  json.add("mesh", line.meshes.front());
+  json.add("criteria_of_file", run.by_comments);
+  add_input(json, input);
+  json.add("isovalue", *line.isovalue);
+  add_verification(json, run.verification, volume);
+  run.json = json.finish();
+  return run;
+}
+
+int run_check(const CommandLine& line) {
+  std::vector<std::string> comments;
+  TriMesh mesh = read_mesh(line.meshes.front(), &comments);
+  const Input input = read_input(line, line.meshes);
+  const CheckRun run = check_mesh_in_world(std::move(mesh), comments, line, input);
+  const Verification& result = run.verification;
+  if (!line.json.empty()) write_text(line.json, run.json);
   if (!line.quiet && line.json != "-") {
-    const char* judged = noted ? ", judged by the criteria in its comment\n" : "\n";
+    const char* judged = run.by_comments ? ", judged by the criteria in its comment\n" : "\n";
     std::string text = "mesh      " + line.meshes.front() + judged + input_text(input) +
-                       verification_text(result, volume);
-    if (is_single && result.faults.count(FaultKind::self_intersections) > 0) {
+                       verification_text(result, input.volume);
+    if (run.is_single && result.faults.count(FaultKind::self_intersections) > 0) {
       text += std::string(
                   "          coordinates are in single precision, which may be why "
                   "triangles cross: ") +

@@ -37,11 +37,7 @@ namespace {
 // of T, which has about eight vertices for one of the mesh.
 constexpr double kManyVertices = 1e7, kMaxVertices = 2.5e8;
 
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
+using Warn = std::function<void(const std::string&)>;
 
 // Throws InputError if no sample can be on one of the two sides.
 void require_isovalue_in_range(double isovalue, const ValueRange& range) {
@@ -53,7 +49,7 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
 
 // Warns in one line before a run that may need much time and memory. Throws an InputError before an
 // impossible one.
-void warn_of_size(double vertices, bool quiet) {
+void warn_of_size(double vertices, const Warn& warn) {
   if (vertices <= kManyVertices) return;
   char words[160];
   std::snprintf(words, sizeof words,
@@ -61,11 +57,12 @@ void warn_of_size(double vertices, bool quiet) {
                 "--rmin, or --vertices N, gives fewer",
                 vertices / 1e6);
   if (vertices > kMaxVertices) throw InputError(std::string("too large: ") + words);
-  if (!quiet) std::fprintf(stderr, "deliso: warning: %s\n", words);
+  warn(words);
 }
 
 // Warns beforehand if the components need more vertices than asked for.
-void warn_of_components(const Volume& volume, double isovalue, const Options& options) {
+void warn_of_components(const Volume& volume, double isovalue, const Options& options,
+                        const Warn& warn) {
   const ContourSummary summary = summarize_settled_contour(volume, isovalue, options.threads);
   const std::vector<std::uint8_t> chosen = chosen_components(summary, options.components);
   std::vector<ContourComponent> components;
@@ -74,11 +71,9 @@ void warn_of_components(const Volume& volume, double isovalue, const Options& op
   }
   const std::uint64_t fewest = fewest_vertices(components, components.size());
   if (options.target_vertices >= fewest) return;
-  std::fprintf(
-      stderr, "deliso: warning: asked for %s vertices: %s need at least %s; --largest 1 needs %s\n",
-      grouped(options.target_vertices).c_str(),
-      counted(components.size(), "component", "components").c_str(), grouped(fewest).c_str(),
-      grouped(fewest_vertices(components, 1)).c_str());
+  warn("asked for " + grouped(options.target_vertices) +
+       " vertices: " + counted(components.size(), "component", "components") + " need at least " +
+       grouped(fewest) + "; --largest 1 needs " + grouped(fewest_vertices(components, 1)));
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.
@@ -138,55 +133,51 @@ void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
 }
 
-void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
-  const CommandLine& line = run.line;
-  const DeferSignals defer;
-  const Stopwatch watch;
-  if (!line.output.empty()) {
-    MeshWriteOptions options = line.write;
-    options.comment = criteria_note(line, volume, run.report);
-    if (line.read.block) {
-      options.seam = seam_of(mesh, volume);
-      options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
-                                     run.report.kappa_effective, written_part(mesh, options));
-    }
-    write_mesh(mesh, line.output, options);
-  }
-  run.seconds_write = watch.seconds();
-}
-
 }  // namespace
 
-int run_mesh(const CommandLine& line) {
-  const Stopwatch total;
-  Progress progress(mesh_stages(line), !line.quiet);
-  progress.show("reading", 0);
-  const Input input = read_input(line);
-  progress.clear();
-  const Volume& volume = input.volume;
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
+  const CommandLine& line = run.line;
+  const Volume& volume = run.input.volume;
+  MeshWriteOptions options = line.write;
+  options.comment = criteria_note(line, volume, run.report);
+  if (line.read.block) {
+    options.seam = seam_of(mesh, volume);
+    options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
+                                   run.report.kappa_effective, written_part(mesh, options));
+  }
+  return options;
+}
+
+TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
+  const CommandLine& line = run.line;
+  const Volume& volume = run.input.volume;
   const double isovalue = *line.isovalue;
   // A part may well be empty.
   const bool may_be_empty = line.allow_empty || line.read.block;
-  if (!may_be_empty) require_isovalue_in_range(isovalue, input.range);
+  if (!may_be_empty) require_isovalue_in_range(isovalue, run.input.range);
   require_limits(line.options, volume);
   const bool by_cubes = line.method == Method::marching_cubes;
   const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
   warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
-               line.quiet);
-  if (by_count(line.options) && !line.quiet) warn_of_components(volume, isovalue, line.options);
-  MeshRun run(line, input);
+               warn);
+  if (by_count(line.options) && !line.quiet) {
+    warn_of_components(volume, isovalue, line.options, warn);
+  }
 
   Options options = line.options;
   options.observer = &progress;
-  const TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
-  if (by_count(options) && !line.quiet && run.report.max_distance < kNotAsked &&
+  TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
+  if (by_count(options) && run.report.max_distance < kNotAsked &&
       static_cast<double>(mesh.points.size()) <
           0.98 * static_cast<double>(options.target_vertices)) {
-    progress.clear();
-    std::fprintf(
-        stderr,
-        "deliso: warning: %s of %s vertices: triangles as small as --rmin are not refined\n",
-        grouped(mesh.points.size()).c_str(), grouped(options.target_vertices).c_str());
+    warn(grouped(mesh.points.size()) + " of " + grouped(options.target_vertices) +
+         " vertices: triangles as small as --rmin are not refined");
   }
   if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
@@ -206,8 +197,28 @@ int run_mesh(const CommandLine& line) {
   count_crossings_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
+  return mesh;
+}
+
+int run_mesh(const CommandLine& line) {
+  const Stopwatch total;
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  const Input input = read_input(line);
+  progress.clear();
+  MeshRun run(line, input);
+  const TriMesh mesh = mesh_input(run, progress, [&](const std::string& warning) {
+    if (line.quiet) return;
+    progress.clear();
+    std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
+  });
   progress.show("writing", 0);
-  write_results(mesh, volume, run);
+  {
+    const DeferSignals defer;
+    const Stopwatch watch;
+    if (!line.output.empty()) write_mesh(mesh, line.output, write_options(run, mesh));
+    run.seconds_write = watch.seconds();
+  }
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();

@@ -26,7 +26,7 @@ void tell(const std::string& note, bool quiet) {
 }  // namespace
 
 int run_trace(const CommandLine& line) {
-  Progress progress(mesh_stages(line), !line.quiet);
+  ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Input input = read_input(line);
   require_limits(line.options, input.volume);

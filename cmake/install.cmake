@@ -1,5 +1,5 @@
-# What `cmake --install` lays down: the library, its headers, the program, and the packages that
-# find_package(deliso) and pkg-config find.
+# What `cmake --install` lays down: the library, its headers, the program, the library for other
+# languages with the Python package, and the packages that find_package(deliso) and pkg-config find.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS deliso EXPORT deliso_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -9,6 +9,10 @@ install(CODE "
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS deliso_c EXPORT deliso_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  # It finds the library two folders up.
+  install(DIRECTORY python/deliso DESTINATION ${CMAKE_INSTALL_LIBDIR}/python
+          FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/deliso)

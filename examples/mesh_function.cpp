@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
-#include <vector>
 
 #include "deliso/base/check.h"
 #include "deliso/deliso.h"
@@ -18,35 +17,18 @@ namespace {
 
 constexpr double kRing = 0.6, kTube = 0.25;  // radii of the torus, in [-1, 1]^3
 
-// f on n x n x n samples of [-1, 1]^3.
-template <class F>
-deliso::Volume sample(int n, F f) {
-  const double step = 2.0 / (n - 1);
-  std::vector<float> samples;
-  samples.reserve(static_cast<std::size_t>(n) * n * n);
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {  // x runs fastest
-        samples.push_back(static_cast<float>(f(-1 + i * step, -1 + j * step, -1 + k * step)));
-      }
-    }
-  }
-  deliso::Frame frame;
-  frame.origin = {-1, -1, -1};  // where the first sample lies; write_mesh() goes by it
-  return deliso::Volume::from_samples({n, n, n}, {step, step, step}, samples, frame);
-}
-
 // Says how much of the torus is missing, at three steps of the grid.
 void mesh_torus(const char* output) {
   // The inside is where the function is at least the isovalue: minus the distance from the surface.
-  const auto torus = [](double x, double y, double z) {
-    const double from_ring = std::sqrt(x * x + y * y) - kRing;
-    return kTube - std::sqrt(from_ring * from_ring + z * z);
+  const auto torus = [](const deliso::Vec3& p) {
+    const double from_ring = std::sqrt(p.x * p.x + p.y * p.y) - kRing;
+    return kTube - std::sqrt(from_ring * from_ring + p.z * p.z);
   };
   const double exact = 2 * std::numbers::pi * std::numbers::pi * kRing * kTube * kTube;
 
   for (const int n : {17, 33, 65}) {
-    const deliso::Volume volume = sample(n, torus);
+    const deliso::Volume volume =
+        deliso::Volume::from_function({{-1, -1, -1}, {1, 1, 1}}, {n, n, n}, torus);
     // As fine as it gets, so that what is missing is due to the grid.
     deliso::Options options;
     options.limits[deliso::Criterion::distance] = {0.001, deliso::Length::Unit::voxel};

@@ -54,13 +54,10 @@ bool writes_single_precision(const MeshWriteOptions& options) {
 }
 
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
+  std::vector<Vec3> points = mesh.world_points();
   const bool single = writes_single_precision(options);
-  std::vector<Vec3> points;
-  points.reserve(mesh.points.size());
-  for (const Vec3& p : mesh.points) {
-    Vec3 q = mesh.frame.to_world(p);
-    for (int axis = 0; single && axis < 3; ++axis) q[axis] = static_cast<float>(q[axis]);
-    points.push_back(q);
+  for (Vec3& p : points) {
+    for (int axis = 0; single && axis < 3; ++axis) p[axis] = static_cast<float>(p[axis]);
   }
   return points;
 }

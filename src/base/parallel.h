@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancel.h"
+
 namespace deliso {
 
 // Returns how many threads this machine runs at once.
@@ -23,20 +25,25 @@ inline int hardware_threads() {
 
 // Calls task(n) once for every n below `tasks`, in at most `threads` threads, this one included.
 // Tasks begin in order. If tasks throw, rethrows the exception of the smallest n, whatever the
-// number of threads; later tasks may not have run.
+// number of threads; later tasks may not have run. Polls for cancellation before every task.
 template <class Task>
 void for_each_task(int threads, std::size_t tasks, Task&& task) {
   if (threads <= 1 || tasks <= 1) {
-    for (std::size_t n = 0; n < tasks; ++n) task(n);
+    for (std::size_t n = 0; n < tasks; ++n) {
+      throw_if_canceled();
+      task(n);
+    }
     return;
   }
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::size_t failed = tasks;
   std::exception_ptr thrown;
-  const auto work = [&] {
+  const auto work = [&, flag = CancelScope::flag()] {
+    const CancelScope scope(flag);
     for (std::size_t n = next++; n < tasks; n = next++) {
       try {
+        throw_if_canceled();
         task(n);
       } catch (...) {
         const std::lock_guard lock(mutex);

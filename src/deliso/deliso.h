@@ -22,6 +22,9 @@ struct ContourMesh;
 // samples are finite (value_range() was called).
 TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options, Report& report);
 
+// The same without a report. Throws InputError for a NaN or infinite sample, too.
+TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& options = {});
+
 struct DelaunayMesh {
   SurfaceMesh mesh;
   BoundaryCurves curves;      // of its chain

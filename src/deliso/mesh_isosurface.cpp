@@ -67,4 +67,10 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   return std::move(s.mesh.mesh);
 }
 
+TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options) {
+  value_range(volume, "volume", options.threads);
+  Report report;
+  return mesh_isosurface(volume, isovalue, options, report);
+}
+
 }  // namespace deliso

@@ -29,24 +29,24 @@ double Length::in(const Volume& volume) const {
 void require_limits(const Options& o, const Volume& volume) {
   if (o.single_stage && o.recover != RecoverWay::paper) {
     throw InputError(
-        "--single-stage needs --recover paper (or --paper): the certified way leaves all "
-        "refinement "
-        "to Stage 2");
+        "single_stage (--single-stage) needs the paper's Recover (--recover paper): the certified "
+        "way leaves all refinement to Stage 2");
   }
   const double r_min_voxels = o.r_min.in(volume) / volume.voxel();
   if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
-    throw InputError(text("--rmin is ", r_min_voxels, " voxels, and must be at least ",
+    throw InputError(text("r_min (--rmin) is ", r_min_voxels, " voxels, and must be at least ",
                           kSmallestRMin, ": at creases refinement would hardly end"));
   }
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const CriterionRow& row = kCriterionTable[n];
     if (!(o.limits.values[n].value >= row.least)) {
-      throw InputError(
-          text("--", row.name, " must be at least ", row.least, ", or refinement would not end"));
+      throw InputError(text("the limit ", row.name, " must be at least ", row.least,
+                            ", or refinement would not end"));
     }
   }
   if (o.samples > kMostSamples) {
-    throw InputError(text("--samples is ", o.samples, ", and must be at most ", kMostSamples));
+    throw InputError(
+        text("samples (--samples) is ", o.samples, ", and must be at most ", kMostSamples));
   }
 }
 

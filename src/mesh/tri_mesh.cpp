@@ -132,6 +132,13 @@ LinkResult link_faces(TriMesh& mesh) {
   return result;
 }
 
+std::vector<Vec3> TriMesh::world_points() const {
+  std::vector<Vec3> world;
+  world.reserve(points.size());
+  for (const Vec3& p : points) world.push_back(frame.to_world(p));
+  return world;
+}
+
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles) {
   TriMesh mesh;
   mesh.points = std::move(points);

@@ -45,6 +45,9 @@ struct TriMesh {
   IdArray<VertexId, Vec3> points;
   IdArray<FaceId, Face> faces;
   Frame frame;  // from the points to the world
+
+  // Returns the points in the world, as mesh files have them.
+  std::vector<Vec3> world_points() const;
 };
 
 // Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are

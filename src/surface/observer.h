@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/box3.h"
+#include "base/cancel.h"
 #include "base/ids.h"
 #include "base/vec3.h"
 #include "mesh/tri_mesh.h"
@@ -120,14 +121,16 @@ inline Observer* follower(Observer* observer) {
   return observer && observer->follows_insertions() ? observer : nullptr;
 }
 
-// Counts the steps of a stage and reports every 1024th.
+// Counts the steps of a stage. At every 1024th it reports, and polls for cancellation.
 class Steps {
  public:
   explicit Steps(Observer* observer) : observer_(observer) {}
 
   void step(std::size_t queued) {
     constexpr std::size_t kStepsPerReport = 1024;
-    if (++done_ % kStepsPerReport == 0 && observer_) observer_->steps_done(done_, queued);
+    if (++done_ % kStepsPerReport != 0) return;
+    throw_if_canceled();
+    if (observer_) observer_->steps_done(done_, queued);
   }
 
  private:

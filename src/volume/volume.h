@@ -74,6 +74,11 @@ class Volume {
   // pre: it fits into `whole`, and frame() is that of the larger volume.
   Volume as_block(Index3 first, Index3 whole) const;
 
+  // Samples f(p) as float64 at dims.i * dims.j * dims.k points p of a box in the world, its corners
+  // included. Throws InputError if the box is empty or out of range, or has no voxel.
+  template <class F>
+  static Volume from_function(const Box3& box, Index3 dims, F&& f);
+
   // Copies `samples`. Throws InputError unless there are dims.i * dims.j * dims.k of them.
   template <class T>
   static Volume from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples,
@@ -227,6 +232,25 @@ Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& sam
                           " samples is given ", samples.size()));
   }
   return volume;
+}
+
+template <class F>
+Volume Volume::from_function(const Box3& box, Index3 dims, F&& f) {
+  Vec3 step;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dims[axis] < 2) throw InputError("a function is sampled twice or more along each axis");
+    step[axis] = (box.hi[axis] - box.lo[axis]) / (dims[axis] - 1);
+  }
+  require_in_range(dims, step, {.origin = box.lo}, "the box of a function");
+  std::vector<double> samples;
+  for (int k = 0; k < dims.k; ++k) {
+    for (int j = 0; j < dims.j; ++j) {
+      for (int i = 0; i < dims.i; ++i) {
+        samples.push_back(f(box.lo + Vec3{i * step.x, j * step.y, k * step.z}));
+      }
+    }
+  }
+  return from_samples(dims, step, samples, {.origin = box.lo});
 }
 
 }  // namespace deliso

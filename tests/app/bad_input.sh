@@ -137,7 +137,7 @@ for count in --vertices --triangles; do
   refuses 'no meaning' check mesh.ply builtin:sphere $count 9
 done
 refuses '10' builtin:fuel --max-vertices 10 -o $o
-refuses '^deliso: --single-stage needs --recover paper' builtin:fuel --single-stage -o $o
+refuses '^deliso: single_stage (--single-stage) needs .*--recover paper' builtin:fuel --single-stage -o $o
 
 # Arrays that are not there, and formats without names.
 refuses 'no named arrays' builtin:sphere --array density -o $o

@@ -60,3 +60,29 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("the flag of a scope stops the tasks of all its threads, and those of no other scope") {
+  for (const int threads : {1, 2, 8}) {
+    int flag = 0;
+    std::atomic<std::size_t> begun{0};
+    const auto work = [&] {
+      for_each_task(threads, 1000, [&](std::size_t) {
+        if (++begun == 10) std::atomic_ref(flag).store(1);
+      });
+    };
+    {
+      const CancelScope scope(&flag);
+      CHECK_THROWS_AS(work(), Canceled);
+      // Every thread may have begun one task more.
+      CHECK(begun < 10 + static_cast<std::size_t>(threads));
+      begun = 0;
+      {
+        const CancelScope inner(nullptr);
+        CHECK_NOTHROW(work());
+      }
+      CHECK(begun == 1000);
+      CHECK_THROWS_AS(work(), Canceled);
+    }
+    CHECK_NOTHROW(work());
+  }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The library's use in a few lines, as the README shows it: a volume in, a mesh out, where the
 // volume lies in the world. Usage: consumer VOLUME ISOVALUE MESH
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -15,10 +16,7 @@ int main(int argc, char** argv) {
   if (argc != 4) return 2;
   try {
     const deliso::Volume volume = deliso::read_volume(argv[1]);
-    deliso::value_range(volume);  // throws InputError for a NaN or infinite sample
-    deliso::Report report;
-    const deliso::TriMesh mesh =
-        deliso::mesh_isosurface(volume, std::strtod(argv[2], nullptr), {}, report);
+    const deliso::TriMesh mesh = deliso::mesh_isosurface(volume, std::strtod(argv[2], nullptr));
     deliso::write_mesh(mesh, argv[3]);
     std::printf("deliso %s: %zu triangles\n", deliso::kVersion.data(), mesh.faces.size());
 
@@ -32,7 +30,16 @@ int main(int argc, char** argv) {
       return 1;
     } catch (const deliso::InputError&) {
     }
-    return mesh.faces.empty() ? 1 : 0;
+
+    // A function over a box of the world, and the points of its mesh there.
+    const auto height = [](const deliso::Vec3& p) { return p.z; };
+    const deliso::Box3 box{{10, 20, 30}, {11, 21, 31}};
+    const deliso::TriMesh plane =
+        deliso::mesh_isosurface(deliso::Volume::from_function(box, {3, 4, 5}, height), 30.6);
+    for (const deliso::Vec3& p : plane.world_points()) {
+      if (!box.contains(p) || std::fabs(p.z - 30.6) > 1e-12) return 1;
+    }
+    return mesh.faces.empty() || plane.faces.empty() ? 1 : 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "consumer: %s\n", error.what());
     return 2;

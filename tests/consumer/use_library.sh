@@ -41,6 +41,20 @@ else
   echo 'no pkg-config here: its file was not tried'
 fi
 
+# The C library, from a program in C.
+if command -v cc >/dev/null; then
+  libraries=$(dirname "$(find "$prefix" -name libdeliso_c.so)")
+  for standard in c89 c99; do
+    cc -std=$standard -pedantic-errors -Wall -Wextra -Werror -I"$prefix/include" \
+      "$source/tests/consumer/consumer.c" -o "$work/consumer_c" -L"$libraries" -ldeliso_c \
+      -Wl,-rpath,"$libraries"
+  done
+  "$work/consumer_c" "$work/from_c.ply"
+  [ -s "$work/from_c.ply" ]
+else
+  echo 'no C compiler here: the header was not tried in C'
+fi
+
 # As a part of another project the headers have the same names; compiling one file shows it.
 cmake -G "Unix Makefiles" -S "$source/tests/consumer" -B "$work/part" \
   -DCMAKE_CXX_COMPILER="$cxx" \

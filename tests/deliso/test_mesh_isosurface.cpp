@@ -155,8 +155,8 @@ TEST_CASE("a single stage of the certified way is refused") {
   options.single_stage = true;
   Report report;
   CHECK_THROWS_WITH_AS(mesh_isosurface(scene.volume, scene.surface.kappa(), options, report),
-                       "--single-stage needs --recover paper (or --paper): the certified way "
-                       "leaves all refinement to Stage 2",
+                       "single_stage (--single-stage) needs the paper's Recover (--recover paper): "
+                       "the certified way leaves all refinement to Stage 2",
                        InputError);
 }
 

@@ -10,10 +10,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 {
-  find .ci bench cmake docs examples src io view app tests -type f
+  find .ci bench cmake docs examples src io view app c python tests -type f
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
-sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
+sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|py|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
 pages=$(grep -E '\.md$' "$work/files" | grep -v faulty_page)
 # shellcheck disable=SC2086
 awk '{ sub(FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")

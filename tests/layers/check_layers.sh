@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A room of the four trees includes only itself, what is named here for it, and what that may use: a
+# A room of the five trees includes only itself, what is named here for it, and what that may use: a
 # room, or one file of it. The rooms of src/ go by their names alone, as in includes; so src/ knows
 # nothing of io/, view/ and app/. Usage: check_layers.sh PROJECT
 set -eu
@@ -36,13 +36,14 @@ allowed() {
     view/render) echo "base mesh io/files view/render" ;;
     view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
     app) echo "$stages deliso check $io $view app" ;;
+    c) echo "$stages deliso check $io $view app c" ;;
     *) return 1 ;;
   esac
 }
 
 files=0
 faults=0
-for file in $(find src io view app -name '*.h' -o -name '*.cpp'); do
+for file in $(find src io view app c -name '*.h' -o -name '*.cpp'); do
   files=$((files + 1))
   room=$(dirname "${file#src/}")
   if ! may_use=$(allowed "$room"); then

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* DelIso for C, and for every language that calls C: an array in, the mesh of an isosurface out.
+ *
+ *   deliso_volume* volume = NULL;
+ *   deliso_mesh* mesh = NULL;
+ *   const size_t shape[3] = {64, 128, 128};
+ *   const double spacing[3] = {1, 1, 2.5};
+ *   const char* const options[] = {"max-distance=0.1vox", "largest=1", NULL};
+ *   if (deliso_volume_create(samples, DELISO_UINT16, shape, DELISO_C_ORDER, spacing, NULL, &volume)
+ *           != DELISO_OK ||
+ *       deliso_mesh_create(volume, 40, options, NULL, &mesh) != DELISO_OK ||
+ *       deliso_mesh_save(mesh, "mesh.ply") != DELISO_OK) {
+ *     fprintf(stderr, "%s\n", deliso_last_error());
+ *   }
+ *   deliso_mesh_free(mesh);
+ *   deliso_volume_free(volume);
+ *
+ * Lengths and coordinates are in the unit of the spacing. The mesh is the one that the program
+ * `deliso` makes from the same array as a .npy file, to the byte.
+ *
+ * Errors: a function that can fail returns a status, and deliso_last_error() has one line about it.
+ * No exception leaves the library. Where a function fails, what it should have made is unchanged.
+ *
+ * Threads: calls in different threads do not disturb each other, on the same volume or mesh too. A
+ * call itself works in as many threads as the option "threads" says. */
+#ifndef DELISO_C_DELISO_H
+#define DELISO_C_DELISO_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define DELISO_API __attribute__((visibility("default")))
+#else
+#define DELISO_API
+#endif
+
+typedef enum deliso_status {
+  DELISO_OK = 0,
+  DELISO_FAULT = 1,     /* done, but the mesh has faults, which the report names */
+  DELISO_BAD_INPUT = 2, /* the array, an option, a file */
+  DELISO_CANCELED = 3,
+  DELISO_FAILED = 4 /* memory, or an error of the library */
+} deliso_status;
+
+/* Types of samples, in the machine's byte order. */
+typedef enum deliso_type {
+  DELISO_UINT8,
+  DELISO_INT8,
+  DELISO_UINT16,
+  DELISO_INT16,
+  DELISO_UINT32,
+  DELISO_INT32,
+  DELISO_FLOAT32,
+  DELISO_FLOAT64
+} deliso_type;
+
+/* Which index runs fastest: the last one, or the first one. */
+typedef enum deliso_order { DELISO_C_ORDER, DELISO_FORTRAN_ORDER } deliso_order;
+
+typedef struct deliso_volume deliso_volume;
+typedef struct deliso_mesh deliso_mesh;
+
+/* How a call is watched and stopped. Every member may be null. */
+typedef struct deliso_watch {
+  /* Polled by the call, which returns DELISO_CANCELED soon after it is not 0. Any thread and any
+   * signal handler may set it. */
+  const volatile int* cancel;
+  /* Called some ten times a second with the stage and the share of the whole that is done, in
+   * [0, 1]. The calls come from any of the threads at work, never two at once. */
+  void (*progress)(void* context, const char* stage, double share);
+  void* context;
+} deliso_watch;
+
+/* Returns "0.1.0" or the like. */
+DELISO_API const char* deliso_version(void);
+
+/* Returns one line about the last call in this thread that did not return DELISO_OK. It is valid
+ * until the next such call in this thread. */
+DELISO_API const char* deliso_last_error(void);
+
+/* Makes a volume of an array indexed [z][y][x], with shape[0] samples along z, shape[1] along y and
+ * shape[2] along x. `type` is a deliso_type, `order` a deliso_order. Spacing and origin are along
+ * x, y, z; null stands for 1, 1, 1 and for 0, 0, 0. The samples are borrowed: they must stay as
+ * they are until the volume is freed. */
+DELISO_API deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3],
+                                              int order, const double spacing[3],
+                                              const double origin[3], deliso_volume** volume);
+DELISO_API void deliso_volume_free(deliso_volume* volume); /* null is allowed */
+
+/* Meshes the surface on which the volume's interpolant has the isovalue. `options` are texts
+ * "name=value", or "name" for switches, with a null after the last: those of the program's mesh
+ * command without the two dashes. Options about files have no meaning here. `options` and `watch`
+ * may be null. After DELISO_OK and DELISO_FAULT the caller owns the mesh; it does not need the
+ * volume. */
+DELISO_API deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
+                                            const char* const* options, const deliso_watch* watch,
+                                            deliso_mesh** mesh);
+
+/* Makes a mesh, to be checked or saved, from copies of x, y, z for each vertex and of three numbers
+ * of vertices for each triangle. It has no normals, report or warnings. */
+DELISO_API deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
+                                            const uint32_t* triangles, size_t triangle_count,
+                                            deliso_mesh** mesh);
+DELISO_API void deliso_mesh_free(deliso_mesh* mesh); /* null is allowed */
+
+/* Arrays and texts of the mesh, which owns them; `count` may be null.
+ *   vertices   x, y, z of each
+ *   triangles  three numbers of vertices each, counterclockwise seen from the smaller samples
+ *   normals    a unit vector at each vertex, towards the smaller samples, against the gradient of
+ *              the interpolant averaged over a voxel along each axis, on caps too; 0, 0, 0 where
+ *              that is 0
+ *   report     what the program writes with --json
+ *   warnings   lines, or an empty text */
+DELISO_API const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count);
+DELISO_API const uint32_t* deliso_mesh_triangles(const deliso_mesh* mesh, size_t* count);
+DELISO_API const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* count);
+DELISO_API const char* deliso_mesh_report(const deliso_mesh* mesh);
+DELISO_API const char* deliso_mesh_warnings(const deliso_mesh* mesh);
+
+/* Writes the mesh as .ply, .off, .obj, .stl or .vtp, by the path's ending. The file appears whole
+ * or not at all. */
+DELISO_API deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path);
+
+/* Compares a mesh with the exact surface, as the program's check command does, with the options of
+ * that command. Returns DELISO_FAULT if it finds a fault. After DELISO_OK and DELISO_FAULT `json`
+ * is what that command writes with --json; the caller frees it. `json` may be null. */
+DELISO_API deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
+                                      double isovalue, const char* const* options,
+                                      const deliso_watch* watch, char** json);
+DELISO_API void deliso_text_free(char* text); /* null is allowed */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

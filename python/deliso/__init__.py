@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: MIT
+"""Delaunay meshes of isosurfaces of NumPy arrays.
+
+    import deliso
+    m = deliso.mesh(array, 40, spacing=(1, 1, 2.5), max_distance="0.1vox")
+    m.vertices, m.triangles, m.normals, m.report
+    m.save("mesh.ply")
+
+An array is indexed [z, y, x], as scikit-image and SimpleITK have it. Everything with three columns
+or three numbers, the vertices, `spacing` and `origin`, is in the order x, y, z. The mesh is the one
+that the program `deliso` makes of the array saved by numpy.save, to the byte.
+"""
+
+import ctypes
+import json
+import os
+import pathlib
+import sys
+import threading
+import warnings
+
+import numpy
+
+__all__ = ["Error", "Mesh", "check", "mesh", "version"]
+
+
+class Error(Exception):
+    """Bad input, or a file that cannot be written: one line that says what is wrong."""
+
+
+_OK, _FAULT, _BAD_INPUT, _CANCELED, _FAILED = range(5)
+_TYPES = {"u1": 0, "i1": 1, "u2": 2, "i2": 3, "u4": 4, "i4": 5, "f4": 6, "f8": 7}
+# What the library has no type for, and the type that takes its place.
+_CONVERTED = {"b1": "u1", "f2": "f4", "i8": "f8", "u8": "f8"}
+_PROGRESS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_double)
+
+
+class _Watch(ctypes.Structure):
+    _fields_ = [
+        ("cancel", ctypes.POINTER(ctypes.c_int)),
+        ("progress", _PROGRESS),
+        ("context", ctypes.c_void_p),
+    ]
+
+
+def _load():
+    here = pathlib.Path(__file__).parent
+    # In a wheel the library is beside this file; `make install` puts it two folders up.
+    places = [os.environ.get("DELISO_LIBRARY")]
+    places += [str(p) for up in (here, here.parent.parent) for p in up.glob("libdeliso_c.*")]
+    for place in filter(None, places):
+        library = ctypes.CDLL(place)
+        break
+    else:
+        raise ImportError(f"libdeliso_c is not beside {here}, nor named by DELISO_LIBRARY")
+    pointer, size, text = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_char_p
+    for name, result, *arguments in [
+        ("version", text),
+        ("last_error", text),
+        ("volume_create", int, pointer, int, pointer, int, pointer, pointer, pointer),
+        ("volume_free", None, pointer),
+        ("mesh_create", int, pointer, ctypes.c_double, pointer, pointer, pointer),
+        ("mesh_import", int, pointer, size, pointer, size, pointer),
+        ("mesh_free", None, pointer),
+        ("mesh_vertices", pointer, pointer, pointer),
+        ("mesh_triangles", pointer, pointer, pointer),
+        ("mesh_normals", pointer, pointer, pointer),
+        ("mesh_report", text, pointer),
+        ("mesh_warnings", text, pointer),
+        ("mesh_save", int, pointer, text),
+        ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
+        ("text_free", None, pointer),
+    ]:
+        function = getattr(library, "deliso_" + name)
+        function.restype = ctypes.c_int if result is int else result
+        function.argtypes = [ctypes.c_int if a is int else a for a in arguments]
+    return library
+
+
+_library = _load()
+version = _library.deliso_version().decode()
+
+
+def _ok(status):
+    """Raises the library's error of this thread, unless the status tells of none."""
+    if status in (_OK, _FAULT):
+        return status
+    message = _library.deliso_last_error().decode(errors="replace")
+    raise Error(message) if status == _BAD_INPUT else RuntimeError(message)
+
+
+def _text_of(value):
+    if isinstance(value, (tuple, list)):
+        return ",".join(_text_of(v) for v in value)
+    # item() makes a Python number of NumPy's, whose text may name its type.
+    return str(value.item() if isinstance(value, numpy.generic) else value)
+
+
+def _options(options):
+    """The options as the library has them: max_distance=0.1 is "max-distance=0.1"."""
+    words = []
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        word = name.replace("_", "-")
+        words.append((word if value is True else word + "=" + _text_of(value)).encode())
+    if any(b"\0" in word for word in words):
+        raise Error("an option has a zero byte")
+    return (ctypes.c_char_p * (len(words) + 1))(*words, None)
+
+
+class _Volume:
+    """The library's view of an array, which this keeps alive."""
+
+    def __init__(self, array, spacing, origin):
+        array = numpy.asarray(array)
+        kind = array.dtype.kind + str(array.dtype.itemsize)
+        kind = _CONVERTED.get(kind, kind)
+        if kind not in _TYPES:
+            raise Error(f"samples of type {array.dtype} are not supported: use astype('float32')")
+        ones = [n for n in reversed(range(array.ndim)) if array.shape[n] == 1]
+        array = array.squeeze(tuple(ones[: max(0, array.ndim - 3)]))
+        if array.ndim != 3:
+            raise Error(
+                f"an array of {array.ndim} dimensions: only three-dimensional ones can be meshed"
+            )
+        # As numpy.save has it: in Fortran order if that is the array's only one.
+        fortran = array.flags.f_contiguous and not array.flags.c_contiguous
+        self.array = numpy.require(array, "=" + kind, ["F" if fortran else "C", "A"])
+        self.handle = ctypes.c_void_p()
+        vector = ctypes.c_double * 3
+        _ok(
+            _library.deliso_volume_create(
+                self.array.ctypes.data,
+                _TYPES[kind],
+                (ctypes.c_size_t * 3)(*array.shape),
+                int(fortran),
+                vector(*_three("spacing", spacing)),
+                vector(*_three("origin", origin)),
+                ctypes.byref(self.handle),
+            )
+        )
+
+    def __del__(self, free=_library.deliso_volume_free):
+        if getattr(self, "handle", None):
+            free(self.handle)
+
+
+def _three(name, numbers):
+    try:
+        x, y, z = map(float, numbers)
+    except (TypeError, ValueError):
+        raise Error(f"{name} wants three numbers, along x, y, z") from None
+    return x, y, z
+
+
+def _bar(stage, share):
+    sys.stderr.write("\r\033[K" + ("" if share == 1 else f"meshing {share:4.0%}  {stage}"))
+    sys.stderr.flush()
+
+
+def _watched(call, progress):
+    """Returns call(watch), run so that Ctrl-C and a progress function that raises stop it.
+
+    Python handles signals in the main thread between two of its instructions. So the main thread
+    waits, and another one is in the library; the progress function runs in the waiting one.
+    """
+    show = _bar if progress is True else progress or (lambda stage, share: None)
+    cancel = ctypes.c_int(0)
+    latest, news, result = [], threading.Semaphore(0), []
+
+    def note(_context, stage, share):
+        latest[:] = [(stage.decode(), share)]
+        news.release()
+
+    def work():
+        try:
+            watch = _Watch(ctypes.pointer(cancel), _PROGRESS(note if progress else 0), None)
+            result.append((call(ctypes.byref(watch)), None))
+        except BaseException as error:
+            result.append((None, error))
+        finally:
+            news.release()
+
+    worker = threading.Thread(target=work, name="deliso")
+    try:
+        worker.start()
+        while not result:
+            news.acquire()
+            if latest:
+                show(*latest[0])
+        if progress:
+            show("done", 1.0)
+    finally:
+        cancel.value = 1
+        if worker.ident is not None:
+            worker.join()
+    value, error = result[0]
+    if error:
+        raise error
+    return value
+
+
+class Mesh:
+    """A mesh: vertices, triangles, and the report of its making.
+
+    vertices   float64, (n, 3): x, y, z in the unit of the spacing
+    triangles  uint32, (m, 3): counterclockwise seen from the smaller samples
+    normals    float64, (n, 3): unit vectors towards the smaller samples, from the volume's gradient
+    report     what the program writes with --json, as a dict
+    sound      False if the mesh breaks a rule or a check that was asked for (exit status 1)
+
+    Arrays are read-only views of the library's memory, which they keep.
+    """
+
+    def __init__(self, handle, sound=True):
+        self._handle = handle
+        self.sound = sound
+        self.vertices = self._view("vertices", ctypes.c_double)
+        self.triangles = self._view("triangles", ctypes.c_uint32)
+        self.normals = self._view("normals", ctypes.c_double)
+        text = _library.deliso_mesh_report(handle)
+        self.report = json.loads(text) if text else {}
+
+    def _view(self, name, kind):
+        count = ctypes.c_size_t()
+        at = getattr(_library, "deliso_mesh_" + name)(self._handle, ctypes.byref(count))
+        if not count.value:
+            return numpy.empty((0, 3), kind)
+        memory = (kind * (3 * count.value)).from_address(at)
+        memory.owner = self._handle
+        view = numpy.frombuffer(memory, kind).reshape(-1, 3)
+        view.flags.writeable = False
+        return view
+
+    def save(self, path):
+        """Writes .ply, .off, .obj, .stl or .vtp, by the path's ending, whole or not at all."""
+        _ok(_library.deliso_mesh_save(self._handle, os.fsencode(path)))
+
+    def __repr__(self):
+        return f"<deliso.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+
+
+class _MeshHandle(ctypes.c_void_p):
+    """Frees the library's mesh with the last array or Mesh that uses it."""
+
+    def __del__(self, free=_library.deliso_mesh_free):
+        if self:
+            free(self)
+
+
+def mesh(array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options):
+    """Meshes the surface on which the interpolated samples are `isovalue`. Returns a Mesh.
+
+    array     three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers become
+              float64. It must not change meanwhile.
+    spacing   distance between samples along x, y, z
+    origin    place of array[0, 0, 0]: x, y, z
+    progress  True draws a line on standard error; a function is called with (stage, share)
+    options   those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",
+              largest=1, cap=True; True stands for an option without a value
+
+    Raises Error for bad input. Ctrl-C stops the work.
+    """
+    volume = _Volume(array, spacing, origin)
+    words = _options(options)
+    handle = _MeshHandle()
+    status = _watched(
+        lambda watch: _ok(
+            _library.deliso_mesh_create(
+                volume.handle, float(isovalue), words, watch, ctypes.byref(handle)
+            )
+        ),
+        progress,
+    )
+    for line in _library.deliso_mesh_warnings(handle).decode().splitlines():
+        warnings.warn(line, stacklevel=2)
+    return Mesh(handle, status == _OK)
+
+
+def check(
+    mesh, array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options
+):
+    """Compares a mesh with the exact surface. Returns the program's report (--json) as a dict.
+
+    `mesh` is a Mesh, or (vertices, triangles) of another program. Its faults are in the report.
+    The options are those of the program's check command.
+    """
+    if not isinstance(mesh, Mesh):
+        mesh = _imported(*mesh)
+    volume = _Volume(array, spacing, origin)
+    words = _options(options)
+    text = ctypes.c_void_p()
+    _watched(
+        lambda watch: _ok(
+            _library.deliso_check(
+                mesh._handle, volume.handle, float(isovalue), words, watch, ctypes.byref(text)
+            )
+        ),
+        progress,
+    )
+    try:
+        return json.loads(ctypes.string_at(text))
+    finally:
+        _library.deliso_text_free(text)
+
+
+def _imported(vertices, triangles):
+    vertices = numpy.ascontiguousarray(vertices, "f8")
+    numbers = numpy.asarray(triangles)
+    triangles = numpy.ascontiguousarray(numbers, "u4")
+    for array in (vertices, triangles):
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise Error("a mesh is two arrays of three columns: vertices and triangles")
+    if (numbers != triangles).any():
+        raise Error("a triangle has three numbers of vertices, from 0 on")
+    handle = _MeshHandle()
+    _ok(
+        _library.deliso_mesh_import(
+            vertices.ctypes.data,
+            len(vertices),
+            triangles.ctypes.data,
+            len(triangles),
+            ctypes.byref(handle),
+        )
+    )
+    return Mesh(handle)

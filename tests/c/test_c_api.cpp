@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// The C library beside the program's own functions: the same files, faults as statuses, threads,
+// and work that is stopped.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/run.h"
+#include "c/deliso.h"
+#include "io/volume/builtin_volume.h"
+#include "io/volume/volume_files.h"
+
+using namespace deliso;
+
+namespace {
+
+constexpr std::size_t kShape[] = {20, 24, 28};  // along z, y, x
+constexpr double kCenter[] = {13, 11.5, 9};     // x, y, z
+constexpr double kSpacing[] = {1, 1, 1.25}, kOrigin[] = {10, -20, 30};
+
+// Samples [z][y][x] of 10 less the distance from the center in samples; in Fortran order if asked.
+std::vector<float> ball(bool fortran = false) {
+  std::vector<float> samples(kShape[0] * kShape[1] * kShape[2]);
+  for (std::size_t z = 0; z < kShape[0]; ++z) {
+    for (std::size_t y = 0; y < kShape[1]; ++y) {
+      for (std::size_t x = 0; x < kShape[2]; ++x) {
+        const std::size_t n =
+            fortran ? z + kShape[0] * (y + kShape[1] * x) : x + kShape[2] * (y + kShape[1] * z);
+        samples[n] = static_cast<float>(10 - std::hypot(static_cast<double>(x) - kCenter[0],
+                                                        static_cast<double>(y) - kCenter[1],
+                                                        static_cast<double>(z) - kCenter[2]));
+      }
+    }
+  }
+  return samples;
+}
+
+struct VolumeHandle {
+  explicit VolumeHandle(const std::vector<float>& samples, bool fortran = false,
+                        const double* origin = kOrigin) {
+    REQUIRE(deliso_volume_create(samples.data(), DELISO_FLOAT32, kShape,
+                                 fortran ? DELISO_FORTRAN_ORDER : DELISO_C_ORDER, kSpacing, origin,
+                                 &get) == DELISO_OK);
+  }
+  ~VolumeHandle() { deliso_volume_free(get); }
+  VolumeHandle(const VolumeHandle&) = delete;
+  VolumeHandle& operator=(const VolumeHandle&) = delete;
+  deliso_volume* get = nullptr;
+};
+
+struct MeshHandle {
+  MeshHandle() = default;
+  ~MeshHandle() { deliso_mesh_free(get); }
+  MeshHandle(const MeshHandle&) = delete;
+  MeshHandle& operator=(const MeshHandle&) = delete;
+  deliso_mesh* get = nullptr;
+};
+
+using OptionList = std::vector<const char*>;
+
+deliso_status mesh_ball(const VolumeHandle& volume, MeshHandle& mesh, OptionList options = {},
+                        double isovalue = 2.5, const deliso_watch* watch = nullptr) {
+  options.push_back(nullptr);
+  return deliso_mesh_create(volume.get, isovalue, options.data(), watch, &mesh.get);
+}
+
+std::string refusal(OptionList options, double isovalue = 2.5) {
+  const std::vector<float> samples = ball();
+  const VolumeHandle volume(samples);
+  MeshHandle mesh;
+  CHECK(mesh_ball(volume, mesh, std::move(options), isovalue) == DELISO_BAD_INPUT);
+  CHECK(mesh.get == nullptr);
+  return deliso_last_error();
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("the same bytes as the program") {
+  const test::TemporaryFolder folder;
+  for (const bool fortran : {false, true}) {
+    CAPTURE(fortran);
+    const std::vector<float> samples = ball(fortran);
+    const std::string npy = folder.write(
+        "v.npy", test::npy("<f4", fortran, "20, 24, 28",
+                           {reinterpret_cast<const char*>(samples.data()), 4 * samples.size()}));
+    const VolumeHandle volume(samples, fortran, nullptr);
+    MeshHandle mesh;
+    REQUIRE(mesh_ball(volume, mesh, {"max-distance=0.2vox", "cap", "seed=3"}, 1.5) == DELISO_OK);
+    const std::string ours = npy + ".", theirs = npy + "-program.";
+    for (const char* ending : {"ply", "off", "obj", "stl", "vtp"}) {
+      CAPTURE(ending);
+      REQUIRE(deliso_mesh_save(mesh.get, (ours + ending).c_str()) == DELISO_OK);
+      const std::string output = theirs + ending;
+      REQUIRE(run_mesh(parse_command_line(std::vector<std::string_view>{
+                  npy, "--spacing", "1,1,1.25", "--iso", "1.5", "--max-distance", "0.2vox", "--cap",
+                  "--seed", "3", "-q", "-o", output})) == kExitSuccess);
+      CHECK(bytes_of(ours + ending).size() > 1000);
+      CHECK(bytes_of(ours + ending) == bytes_of(output));
+    }
+  }
+}
+
+TEST_CASE("arrays: a ball in the world, with normals that point outwards") {
+  for (const bool fortran : {false, true}) {
+    CAPTURE(fortran);
+    const std::vector<float> samples = ball(fortran);
+    const VolumeHandle volume(samples, fortran);
+    MeshHandle mesh;
+    REQUIRE(mesh_ball(volume, mesh) == DELISO_OK);
+    std::size_t vertices = 0, triangles = 0, normals = 0;
+    const double* p = deliso_mesh_vertices(mesh.get, &vertices);
+    const std::uint32_t* t = deliso_mesh_triangles(mesh.get, &triangles);
+    const double* n = deliso_mesh_normals(mesh.get, &normals);
+    CHECK(normals == vertices);
+    CHECK(vertices > 100);
+    CHECK(triangles == 2 * vertices - 4);
+    for (std::size_t v = 0; v < vertices; ++v, p += 3, n += 3) {
+      const double offset[] = {p[0] - kOrigin[0] - kSpacing[0] * kCenter[0],
+                               p[1] - kOrigin[1] - kSpacing[1] * kCenter[1],
+                               p[2] - kOrigin[2] - kSpacing[2] * kCenter[2]};
+      CHECK(std::hypot(offset[0], offset[1], offset[2] / 1.25) ==
+            doctest::Approx(7.5).epsilon(0.02));
+      // The gradient of the ellipsoid x^2 + y^2 + (z / 1.25)^2.
+      const double g[] = {offset[0], offset[1], offset[2] / (1.25 * 1.25)};
+      const double size = std::hypot(g[0], g[1], g[2]);
+      CHECK(std::hypot(n[0], n[1], n[2]) == doctest::Approx(1));
+      CHECK((n[0] * g[0] + n[1] * g[1] + n[2] * g[2]) / size > 0.99);
+    }
+    p = deliso_mesh_vertices(mesh.get, nullptr);
+    double volume_inside = 0;
+    for (std::size_t f = 0; f < triangles; ++f, t += 3) {
+      const double *a = p + 3 * t[0], *b = p + 3 * t[1], *c = p + 3 * t[2];
+      volume_inside += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                        a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                       6;
+    }
+    CHECK(volume_inside == doctest::Approx(4.18879 * 7.5 * 7.5 * 7.5 * 1.25).epsilon(0.05));
+    CHECK(std::strstr(deliso_mesh_report(mesh.get), "\"topology_exact\": true"));
+    CHECK(std::string(deliso_mesh_warnings(mesh.get)).empty());
+  }
+}
+
+TEST_CASE("faults are statuses, with one line each") {
+  CHECK(refusal({"max-distanc=1"}) ==
+        "unknown option '--max-distanc'; did you mean --max-distance?");
+  CHECK(refusal({"max-distance=x"}) ==
+        "--max-distance wants a number above 0, or voxels as in '0.5vox', not 'x'");
+  CHECK(refusal({"max-distance"}) == "--max-distance needs a value: D|Dvox");
+  CHECK(refusal({"cap", "cap"}) == "--cap is given twice");
+  CHECK(refusal({"vertices=100", "max-distance=1"}) ==
+        "--vertices and --max-distance exclude each other");
+  for (const char* option : {"iso=3", "output=a.ply", "json=-", "help", "version", "roi=0:2"}) {
+    const std::string text = option;
+    CHECK(refusal({option}) ==
+          "--" + text.substr(0, text.find('=')) + " has no meaning for an array");
+  }
+  CHECK(refusal({}, std::numeric_limits<double>::quiet_NaN()) ==
+        "--iso wants a finite number, not 'nan'");
+  CHECK(refusal({}, 11).starts_with("no surface at isovalue 11: the samples are "));
+  CHECK(refusal({"rmin=1e-9vox"}).find("rmin") != std::string::npos);
+
+  std::vector<float> samples = ball();
+  deliso_volume* volume = nullptr;
+  const auto create = [&](const void* array, std::size_t nz, double dx, int type) {
+    const std::size_t shape[] = {nz, 24, 28};
+    const double spacing[] = {dx, 1, 1};
+    const deliso_status status =
+        deliso_volume_create(array, type, shape, DELISO_C_ORDER, spacing, nullptr, &volume);
+    CHECK(status == DELISO_BAD_INPUT);
+    CHECK(volume == nullptr);
+    return std::string(deliso_last_error());
+  };
+  CHECK(create(nullptr, 20, 1, DELISO_FLOAT32) == "samples is null");
+  CHECK(create(samples.data(), 1, 1, DELISO_FLOAT32).starts_with("array: 1 samples along z"));
+  CHECK(create(samples.data(), 20, 0, DELISO_FLOAT32).starts_with("array: "));
+  CHECK(create(samples.data(), 20, 1, 8) == "no such type of samples");
+  create(samples.data(), std::numeric_limits<std::size_t>::max() / 2, 1, DELISO_FLOAT32);
+
+  samples[5] = std::numeric_limits<float>::infinity();
+  const VolumeHandle infinite(samples);
+  MeshHandle mesh;
+  CHECK(mesh_ball(infinite, mesh) == DELISO_BAD_INPUT);
+  CHECK(std::string(deliso_last_error()) == "array: infinite sample at (5, 0, 0)");
+  CHECK(deliso_mesh_create(nullptr, 1, nullptr, nullptr, &mesh.get) == DELISO_BAD_INPUT);
+  CHECK(std::string(deliso_last_error()) == "volume is null");
+  const double corner[] = {0, 0, 0};
+  const std::uint32_t beyond[] = {0, 0, 1};
+  CHECK(deliso_mesh_import(corner, 1, beyond, 1, &mesh.get) == DELISO_BAD_INPUT);
+  CHECK(std::string(deliso_last_error()) == "triangle 0 has a vertex beyond the last");
+  std::thread([] { CHECK(std::string(deliso_last_error()).empty()); }).join();
+}
+
+TEST_CASE("a check of the mesh, and of one that misses a triangle") {
+  const std::vector<float> samples = ball();
+  const VolumeHandle volume(samples);
+  MeshHandle mesh, torn;
+  REQUIRE(mesh_ball(volume, mesh) == DELISO_OK);
+  CHECK(deliso_mesh_save(mesh.get, "no-such-folder/mesh.ply") == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_save(mesh.get, "mesh.doc") == DELISO_BAD_INPUT);
+  std::size_t vertices = 0, triangles = 0;
+  const double* points = deliso_mesh_vertices(mesh.get, &vertices);
+  const std::uint32_t* corners = deliso_mesh_triangles(mesh.get, &triangles);
+  REQUIRE(deliso_mesh_import(points, vertices, corners, triangles - 1, &torn.get) == DELISO_OK);
+  char* json = nullptr;
+  CHECK(deliso_check(mesh.get, volume.get, 2.5, nullptr, nullptr, &json) == DELISO_OK);
+  CHECK(std::strstr(json, "\"criteria_of_file\": true"));
+  deliso_text_free(json);
+  CHECK(deliso_check(torn.get, volume.get, 2.5, nullptr, nullptr, &json) == DELISO_FAULT);
+  CHECK(std::strstr(json, "\"criteria_of_file\": false"));
+  deliso_text_free(json);
+  CHECK(deliso_check(torn.get, volume.get, 2.5, nullptr, nullptr, nullptr) == DELISO_FAULT);
+  const char* const options[] = {"seed=3", nullptr};
+  CHECK(deliso_check(mesh.get, volume.get, 2.5, options, nullptr, nullptr) == DELISO_BAD_INPUT);
+}
+
+TEST_CASE("two meshes at once are the same as alone") {
+  const std::vector<float> samples = ball();
+  const VolumeHandle volume(samples);
+  MeshHandle alone[2], at_once[2];
+  const OptionList options[] = {{"threads=2"}, {"threads=2", "max-distance=0.02vox"}};
+  for (std::size_t n = 0; n < 2; ++n) REQUIRE(mesh_ball(volume, alone[n], options[n]) == DELISO_OK);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t n = 0; n < 2; ++n) {
+      threads.emplace_back([&, n] {
+        for (int round = 0; round < 5; ++round) {
+          deliso_mesh_free(std::exchange(at_once[n].get, nullptr));
+          mesh_ball(volume, at_once[n], options[n]);
+        }
+      });
+    }
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    std::size_t count = 0, other = 0;
+    const double* p = deliso_mesh_vertices(alone[n].get, &count);
+    const double* q = deliso_mesh_vertices(at_once[n].get, &other);
+    REQUIRE(count == other);
+    CHECK(std::equal(p, p + 3 * count, q));
+  }
+}
+
+TEST_CASE("progress goes from stage to stage, and a flag stops the work at each") {
+  const std::vector<float> samples = ball();
+  const VolumeHandle volume(samples);
+  struct Watched {
+    int flag = 0;
+    std::string stop_at{};
+    std::vector<std::string> stages{};
+    double last = 0;
+  };
+  const auto progress = [](void* context, const char* stage, double share) {
+    Watched& watched = *static_cast<Watched*>(context);
+    if (watched.stages.empty() || watched.stages.back() != stage)
+      watched.stages.emplace_back(stage);
+    CHECK(share >= watched.last);
+    CHECK(share <= 1);
+    watched.last = share;
+    if (watched.stop_at == stage) std::atomic_ref(watched.flag).store(1);
+  };
+  Watched all;
+  const deliso_watch watch{&all.flag, progress, &all};
+  MeshHandle mesh;
+  REQUIRE(mesh_ball(volume, mesh, {"threads=2"}, 2.5, &watch) == DELISO_OK);
+  CHECK(all.stages.size() >= 6);
+  CHECK(all.last > 0.5);
+  for (const std::string& stage : all.stages) {
+    if (stage == "refine") continue;  // the ball is all done in regions: there is no step left
+    CAPTURE(stage);
+    Watched stopped{.stop_at = stage};
+    const deliso_watch stop{&stopped.flag, progress, &stopped};
+    MeshHandle none;
+    CHECK(mesh_ball(volume, none, {"threads=2"}, 2.5, &stop) == DELISO_CANCELED);
+    CHECK(std::string(deliso_last_error()) == "canceled");
+    CHECK(none.get == nullptr);
+  }
+  MeshHandle again;  // the flag of one call stops no other
+  CHECK(mesh_ball(volume, again) == DELISO_OK);
+}

@@ -1,0 +1,39 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The Python package with the library that was built: its tests, what docs/guide/python.md and the
+# README show (python.md, README.md), and the wheel. Usage: run.sh SOURCE LIBRARY PROGRAM
+set -eu
+python=
+for candidate in python3 /usr/bin/python3; do
+  if "$candidate" -c 'import numpy' 2>/dev/null; then
+    python=$candidate
+    break
+  fi
+done
+[ -n "$python" ] || { echo 'no Python with NumPy here: the package was not tried'; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export PYTHONDONTWRITEBYTECODE=1
+
+PYTHONPATH=$1/python DELISO_LIBRARY=$2 "$python" "$1/tests/python/test_deliso.py" "$3"
+
+# The wheel holds all that the pages' programs need.
+"$python" - "$1" "$2" "$work" <<'END'
+import sys, zipfile
+source, library, work = sys.argv[1:]
+sys.path.insert(0, source + "/python")
+import deliso_wheel
+wheel = deliso_wheel.build_wheel(work, {"library": library})
+zipfile.ZipFile(f"{work}/{wheel}").extractall(work + "/installed")
+END
+if "$python" -m pip --version >/dev/null 2>&1; then
+  "$python" -m pip install --quiet --no-index --no-deps --no-compile --target "$work/by_pip" "$work"/*.whl
+  diff -r "$work/installed/deliso" "$work/by_pip/deliso"
+fi
+unset DELISO_LIBRARY
+for page in README.md docs/guide/python.md; do
+  sed -n '/^```python$/,/^```$/{/^```/d;p;}' "$1/$page" >"$work/page.py"
+  [ -s "$work/page.py" ]
+  (cd "$work" && PYTHONPATH=$work/installed "$python" page.py)
+  echo "$page: run"
+done

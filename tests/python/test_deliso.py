@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: MIT
+"""The Python package beside the program. Usage: test_deliso.py PROGRAM, with the package's folder in
+PYTHONPATH and the library in DELISO_LIBRARY."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy
+
+import deliso
+
+PROGRAM = sys.argv.pop()
+ENDINGS = ["ply", "off", "obj", "stl", "vtp"]
+
+
+def field(nz=20, ny=24, nx=28):
+    """A ball and a ramp, so that the surface is closed and leaves the box too."""
+    z, y, x = numpy.mgrid[0:nz, 0:ny, 0:nx].astype(float)
+    ball = 60 - 8 * numpy.sqrt((z - 8) ** 2 + (y - 10) ** 2 + (x - 9) ** 2)
+    return numpy.maximum(ball, 6 * (x - 20) + z)
+
+
+def noise(size):
+    return numpy.random.default_rng(7).random((size, size, size))
+
+
+def resident_bytes():
+    pages = int(pathlib.Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+class TestMesh(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def program(self, array, *arguments):
+        numpy.save(self.path("v.npy"), array)
+        command = [PROGRAM, self.path("v.npy"), "-k", "10.25", *arguments]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    def same_as_program(self, array, ending="ply", options=(), **ours):
+        m = deliso.mesh(array, 10.25, **ours)
+        m.save(self.path("ours." + ending))
+        theirs = self.path("theirs." + ending)
+        run = self.program(array, "-q", "-o", theirs, *options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(self.path("ours." + ending), "rb") as a, open(theirs, "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        return m
+
+    def test_same_bytes_of_every_format_and_option(self):
+        for ending in ENDINGS:
+            m = self.same_as_program(field(), ending)
+        self.assertGreater(len(m.vertices), 100)
+        self.same_as_program(
+            field(),
+            options=["--spacing", "1,1,2.5", "--max-distance", "0.2vox", "--cap", "--seed", "5"],
+            spacing=(1, 1, 2.5),
+            max_distance="0.2vox",
+            cap=True,
+            seed=numpy.int64(5),
+        )
+        self.same_as_program(field(), options=["--float"], float=True)
+        self.same_as_program(field(), options=["--paper"], paper=True, largest=None)
+        self.same_as_program(field(), options=["--vertices", "300"], vertices=300)
+
+    def test_same_bytes_of_every_type(self):
+        for kind in ["u1", "i1", "u2", "i2", "u4", "i4", "u8", "i8", "f4", "f8", ">i2", ">f4", ">f8"]:
+            with self.subTest(kind):
+                self.same_as_program(numpy.clip(field(), 0, 100).astype(kind))
+        flags = field() > 10
+        self.assertGreater(len(deliso.mesh(flags, 0.5).vertices), 100)
+        halves = field().astype("f2")
+        a, b = deliso.mesh(halves, 10.25), deliso.mesh(halves.astype("f4"), 10.25)
+        self.assertTrue(numpy.array_equal(a.vertices, b.vertices))
+
+    def test_same_bytes_of_every_layout(self):
+        a = field()
+        layouts = {
+            "Fortran": numpy.asfortranarray(a),
+            "transposed": a.T,
+            "permuted": a.transpose(1, 0, 2),
+            "strided": field(40, 48, 56)[::2, ::2, 1::2],
+            "reversed": a[::-1, :, ::-1],
+            "read-only": numpy.broadcast_to(a, a.shape),
+            "four axes": a[None],
+            "packed": numpy.rec.fromarrays([a.astype("u1"), a])["f1"],
+        }
+        for name, array in layouts.items():
+            with self.subTest(name):
+                self.same_as_program(array, options=["--spacing", "1,2,3"], spacing=(1, 2, 3))
+        self.same_as_program(numpy.asfortranarray(a), "stl")
+
+    def test_axes(self):
+        # Along x, y, z: the array's last, middle and first axis.
+        m = deliso.mesh(field(), 10.25, spacing=(1, 2, 3), origin=(100, 200, 300), largest=1)
+        last = numpy.array([100 + 27, 200 + 2 * 23, 300 + 3 * 19])
+        self.assertTrue((m.vertices >= [100, 200, 300]).all() and (m.vertices <= last).all())
+        self.assertEqual(m.report["volume"]["dims"], [28, 24, 20])
+        self.assertEqual(m.triangles.dtype, numpy.uint32)
+        a, b, c = (m.vertices[m.triangles[:, k]] for k in range(3))
+        outwards = numpy.cross(b - a, c - a)
+        outwards /= numpy.linalg.norm(outwards, axis=1)[:, None]
+        along = (outwards * m.normals[m.triangles[:, 0]]).sum(1)
+        self.assertGreater(numpy.median(along), 0.95)
+        self.assertTrue(numpy.allclose(numpy.linalg.norm(m.normals, axis=1), 1))
+
+    def test_report_and_check(self):
+        m = deliso.mesh(field(), 10.25, check=True)
+        self.assertTrue(m.sound)
+        self.assertEqual(m.report["mesh"]["triangles"], len(m.triangles))
+        self.program(field(), "-q", "--check", "--json", self.path("r.json"))
+        theirs = pathlib.Path(self.path("r.json")).read_text()
+        self.assertIn(f'"triangles": {len(m.triangles)}', theirs)
+        self.assertEqual(deliso.check(m, field(), 10.25)["check"]["faults"], {})
+        torn = deliso.check((m.vertices, m.triangles[1:]), field(), 10.25)
+        self.assertNotEqual(torn["check"]["faults"], {})
+
+    def test_errors_are_the_lines_of_the_program(self):
+        for options, more in [
+            ({"max_distance": "far"}, ["--max-distance", "far"]),
+            ({"max_distanc": 1}, ["--max-distanc", "1"]),
+            ({"vertices": 100, "max_distance": 1}, ["--vertices", "100", "--max-distance", "1"]),
+            ({"rmin": "1e-9vox"}, ["--rmin", "1e-9vox"]),
+        ]:
+            with self.subTest(options), self.assertRaises(deliso.Error) as caught:
+                deliso.mesh(field(), 10.25, **options)
+            self.assertEqual(f"deliso: {caught.exception}\n", self.program(field(), *more).stderr)
+        infinite = field()
+        infinite[1, 2, 3] = numpy.nan
+        m = deliso.mesh(field(), 10.25)
+        for call in [
+            lambda: deliso.mesh(field(), 1e9),
+            lambda: deliso.mesh(infinite, 10.25),
+            lambda: deliso.mesh(field()[0], 10.25),
+            lambda: deliso.mesh(field() * 1j, 10.25),
+            lambda: deliso.mesh(field().astype(str), 10.25),
+            lambda: deliso.mesh(numpy.empty((0, 3, 3)), 10.25),
+            lambda: deliso.mesh(field(), 10.25, spacing=2),
+            lambda: deliso.mesh(field(), 10.25, spacing=(1, 1, 0)),
+            lambda: deliso.mesh(field(), 10.25, output="mesh.ply"),
+            lambda: m.save(self.path("mesh.doc")),
+            lambda: m.save(self.path("none/mesh.ply")),
+            lambda: deliso.check((m.vertices, m.triangles + 7), field(), 10.25),
+            lambda: deliso.check((m.vertices, m.triangles - 1.0), field(), 10.25),
+            lambda: deliso.check((m.vertices[:, :2], m.triangles), field(), 10.25),
+        ]:
+            with self.assertRaises(deliso.Error) as caught:
+                call()
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertWarns(UserWarning):
+            deliso.mesh(noise(16), 0.5, vertices=8)
+
+    def test_arrays_outlive_the_mesh(self):
+        vertices = deliso.mesh(field(), 10.25).vertices
+        copy = vertices.copy()
+        deliso.mesh(field(), 10.25)
+        self.assertTrue(numpy.array_equal(vertices, copy))
+        with self.assertRaises(ValueError):
+            vertices[0] = 0
+
+    def test_two_threads_at_once(self):
+        alone = [deliso.mesh(noise(12), k) for k in (0.45, 0.55)]
+        meshes = [None, None]
+
+        def work(n):
+            for _ in range(5):
+                meshes[n] = deliso.mesh(noise(12), (0.45, 0.55)[n])
+
+        threads = [threading.Thread(target=work, args=[n]) for n in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for a, b in zip(alone, meshes):
+            self.assertTrue(numpy.array_equal(a.vertices, b.vertices))
+            self.assertTrue(numpy.array_equal(a.triangles, b.triangles))
+
+    def test_progress(self):
+        seen = []
+        deliso.mesh(field(), 10.25, progress=lambda stage, share: seen.append((stage, share)))
+        self.assertEqual(seen[-1], ("done", 1.0))
+        shares = [share for _, share in seen]
+        self.assertEqual(shares, sorted(shares))
+
+        def fails(stage, share):
+            raise ZeroDivisionError
+
+        with self.assertRaises(ZeroDivisionError):
+            deliso.mesh(field(), 10.25, progress=fails)
+
+    def test_interrupt(self):
+        began, times = threading.Event(), []
+
+        def interrupt():
+            began.wait()
+            times.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        a = noise(48)
+        threading.Thread(target=interrupt).start()
+        with self.assertRaises(KeyboardInterrupt):
+            deliso.mesh(a, 0.5, progress=lambda stage, share: share > 0.01 and began.set())
+        self.assertLess(time.monotonic() - times[0], 5)
+        self.assertGreater(len(deliso.mesh(field(), 10.25).vertices), 100)
+
+    def test_memory_does_not_grow(self):
+        a = field()
+        for n in range(150):
+            if n == 50:
+                before = resident_bytes()
+            m = deliso.mesh(a, 10.25)
+            deliso.check(m, a, 10.25)
+        self.assertLess(resident_bytes() - before, 4 << 20)
+
+
+if __name__ == "__main__":
+    unittest.main()
