@@ -10,7 +10,9 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/progress.h"
 #include "app/topology.h"
+#include "base/stopwatch.h"
 #include "check/verify.h"
 #include "mesh/quality.h"
 #include "surface/report.h"
@@ -30,7 +32,7 @@ struct MeshRun {
   std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
-  double volume = 0;        // with --cap: the volume inside mesh and caps, in world units
+  double volume = 0;        // if has_volume(): inside mesh and caps, in world units
   // Pairs of crossing facets in the file, and how many they would be in double precision. Counted
   // with --cap, and if coordinates are rounded to float.
   std::size_t crossings = 0, crossings_in_double = 0;
@@ -40,6 +42,12 @@ struct MeshRun {
   std::uint64_t peak_bytes = 0;  // of the process
 
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
+  // True if it is closed: by caps, or as the surface of labels inside the box.
+  bool has_volume() const {
+    return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
+  }
+  // Returns the share by which it differs from the volume of the label's voxels.
+  double volume_difference() const { return volume / input.field.label->volume - 1; }
   std::size_t crossings_by_rounding() const {
     return crossings - std::min(crossings, crossings_in_double);
   }
@@ -48,6 +56,10 @@ struct MeshRun {
            !(has_solid() && crossings > 0) && !(verification && verification->faults.any());
   }
 };
+
+// Meshes the run's input, writes the files, and fills in the run. Throws InputError. The watch
+// counts from the beginning of the run.
+void mesh_input(const Stopwatch& total, Progress& progress, MeshRun& run);
 
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "app/bring_home.h"
@@ -17,14 +19,21 @@ int run_check(const CommandLine& line) {
   std::vector<std::string> comments;
   TriMesh mesh = read_mesh(line.meshes.front(), &comments);
   const Input input = read_input(line, line.meshes);
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
+  const std::string asked = field_note(line.field, volume);
+  const auto made = noted_field(comments);
+  if (made && *made != asked && !line.quiet) {
+    std::fprintf(stderr, "deliso: warning: %s is of another field: its file says%s, this check%s\n",
+                 line.meshes.front().c_str(), made->empty() ? " no filter" : made->c_str(),
+                 asked.empty() ? " has no filter" : (" says" + asked).c_str());
+  }
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
   const bool is_single = is_single_precision(mesh);
   options.position_error = bring_home(mesh, volume.frame());
   const double isovalue = is_of_blocks(comments)
-                              ? isovalue_of_blocks(volume.type(), *line.isovalue)
-                              : settled_isovalue(volume, *line.isovalue, options.threads);
+                              ? isovalue_of_blocks(volume.type(), *input.isovalue)
+                              : settled_isovalue(volume, *input.isovalue, options.threads);
   const Verification result = verify(mesh, volume, isovalue, options);
 
   if (!line.json.empty()) {
@@ -32,7 +41,7 @@ int run_check(const CommandLine& line) {
     json.add("mesh", line.meshes.front());
     json.add("criteria_of_file", noted.has_value());
     add_input(json, input);
-    json.add("isovalue", *line.isovalue);
+    json.add("isovalue", *input.isovalue);
     add_verification(json, result, volume);
     write_text(line.json, json.finish());
   }

@@ -112,6 +112,9 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
   if (run.fault.empty()) run.fault = boundary_fault;
+  if (reported && run.has_volume() && !options.cap) {
+    run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+  }
 }
 
 // Verifies the mesh against the volume, independently of the stages.
@@ -147,7 +150,7 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
     options.comment = criteria_note(line, volume, run.report);
     if (line.read.block) {
       options.seam = seam_of(mesh, volume);
-      options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
+      options.comment = part_comment(options.comment, volume, *line.read.block, *run.input.isovalue,
                                      run.report.kappa_effective, written_part(mesh, options));
     }
     write_mesh(mesh, line.output, options);
@@ -157,14 +160,11 @@ void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
 
 }  // namespace
 
-int run_mesh(const CommandLine& line) {
-  const Stopwatch total;
-  Progress progress(mesh_stages(line), !line.quiet);
-  progress.show("reading", 0);
-  const Input input = read_input(line);
-  progress.clear();
-  const Volume& volume = input.volume;
-  const double isovalue = *line.isovalue;
+void mesh_input(const Stopwatch& total, Progress& progress, MeshRun& run) {
+  const CommandLine& line = run.line;
+  const Input& input = run.input;
+  const Volume& volume = input.volume();
+  const double isovalue = *input.isovalue;
   // A part may well be empty.
   const bool may_be_empty = line.allow_empty || line.read.block;
   if (!may_be_empty) require_isovalue_in_range(isovalue, input.range);
@@ -174,7 +174,6 @@ int run_mesh(const CommandLine& line) {
   warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
                line.quiet);
   if (by_count(line.options) && !line.quiet) warn_of_components(volume, isovalue, line.options);
-  MeshRun run(line, input);
 
   Options options = line.options;
   options.observer = &progress;
@@ -213,6 +212,17 @@ int run_mesh(const CommandLine& line) {
   run.seconds_total = total.seconds();
 
   if (!line.json.empty()) write_text(line.json, report_json(run));
+}
+
+int run_mesh(const CommandLine& line) {
+  if (line.field.all_labels) return run_labels(line);
+  const Stopwatch total;
+  Progress progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  const Input input = read_input(line);
+  progress.clear();
+  MeshRun run(line, input);
+  mesh_input(total, progress, run);
   if (!line.quiet) {
     const bool stdout_taken = line.output == "-" || line.json == "-";
     const std::string text = report_text(run);

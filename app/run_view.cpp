@@ -77,9 +77,9 @@ int run_view(const CommandLine& line) {
   header.add("up", {double(up.axis), up.sign});
   header.add("origin", {middle.x, middle.y, middle.z});
   if (input) {
-    const Vec3 spacing = input->volume.spacing();
+    const Vec3 spacing = input->volume().spacing();
     header.add("volume", short_name(input->name));
-    header.add("iso", *line.isovalue);
+    header.add("iso", *input->isovalue);
     header.add("voxel", std::min({spacing.x, spacing.y, spacing.z}));
   }
   header.open_list("meshes");
@@ -96,8 +96,9 @@ int run_view(const CommandLine& line) {
     sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle", "triangles");
     add_mesh(data, mesh, middle, n);
     if (input) {
-      bring_home(mesh, input->volume.frame());
-      data.add(text("h", n), as_floats(distances_in_voxels(mesh, input->volume, *line.isovalue)));
+      bring_home(mesh, input->volume().frame());
+      data.add(text("h", n),
+               as_floats(distances_in_voxels(mesh, input->volume(), *input->isovalue)));
     }
   }
   header.close();
