@@ -173,9 +173,7 @@ void add_field(JsonWriter& json, const Field& field) {
   if (!field.label) return;
   const LabelFacts& label = *field.label;
   json.open("label");
-  std::vector<std::string> names;
-  for (const std::int64_t one : label.labels) names.push_back(text(one));
-  json.add("labels", names);
+  json.add("labels", std::vector<double>(label.labels.begin(), label.labels.end()));
   json.add("cut_from", {double(label.whole.i), double(label.whole.j), double(label.whole.k)});
   json.add("voxels", label.samples);
   json.add("volume_of_voxels", label.volume);
