@@ -73,7 +73,7 @@ int run_labels(const CommandLine& line) {
   reading.clear();
   std::string table;
   append_format(table, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8s\n", "label", "voxels",
-                "isovalue", "vertices", "their volume", "the mesh's", "difference", "components",
+                "isovalue", "vertices", "voxel volume", "mesh volume", "difference", "components",
                 "topology", "seconds");
   bool all_sound = true;
   for (const CommandLine& one : lines_of(line, source)) {

@@ -76,22 +76,20 @@ void add_row(Found& found, const T* row, Index3 dims, int j, int k, std::string_
   }
 }
 
-// Calls f with points of the voxel whose values are the corners', each in the middle of one of 4^3
-// equal boxes.
+// Calls f with the values at points of the voxel. They are a lattice of 64 points that has 64
+// values along each axis (Korobov 1959): surfaces of labels are often in planes of the grid, where
+// 4 x 4 x 4 points have 4.
+constexpr int kPointsOfVoxel = 64;
 template <class F>
 void for_points(const Corners& c, F&& f) {
-  constexpr std::array<double, 4> at{0.125, 0.375, 0.625, 0.875};
   const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
-  for (const double z : at) {
-    const double c00 = mix(c[0], c[4], z), c10 = mix(c[1], c[5], z);
-    const double c01 = mix(c[2], c[6], z), c11 = mix(c[3], c[7], z);
-    for (const double y : at) {
-      const double c0 = mix(c00, c01, y), c1 = mix(c10, c11, y);
-      for (const double x : at) f(mix(c0, c1, x));
-    }
+  for (int n = 0; n < kPointsOfVoxel; ++n) {
+    const auto at = [n](int step) { return (n * step % kPointsOfVoxel + 0.5) / kPointsOfVoxel; };
+    const double x = at(1), y = at(19), z = at(27);
+    f(mix(mix(mix(c[0], c[1], x), mix(c[2], c[3], x), y),
+          mix(mix(c[4], c[5], x), mix(c[6], c[7], x), y), z));
   }
 }
-constexpr double kPointsOfVoxel = 64;
 
 // Counts of points in bins of equal width from 0 to the greatest sample.
 constexpr std::size_t kBins = 4096;
@@ -110,9 +108,8 @@ void count_points(const Volume& volume, double greatest, int k, Counts& counts) 
     for (int i = 0; i < voxels.i; ++i) {
       const Corners c = volume.corners({i, j, k});
       if (std::all_of(c.begin(), c.end(), [&](double v) { return v == c[0]; })) {
-        const auto points = static_cast<std::uint64_t>(kPointsOfVoxel);
-        counts.of_bin[bin_of(c[0])] += points;
-        if (c[0] >= 0.5) counts.at_half += points;
+        counts.of_bin[bin_of(c[0])] += kPointsOfVoxel;
+        if (c[0] >= 0.5) counts.at_half += kPointsOfVoxel;
         continue;
       }
       for_points(c, [&](double value) {

@@ -38,7 +38,7 @@ Volume label_indicator(const Volume& volume, std::span<const std::int64_t> label
                        const LabelSamples& extent, Index3 margin, int threads = 1);
 
 // The volume of {g >= level}, in voxels within the box, at one half and at the level where it is
-// `target`. It is found from 4^3 points of each voxel. If nothing is above 0, the level is one
+// `target`. It is found from 64 points of each voxel. If nothing is above 0, the level is one
 // half. pre: samples are from 0 to 1.
 struct IndicatorLevel {
   double at_half = 0;  // volume
