@@ -114,7 +114,7 @@ Volume filtered(const Volume& volume, const T* samples, const Vec3& sigma, int t
 }  // namespace
 
 int gaussian_radius(double sigma) {
-  return static_cast<int>(kGaussianReach * sigma + 0.5);
+  return static_cast<int>(std::lround(kGaussianReach * sigma));
 }
 
 Volume gaussian(const Volume& volume, const Vec3& sigma, int threads) {
