@@ -150,7 +150,7 @@ std::string field_text(const Field& field) {
     lines += text("label     ", list_of(label.labels, ", "), " of ", label.whole.i, " x ",
                   label.whole.j, " x ", label.whole.k, ": ") +
              counted(label.samples, "voxel", "voxels") +
-             text(", volume ", rounded(label.volume, 6), "\n          the isovalue ",
+             text(", volume ", volume_text(label.volume), "\n          the isovalue ",
                   rounded(label.isovalue), " keeps it; at 0.5 it would be ");
     append_format(lines, "%.2f %% off\n", 100 * label.off_at_half);
   }

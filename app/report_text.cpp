@@ -188,7 +188,7 @@ std::string report_text(const MeshRun& run) {
   }
   if (run.input.field.label && run.has_volume()) {
     append_format(text, "volume    %s in the mesh, %.2f %% off that of the voxels\n",
-                  rounded(run.volume, 6).c_str(), 100 * run.volume_difference());
+                  volume_text(run.volume).c_str(), 100 * run.volume_difference());
   }
   if (run.crossings_by_rounding() > 0) {
     text += "rounding  FAULT: single precision makes " +

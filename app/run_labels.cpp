@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/solid.h"
 #include "app/text.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
@@ -52,13 +53,13 @@ std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source)
 
 std::string row_of(const MeshRun& run) {
   const LabelFacts& label = *run.input.field.label;
-  const std::string volume = run.has_volume() ? rounded(run.volume, 6) : "open";
+  const std::string volume = run.has_volume() ? volume_text(run.volume) : "open";
   std::string row, off;
   if (run.has_volume()) append_format(off, "%.2f %%", 100 * run.volume_difference());
   append_format(row, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8.2f\n",
                 text(label.labels.front()).c_str(), grouped(label.samples).c_str(),
                 rounded(label.isovalue, 3).c_str(), grouped(run.vertices).c_str(),
-                rounded(label.volume, 6).c_str(), volume.c_str(), off.c_str(),
+                volume_text(label.volume).c_str(), volume.c_str(), off.c_str(),
                 grouped(run.mesh.components).c_str(),
                 run.mesh == run.report.exact ? "exact" : "not exact", run.seconds_total);
   return row;
