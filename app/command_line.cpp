@@ -98,11 +98,45 @@ void refuse_unknown_command(std::string_view word, bool another_input) {
       (nearest.empty() ? "; --help lists them" : "; did you mean " + std::string(nearest) + "?"));
 }
 
+// True if an option is about the volume of a picture or page.
+bool reads_volume(const CommandLine& line) {
+  return line.isovalue || line.read.raw || line.read.roi || line.field.any();
+}
+
+// True if the surface is known: from an isovalue, or from labels.
+bool has_level(const CommandLine& line) {
+  return line.isovalue || line.field.of_labels();
+}
+
+void take_builtin_isovalue(CommandLine& line) {
+  const BuiltinField* field = find_builtin_field(line.input);
+  if (field && !has_level(line)) line.isovalue = field->isovalue;
+}
+
+// Refuses what has no meaning with --label.
+void check_labels(const CommandLine& line) {
+  if (!line.field.of_labels()) return;
+  if (line.isovalue) {
+    throw InputError("--label and --iso exclude each other: a label has an isovalue of its own");
+  }
+  if (!line.field.all_labels) return;
+  if (line.command != Command::mesh) throw InputError("--label all is for deliso mesh");
+  for (const auto& [option, name] :
+       {std::pair{"-o", line.output}, std::pair{"--json", line.json}}) {
+    const std::size_t place = name.find("%d");
+    if (name.empty()) continue;
+    if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
+      throw InputError(std::string("--label all wants one %d in the name of ") + option +
+                       ", for the label: part-%d.ply");
+    }
+  }
+}
+
 // The colors of a picture may need a volume, and an isovalue.
 void check_colors(CommandLine& line) {
   const bool of_distance = line.color_by == ColorBy::distance;
   if (!of_distance && line.color_by != ColorBy::gradient) {
-    if (line.input.empty() && !line.isovalue && !line.read.raw && !line.read.roi) return;
+    if (line.input.empty() && !reads_volume(line)) return;
     throw InputError("--volume and its options are for --color-by distance and gradient");
   }
   const std::string colors = of_distance ? "--color-by distance" : "--color-by gradient";
@@ -110,10 +144,8 @@ void check_colors(CommandLine& line) {
     throw InputError(colors + " needs --volume INPUT" + (of_distance ? " --iso K" : ""));
   }
   if (!of_distance && line.isovalue) throw InputError(colors + " takes no --iso");
-  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
-    line.isovalue = field->isovalue;
-  }
-  if (of_distance && !line.isovalue) throw InputError(colors + " needs --iso K");
+  take_builtin_isovalue(line);
+  if (of_distance && !has_level(line)) throw InputError(colors + " needs --iso K");
 }
 
 void check_streams(const CommandLine& line) {
@@ -135,13 +167,11 @@ void check_page(CommandLine& line) {
   if (line.meshes.empty()) throw InputError("no mesh given: deliso view MESH -o PAGE.html");
   if (line.meshes.size() > 2) throw InputError("a page shows one mesh, or two side by side");
   check_streams(line);
-  if (line.input.empty() && (line.isovalue || line.read.raw || line.read.roi)) {
+  if (line.input.empty() && reads_volume(line)) {
     throw InputError("an isovalue, and how to read a volume, mean nothing without --volume INPUT");
   }
-  if (const BuiltinField* field = find_builtin_field(line.input); field && !line.isovalue) {
-    line.isovalue = field->isovalue;
-  }
-  if (!line.input.empty() && !line.isovalue) throw InputError("--volume needs --iso K");
+  take_builtin_isovalue(line);
+  if (!line.input.empty() && !has_level(line)) throw InputError("--volume needs --iso K");
   check_page_name(line);
 }
 
@@ -184,8 +214,9 @@ template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
-      "--roi",       "--cap",          "--min-component", "--largest",      "--vertices",
-      "--triangles", "--keep-partial", "--paper",         "--single-stage", "--stop-after"};
+      "--roi",           "--median",       "--smooth",    "--label",     "--cap",
+      "--min-component", "--largest",      "--vertices",  "--triangles", "--keep-partial",
+      "--paper",         "--single-stage", "--stop-after"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };
@@ -214,9 +245,8 @@ void check_combination(CommandLine& line) {
   if (line.command == Command::view) return check_page(line);
   if (line.command == Command::join) return check_join(line);
   if (line.command == Command::check) check_streams(line);
-  const BuiltinField* field = find_builtin_field(line.input);
-  if (field && !line.isovalue) line.isovalue = field->isovalue;
-  if (line.command != Command::info && !line.isovalue) {
+  take_builtin_isovalue(line);
+  if (line.command != Command::info && !has_level(line)) {
     throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
   }
   if (line.output == "-" && line.json == "-") {
@@ -349,6 +379,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     throw InputError("a raw file needs both --dims and --type");
   }
   if (line.read.raw && line.read.spacing) line.read.raw->spacing = *line.read.spacing;
+  check_labels(line);
   check_combination(line);
   check_block(line, given);
   return line;

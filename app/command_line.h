@@ -36,6 +36,17 @@ enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient }
 // Marching Cubes uses only `cap`.
 enum class Method : std::uint8_t { delaunay, marching_cubes };
 
+// The field that is made of the samples (app/field.h).
+struct FieldOptions {
+  int median = 0;                    // radius, in samples; 0: none
+  std::optional<Length> smooth;      // sigma
+  std::vector<std::int64_t> labels;  // the field is the indicator of these
+  bool all_labels = false;           // a mesh for each label of the volume
+
+  bool of_labels() const { return all_labels || !labels.empty(); }
+  bool any() const { return of_labels() || median > 0 || smooth; }
+};
+
 struct CommandLine {
   Command command = Command::mesh;
   std::optional<Command> help_of;  // of the help command: one command, or all
@@ -47,6 +58,7 @@ struct CommandLine {
   std::string json;    // a path, - or empty
   std::optional<double> isovalue;
   ReadOptions read;
+  FieldOptions field;
   MeshWriteOptions write;  // its format is set if there is an output
   Method method = Method::delaunay;
   Options options;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "app/field.h"
 #include "base/text.h"
 #include "base/version.h"
 
@@ -72,10 +73,13 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
 
 std::string criteria_note(const CommandLine& line, const Volume& volume, const Report& report) {
   const Options& options = line.options;
+  const std::string field = field_note(line.field, volume);
   if (line.method == Method::marching_cubes) {
-    return text(kProgram, " ", kVersion, " method=marching-cubes");
+    return text(kProgram, " ", kVersion, " method=marching-cubes", field);
   }
-  if (options.stop_after_recover) return text(kProgram, " ", kVersion, " stop-after=recover");
+  if (options.stop_after_recover) {
+    return text(kProgram, " ", kVersion, " stop-after=recover", field);
+  }
   const double voxel = volume.voxel();
   // Lengths that were given in voxels stay as they are, to the last digit.
   const auto in_voxels = [&](const Length& length) {
@@ -88,7 +92,7 @@ std::string criteria_note(const CommandLine& line, const Volume& volume, const R
     criteria.limits.values[n] = kCriterionTable[n].is_length ? in_voxels(limit) : limit.value;
   }
   if (by_count(options)) criteria[Criterion::distance] = report.max_distance / voxel;
-  return criteria_note(criteria);
+  return criteria_note(criteria) + field;
 }
 
 }  // namespace deliso

@@ -24,7 +24,8 @@ std::string criteria_note(const Criteria& criteria);
 std::optional<Criteria> noted_criteria(std::span<const std::string> comments);
 
 // Returns the line for the mesh of a run. With --vertices it has the distance reached. For a mesh
-// without criteria (Marching Cubes, Stage 1 alone) it names the method, and a check ignores it.
+// without criteria (Marching Cubes, Stage 1 alone) it names the method, and a check ignores it. The
+// words of the field follow (app/field.h).
 std::string criteria_note(const CommandLine& line, const Volume& volume, const Report& report);
 
 }  // namespace deliso

@@ -73,11 +73,11 @@ FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& lin
     return by_value(of_each(meshes, smallest_angles), {"smallest angle (degrees)", 60, false});
   }
   const Input input = read_input(line);
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   const bool of_distance = line.color_by == ColorBy::distance;
   const Values values = of_each(meshes, [&](TriMesh mesh) {
     bring_home(mesh, volume.frame());
-    return of_distance ? distances_in_voxels(mesh, volume, *line.isovalue)
+    return of_distance ? distances_in_voxels(mesh, volume, *input.isovalue)
                        : gradient_sizes(mesh, volume);
   });
   return by_value(values,

@@ -72,20 +72,21 @@ std::string suggestions_text(const Info& info) {
 }  // namespace
 
 Info find_info(const Input& input, const CommandLine& line) {
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   Info info{input, make_histogram(volume, input.range, kBins), {}, {}, false, 0, {}, 0, {}, 0};
   const Stopwatch to_suggest;
-  const Modes modes = find_modes(volume, input.range, kSuggestions);
+  // A label's isovalue is known.
+  const Modes modes = input.field.label ? Modes{} : find_modes(volume, input.range, kSuggestions);
   info.padding = modes.padding;
   info.one_mode = modes.by_otsu;
   for (const Valley& valley : modes.valleys) {
     info.suggestions.push_back(suggestion_of(valley, volume, line.options));
   }
   info.seconds_suggestions = to_suggest.seconds();
-  info.isovalue = line.isovalue;
-  if (line.isovalue) {
+  info.isovalue = input.isovalue;
+  if (input.isovalue) {
     const Stopwatch watch;
-    info.effective = *line.isovalue;
+    info.effective = *input.isovalue;
     info.contour = summarize_settled_contour(volume, info.effective);
     info.seconds_contour = watch.seconds();
   }
@@ -95,6 +96,7 @@ Info find_info(const Input& input, const CommandLine& line) {
 std::string info_text(const Info& info) {
   std::string text = input_text(info.input);
   text += '\n';
+  if (info.input.field.is_filtered()) text += "samples of the filtered field:\n";
   text += histogram_text(info.histogram, kRows);
   text += '\n';
   text += suggestions_text(info);

@@ -36,7 +36,7 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
 
 }  // namespace
 
-Input read_input(const CommandLine& line, std::vector<std::string> others) {
+Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
   ReadLog log;
   Volume volume = read_volume(line.input, line.read, &log);
@@ -44,7 +44,23 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
   const ValueRange range = value_range(volume, line.input, line.options.threads);
-  return {line.input, std::move(volume), range, std::move(log), watch.seconds()};
+  std::vector<LabelSamples> labels;
+  if (line.field.of_labels()) labels = find_labels(volume, line.input, line.options.threads);
+  return {std::move(volume), range, std::move(labels), std::move(log), watch.seconds()};
+}
+
+Input input_of(const Source& source, const CommandLine& line) {
+  const int threads = line.options.threads;
+  Field field = make_field(source.volume, line.field, source.labels, line.input, threads);
+  const ValueRange range =
+      field.is_filtered() ? value_range(field.volume, line.input, threads) : source.range;
+  Input input{line.input, std::move(field), range, source.log, source.seconds, line.isovalue};
+  if (input.field.label) input.isovalue = input.field.label->isovalue;
+  return input;
+}
+
+Input read_input(const CommandLine& line, std::vector<std::string> others) {
+  return input_of(read_source(line, std::move(others)), line);
 }
 
 std::string no_surface_text(double isovalue, const ValueRange& range) {
@@ -53,7 +69,7 @@ std::string no_surface_text(double isovalue, const ValueRange& range) {
 }
 
 std::string input_text(const Input& input) {
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   const Index3 dims = volume.dims();
   const auto sample_text = [&](double sample) {
     return is_integer(volume.type()) ? number_text(sample) : rounded(sample, 7);
@@ -83,11 +99,11 @@ std::string input_text(const Input& input) {
     text += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
   }
   for (const std::string& note : input.log.notes) text += "          " + note + "\n";
-  return text;
+  return text + field_text(input.field);
 }
 
 void add_input(JsonWriter& json, const Input& input) {
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   const Frame& at = volume.frame();
   const Index3 dims = volume.dims();
   json.open("volume");
@@ -115,6 +131,7 @@ void add_input(JsonWriter& json, const Input& input) {
     json.close();
   }
   if (!input.log.arrays.empty()) json.close();
+  add_field(json, input.field);
   json.close();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/field.h"
 #include "app/json.h"
 #include "io/volume/read_volume.h"
 #include "volume/volume.h"
@@ -14,16 +15,30 @@ namespace deliso {
 
 struct Input {
   std::string name;  // as the user gave it
-  Volume volume;
-  ValueRange range;
+  Field field;
+  ValueRange range;  // of the field
   ReadLog log;
-  double seconds = 0;  // for reading, and for one pass over the samples
+  double seconds = 0;                // for reading, and for one pass over the samples
+  std::optional<double> isovalue{};  // the user's, or the label's
+
+  const Volume& volume() const { return field.volume; }
 };
 
 // Reads the command's input. Throws InputError, also for the first NaN or infinite sample. Also
 // throws if an output of the run cannot be written, or is a file that is read: of the volume or of
 // `others`.
 Input read_input(const CommandLine& line, std::vector<std::string> others = {});
+
+// The same in two steps, for several fields of one volume.
+struct Source {
+  Volume volume;
+  ValueRange range;
+  std::vector<LabelSamples> labels;  // only if the command line asks for any
+  ReadLog log;
+  double seconds = 0;
+};
+Source read_source(const CommandLine& line, std::vector<std::string> others = {});
+Input input_of(const Source& source, const CommandLine& line);
 
 // Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);

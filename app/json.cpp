@@ -77,7 +77,7 @@ void JsonWriter::add(std::string_view key, double value) {
   append_number(value);
 }
 
-void JsonWriter::add(std::string_view key, std::initializer_list<double> values) {
+void JsonWriter::add(std::string_view key, std::span<const double> values) {
   begin_member(key);
   text_ += '[';
   bool first = true;

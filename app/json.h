@@ -30,7 +30,10 @@ class JsonWriter {
   void add(std::string_view key, std::string_view value);
   void add(std::string_view key, const char* value) { add(key, std::string_view(value)); }
   void add(std::string_view key, double value);  // null if it is not finite
-  void add(std::string_view key, std::initializer_list<double> values);
+  void add(std::string_view key, std::initializer_list<double> values) {
+    add(key, std::span(values.begin(), values.size()));
+  }
+  void add(std::string_view key, std::span<const double> values);
   void add(std::string_view key, std::span<const std::string> values);
   void add(std::string_view key, bool value);
   void add(std::string_view key, std::integral auto value) {

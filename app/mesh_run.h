@@ -13,6 +13,7 @@
 #include "app/input.h"
 #include "app/progress.h"
 #include "app/topology.h"
+#include "base/stopwatch.h"
 #include "check/verify.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
@@ -33,7 +34,7 @@ struct MeshRun {
   std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
-  double volume = 0;        // with --cap: the volume inside mesh and caps, in world units
+  double volume = 0;        // if has_volume(): inside mesh and caps, in world units
   // Pairs of crossing facets in the file, and how many they would be in double precision. Counted
   // with --cap, and if coordinates are rounded to float.
   std::size_t crossings = 0, crossings_in_double = 0;
@@ -43,6 +44,12 @@ struct MeshRun {
   std::uint64_t peak_bytes = 0;  // of the process
 
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
+  // True if it is closed: by caps, or as the surface of labels inside the box.
+  bool has_volume() const {
+    return has_solid() || (input.field.label && !line.options.cap && mesh.boundary_loops == 0);
+  }
+  // Returns the share by which it differs from the volume of the label's voxels.
+  double volume_difference() const { return volume / input.field.label->volume - 1; }
   std::size_t crossings_by_rounding() const {
     return crossings - std::min(crossings, crossings_in_double);
   }
@@ -59,6 +66,10 @@ TriMesh mesh_input(MeshRun& run, Progress& progress,
 
 // Returns how the mesh of the run is written, with the comments of its file.
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
+
+// Meshes the run's input, writes the files, and fills in the run. `total` counts from the beginning
+// of the run. Throws InputError.
+void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run);
 
 std::uint64_t peak_memory_bytes();  // of the process
 

@@ -14,6 +14,7 @@
 #include "app/parse_value.h"
 #include "base/check.h"
 #include "base/text.h"
+#include "io/filter/median.h"
 
 namespace deliso {
 namespace {
@@ -57,6 +58,15 @@ double parse_share(std::string_view option, std::string_view text) {
   const double share = parse_positive(option, text);
   if (share > 1) throw InputError(std::string(option) + " must be at most 1");
   return share;
+}
+
+int parse_radius(std::string_view option, std::string_view text) {
+  const std::uint64_t radius = parse_count(option, text, 1);
+  if (radius > static_cast<std::uint64_t>(kLargestMedianRadius)) {
+    throw InputError(std::string(option) + " must be at most " +
+                     std::to_string(kLargestMedianRadius));
+  }
+  return static_cast<int>(radius);
 }
 
 void require(std::string_view option, std::string_view text, std::string_view only) {
@@ -130,7 +140,21 @@ constexpr OptionSpec kInputAndOutput[] = {
      "which array of a VTK file (default: the one that it calls active, or the first that can be "
      "meshed; the info command lists them)",
      [](Line& l, Text, Text v) { l.read.array = v; }},
-
+    {"--median", 0, "R", kVolume,
+     "the median of the (2R+1)^3 samples around each, R from 1 to 3, before all else",
+     [](Line& l, Text o, Text v) { l.field.median = parse_radius(o, v); }},
+    {"--smooth", 0, "S|Svox", kVolume,
+     "a Gaussian of the samples, after --median: sigma in world units, or in voxels as 0.7vox",
+     [](Line& l, Text o, Text v) { l.field.smooth = parse_length(o, v, Length::Unit::world); }},
+    {"--label", 0, "L[,L...]|all", kVolume,
+     "the surface around these labels of a segmentation, smoothed by --smooth (default 1vox), in "
+     "place of --iso; all: a mesh for each label but 0, with %d in FILE's name",
+     [](Line& l, Text o, Text v) {
+       l.field.all_labels = v == "all";
+       if (!l.field.all_labels) l.field.labels = parse_label_list(o, v);
+     },
+     "the surface around these labels of a segmentation, smoothed by --smooth (default 1vox), in "
+     "place of --iso"},
 };
 
 constexpr OptionSpec kRest[] = {

@@ -97,6 +97,23 @@ Length parse_length(std::string_view option, std::string_view text, Length::Unit
   return {*value, in_voxels ? Length::Unit::voxel : unit};
 }
 
+std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_view text) {
+  constexpr std::int64_t kLargest = std::int64_t{1} << 53;
+  std::vector<std::int64_t> labels;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto label = read_all<std::int64_t>(text.substr(begin, end - begin));
+    if (!label || *label < -kLargest || *label > kLargest) {
+      refuse(option, text, "whole numbers as in '1' or '1,4', or all");
+    }
+    labels.push_back(*label);
+    begin = end + 1;
+  }
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
+}
+
 Vec3 parse_spacing(std::string_view option, std::string_view text) {
   const auto list = read_list<double, 3>(text, ',');
   if (!list || !((*list)[0] > 0 && (*list)[1] > 0 && (*list)[2] > 0)) {

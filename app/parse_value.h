@@ -20,6 +20,8 @@ double parse_positive(std::string_view option, std::string_view text);
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least = 0);
 // 0.5vox, or a plain number in `unit`.
 Length parse_length(std::string_view option, std::string_view text, Length::Unit unit);
+// Whole numbers of at most 2^53, each once, in order; 1,4.
+std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_view text);
 Vec3 parse_spacing(std::string_view option, std::string_view text);              // 1,1,2.5
 Vec3 parse_point(std::string_view option, std::string_view text);                // 1,-2,2.5
 View parse_view(std::string_view option, std::string_view text);                 // 30,25

@@ -90,13 +90,14 @@ std::string report_json(const MeshRun& run) {
   const Report& report = run.report;
   JsonWriter json("mesh");
   add_input(json, run.input);
-  json.add("isovalue", *run.line.isovalue);
+  json.add("isovalue", *run.input.isovalue);
   json.add("isovalue_effective", report.kappa_effective);
   json.add("r_min", report.r_min);
   add_options(json, run.line);
 
   json.open("seconds");
   json.add("read", run.input.seconds);
+  json.add("filter", run.input.field.seconds);
   json.add("tree", report.seconds_tree);
   json.add("contour", report.seconds_contour);
   json.add("init", report.seconds_init);
@@ -153,9 +154,10 @@ std::string report_json(const MeshRun& run) {
     json.add("cap_failure", report.cap.failure);
     json.add("cap_crossings", run.has_solid() ? run.crossings : 0);
   }
+  if (run.input.field.label && run.has_volume()) json.add("volume", run.volume);
   json.add("crossings_by_rounding", run.crossings_by_rounding());
   json.close();
-  if (run.verification) add_verification(json, *run.verification, run.input.volume);
+  if (run.verification) add_verification(json, *run.verification, run.input.volume());
   json.add("peak_memory_bytes", run.peak_bytes);
   return json.finish();
 }

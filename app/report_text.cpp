@@ -74,6 +74,7 @@ void append_stages(std::string& text, const MeshRun& run) {
   const Report& report = run.report;
   text += "\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
   append_step(text, "read", run.input.seconds);
+  append_step(text, "filter", run.input.field.seconds);
   append_step(text, "kd-tree", report.seconds_tree);
   append_step(text, "exact contour", report.seconds_contour);
   append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
@@ -156,8 +157,8 @@ std::string verdict_text(const MeshRun& run) {
 std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
   std::string text = input_text(run.input);
-  text += "isovalue  " + number_text(*run.line.isovalue);
-  if (report.kappa_effective != *run.line.isovalue) {
+  text += "isovalue  " + number_text(*run.input.isovalue);
+  if (report.kappa_effective != *run.input.isovalue) {
     text +=
         ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles equal it";
   }
@@ -185,6 +186,10 @@ std::string report_text(const MeshRun& run) {
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
   }
+  if (run.input.field.label && run.has_volume()) {
+    append_format(text, "volume    %s in the mesh, %.2f %% off that of the voxels\n",
+                  volume_text(run.volume).c_str(), 100 * run.volume_difference());
+  }
   if (run.crossings_by_rounding() > 0) {
     text += "rounding  FAULT: single precision makes " +
             counted(run.crossings_by_rounding(), "pair", "pairs") + " of triangles cross; " +
@@ -198,9 +203,9 @@ std::string report_text(const MeshRun& run) {
   const bool refined =
       run.line.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
-    text += distance_text(options, report, run.input.volume.voxel(), verbose);
+    text += distance_text(options, report, run.input.volume().voxel(), verbose);
   }
-  if (run.verification) text += verification_text(*run.verification, run.input.volume);
+  if (run.verification) text += verification_text(*run.verification, run.input.volume());
   if (verbose) {
     append_counters(text, report);
   } else if (run.line.method == Method::delaunay && run.triangles > 0) {

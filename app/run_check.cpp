@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
+#include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,22 +20,22 @@ namespace deliso {
 CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comments,
                              const CommandLine& line, const Input& input,
                              std::function<void(double)> progress) {
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
   VerifyOptions options = verify_options(line, volume, noted);
   options.progress = std::move(progress);
   CheckRun run{{}, noted.has_value(), is_single_precision(mesh), {}};
   options.position_error = bring_home(mesh, volume.frame());
   const double isovalue = is_of_blocks(comments)
-                              ? isovalue_of_blocks(volume.type(), *line.isovalue)
-                              : settled_isovalue(volume, *line.isovalue, options.threads);
+                              ? isovalue_of_blocks(volume.type(), *input.isovalue)
+                              : settled_isovalue(volume, *input.isovalue, options.threads);
   run.verification = verify(mesh, volume, isovalue, options);
 
   JsonWriter json("check");
   json.add("mesh", line.meshes.front());
   json.add("criteria_of_file", run.by_comments);
   add_input(json, input);
-  json.add("isovalue", *line.isovalue);
+  json.add("isovalue", *input.isovalue);
   add_verification(json, run.verification, volume);
   run.json = json.finish();
   return run;
@@ -43,13 +45,20 @@ int run_check(const CommandLine& line) {
   std::vector<std::string> comments;
   TriMesh mesh = read_mesh(line.meshes.front(), &comments);
   const Input input = read_input(line, line.meshes);
+  const std::string asked = field_note(line.field, input.volume());
+  const auto made = noted_field(comments);
+  if (made && *made != asked && !line.quiet) {
+    std::fprintf(stderr, "deliso: warning: %s is of another field: its file says%s, this check%s\n",
+                 line.meshes.front().c_str(), made->empty() ? " no filter" : made->c_str(),
+                 asked.empty() ? " has no filter" : (" says" + asked).c_str());
+  }
   const CheckRun run = check_mesh_in_world(std::move(mesh), comments, line, input);
   const Verification& result = run.verification;
   if (!line.json.empty()) write_text(line.json, run.json);
   if (!line.quiet && line.json != "-") {
     const char* judged = run.by_comments ? ", judged by the criteria in its comment\n" : "\n";
     std::string text = "mesh      " + line.meshes.front() + judged + input_text(input) +
-                       verification_text(result, input.volume);
+                       verification_text(result, input.volume());
     if (run.is_single && result.faults.count(FaultKind::self_intersections) > 0) {
       text += std::string(
                   "          coordinates are in single precision, which may be why "

@@ -107,6 +107,9 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
   if (run.fault.empty()) run.fault = boundary_fault;
+  if (reported && run.has_volume() && !options.cap) {
+    run.volume = world_volume(enclosed_volume(mesh), volume.frame());
+  }
 }
 
 // Verifies the mesh against the volume, independently of the stages.
@@ -143,12 +146,12 @@ std::uint64_t peak_memory_bytes() {
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume;
+  const Volume& volume = run.input.volume();
   MeshWriteOptions options = line.write;
   options.comment = criteria_note(line, volume, run.report);
   if (line.read.block) {
     options.seam = seam_of(mesh, volume);
-    options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
+    options.comment = part_comment(options.comment, volume, *line.read.block, *run.input.isovalue,
                                    run.report.kappa_effective, written_part(mesh, options));
   }
   return options;
@@ -156,8 +159,8 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
 
 TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume;
-  const double isovalue = *line.isovalue;
+  const Volume& volume = run.input.volume();
+  const double isovalue = *run.input.isovalue;
   // A part may well be empty.
   const bool may_be_empty = line.allow_empty || line.read.block;
   if (!may_be_empty) require_isovalue_in_range(isovalue, run.input.range);
@@ -200,13 +203,8 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   return mesh;
 }
 
-int run_mesh(const CommandLine& line) {
-  const Stopwatch total;
-  ProgressBar progress(mesh_stages(line), !line.quiet);
-  progress.show("reading", 0);
-  const Input input = read_input(line);
-  progress.clear();
-  MeshRun run(line, input);
+void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) {
+  const CommandLine& line = run.line;
   const TriMesh mesh = mesh_input(run, progress, [&](const std::string& warning) {
     if (line.quiet) return;
     progress.clear();
@@ -222,8 +220,18 @@ int run_mesh(const CommandLine& line) {
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();
-
   if (!line.json.empty()) write_text(line.json, report_json(run));
+}
+
+int run_mesh(const CommandLine& line) {
+  if (line.field.all_labels) return run_labels(line);
+  const Stopwatch total;
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  const Input input = read_input(line);
+  progress.clear();
+  MeshRun run(line, input);
+  mesh_to_files(total, progress, run);
   if (!line.quiet) {
     const bool stdout_taken = line.output == "-" || line.json == "-";
     const std::string text = report_text(run);

@@ -29,22 +29,22 @@ int run_trace(const CommandLine& line) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
   const Input input = read_input(line);
-  require_limits(line.options, input.volume);
+  require_limits(line.options, input.volume());
   Trace trace(line.trace_limit, line.trace_times);
   Options options = line.options;
   Report report;
   TraceRecorder recorder(trace, report, &progress);
   options.observer = &recorder;
-  const TriMesh mesh = mesh_isosurface(input.volume, *line.isovalue, options, report);
+  const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, options, report);
   if (mesh.faces.empty()) {
-    throw InputError(no_surface_text(*line.isovalue, input.range));
+    throw InputError(no_surface_text(*input.isovalue, input.range));
   }
 
   progress.show("writing", 0);
   PageData data;
   add_trace(trace, data);
-  const bool has_samples = input.volume.sample_count() <= kMostSamplesShown;
-  if (has_samples) add_samples(input.volume, input.range, data);
+  const bool has_samples = input.volume().sample_count() <= kMostSamplesShown;
+  if (has_samples) add_samples(input.volume(), input.range, data);
   const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
   {
     const DeferSignals defer;

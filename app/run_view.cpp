@@ -78,8 +78,8 @@ int run_view(const CommandLine& line) {
   header.add("origin", {middle.x, middle.y, middle.z});
   if (input) {
     header.add("volume", short_name(input->name));
-    header.add("iso", *line.isovalue);
-    header.add("voxel", input->volume.voxel());
+    header.add("iso", *input->isovalue);
+    header.add("voxel", input->volume().voxel());
   }
   header.open_list("meshes");
   for (std::size_t n = 0; n < meshes.size(); ++n) {
@@ -95,8 +95,9 @@ int run_view(const CommandLine& line) {
     sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle", "triangles");
     add_mesh(data, mesh, middle, n);
     if (input) {
-      bring_home(mesh, input->volume.frame());
-      data.add(text("h", n), as_floats(distances_in_voxels(mesh, input->volume, *line.isovalue)));
+      bring_home(mesh, input->volume().frame());
+      data.add(text("h", n),
+               as_floats(distances_in_voxels(mesh, input->volume(), *input->isovalue)));
     }
   }
   header.close();

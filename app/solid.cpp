@@ -2,6 +2,7 @@
 #include "app/solid.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "app/text.h"
 #include "base/text.h"
@@ -11,6 +12,12 @@ namespace deliso {
 double world_volume(double scaled, const Frame& frame) {
   const auto& [u, v, w] = frame.axes;
   return scaled * std::fabs(dot(cross(u, v), w));
+}
+
+std::string volume_text(double volume) {
+  constexpr double kFewest = 1e5, kMost = 1e15;
+  const bool is_large = volume >= kFewest && volume < kMost;
+  return is_large ? grouped(static_cast<std::uint64_t>(std::llround(volume))) : rounded(volume, 6);
 }
 
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,

@@ -18,6 +18,9 @@ double world_volume(double scaled, const Frame& frame);
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                        const MeshQuality& caps);
 
+// Returns six digits, or a whole number from 100,000 on.
+std::string volume_text(double volume);
+
 // Adds an object "solid".
 void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                const MeshQuality& caps);

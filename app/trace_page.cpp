@@ -157,7 +157,7 @@ void add_samples(const Volume& volume, const ValueRange& range, PageData& data) 
 
 std::string trace_header(const CommandLine& line, const Input& input, const Report& report,
                          const Trace& trace) {
-  const Volume& volume = input.volume;
+  const Volume& volume = input.volume();
   const Box3 box = volume.box();
   const Index3 dims = volume.dims();
   const Vec3 spacing = volume.spacing();

@@ -96,7 +96,7 @@ CommandLine parse(std::vector<std::string> inputs, double isovalue, const char* 
       "iso",  "output", "format", "json", "quiet",   "verbose", "roi",  "block",
       "type", "array",  "dims",   "skip", "spacing", "endian",  "help", "version"};
   std::vector<std::string> words = std::move(inputs);
-  words.push_back("--iso=" + number_text(isovalue));
+  if (!std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
   for (; options && *options; ++options) {
     const std::string_view option = *options, name = option.substr(0, option.find('='));
     if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) {
@@ -104,13 +104,18 @@ CommandLine parse(std::vector<std::string> inputs, double isovalue, const char* 
     }
     words.push_back(text("--", option));
   }
-  return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  CommandLine line = parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  if (line.field.all_labels) throw InputError("--label all has no meaning for an array");
+  return line;
 }
 
 Input input_of(const deliso_volume& volume, const CommandLine& line) {
   const Stopwatch watch;
-  const ValueRange range = value_range(volume.volume, kName, line.options.threads);
-  return {kName, volume.volume, range, {}, watch.seconds()};
+  const int threads = line.options.threads;
+  Source source{volume.volume, value_range(volume.volume, kName, threads), {}, {}, 0};
+  if (line.field.of_labels()) source.labels = find_labels(volume.volume, kName, threads);
+  source.seconds = watch.seconds();
+  return deliso::input_of(source, line);
 }
 
 // Returns the unit vector at p, in the world, that the header calls the normal.
@@ -203,7 +208,7 @@ deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
     auto made = std::make_unique<deliso_mesh>();
     const TriMesh surface = mesh_input(
         run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
-    made->normals = normals_of(surface, input.volume, line.options.threads);
+    made->normals = normals_of(surface, input.volume(), line.options.threads);
     made->mesh = written_part(surface, {.format = MeshFormat::ply});
     made->write = write_options(run, surface);
     run.peak_bytes = peak_memory_bytes();

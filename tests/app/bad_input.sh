@@ -79,6 +79,19 @@ for bits in '\000\000\300\177' '\000\000\200\177'; do
   refuses 'float.nhdr.*sample at (1, 0, 2)' info float.nhdr
 done
 
+# Labels and filters.
+refuses 'float.nhdr.*sample at (1, 0, 2)' float.nhdr --label 1 -o $o
+refuses 'float.nhdr.*sample at (1, 0, 2)' float.nhdr --iso 0.5 --smooth 1 -o $o
+head -c 256 /dev/zero >float.raw
+printf '\000\000\300\077' | dd of=float.raw bs=4 seek=33 conv=notrunc 2>/dev/null
+refuses 'float.nhdr: the sample at (1, 0, 2) is 1.5, and labels are whole' float.nhdr --label 1 -o $o
+refuses 'float.nhdr: the sample' float.nhdr --label all -o out/part-%d.ply
+refuses 'no sample has label 7: its 1 labels are 0' whole.raw --dims 4x4x4 --type uint8 --label 7 -o $o
+refuses 'has no label but 0' whole.raw --dims 4x4x4 --type uint8 --label all -o out/part-%d.ply
+refuses 'samples along x, and must be at most 100' builtin:sphere --smooth 200 -o $o
+refuses 'changes nothing' builtin:sphere --smooth 0.001vox -o $o
+refuses 'no surface' whole.raw --dims 4x4x4 --type uint8 --label 0 -o $o
+
 # Isovalues without a surface.
 refuses '0 to 0' whole.raw --dims 4x4x4 --type uint8 --iso 0.5 -o $o
 refuses 'no surface at isovalue 1000' builtin:sphere --iso 1000 -o $o

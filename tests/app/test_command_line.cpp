@@ -697,6 +697,63 @@ TEST_CASE("any arguments give a command line or an InputError of one line") {
   CHECK(accepted > 100);
 }
 
+TEST_CASE("--median, --smooth and --label are parsed, for every command with a volume") {
+  const CommandLine line = parse({"a.nrrd", "--iso", "1", "--median", "2", "--smooth", "0.7vox"});
+  CHECK(line.field.median == 2);
+  REQUIRE(line.field.smooth.has_value());
+  CHECK(same(*line.field.smooth, {0.7, Length::Unit::voxel}));
+  CHECK_FALSE(line.field.of_labels());
+  CHECK(same(*parse({"a.nrrd", "--iso", "1", "--smooth", "3"}).field.smooth,
+             {3, Length::Unit::world}));
+  CHECK_FALSE(parse({"a.nrrd", "--iso", "1"}).field.any());
+  for (const char* radius : {"0", "4", "-1", "1.5", "1vox"}) {
+    CHECK(refusal({"a.nrrd", "--iso", "1", "--median", radius}).starts_with("--median "));
+  }
+  for (const char* sigma : {"0", "-1", "nan", "1mm", "vox"}) {
+    CHECK(refusal({"a.nrrd", "--iso", "1", "--smooth", sigma}).starts_with("--smooth "));
+  }
+  for (const char* labels : {"", ",", "1,", "1.5", "a", "1 2", "9007199254740993", "any"}) {
+    CHECK(refusal({"a.nrrd", "--label", labels}).starts_with("--label "));
+  }
+  CHECK(parse({"a.nrrd", "--label", "4,-1,4,2"}).field.labels ==
+        std::vector<std::int64_t>{-1, 2, 4});
+  // A label has an isovalue of its own, also in a built-in field.
+  CHECK_FALSE(parse({"builtin:torus", "--label", "1"}).isovalue.has_value());
+  for (const std::vector<std::string_view>& command : std::vector<std::vector<std::string_view>>{
+           {"mesh", "a.nrrd"},
+           {"info", "a.nrrd"},
+           {"check", "m.ply", "a.nrrd"},
+           {"trace", "a.nrrd", "-o", "p.html"},
+           {"view", "m.ply", "--volume", "a.nrrd", "-o", "p.html"},
+           {"render", "m.ply", "--volume", "a.nrrd", "--color-by", "distance", "-o", "p.png"}}) {
+    CAPTURE(command[0]);
+    const auto with = [&](std::vector<std::string_view> more) {
+      more.insert(more.begin(), command.begin(), command.end());
+      return more;
+    };
+    CHECK(parse(with({"--label", "1", "--median", "1", "--smooth", "1"})).field.any());
+    CHECK(refusal(with({"--label", "1", "--iso", "1"})).starts_with("--label and --iso exclude"));
+    if (command[0] != "mesh") {
+      CHECK(refusal(with({"--label", "all"})) == "--label all is for deliso mesh");
+    }
+  }
+  CHECK(refusal({"render", "m.ply", "-o", "p.png", "--smooth", "1"}).starts_with("--volume and"));
+  CHECK(refusal({"view", "m.ply", "-o", "p.html", "--median", "1"}) != "");
+}
+
+TEST_CASE("--label all wants one place for the label in the names of outputs") {
+  CHECK(parse({"a.nrrd", "--label", "all"}).field.all_labels);
+  CHECK(parse({"a.nrrd", "--label", "all", "-o", "part-%d.ply", "--json", "%d.json"}).json ==
+        "%d.json");
+  for (const char* name : {"part.ply", "-", "%d-%d.ply", "%s-%d.ply", "%%d.ply", "part-%u.ply"}) {
+    CAPTURE(name);
+    CHECK(refusal({"a.nrrd", "--label", "all", "-o", name})
+              .starts_with("--label all wants one %d in the name of -o"));
+  }
+  CHECK(refusal({"a.nrrd", "--label", "all", "--json", "-"})
+            .starts_with("--label all wants one %d in the name of --json"));
+}
+
 TEST_CASE("--block is parsed, and options that a block cannot have are refused") {
   const CommandLine line = parse({"a.nrrd", "--iso", "1", "--block", "1,0,2/2,3,4", "-o", "p.ply"});
   REQUIRE(line.read.block.has_value());
@@ -709,6 +766,8 @@ TEST_CASE("--block is parsed, and options that a block cannot have are refused")
     CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "--block", text}).empty());
   }
   const std::vector<std::vector<std::string_view>> others{{"--roi", "0:4,0:4,0:4"},
+                                                          {"--median", "1"},
+                                                          {"--smooth", "1vox"},
                                                           {"--cap"},
                                                           {"--min-component", "3"},
                                                           {"--largest", "2"},

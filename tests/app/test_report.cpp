@@ -93,6 +93,15 @@ std::vector<json::Value> all_reports() {
   }
   out.close();
   all.push_back(written(folder, {"info", padded, "--dims", "20x20x20", "--type", "uint8"}));
+  const std::vector<std::string> mask{padded, "--dims", "20x20x20", "--type", "uint8"};
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--label", "120,121,200", "--smooth", "2"},
+                                             {"--label", "0", "--median", "1", "--allow-empty"}}) {
+    std::vector<std::string> arguments = mask;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    all.push_back(written(folder, arguments));
+  }
+  all.push_back(written(folder, {"info", field, "--median", "1", "--smooth", "1vox"}));
   const std::string named = folder.file("named.vtk");
   std::ofstream(named) << "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET STRUCTURED_POINTS\n"
                           "DIMENSIONS 2 2 2\nSPACING 1 1 1\nORIGIN 0 0 0\nPOINT_DATA 8\n"
@@ -221,7 +230,8 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
         "D",        "r_min",      "r/l",           "h/r",      "labels",   "rungs",   "counters",
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
-        "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try", "largest", "sizes"}) {
+        "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
+        "label",    "volume",     "largest",       "sizes"}) {
     check_row(word);
   }
 }

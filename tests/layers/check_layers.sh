@@ -8,7 +8,7 @@ cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
 stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks cap"
-io="io/files io/volume io/mesh io/parts"
+io="io/files io/volume io/filter io/mesh io/parts"
 view="view/page view/render view/trace"
 
 allowed() {
@@ -30,6 +30,7 @@ allowed() {
       "surface/criteria.h check" ;;
     io/files) echo "base io/files" ;;
     io/volume) echo "base volume io/files io/volume" ;;
+    io/filter) echo "base volume io/files io/filter" ;;
     io/mesh) echo "base mesh io/files io/mesh" ;;
     io/parts) echo "base volume mesh $io" ;;
     view/page) echo "base io/files view/page" ;;

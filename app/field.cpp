@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "app/field.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/solid.h"
+#include "app/text.h"
+#include "base/check.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "io/files/append_format.h"
+#include "io/filter/gaussian.h"
+#include "io/filter/median.h"
+
+namespace deliso {
+namespace {
+
+// Lengths that were given in voxels stay as they are, to the last digit.
+double in_voxels(const Length& length, const Volume& volume) {
+  return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / volume.voxel();
+}
+
+// Returns the standard deviations in samples along the axes.
+Vec3 sigma_of(const Length& length, const Volume& volume) {
+  Vec3 sigma;
+  int widest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    sigma[axis] = in_voxels(length, volume) * volume.voxel() / volume.spacing()[axis];
+    // Written so that what overflows is refused.
+    if (!(sigma[axis] <= kLargestSigma)) {
+      throw InputError(text("--smooth is ", rounded(sigma[axis]), " samples along ",
+                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
+                            ", and must be at most ", kLargestSigma));
+    }
+    widest = std::max(widest, gaussian_radius(sigma[axis]));
+  }
+  if (widest == 0) {
+    throw InputError(
+        "--smooth is less than an eighth of a sample along all axes: that changes nothing");
+  }
+  return sigma;
+}
+
+std::string list_of(std::span<const std::int64_t> labels, std::string_view separator) {
+  std::string list;
+  for (const std::int64_t label : labels) {
+    list += text(list.empty() ? std::string_view() : separator, label);
+  }
+  return list;
+}
+
+// Cuts the labels out of the volume as an indicator. The margin has room for the filters: beyond
+// it all is 0.
+Volume indicator_of(const Volume& volume, const FieldOptions& options, const LabelSamples& extent,
+                    const Field& field, int threads) {
+  Index3 margin;
+  for (int axis = 0; axis < 3; ++axis) {
+    margin[axis] = gaussian_radius(field.sigma[axis]) + field.median + 1;
+  }
+  return label_indicator(volume, options.labels, extent, margin, threads);
+}
+
+// Finds the isovalue, in the smoothed indicator.
+LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions& options,
+                    const LabelSamples& extent, int threads) {
+  const IndicatorLevel level = find_level(field.volume, extent.volume, threads);
+  const Vec3 s = whole.spacing();
+  LabelFacts facts;
+  facts.labels = options.labels;
+  facts.whole = whole.dims();
+  facts.samples = extent.samples;
+  facts.volume = world_volume(extent.volume * s.x * s.y * s.z, whole.frame());
+  facts.off_at_half = level.at_half / extent.volume - 1;
+  facts.isovalue = level.level;
+  return facts;
+}
+
+}  // namespace
+
+Field make_field(const Volume& volume, const FieldOptions& options,
+                 std::span<const LabelSamples> found, std::string_view name, int threads) {
+  const Stopwatch watch;
+  Field field{volume};
+  const bool of_label = !options.labels.empty();
+  std::optional<Length> smooth = options.smooth;
+  if (of_label && !smooth) smooth = {1, Length::Unit::voxel};
+  field.median = options.median;
+  if (smooth) {
+    field.sigma = sigma_of(*smooth, volume);
+    field.sigma_voxels = in_voxels(*smooth, volume);
+  }
+  LabelSamples extent;
+  if (of_label) {
+    extent = united_labels(found, options.labels, name);
+    field.volume = indicator_of(volume, options, extent, field, threads);
+  }
+  if (field.median > 0) field.volume = median(field.volume, field.median, threads);
+  if (smooth) field.volume = gaussian(field.volume, field.sigma, threads);
+  if (of_label) field.label = facts_of(field, volume, options, extent, threads);
+  field.seconds = watch.seconds();
+  return field;
+}
+
+std::string field_note(const FieldOptions& options, const Volume& volume) {
+  std::string words;
+  if (options.median > 0) words += text(" median=", options.median);
+  if (options.smooth) words += text(" smooth=", in_voxels(*options.smooth, volume));
+  if (!options.labels.empty()) words += " label=" + list_of(options.labels, ",");
+  return words;
+}
+
+std::optional<std::string> noted_field(std::span<const std::string> comments) {
+  for (const std::string& comment : comments) {
+    if (!comment.starts_with("deliso ")) continue;
+    std::string words;
+    for (const std::string_view name : {" median=", " smooth=", " label="}) {
+      const std::size_t begin = comment.find(name);
+      if (begin == std::string::npos) continue;
+      words += comment.substr(begin, comment.find(' ', begin + 1) - begin);
+    }
+    return words;
+  }
+  return std::nullopt;
+}
+
+std::string filter_text(const Field& field) {
+  std::string line;
+  if (field.median > 0) {
+    const int side = 2 * field.median + 1;
+    line = text("median of ", side, " x ", side, " x ", side, " samples");
+  }
+  if (field.sigma_voxels > 0) {
+    line += text(line.empty() ? "" : ", then ", "Gaussian of sigma ", rounded(field.sigma_voxels),
+                 " voxels (", rounded(field.sigma.x), " ", rounded(field.sigma.y), " ",
+                 rounded(field.sigma.z), " samples)");
+  }
+  return line;
+}
+
+std::string field_text(const Field& field) {
+  std::string lines;
+  if (field.label) {
+    const LabelFacts& label = *field.label;
+    lines += text("label     ", list_of(label.labels, ", "), " of ", label.whole.i, " x ",
+                  label.whole.j, " x ", label.whole.k, ": ") +
+             counted(label.samples, "voxel", "voxels") +
+             text(", volume ", volume_text(label.volume), "\n          the isovalue ",
+                  rounded(label.isovalue), " keeps it; at 0.5 it would be ");
+    append_format(lines, "%.2f %% off\n", 100 * label.off_at_half);
+  }
+  if (const std::string filters = filter_text(field); !filters.empty()) {
+    lines += "filter    " + filters + "\n";
+  }
+  return lines;
+}
+
+void add_field(JsonWriter& json, const Field& field) {
+  if (field.median > 0 || field.sigma_voxels > 0) {
+    json.open("filter");
+    if (field.median > 0) json.add("median_radius", field.median);
+    if (field.sigma_voxels > 0) {
+      json.add("sigma_voxels", field.sigma_voxels);
+      json.add("sigma_samples", {field.sigma.x, field.sigma.y, field.sigma.z});
+    }
+    json.close();
+  }
+  if (!field.label) return;
+  const LabelFacts& label = *field.label;
+  json.open("label");
+  json.add("labels", std::vector<double>(label.labels.begin(), label.labels.end()));
+  json.add("cut_from", {double(label.whole.i), double(label.whole.j), double(label.whole.k)});
+  json.add("voxels", label.samples);
+  json.add("volume_of_voxels", label.volume);
+  json.add("off_at_half", label.off_at_half);
+  json.close();
+}
+
+}  // namespace deliso

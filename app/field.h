@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The field that is meshed: the samples as they are, or after --label, --median and --smooth, in
+// this order.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/json.h"
+#include "io/filter/segmentation.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// Facts about --label, for reports. A Gaussian moves a surface towards its centers of curvature: at
+// one half a ball of radius R would lose 3 (sigma / R)^2 of its volume. So the isovalue is the one
+// at which the volume is that of the voxels. On flat parts it is near one half.
+struct LabelFacts {
+  std::vector<std::int64_t> labels;
+  Index3 whole;               // samples of the volume that the label is cut out of
+  std::uint64_t samples = 0;  // with the labels
+  double volume = 0;          // of their voxels within the box; world units
+  double off_at_half = 0;     // the volume at isovalue one half, over that, less 1
+  double isovalue = 0;
+};
+
+struct Field {
+  Volume volume;
+  int median = 0;           // radius, in samples; 0: none
+  Vec3 sigma{};             // in samples; 0: none
+  double sigma_voxels = 0;  // in a voxel's shortest sides
+  std::optional<LabelFacts> label{};
+  double seconds = 0;  // for the filters
+
+  bool is_filtered() const { return label || median > 0 || sigma_voxels > 0; }
+};
+
+// Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, and
+// for a Gaussian out of range. `found`: the volume's labels; only of --label.
+Field make_field(const Volume& volume, const FieldOptions& options,
+                 std::span<const LabelSamples> found, std::string_view name, int threads);
+
+// Returns " median=1 smooth=0.5 label=1,4" or the like, for the comment in a mesh's file. Lengths
+// are in voxels. Empty without a filter.
+std::string field_note(const FieldOptions& options, const Volume& volume);
+// Returns these words of the program's line in a file's comments; nothing without that line.
+std::optional<std::string> noted_field(std::span<const std::string> comments);
+
+// Returns "median of 3 x 3 x 3 samples, Gaussian of ..."; empty without either.
+std::string filter_text(const Field& field);
+// Gives aligned lines; none without a filter.
+std::string field_text(const Field& field);
+// Adds the objects "filter" and "label", as far as there are any.
+void add_field(JsonWriter& json, const Field& field);
+
+}  // namespace deliso

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The field of --median, --smooth and --label, and the meshes of labels.
+#include "app/field.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "app/criteria_note.h"
+#include "app/input.h"
+#include "app/run.h"
+#include "base/check.h"
+#include "deliso/deliso.h"
+#include "io/filter/gaussian.h"
+#include "io/filter/median.h"
+#include "io/mesh/read_mesh.h"
+#include "mesh/check_mesh.h"
+#include "mesh/quality.h"
+
+using namespace deliso;
+
+namespace {
+
+CommandLine parse(const std::vector<std::string_view>& arguments) {
+  return parse_command_line(arguments);
+}
+
+bool same_samples(const Volume& a, const Volume& b) {
+  if (a.dims() != b.dims() || a.type() != b.type()) return false;
+  for (int k = 0; k < a.dims().k; ++k) {
+    for (int j = 0; j < a.dims().j; ++j) {
+      for (int i = 0; i < a.dims().i; ++i) {
+        if (a.sample(i, j, k) != b.sample(i, j, k)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Balls of labels 1, 2 and 4 that touch each other; 4 is cut by the box.
+struct Balls {
+  static constexpr Index3 kDims{58, 36, 30};
+  Balls() {
+    std::vector<std::uint8_t> samples;
+    for (int k = 0; k < kDims.k; ++k) {
+      for (int j = 0; j < kDims.j; ++j) {
+        for (int i = 0; i < kDims.i; ++i) {
+          const auto in = [&](double x, double r) {
+            return (i - x) * (i - x) + (j - 17.) * (j - 17.) + (k - 14.) * (k - 14.) <= r * r;
+          };
+          samples.push_back(in(13, 10) ? 1 : in(34, 11.2) ? 2 : in(56, 11) ? 4 : 0);
+        }
+      }
+    }
+    volume = Volume::from_samples(kDims, {1, 1, 1}, samples);
+    folder = std::filesystem::temp_directory_path() / "deliso-test-field";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::ofstream(file("balls.raw"), std::ios::binary)
+        .write(reinterpret_cast<const char*>(samples.data()),
+               static_cast<std::streamsize>(samples.size()));
+  }
+  ~Balls() { std::filesystem::remove_all(folder); }
+  std::string file(const std::string& name) const { return (folder / name).string(); }
+  // The command line of these labels.
+  CommandLine line(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{file("balls.raw"), "--dims", "58x36x30", "--type", "uint8", "-q"};
+    all.insert(all.end(), more.begin(), more.end());
+    return parse({all.begin(), all.end()});
+  }
+
+  Volume volume = Volume::from_samples({2, 2, 2}, {1, 1, 1}, std::vector<float>(8, 0));
+  std::filesystem::path folder;
+};
+
+}  // namespace
+
+TEST_CASE("a world length is another number of samples on each axis, and vox the shortest side") {
+  std::vector<float> samples;
+  for (int n = 0; n < 12 * 12 * 12; ++n) samples.push_back(static_cast<float>(n * n % 97));
+  const Volume volume = Volume::from_samples({12, 12, 12}, {0.5, 1, 2}, samples);
+  FieldOptions options;
+  options.smooth = {1, Length::Unit::world};
+  const Field world = make_field(volume, options, {}, "v", 2);
+  CHECK(world.sigma == Vec3{2, 1, 0.5});
+  CHECK(world.sigma_voxels == 2);
+  CHECK(same_samples(world.volume, gaussian(volume, {2, 1, 0.5})));
+  options.smooth = {2, Length::Unit::voxel};
+  CHECK(same_samples(world.volume, make_field(volume, options, {}, "v", 1).volume));
+  CHECK(world.is_filtered());
+  CHECK_FALSE(make_field(volume, {}, {}, "v", 1).is_filtered());
+}
+
+TEST_CASE("the median comes before the Gaussian") {
+  const Balls balls;
+  FieldOptions options;
+  options.median = 1;
+  options.smooth = {0.8, Length::Unit::voxel};
+  const Field field = make_field(balls.volume, options, {}, "v", 2);
+  const Vec3 sigma{0.8, 0.8, 0.8};
+  CHECK(same_samples(field.volume, gaussian(median(balls.volume, 1), sigma)));
+  CHECK_FALSE(same_samples(field.volume, median(gaussian(balls.volume, sigma), 1)));
+  CHECK(filter_text(field) ==
+        "median of 3 x 3 x 3 samples, then Gaussian of sigma 0.8 voxels (0.8 0.8 0.8 samples)");
+}
+
+TEST_CASE("the comment of a mesh names its field, and criteria are read past it") {
+  const Balls balls;
+  const CommandLine line = balls.line({"--label", "4,1", "--smooth", "1.5", "--median", "1"});
+  const std::string note = criteria_note(line, balls.volume, {});
+  CHECK(note.ends_with(" median=1 smooth=1.5 label=1,4"));
+  const std::vector<std::string> comments{"DelIso", note};
+  CHECK(noted_criteria(comments).has_value());
+  CHECK(noted_field(comments) == field_note(line.field, balls.volume));
+  const std::string plain = criteria_note(balls.line({"--iso", "1"}), balls.volume, {});
+  CHECK(noted_field(std::vector{plain}) == "");
+  CHECK_FALSE(noted_field(std::vector<std::string>{"by another program"}).has_value());
+}
+
+TEST_CASE("a label's mesh has the volume of its voxels within one percent") {
+  const Balls balls;
+  for (const std::string label : {"1", "2", "4"}) {
+    CAPTURE(label);
+    std::vector<std::string> more{"--label", label, "--max-distance", "0.05vox"};
+    if (label == "4") more.emplace_back("--cap");
+    const CommandLine line = balls.line(more);
+    const Input input = read_input(line);
+    REQUIRE(input.isovalue.has_value());
+    CHECK(*input.isovalue < 0.48);  // one half would shrink it
+    CHECK(input.field.label->off_at_half < -0.01);
+    Report report;
+    const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, line.options, report);
+    CHECK(check_mesh(mesh).empty());
+    CHECK(enclosed_volume(mesh) == doctest::Approx(input.field.label->volume).epsilon(0.01));
+  }
+}
+
+TEST_CASE("a mesh for each label, where the label lies, and each passes the check") {
+  const Balls balls;
+  const CommandLine line = balls.line(
+      {"--label", "all", "-o", balls.file("part-%d.ply"), "--json", balls.file("%d.json")});
+  CHECK(run_mesh(line) == kExitSuccess);
+  CHECK_FALSE(std::filesystem::exists(balls.file("part-0.ply")));
+  for (const std::string label : {"1", "2"}) {
+    CAPTURE(label);
+    const double middle = label == "1" ? 13 : 34;
+    const std::string file = balls.file("part-" + label + ".ply");
+    const TriMesh mesh = read_mesh(file);
+    Vec3 sum{};
+    for (const Vec3& p : mesh.points) sum = sum + p;
+    const double count = static_cast<double>(mesh.points.size());
+    CHECK(std::fabs(sum.x / count - middle) < 0.5);
+    CHECK(std::fabs(sum.y / count - 17) < 0.2);
+    CHECK(std::filesystem::exists(balls.file(label + ".json")));
+    CommandLine check = balls.line({"--label", label});
+    check.meshes = {file};
+    CHECK(run_check(check) == kExitSuccess);
+    check.field.labels = {4};
+    CHECK(run_check(check) == kFaultFound);
+    // One label alone gives the same file.
+    const CommandLine alone = balls.line({"--label", label, "-o", balls.file("alone.ply")});
+    CHECK(run_mesh(alone) == kExitSuccess);
+    std::ifstream a(file, std::ios::binary), b(balls.file("alone.ply"), std::ios::binary);
+    CHECK(std::string(std::istreambuf_iterator<char>(a), {}) ==
+          std::string(std::istreambuf_iterator<char>(b), {}));
+  }
+  CHECK(std::filesystem::exists(balls.file("part-4.ply")));
+}
+
+TEST_CASE("an input is not overwritten by the mesh of a label") {
+  const Balls balls;
+  std::filesystem::copy(balls.file("balls.raw"), balls.file("2.ply"));
+  CommandLine line = balls.line({"--label", "all", "-o", balls.file("%d.ply")});
+  line.input = balls.file("2.ply");
+  CHECK_THROWS_AS(run_mesh(line), InputError);
+  CHECK_FALSE(std::filesystem::exists(balls.file("1.ply")));
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "io/filter/segmentation.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+#include "base/random.h"
+#include "io/filter/gaussian.h"
+#include "io/filter/median.h"
+
+using namespace deliso;
+
+namespace {
+
+template <class T>
+Volume random_labels(Index3 n, std::int64_t least, std::uint32_t count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<T> samples(static_cast<std::size_t>(n.i * n.j * n.k));
+  T last = static_cast<T>(least);
+  for (T& s : samples) {
+    if (random.below(3) == 0) last = static_cast<T>(least + random.below(count));
+    s = last;
+  }
+  return Volume::from_samples(n, {1, 1, 1}, samples);
+}
+
+template <class T>
+void hold_against_brute_force(Index3 n, std::int64_t least, std::uint32_t count) {
+  const Volume volume = random_labels<T>(n, least, count, 5);
+  const auto one = find_labels(volume, "v", 1), many = find_labels(volume, "v", 3);
+  std::uint64_t all = 0;
+  std::int64_t before = std::numeric_limits<std::int64_t>::min();
+  REQUIRE(one.size() == many.size());
+  for (std::size_t m = 0; m < one.size(); ++m) {
+    const LabelSamples& found = one[m];
+    CHECK(found.label > before);
+    before = found.label;
+    std::uint64_t samples = 0;
+    double share = 0;
+    Index3 first = n, last{-1, -1, -1};
+    for (int k = 0; k < n.k; ++k) {
+      for (int j = 0; j < n.j; ++j) {
+        for (int i = 0; i < n.i; ++i) {
+          if (volume.sample(i, j, k) != static_cast<double>(found.label)) continue;
+          ++samples;
+          const auto half = [](int at, int of) { return at == 0 || at == of - 1 ? 0.5 : 1; };
+          share += half(i, n.i) * half(j, n.j) * half(k, n.k);
+          first = {std::min(first.i, i), std::min(first.j, j), std::min(first.k, k)};
+          last = {std::max(last.i, i), std::max(last.j, j), std::max(last.k, k)};
+        }
+      }
+    }
+    all += samples;
+    for (const LabelSamples& same : {found, many[m]}) {
+      CHECK(same.label == found.label);
+      CHECK(same.samples == samples);
+      CHECK(same.volume == share);
+      CHECK(same.first == first);
+      CHECK(same.last == last);
+    }
+  }
+  CHECK(all == volume.sample_count());
+}
+
+std::string refusal(const Volume& volume) {
+  try {
+    find_labels(volume, "seg.npy", 2);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A ball of label 3 in a box of n^3 samples.
+Volume ball(int n, double radius, const Vec3& center) {
+  std::vector<std::uint8_t> samples;
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const Vec3 d = Vec3{double(i), double(j), double(k)} - center;
+        samples.push_back(dot(d, d) <= radius * radius ? 3 : 0);
+      }
+    }
+  }
+  return Volume::from_samples({n, n, n}, {1, 1, 1}, samples);
+}
+
+}  // namespace
+
+TEST_CASE("all labels are found, with their voxels and boxes, in all types") {
+  const Index3 n{13, 7, 19};
+  hold_against_brute_force<std::uint8_t>(n, 0, 6);
+  hold_against_brute_force<std::int8_t>(n, -128, 5);
+  hold_against_brute_force<std::uint16_t>(n, 65530, 6);
+  hold_against_brute_force<std::int32_t>(n, -2147483648, 3);
+  hold_against_brute_force<std::uint32_t>(n, 4294967290, 6);
+  hold_against_brute_force<float>(n, -3, 7);
+  hold_against_brute_force<double>(n, std::int64_t{1} << 52, 4);
+}
+
+TEST_CASE("labels that are no whole numbers are refused, with their place") {
+  for (const double bad : {1.5, 0x1p60, -1e300, std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity()}) {
+    std::vector<double> samples(4 * 4 * 24, 2);
+    samples[static_cast<std::size_t>(1 + 4 * (2 + 4 * 9))] = bad;
+    samples[static_cast<std::size_t>(3 + 4 * (2 + 4 * 21))] = 0.25;  // in a later task
+    const std::string message = refusal(Volume::from_samples({4, 4, 24}, {1, 1, 1}, samples));
+    CHECK(message.starts_with("seg.npy: the sample at (1, 2, 9) is "));
+  }
+  CHECK(refusal(random_labels<float>({4, 4, 4}, -2, 5, 1)).empty());
+}
+
+TEST_CASE("a label that is not there is refused, with those that are") {
+  const Volume volume = random_labels<std::uint8_t>({6, 6, 6}, 2, 3, 1);
+  const auto found = find_labels(volume, "v");
+  const std::vector<std::int64_t> both{2, 4}, absent{2, 7};
+  const LabelSamples all = united_labels(found, both, "v");
+  CHECK(all.samples == found[0].samples + found[2].samples);
+  CHECK_THROWS_WITH_AS(united_labels(found, absent, "v"),
+                       "v: no sample has label 7: its 3 labels are 2, 3, 4", InputError);
+}
+
+TEST_CASE("filters of the cut-out indicator give what filters of all of it give") {
+  // In a corner of the box, so that some margins are cut off.
+  const Volume volume = ball(40, 9, {8, 20.3, 29});
+  const std::vector<std::int64_t> labels{3};
+  const LabelSamples extent = united_labels(find_labels(volume, "v"), labels, "v");
+  const LabelSamples everything{3, 1, 1, {0, 0, 0}, {39, 39, 39}};
+  const Volume whole =
+      gaussian(median(label_indicator(volume, labels, everything, {}), 2), {1.5, 1, 0.7});
+  const Index3 margin{gaussian_radius(1.5) + 3, gaussian_radius(1) + 3, gaussian_radius(0.7) + 3};
+  const Volume cut =
+      gaussian(median(label_indicator(volume, labels, extent, margin, 2), 2), {1.5, 1, 0.7});
+  CHECK(cut.sample_count() < whole.sample_count());
+  const Vec3 at = cut.frame().origin;
+  CHECK(at.x == 0);  // there is no room for a margin
+  CHECK(at.y == 12 - margin.j);
+  const Index3 n = cut.dims();
+  double inside = 0, all = 0;
+  int wrong = 0;
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) {
+        const double value = cut.sample(i, j, k);
+        inside += value;
+        wrong += value != whole.sample(i + int(at.x), j + int(at.y), k + int(at.z));
+      }
+    }
+  }
+  whole.visit([&](const auto* s) {
+    for (std::size_t m = 0; m < whole.sample_count(); ++m) all += static_cast<double>(s[m]);
+  });
+  CHECK(wrong == 0);
+  CHECK(inside == doctest::Approx(all).epsilon(1e-12));  // 0 beyond the cut
+}
+
+TEST_CASE("the level of a ramp is known exactly") {
+  std::vector<float> ramp;
+  for (int m = 0; m < 11 * 5 * 6; ++m) ramp.push_back(static_cast<float>(m % 11) / 10);
+  const Volume volume = Volume::from_samples({11, 5, 6}, {1, 1, 1}, ramp);
+  const double voxels = 10 * 4 * 5;
+  for (const double share : {0.1, 0.25, 0.5, 0.9}) {
+    const IndicatorLevel level = find_level(volume, share * voxels, 3);
+    CHECK(level.at_half == voxels / 2);
+    CHECK(std::fabs(level.level - (1 - share)) < 0.002);  // 64 points of a voxel, and bins
+  }
+}
+
+TEST_CASE("at the level the smoothed label has the volume of its voxels, at one half it has less") {
+  for (const double radius : {3.0, 6.0, 10.0}) {
+    CAPTURE(radius);
+    const Volume labels = ball(30, radius, {14.3, 15.1, 14.8});
+    const std::vector<std::int64_t> three{3};
+    const LabelSamples extent = united_labels(find_labels(labels, "v"), three, "v");
+    const Volume smooth = gaussian(label_indicator(labels, three, extent, {5, 5, 5}), {1, 1, 1});
+    const IndicatorLevel level = find_level(smooth, extent.volume);
+    CHECK(find_level(smooth, extent.volume, 3).level == level.level);
+    // Another count, of random points.
+    Random random(9);
+    const Box3 box = smooth.box();
+    constexpr int kPoints = 400000;
+    int above = 0, above_half = 0;
+    for (int n = 0; n < kPoints; ++n) {
+      const Vec3 p{random.uniform(0, box.hi.x), random.uniform(0, box.hi.y),
+                   random.uniform(0, box.hi.z)};
+      const double value = smooth.value(p);
+      above += value >= level.level;
+      above_half += value >= 0.5;
+    }
+    const double of_box = box.hi.x * box.hi.y * box.hi.z / kPoints;
+    CHECK(above * of_box == doctest::Approx(extent.volume).epsilon(0.015));
+    CHECK(above_half * of_box == doctest::Approx(level.at_half).epsilon(0.015));
+    // The shift of a surface by sigma^2 over its radius.
+    const double expected = -3 / (radius * radius);
+    CHECK(level.at_half / extent.volume - 1 == doctest::Approx(expected).epsilon(0.2));
+  }
+}
