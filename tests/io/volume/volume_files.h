@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -419,6 +420,173 @@ inline std::string npy(const Truth& t, std::endian order, int version) {
   return npy(descr, false, shape, t.in_order(order), version);
 }
 
+// ---- DICOM
+
+struct DicomForm {
+  bool is_explicit = true;
+  std::endian order = std::endian::little;
+  bool is_rle = false;
+  bool has_preamble = true;
+  bool has_lengths = true;  // of sequences and their items
+  enum class Place { stack, offsets, shared, each } place = Place::shared;  // of several frames
+};
+
+// Runs of equal bytes, and stretches of others.
+inline std::string pack_bits(const std::string& bytes) {
+  std::string out;
+  for (std::size_t at = 0, end = 0; at < bytes.size(); at = end) {
+    end = at + 1;
+    const auto repeats = [&] { return end < bytes.size() && bytes[end] == bytes[end - 1]; };
+    if (repeats()) {
+      while (repeats() && end - at < 128) ++end;
+      out += static_cast<char>(257 - (end - at));
+      out += bytes[at];
+      continue;
+    }
+    while (end < bytes.size() && !repeats() && end - at < 128) ++end;
+    if (repeats() && end - at > 1) --end;
+    out += static_cast<char>(end - at - 1);
+    out += bytes.substr(at, end - at);
+  }
+  return out;
+}
+
+struct DicomElement {
+  std::string vr, value;
+};
+using DicomElements = std::map<std::uint32_t, DicomElement>;  // by group and element
+
+inline DicomElement dicom_numbers(const std::vector<double>& numbers) {
+  std::string words;
+  for (const double number : numbers) {
+    if (!words.empty()) words += '\\';
+    words += to_text(number);
+  }
+  return {"DS", words};
+}
+inline DicomElement dicom_vector(const Vec3& v) {
+  return dicom_numbers({v.x, v.y, v.z});
+}
+
+inline std::string dicom_element(const DicomForm& form, std::uint32_t tag, DicomElement element) {
+  const auto number = [&](std::uint64_t n, int bytes) { return ordered(n, bytes, form.order); };
+  const bool is_fragments = element.vr == "OB" && form.is_rle;
+  const bool has_length = !is_fragments && (form.has_lengths || element.vr != "SQ");
+  if (element.value.size() % 2 != 0) element.value += element.vr == "DS" ? ' ' : '\0';
+  std::string out = number(tag >> 16, 2) + number(tag & 0xffff, 2);
+  const bool is_long = element.vr == "OB" || element.vr == "OW" || element.vr == "SQ";
+  if (form.is_explicit) out += element.vr;
+  if (form.is_explicit && is_long) out.append(2, '\0');
+  out +=
+      number(has_length ? element.value.size() : 0xffffffff, form.is_explicit && !is_long ? 2 : 4);
+  out += element.value;
+  if (!has_length) out += number(0xfffe, 2) + number(0xe0dd, 2) + number(0, 4);
+  return out;
+}
+
+inline std::string dicom_elements(const DicomForm& form, const DicomElements& elements) {
+  std::string out;
+  for (const auto& [tag, element] : elements) out += dicom_element(form, tag, element);
+  return out;
+}
+
+inline DicomElement dicom_sequence(const DicomForm& form, const std::vector<DicomElements>& items) {
+  std::string out;
+  for (const DicomElements& item : items) {
+    const std::string content = dicom_elements(form, item);
+    const auto number = [&](std::uint64_t n, int bytes) { return ordered(n, bytes, form.order); };
+    out += number(0xfffe, 2) + number(0xe000, 2) +
+           number(form.has_lengths ? content.size() : 0xffffffff, 4) + content;
+    if (!form.has_lengths) out += number(0xfffe, 2) + number(0xe00d, 2) + number(0, 4);
+  }
+  return {"SQ", out};
+}
+
+inline std::string dicom_file(const DicomForm& form, const DicomElements& elements) {
+  std::string file;
+  if (form.has_preamble) {
+    const char* syntax = form.is_rle                         ? "1.2.840.10008.1.2.5"
+                         : !form.is_explicit                 ? "1.2.840.10008.1.2"
+                         : form.order == std::endian::little ? "1.2.840.10008.1.2.1"
+                                                             : "1.2.840.10008.1.2.2";
+    file = std::string(128, '\0') + "DICM" + dicom_elements({}, {{0x00020010, {"UI", syntax}}});
+  }
+  return file + dicom_elements(form, elements);
+}
+
+// The elements of `count` frames from `first` on. One frame is a slice of a series.
+inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int first, int count) {
+  const auto number = [&](std::uint64_t n) {
+    return DicomElement{"US", ordered(n, 2, form.order)};
+  };
+  const std::size_t sample = size_of(t.type);
+  const std::size_t frame = sample * static_cast<std::size_t>(t.dims.i * t.dims.j);
+  const bool is_signed = t.type == SampleType::i8 || t.type == SampleType::i16;
+  const DicomElement position = dicom_vector(t.origin + first * t.step(2));
+  const DicomElement directions =
+      dicom_numbers({t.axes[0].x, t.axes[0].y, t.axes[0].z, t.axes[1].x, t.axes[1].y, t.axes[1].z});
+  const DicomElement spacing = dicom_numbers({t.spacing.y, t.spacing.x});
+  DicomElements all{{0x00080008, {"CS", "ORIGINAL"}},
+                    {0x00081140, dicom_sequence(form, {{{0x00280010, number(9)}}, {}})},
+                    {0x0020000e, {"UI", "1.2.3"}},
+                    {0x00280002, number(1)},
+                    {0x00280004, {"CS", "MONOCHROME2"}},
+                    {0x00280010, number(static_cast<std::uint64_t>(t.dims.j))},
+                    {0x00280011, number(static_cast<std::uint64_t>(t.dims.i))},
+                    {0x00280100, number(8 * sample)},
+                    {0x00280101, number(8 * sample)},
+                    {0x00280102, number(8 * sample - 1)},
+                    {0x00280103, number(is_signed)}};
+  const auto place = form.place;
+  using Place = DicomForm::Place;
+  if (count > 1) all[0x00280008] = {"IS", to_text(count)};
+  if (count == 1 || place == Place::stack || place == Place::offsets) {
+    all[0x00200032] = position;
+    all[0x00200037] = directions;
+    all[0x00280030] = spacing;
+    std::vector<double> offsets;
+    for (int n = 0; n < count; ++n) offsets.push_back(n * t.spacing.z);
+    if (place == Place::offsets) {
+      all[0x3004000c] = dicom_numbers(offsets);
+    } else if (count > 1) {
+      all[0x00180088] = dicom_numbers({t.spacing.z});
+    }
+  } else {
+    const DicomElements common{{0x00209116, dicom_sequence(form, {{{0x00200037, directions}}})},
+                               {0x00289110, dicom_sequence(form, {{{0x00280030, spacing}}})}};
+    std::vector<DicomElements> groups;
+    for (int n = 0; n < count; ++n) {
+      groups.push_back(place == Place::each ? common : DicomElements{});
+      groups.back()[0x00209113] =
+          dicom_sequence(form, {{{0x00200032, dicom_vector(t.origin + (first + n) * t.step(2))}}});
+    }
+    all[0x52009229] = dicom_sequence(form, {place == Place::each ? DicomElements{} : common});
+    all[0x52009230] = dicom_sequence(form, groups);
+  }
+
+  const std::string bytes =
+      t.in_order(form.order)
+          .substr(static_cast<std::size_t>(first) * frame, static_cast<std::size_t>(count) * frame);
+  all[0x7fe00010] = {sample == 2 || !form.is_explicit ? "OW" : "OB", bytes};
+  if (form.is_rle) {
+    std::string items = little(0xe000fffe, 4) + little(0, 4);
+    for (std::size_t at = 0; at < bytes.size(); at += frame) {
+      std::string header = little(sample, 4), segments;
+      for (std::size_t byte = sample; byte-- > 0;) {  // the highest first
+        std::string plane;
+        for (std::size_t n = at + byte; n < at + frame; n += sample) plane += bytes[n];
+        header += little(64 + segments.size(), 4);
+        segments += pack_bits(plane);
+      }
+      header.resize(64);
+      if (segments.size() % 2 != 0) segments += '\0';
+      items += little(0xe000fffe, 4) + little(64 + segments.size(), 4) + header + segments;
+    }
+    all[0x7fe00010] = {"OB", items};
+  }
+  return all;
+}
+
 struct StoredVolume {
   std::string label;
   std::vector<NamedFile> files;  // the first is the one to read
@@ -473,6 +641,24 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
           "npy " + to_text(version) + name(order), {{"v.npy", npy(t, order, version)}}, false, {}};
       array.options.spacing = t.spacing;
       all.push_back(array);
+    }
+  }
+  // DICOM has no left-handed axes.
+  if (size_of(t.type) <= 2 && !(dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0)) {
+    std::vector<std::pair<std::string, DicomForm>> forms{{"dicom explicit", {}},
+                                                         {"dicom implicit", {.is_explicit = false}},
+                                                         {"dicom be", {.order = std::endian::big}},
+                                                         {"dicom rle", {.is_rle = true}}};
+    for (const auto& [label, plain] : forms) {
+      for (const auto place : {DicomForm::Place::stack, DicomForm::Place::offsets,
+                               DicomForm::Place::shared, DicomForm::Place::each}) {
+        DicomForm form = plain;
+        form.place = place;
+        form.has_lengths = place != DicomForm::Place::each;
+        form.has_preamble =
+            place != DicomForm::Place::stack || form.is_rle || form.order == std::endian::big;
+        all.push_back({label, {{"v.dcm", dicom_file(form, dicom_image(t, form, 0, t.dims.k))}}});
+      }
     }
   }
   all.push_back({"vti ascii", vti(t, {"ascii", "", std::endian::little, 4, 0})});
