@@ -309,7 +309,9 @@ class DicomParser {
 
   void check_image() {
     const std::string& name = bytes_.name;
-    if (file_.samples_per_pixel != 1 || !file_.photometric.starts_with("MONOCHROME")) {
+    // Old files do not tell that they are gray.
+    const bool is_gray = file_.photometric.empty() || file_.photometric.starts_with("MONOCHROME");
+    if (file_.samples_per_pixel != 1 || !is_gray) {
       fail(name,
            text("is in color (", quote(file_.photometric), "): only grayscale can be meshed"));
     }

@@ -56,7 +56,8 @@ void require_same_kind(const DicomFile& file, const DicomFile& first) {
     fail(file.name(), text(fault, ", unlike '", base_name(first), "'"));
   };
   if (file.series != first.series) {
-    refuse("is of another series (SeriesInstanceUID): give each series a folder of its own");
+    fail(file.name(), text("is of another series than '", base_name(first),
+                           "' (SeriesInstanceUID): give each series a folder of its own"));
   }
   if (file.columns != first.columns || file.rows != first.rows) {
     refuse(text("has ", file.columns, " x ", file.rows, " samples"));
@@ -259,8 +260,9 @@ Volume read_folder(const VolumeInput& input) {
   }
   if (files.empty()) refuse_folder(input.name());
   if (!passed_over.empty()) {
-    input.note(text("passed over ", passed_over.size(), " files that are no DICOM images, '",
-                    passed_over[0], "' the first"));
+    const std::size_t more = passed_over.size() - 1;
+    input.note(text("passed over '", passed_over[0], more > 0 ? text("' and ", more, " more") : "'",
+                    ": no DICOM images"));
   }
   return volume_of(input, files);
 }

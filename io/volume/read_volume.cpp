@@ -27,6 +27,7 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
                                {looks_like_vti, read_vti, true},
                                {looks_like_npy, read_npy, false, false},
                                {looks_like_dicom, read_dicom},
+                               {looks_like_tiff, read_tiff, false, false},
                                {looks_like_metaimage, read_metaimage}};
 
 void refuse_array(const std::string& name, const ReadOptions& options) {
@@ -36,7 +37,7 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
 
 void refuse_spacing(const std::string& name, const ReadOptions& options) {
   if (options.spacing)
-    fail(name, "has a spacing of its own: --spacing is for raw files and NumPy arrays");
+    fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
 }
 
 Volume read_recognized(const VolumeInput& input) {

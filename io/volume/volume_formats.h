@@ -52,6 +52,9 @@ Volume read_dicom(const VolumeInput& input);
 // A folder with the slices of a DICOM series. `input` has its name and no bytes.
 Volume read_folder(const VolumeInput& input);
 
+bool looks_like_tiff(const Bytes& bytes);
+Volume read_tiff(const VolumeInput& input);
+
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 

@@ -587,6 +587,208 @@ inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int firs
   return all;
 }
 
+// ---- TIFF
+
+// TIFF's LZW: codes of 9 to 12 bits, the highest bit first.
+inline std::string lzw(const std::string& bytes) {
+  std::string out;
+  std::uint32_t bits = 0;
+  int pending = 0, width = 9;
+  const auto put = [&](int code) {
+    bits = bits << width | static_cast<std::uint32_t>(code);
+    for (pending += width; pending >= 8; pending -= 8) {
+      out += static_cast<char>(bits >> (pending - 8) & 255);
+    }
+  };
+  std::map<std::string, int> table;
+  const auto clear = [&] {
+    put(256);
+    table.clear();
+    for (int n = 0; n < 258; ++n) {
+      table[n < 256 ? std::string(1, static_cast<char>(n)) : "code" + to_text(n)] = n;
+    }
+    width = 9;
+  };
+  clear();
+  std::string string;
+  for (const char c : bytes) {
+    if (table.count(string + c) > 0) {
+      string += c;
+      continue;
+    }
+    put(table[string]);
+    const int next = static_cast<int>(table.size());
+    table[string + c] = next;
+    if (next == 511 || next == 1023 || next == 2047) ++width;
+    if (next == 4094) clear();
+    string = c;
+  }
+  if (!string.empty()) put(table[string]);
+  // The decoder has one more string now.
+  if (table.size() == 511 || table.size() == 1023 || table.size() == 2047) ++width;
+  put(257);
+  if (pending > 0) out += static_cast<char>(bits << (8 - pending) & 255);
+  return out;
+}
+
+struct TiffForm {
+  std::endian order = std::endian::little;
+  bool is_big = false;
+  int tile = 0;            // side of the tiles; 0: strips
+  int rows_per_strip = 3;  // else
+  int compression = 1, predictor = 1;
+};
+
+struct TiffPage {
+  struct Values {
+    int type = 3;  // 2: text, 3: short, 4: long, 5: rational, 16: long8
+    std::uint64_t count = 1;
+    std::string bytes;
+  };
+  std::map<int, Values> tags;
+  std::vector<std::string> blocks;
+};
+
+inline TiffPage::Values tiff_value(const TiffForm& form, std::uint64_t value, int type = 4) {
+  return {type, 1, ordered(value, type == 3 ? 2 : type == 16 ? 8 : 4, form.order)};
+}
+inline TiffPage::Values tiff_ratio(const TiffForm& form, std::uint64_t up, std::uint64_t down) {
+  return {5, 1, ordered(up, 4, form.order) + ordered(down, 4, form.order)};
+}
+inline TiffPage::Values tiff_text(const std::string& text) {
+  return {2, text.size() + 1, text + '\0'};
+}
+
+// Rows of differences, as the predictors write them. `rows` has samples in native order.
+inline std::string tiff_differences(const TiffForm& form, const Truth& t, std::string row) {
+  const std::size_t size = size_of(t.type), count = row.size() / size;
+  if (form.predictor == 2) {
+    std::uint64_t last = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, &row[n * size], size);  // little-endian machines
+      const std::uint64_t difference = word - last;
+      std::memcpy(&row[n * size], &difference, size);
+      last = word;
+    }
+  }
+  if (form.predictor == 3) {  // the highest bytes of all samples, then the next ones
+    std::string bytes(row.size(), '\0');
+    for (std::size_t n = 0; n < row.size(); ++n) {
+      bytes[(size - 1 - n % size) * count + n / size] = row[n];
+    }
+    for (std::size_t n = bytes.size(); n-- > 1;) {
+      bytes[n] = static_cast<char>(bytes[n] - bytes[n - 1]);
+    }
+    return bytes;
+  }
+  if (form.order != std::endian::native) {
+    for (std::size_t n = 0; n < row.size(); n += size) {
+      std::reverse(row.begin() + static_cast<std::ptrdiff_t>(n),
+                   row.begin() + static_cast<std::ptrdiff_t>(n + size));
+    }
+  }
+  return row;
+}
+
+inline TiffPage tiff_page(const Truth& t, const TiffForm& form, int k) {
+  TiffPage page;
+  const auto tag = [&](int id, std::size_t value, int type = 4) {
+    page.tags[id] = tiff_value(form, value, type);
+  };
+  const std::size_t size = size_of(t.type);
+  const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
+  const bool is_signed =
+      t.type == SampleType::i8 || t.type == SampleType::i16 || t.type == SampleType::i32;
+  tag(256, static_cast<std::size_t>(t.dims.i));
+  tag(257, static_cast<std::size_t>(t.dims.j));
+  tag(258, 8 * size, 3);
+  tag(259, static_cast<std::size_t>(form.compression), 3);
+  tag(262, 1, 3);
+  if (form.predictor != 1) tag(317, static_cast<std::size_t>(form.predictor), 3);
+  if (is_real || is_signed) tag(339, is_real ? 3 : 2, 3);
+  if (form.tile > 0) {
+    tag(322, static_cast<std::size_t>(form.tile));
+    tag(323, static_cast<std::size_t>(form.tile));
+  } else {
+    tag(278, static_cast<std::size_t>(form.rows_per_strip));
+  }
+  const int height = form.tile > 0 ? form.tile : form.rows_per_strip;
+  const int width = form.tile > 0 ? form.tile : t.dims.i;
+  for (int y0 = 0; y0 < t.dims.j; y0 += height) {
+    for (int x0 = 0; x0 < t.dims.i; x0 += width) {
+      std::string block;
+      for (int y = y0; y < y0 + height && (form.tile > 0 || y < t.dims.j); ++y) {
+        std::string row;
+        for (int x = x0; x < x0 + width; ++x) {
+          const bool inside = x < t.dims.i && y < t.dims.j;
+          const int n = inside ? x + t.dims.i * (y + t.dims.j * k) : 0;
+          row += t.bytes.substr(size * static_cast<std::size_t>(n), size);
+        }
+        block += tiff_differences(form, t, row);
+      }
+      if (form.compression == 5) block = lzw(block);
+      if (form.compression == 8 || form.compression == 32946) block = zlibbed(block, t.seed);
+      if (form.compression == 32773) block = pack_bits(block);
+      page.blocks.push_back(block);
+    }
+  }
+  return page;
+}
+
+// The samples of all pages, the values of tags that do not fit into them, and the tags.
+inline std::string tiff_file(const TiffForm& form, std::vector<TiffPage> pages) {
+  const std::size_t word = form.is_big ? 8 : 4;
+  const auto number = [&](std::uint64_t n, std::size_t bytes) {
+    return ordered(n, static_cast<int>(bytes), form.order);
+  };
+  std::string file = form.order == std::endian::little ? "II" : "MM";
+  file += number(form.is_big ? 43 : 42, 2);
+  if (form.is_big) file += number(8, 2) + number(0, 2);
+  std::size_t link = file.size();  // where the place of the next page stands
+  file += number(0, word);
+  for (TiffPage& page : pages) {
+    const int type = form.is_big ? 16 : 4;
+    TiffPage::Values offsets{type, 0, ""}, sizes = offsets;
+    for (const std::string& block : page.blocks) {
+      offsets.bytes += number(file.size(), word);
+      sizes.bytes += number(block.size(), word);
+      offsets.count = ++sizes.count;
+      file += block;
+    }
+    const bool is_tiled = page.tags.count(322) > 0;
+    page.tags.try_emplace(is_tiled ? 324 : 273, offsets);
+    page.tags.try_emplace(is_tiled ? 325 : 279, sizes);
+  }
+  for (TiffPage& page : pages) {
+    for (auto& [id, values] : page.tags) {
+      if (values.bytes.size() <= word) continue;
+      const std::string at = number(file.size(), word);
+      file += values.bytes;
+      values.bytes = at;
+    }
+  }
+  for (const TiffPage& page : pages) {
+    file.replace(link, word, number(file.size(), word));
+    file += number(page.tags.size(), form.is_big ? 8 : 2);
+    for (auto [id, values] : page.tags) {
+      values.bytes.resize(word);
+      file += number(static_cast<std::uint64_t>(id), 2) +
+              number(static_cast<std::uint64_t>(values.type), 2) + number(values.count, word) +
+              values.bytes;
+    }
+    link = file.size();
+    file += number(0, word);
+  }
+  return file;
+}
+
+inline std::string tiff(const Truth& t, const TiffForm& form) {
+  std::vector<TiffPage> pages;
+  for (int k = 0; k < t.dims.k; ++k) pages.push_back(tiff_page(t, form, k));
+  return tiff_file(form, pages);
+}
+
 struct StoredVolume {
   std::string label;
   std::vector<NamedFile> files;  // the first is the one to read
@@ -636,6 +838,25 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
         std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
     raw.options.raw = RawLayout{t.dims, t.type, t.spacing, order, 4};
     all.push_back(raw);
+    for (const bool is_big : {false, true}) {
+      for (const int compression : {1, 5, 8, 32946, 32773}) {
+        const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
+        const bool has_predictor = compression == 5 || compression == 8;
+        for (const int predictor : {1, is_real ? 3 : 2}) {
+          for (const int tile : {0, 4}) {
+            if (predictor != 1 && !has_predictor) continue;
+            const TiffForm form{order, is_big, tile, 3, compression, predictor};
+            StoredVolume stack{
+                "tiff " + to_text(compression) + " " + to_text(predictor) + name(order),
+                {{"v.tif", tiff(t, form)}},
+                false,
+                {}};
+            stack.options.spacing = t.spacing;
+            all.push_back(stack);
+          }
+        }
+      }
+    }
     for (int version : {1, 2, 3}) {
       StoredVolume array{
           "npy " + to_text(version) + name(order), {{"v.npy", npy(t, order, version)}}, false, {}};
