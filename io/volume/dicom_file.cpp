@@ -34,9 +34,9 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kSeries = 0x0020000e, kPos
                         kBitsAllocated = 0x00280100, kBitsStored = 0x00280101,
                         kHighBit = 0x00280102, kSigned = 0x00280103, kIntercept = 0x00281052,
                         kSlope = 0x00281053, kDistance = 0x00180088, kFrameOffsets = 0x3004000c,
-                        kSharedGroups = 0x52009229, kFrameGroups = 0x52009230,
-                        kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
-                        kSequenceEnd = 0xfffee0dd;
+                        kDoseScaling = 0x3004000e, kSharedGroups = 0x52009229,
+                        kFrameGroups = 0x52009230, kPixelData = 0x7fe00010, kItem = 0xfffee000,
+                        kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 
 // The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
 // Measures, Pixel Value Transformation.
@@ -230,7 +230,7 @@ class DicomParser {
       plane.spacing = {n[1], n[0]};  // the file has the distance of rows first, which is along y
     } else if (element.tag == kDistance) {
       plane.distance = numbers_at(element, "SpacingBetweenSlices", 1)[0];
-    } else if (element.tag == kSlope) {
+    } else if (element.tag == kSlope || element.tag == kDoseScaling) {
       plane.slope = numbers_at(element, "RescaleSlope", 1)[0];
       if (*plane.slope == 0) fail(bytes_.name, "its RescaleSlope is 0");
     } else if (element.tag == kIntercept) {
@@ -316,10 +316,11 @@ class DicomParser {
            text("is in color (", quote(file_.photometric), "): only grayscale can be meshed"));
     }
     const int bits = file_.bits_allocated;
-    if ((bits != 8 && bits != 16) || file_.bits_stored < 1 || file_.bits_stored > bits ||
-        file_.high_bit < file_.bits_stored - 1 || file_.high_bit >= bits) {
+    if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
+        file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
+        file_.high_bit >= bits) {
       fail(name, text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
-                      file_.high_bit, ": only those in 8 and 16 are read"));
+                      file_.high_bit, ": only those in 8, 16 and 32 are read"));
     }
     if (file_.rows == 0 || file_.columns == 0) fail(name, "does not tell its Rows and Columns");
     file_.is_swapped_bytes = file_.is_big_endian && is_word_data_ && bits == 8;
@@ -400,7 +401,8 @@ void extract_bits(std::span<std::byte> samples, int bits_stored, int high_bit) {
 
 SampleType DicomFile::type() const {
   if (bits_allocated == 8) return is_signed ? SampleType::i8 : SampleType::u8;
-  return is_signed ? SampleType::i16 : SampleType::u16;
+  if (bits_allocated == 16) return is_signed ? SampleType::i16 : SampleType::u16;
+  return is_signed ? SampleType::i32 : SampleType::u32;
 }
 
 DicomPlane DicomFile::plane(std::size_t frame) const {
@@ -432,10 +434,7 @@ void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
     }
   }
   if (bits_stored == bits_allocated) return;
-  if (type() == SampleType::u8) extract_bits<std::uint8_t>(out, bits_stored, high_bit);
-  if (type() == SampleType::i8) extract_bits<std::int8_t>(out, bits_stored, high_bit);
-  if (type() == SampleType::u16) extract_bits<std::uint16_t>(out, bits_stored, high_bit);
-  if (type() == SampleType::i16) extract_bits<std::int16_t>(out, bits_stored, high_bit);
+  visit_type([&]<class T>(T) { extract_bits<T>(out, bits_stored, high_bit); });
 }
 
 // Without a preamble: an element of the first groups, as every data set begins.

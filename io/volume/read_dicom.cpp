@@ -203,25 +203,27 @@ Volume volume_of(const VolumeInput& input, const std::vector<DicomFile>& files) 
       slices[k].file->write_frame(slices[k].frame, out);
     });
   }
-  grid.type = SampleType::f32;
+  const bool is_small = first.bits_allocated <= 16;
+  grid.type = is_small ? SampleType::f32 : SampleType::f64;
+  const std::size_t count = static_cast<std::size_t>(first.columns * first.rows);
   Buffer stored(first.frame_size());
-  const auto write_values = [&]<class T>(T, std::size_t k, std::span<std::byte> out) {
-    write_scaled<float>(reinterpret_cast<const T*>(stored.data.get()), out.size() / sizeof(float),
-                        slices[k].slope(), slices[k].intercept(), out.data());
-  };
   const auto write = [&](std::size_t k, std::span<std::byte> out) {
+    const double slope = slices[k].slope(), intercept = slices[k].intercept();
     slices[k].file->write_frame(slices[k].frame, stored.span());
-    if (first.type() == SampleType::u8) write_values(std::uint8_t{}, k, out);
-    if (first.type() == SampleType::i8) write_values(std::int8_t{}, k, out);
-    if (first.type() == SampleType::u16) write_values(std::uint16_t{}, k, out);
-    if (first.type() == SampleType::i16) write_values(std::int16_t{}, k, out);
+    first.visit_type([&]<class T>(T) {
+      const T* samples = reinterpret_cast<const T*>(stored.data.get());
+      if (is_small) write_scaled<float>(samples, count, slope, intercept, out.data());
+      if (!is_small) write_scaled<double>(samples, count, slope, intercept, out.data());
+    });
   };
   const bool is_even = std::ranges::all_of(slices, [&](const Slice& slice) {
     return slice.slope() == slices[0].slope() && slice.intercept() == slices[0].intercept();
   });
-  input.note(is_even ? text("samples are rescaled as the files ask (", slices[0].slope(),
-                            " * sample + ", slices[0].intercept(), ") and held as float32")
-                     : "samples are rescaled slice by slice as the files ask, and held as float32");
+  const std::string how =
+      is_even ? text(" (", slices[0].slope(), " * sample + ", slices[0].intercept(), ")")
+              : ", slice by slice,";
+  input.note(
+      text("samples are rescaled as the files ask", how, " and held as ", name_of(grid.type)));
   return volume_from_slices(grid, write);
 }
 

@@ -74,7 +74,8 @@ TEST_CASE("a series is sorted by the places of its slices, in every encoding") {
                              {.is_rle = true},
                              {.has_preamble = false},
                              {.is_explicit = false, .has_preamble = false, .has_lengths = false}};
-  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16}) {
+  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16,
+                                SampleType::u32, SampleType::i32}) {
     const Truth truth = oblique_truth(type);
     for (const DicomForm& form : forms) {
       ReadLog log;
@@ -129,7 +130,8 @@ TEST_CASE("the bits of a sample are taken from its word") {
 
 TEST_CASE("slope and intercept are applied, also if every slice has its own") {
   const TemporaryFolder folder;
-  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16}) {
+  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16,
+                                SampleType::u32, SampleType::i32}) {
     const Truth truth = oblique_truth(type);
     const Volume plain = read_volume(write_series(folder, truth));
     for (const bool own : {false, true}) {
@@ -142,11 +144,13 @@ TEST_CASE("slope and intercept are applied, also if every slice has its own") {
                                      elements[0x00281053] = dicom_numbers({slope(k)});
                                    }),
                       {}, &log);
-      REQUIRE(scaled.type() == SampleType::f32);
+      const bool is_wide = size_of(type) == 4;
+      REQUIRE(scaled.type() == (is_wide ? SampleType::f64 : SampleType::f32));
       for (int n = 0; n < 60; ++n) {
         const int k = n / 12;
+        const double value = slope(k) * plain.sample(n % 4, n / 4 % 3, k) - 1024;
         CHECK(scaled.sample(n % 4, n / 4 % 3, k) ==
-              static_cast<float>(slope(k) * plain.sample(n % 4, n / 4 % 3, k) - 1024));
+              (is_wide ? value : static_cast<double>(static_cast<float>(value))));
       }
       REQUIRE(log.notes.size() == 1);
       CHECK((log.notes[0].find("slice by slice") != std::string::npos) == own);
@@ -210,9 +214,12 @@ TEST_CASE("each fault of a series has its message, with the file") {
   CHECK(with(0x00280004, {"CS", "MONOCHROME1"}) == "series/e.dcm: is MONOCHROME1, unlike 'a'");
   CHECK(with(0x00280004, {"CS", "RGB"}) ==
         "series/e.dcm: is in color ('RGB'): only grayscale can be meshed");
-  CHECK(with(0x00280100, number(32)).find("only those in 8 and 16 are read") != std::string::npos);
-  CHECK(with(0x00280101, number(17)).find("only those in 8 and 16 are read") != std::string::npos);
-  CHECK(with(0x00280102, number(16)).find("only those in 8 and 16 are read") != std::string::npos);
+  CHECK(with(0x00280100, number(1)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
+  CHECK(with(0x00280101, number(17)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
+  CHECK(with(0x00280102, number(16)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
   CHECK(with(0x00280008, {"IS", "0"}) == "series/e.dcm: its NumberOfFrames is '0'");
   CHECK(with(0x00281053, {"DS", "0"}) == "series/e.dcm: its RescaleSlope is 0");
   CHECK(with(0x7fe00010, {"OW", "abc"}).starts_with("series/e.dcm: has 4 bytes of samples"));

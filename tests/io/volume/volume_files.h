@@ -521,7 +521,8 @@ inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int firs
   };
   const std::size_t sample = size_of(t.type);
   const std::size_t frame = sample * static_cast<std::size_t>(t.dims.i * t.dims.j);
-  const bool is_signed = t.type == SampleType::i8 || t.type == SampleType::i16;
+  const bool is_signed =
+      t.type == SampleType::i8 || t.type == SampleType::i16 || t.type == SampleType::i32;
   const DicomElement position = dicom_vector(t.origin + first * t.step(2));
   const DicomElement directions =
       dicom_numbers({t.axes[0].x, t.axes[0].y, t.axes[0].z, t.axes[1].x, t.axes[1].y, t.axes[1].z});
@@ -567,7 +568,7 @@ inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int firs
   const std::string bytes =
       t.in_order(form.order)
           .substr(static_cast<std::size_t>(first) * frame, static_cast<std::size_t>(count) * frame);
-  all[0x7fe00010] = {sample == 2 || !form.is_explicit ? "OW" : "OB", bytes};
+  all[0x7fe00010] = {sample > 1 || !form.is_explicit ? "OW" : "OB", bytes};
   if (form.is_rle) {
     std::string items = little(0xe000fffe, 4) + little(0, 4);
     for (std::size_t at = 0; at < bytes.size(); at += frame) {
@@ -865,7 +866,8 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
     }
   }
   // DICOM has no left-handed axes.
-  if (size_of(t.type) <= 2 && !(dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0)) {
+  if (t.type != SampleType::f32 && t.type != SampleType::f64 &&
+      !(dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0)) {
     std::vector<std::pair<std::string, DicomForm>> forms{{"dicom explicit", {}},
                                                          {"dicom implicit", {.is_explicit = false}},
                                                          {"dicom be", {.order = std::endian::big}},
