@@ -167,7 +167,7 @@ class DicomParser {
         read_items(element, end, has_planes ? plane : nullptr, depth);
         continue;
       }
-      if (plane && element.length > 0) read_plane(element, *plane);
+      if (plane) read_plane(element, *plane);
       if (depth == 0 && element.length > 0) read_image(element);
       at_ += element.length;
     }
@@ -217,8 +217,8 @@ class DicomParser {
     return *numbers;
   }
 
-  // pre: the element is not empty.
   void read_plane(const Element& element, DicomPlane& plane) const {
+    if (string_at(element).empty()) return;
     if (element.tag == kPosition) {
       const auto n = numbers_at(element, "ImagePositionPatient", 3);
       plane.position = Vec3{n[0], n[1], n[2]};
