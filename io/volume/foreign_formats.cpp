@@ -60,8 +60,7 @@ void refuse_file(const Bytes& bytes) {
   if (has_ending(bytes.name, ".hdr")) fail(bytes.name, "is no NIfTI header");
   fail(bytes.name,
        "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
-       "dimensions "
-       "and type)");
+       "dimensions and type)");
 }
 
 void refuse_folder(const std::string& path) {
@@ -75,13 +74,11 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (has_ending(name, ".dcm") || has_ending(name, ".ima") || name == "DICOMDIR")
-      fail(path, "has no DICOM images: give the folder that holds the slices of a series");
     if (has_ending(name, ".tif") || has_ending(name, ".tiff"))
       fail(path, "is a folder of pictures: make one file of them with 'tiffcp FOLDER/* stack.tif'");
     if (has_ending(name, ".png") || has_ending(name, ".jpg")) fail(path, kPictures);
   }
-  fail(path, "is a directory, not a file");
+  fail(path, "is a folder without DICOM images: give the one that holds the slices, or a file");
 }
 
 }  // namespace deliso
