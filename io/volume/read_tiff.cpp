@@ -52,8 +52,22 @@ struct Page {
   std::uint64_t subfile = 0, width = 0, height = 0, bits = 1, compression = kPlain, photometric = 1,
                 samples = 1, rows_per_strip = kLargest, resolution_unit = 2, predictor = 1,
                 tile_width = 0, tile_height = 0, sample_format = 1, fill_order = 1;
-  Field offsets, sizes, description, resolution[2];
+  Field offsets, sizes, description, x_resolution, y_resolution;
 };
+
+constexpr std::pair<std::uint64_t, std::uint64_t Page::*> kNumbers[] = {
+    {254, &Page::subfile},        {256, &Page::width},
+    {257, &Page::height},         {258, &Page::bits},
+    {259, &Page::compression},    {262, &Page::photometric},
+    {266, &Page::fill_order},     {277, &Page::samples},
+    {278, &Page::rows_per_strip}, {296, &Page::resolution_unit},
+    {317, &Page::predictor},      {322, &Page::tile_width},
+    {323, &Page::tile_height},    {339, &Page::sample_format}};
+// The offsets and sizes of strips, and those of tiles.
+constexpr std::pair<std::uint64_t, Field Page::*> kFields[] = {
+    {270, &Page::description},  {273, &Page::offsets},      {279, &Page::sizes},
+    {282, &Page::x_resolution}, {283, &Page::y_resolution}, {324, &Page::offsets},
+    {325, &Page::sizes}};
 
 // A strip or a tile.
 struct Block {
@@ -159,59 +173,11 @@ class TiffFile {
   }
 
   void keep(Page& page, std::uint64_t tag, const Field& field) const {
-    const auto first = [&](std::uint64_t& to) { to = value(field, 0); };
-    switch (tag) {
-      case 254:
-        return first(page.subfile);
-      case 256:
-        return first(page.width);
-      case 257:
-        return first(page.height);
-      case 258:
-        return first(page.bits);
-      case 259:
-        return first(page.compression);
-      case 262:
-        return first(page.photometric);
-      case 266:
-        return first(page.fill_order);
-      case 270:
-        page.description = field;
-        return;
-      case 273:
-        page.offsets = field;
-        return;
-      case 277:
-        return first(page.samples);
-      case 278:
-        return first(page.rows_per_strip);
-      case 279:
-        page.sizes = field;
-        return;
-      case 282:
-        page.resolution[0] = field;
-        return;
-      case 283:
-        page.resolution[1] = field;
-        return;
-      case 296:
-        return first(page.resolution_unit);
-      case 317:
-        return first(page.predictor);
-      case 322:
-        return first(page.tile_width);
-      case 323:
-        return first(page.tile_height);
-      case 324:
-        page.offsets = field;
-        return;
-      case 325:
-        page.sizes = field;
-        return;
-      case 339:
-        return first(page.sample_format);
-      default:
-        return;
+    for (const auto& [known, member] : kNumbers) {
+      if (tag == known) page.*member = value(field, 0);
+    }
+    for (const auto& [known, member] : kFields) {
+      if (tag == known) page.*member = field;
     }
   }
 
@@ -427,7 +393,7 @@ class Description {
 Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Page& page,
                 const Description& description) {
   if (input.options.spacing) return *input.options.spacing;
-  const double per_unit[] = {tiff.ratio(page.resolution[0]), tiff.ratio(page.resolution[1])};
+  const double per_unit[] = {tiff.ratio(page.x_resolution), tiff.ratio(page.y_resolution)};
   const bool has_resolution = per_unit[0] > 0 && per_unit[1] > 0;
   if (description.is_ome()) {
     const Vec3 sizes{description.number("PhysicalSizeX"), description.number("PhysicalSizeY"),
