@@ -288,6 +288,14 @@ TEST_CASE("a file of several frames says where they are") {
   // Frames run along the negative normal.
   DicomForm form{.place = Place::stack};
   DicomElements elements = dicom_image(truth, form, 0, kSlices);
+  elements[0x00280004] = {"CS", "MONOCHROME1"};
+  elements[0x3004000e] = {"DS", "0.5"};  // the unit of a dose
+  ReadLog log;
+  const Volume half = read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, &log);
+  CHECK(half.sample(1, 0, 0) == 0.5 * static_cast<std::uint8_t>(truth.bytes[1]));
+  REQUIRE(log.notes.size() == 2);
+  CHECK(log.notes[0].find("they are kept as stored") != std::string::npos);
+  elements = dicom_image(truth, form, 0, kSlices);
   elements[0x00180088] = {"DS", "-3"};
   const Volume back = read_volume(folder.write("v.dcm", dicom_file(form, elements)));
   CHECK(distance(back.frame().origin, truth.origin - 4 * truth.step(2)) < 1e-12);

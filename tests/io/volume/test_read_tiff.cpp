@@ -156,7 +156,7 @@ TEST_CASE("OME's spacing and channels") {
   CHECK(read_volume(file(sizes + "PhysicalSizeZ=\"2\""), options).spacing() == Vec3{3, 2, 1});
 }
 
-TEST_CASE("a resolution without the distance of pages is noted") {
+TEST_CASE("a resolution without the distance of pages is noted, and white zeros") {
   const TemporaryFolder folder;
   std::vector<TiffPage> pages = pages_of(small_truth());
   pages[0].tags[282] = pages[0].tags[283] = tiff_ratio({}, 300, 1);
@@ -165,6 +165,10 @@ TEST_CASE("a resolution without the distance of pages is noted") {
         Vec3{1, 1, 1});
   REQUIRE(log.notes.size() == 1);
   CHECK(log.notes[0].find("--spacing gives another distance") != std::string::npos);
+  for (TiffPage& page : pages) page.tags[262] = tiff_value({}, 0, 3);
+  const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
+  CHECK(bytes_of_samples(volume) == small_truth().bytes);
+  CHECK(log.notes.back().find("(WhiteIsZero)") != std::string::npos);
 }
 
 TEST_CASE("reduced pictures and masks are no slices") {
