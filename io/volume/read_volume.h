@@ -100,8 +100,9 @@ struct ReadLog {
   std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
-// Returns the volume of `input`: a path of a file or of a folder of DICOM slices, "-" (standard input) or "builtin:NAME[:SIZE]". Throws an
-// InputError of one line that names the file and the fault.
+// Returns the volume of `input`: a path of a file or of a folder of DICOM slices, "-" (standard
+// input) or "builtin:NAME[:SIZE]". Throws an InputError of one line that names the file and the
+// fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 
