@@ -246,7 +246,7 @@ constexpr OptionSpec kRest[] = {
      "its sample type: uint8 int8 uint16 int16 uint32 int32 float32 float64",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
     {"--spacing", 0, "SX,SY,SZ", kVolume,
-     "distance between samples, of a raw file or a NumPy array (default 1,1,1)",
+     "distance between samples, of a raw file, a NumPy array or a TIFF stack (default 1,1,1)",
      [](Line& l, Text o, Text v) { l.read.spacing = parse_spacing(o, v); }},
     {"--endian", 0, "ORDER", kVolume, "its byte order: little (default) or big",
      [](Line& l, Text o, Text v) {

@@ -13,10 +13,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* kDicom = "is DICOM: convert it with 'dcm2niix -o OUT FOLDER'";
-constexpr const char* kTiff =
-    "is TIFF: make it raw with 'convert FILE -endian LSB gray:volume.raw', and give --dims and "
-    "--type";
 constexpr const char* kPicture =
     "is a picture: make one raw file of the slices with 'convert SLICES -depth 8 "
     "gray:volume.raw', and give --dims and --type";
@@ -34,9 +30,6 @@ struct Signature {
   const char* message;
 };
 constexpr Signature kSignatures[] = {
-    {128, "DICM"sv, kDicom},
-    {0, "II*\0"sv, kTiff},
-    {0, "MM\0*"sv, kTiff},
     {0, "\x89HDF\r\n\x1a\n"sv,
      "is HDF5: make it raw with 'h5dump -d DATASET -b LE -o volume.raw FILE', and give --dims and "
      "--type"},
@@ -62,13 +55,12 @@ void refuse_file(const Bytes& bytes) {
     if (bytes.size() >= known.offset && bytes.text().substr(known.offset).starts_with(known.bytes))
       fail(bytes.name, known.message);
   }
-  if (has_ending(bytes.name, ".dcm") || has_ending(bytes.name, ".ima")) fail(bytes.name, kDicom);
   if (has_ending(bytes.name, ".raw") || has_ending(bytes.name, ".img"))
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
   if (has_ending(bytes.name, ".hdr")) fail(bytes.name, "is no NIfTI header");
   fail(bytes.name,
-       "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy; raw data needs dimensions "
-       "and type)");
+       "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
+       "dimensions and type)");
 }
 
 void refuse_folder(const std::string& path) {
@@ -82,13 +74,11 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (has_ending(name, ".dcm") || has_ending(name, ".ima") || name == "DICOMDIR")
-      fail(path, "is a folder of DICOM slices: convert it with 'dcm2niix -o OUT FOLDER'");
-    if (has_ending(name, ".png") || has_ending(name, ".tif") || has_ending(name, ".tiff") ||
-        has_ending(name, ".jpg"))
-      fail(path, kPictures);
+    if (has_ending(name, ".tif") || has_ending(name, ".tiff"))
+      fail(path, "is a folder of pictures: make one file of them with 'tiffcp FOLDER/* stack.tif'");
+    if (has_ending(name, ".png") || has_ending(name, ".jpg")) fail(path, kPictures);
   }
-  fail(path, "is a directory, not a file");
+  fail(path, "is a folder without DICOM images: give the one that holds the slices, or a file");
 }
 
 }  // namespace deliso

@@ -2,17 +2,16 @@
 // NIfTI-1 and NIfTI-2 (nifti1.h and nifti2.h of the NIfTI Data Format Working Group). The binary
 // header has 348 or 540 bytes, in either byte order, in the file of the data or beside it.
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 
+#include "io/files/field_reader.h"
 #include "io/files/inflate.h"
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
+#include "io/volume/scaled_samples.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -23,27 +22,6 @@ constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 bool is_gzip(const Bytes& bytes) {
   return bytes.text().starts_with("\x1f\x8b");
 }
-
-// Fields of a header by their offset.
-class FieldReader {
- public:
-  FieldReader(std::span<const std::byte> bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
-
-  template <class T>
-  T get(std::size_t offset) const {
-    std::byte raw[sizeof(T)];
-    std::memcpy(raw, bytes_.data() + offset, sizeof(T));
-    if (swapped_)
-      for (std::size_t n = 0; n < sizeof(T) / 2; ++n) std::swap(raw[n], raw[sizeof(T) - 1 - n]);
-    T value;
-    std::memcpy(&value, raw, sizeof(T));
-    return value;
-  }
-
- private:
-  std::span<const std::byte> bytes_;
-  bool swapped_;
-};
 
 // The fields that both versions of the header have.
 struct NiftiHeader {
@@ -186,9 +164,7 @@ void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
 SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   SampleGrid grid = grid_of(input);
   grid.type = sample_type(input, h.datatype);
-  if (h.swapped)
-    grid.byte_order =
-        std::endian::native == std::endian::little ? std::endian::big : std::endian::little;
+  if (h.swapped) grid.byte_order = kSwappedOrder;
   if (h.dim[0] < 3 || h.dim[0] > 7)
     fail(input.name(), "has " + std::to_string(h.dim[0]) +
                            " dimensions: only three-dimensional volumes can be meshed");
@@ -215,36 +191,14 @@ Bytes open_image_file(const VolumeInput& input) {
   return open_data_file(input, stem + (packed && !plain ? ".img.gz" : ".img"));
 }
 
-// scl_slope * sample + scl_inter, computed in double and rounded once.
-template <class Real>
-Volume scaled(const Volume& volume, double slope, double intercept) {
-  const std::size_t count = volume.sample_count();
-  Buffer buffer(count * sizeof(Real));
-  volume.visit([&](const auto* samples) {
-    for (std::size_t n = 0; n < count; ++n) {
-      const Real value = static_cast<Real>(slope * static_cast<double>(samples[n]) + intercept);
-      std::memcpy(&buffer.data[n * sizeof(Real)], &value, sizeof value);
-    }
-  });
-  const Bytes bytes = bytes_of(std::move(buffer), {});
-  const Volume real(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
-                    bytes.owner, volume.frame());
-  return volume.is_block() ? real.as_block(volume.first(), volume.whole_dims()) : real;
-}
-
-Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, Volume volume) {
+Volume apply_scaling(const VolumeInput& input, const NiftiHeader& h, const Volume& volume) {
   if (h.slope == 0 || (h.slope == 1 && h.intercept == 0)) return volume;
   if (!std::isfinite(h.slope)) {
     input.note("scl_slope is not finite; the samples are taken as stored");
     return volume;
   }
   if (!std::isfinite(h.intercept)) fail(input.name(), "scl_inter is not finite");
-  const bool small = size_of(volume.type()) <= 2 || volume.type() == SampleType::f32;
-  volume = small ? scaled<float>(volume, h.slope, h.intercept)
-                 : scaled<double>(volume, h.slope, h.intercept);
-  input.note("samples are scaled as the header asks (" + std::to_string(h.slope) + " * sample + " +
-             std::to_string(h.intercept) + ") and held as " + std::string(name_of(volume.type())));
-  return volume;
+  return scaled_volume(input, volume, h.slope, h.intercept);
 }
 
 }  // namespace

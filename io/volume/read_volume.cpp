@@ -26,11 +26,18 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
                                {looks_like_nifti, read_nifti},
                                {looks_like_vti, read_vti, true},
                                {looks_like_npy, read_npy, false, false},
+                               {looks_like_dicom, read_dicom},
+                               {looks_like_tiff, read_tiff, false, false},
                                {looks_like_metaimage, read_metaimage}};
 
 void refuse_array(const std::string& name, const ReadOptions& options) {
   if (options.array)
     fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
+}
+
+void refuse_spacing(const std::string& name, const ReadOptions& options) {
+  if (options.spacing)
+    fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
 }
 
 Volume read_recognized(const VolumeInput& input) {
@@ -41,9 +48,7 @@ Volume read_recognized(const VolumeInput& input) {
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
-    if (format.has_spacing && input.options.spacing) {
-      fail(input.name(), "has a spacing of its own: --spacing is for raw files and NumPy arrays");
-    }
+    if (format.has_spacing) refuse_spacing(input.name(), input.options);
     return format.read(input);
   }
   refuse_file(input.bytes);
@@ -100,7 +105,12 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
     const std::string directory = slash == std::string::npos ? "" : input.substr(0, slash + 1);
     if (input == "-") return read_recognized({read_standard_input(), directory, options, filled});
     std::error_code ignored;
-    if (std::filesystem::is_directory(input, ignored)) refuse_folder(input);
+    if (std::filesystem::is_directory(input, ignored)) {
+      if (options.raw) refuse_folder(input);
+      refuse_array(input, options);
+      refuse_spacing(input, options);
+      return read_folder({{input, {}, nullptr}, directory, options, filled});
+    }
     filled.files.push_back(input);
     return read_recognized({open_file(input), directory, options, filled});
   } catch (const std::bad_alloc&) {

@@ -10,23 +10,28 @@
 //   VTK XML         .vti, one piece                   appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor
 //   NumPy           .npy, an array [z][y][x]          raw, C or Fortran order
+//   DICOM           a folder of slices; one file of   raw (either VR, either byte order), RLE
+//                   several frames
+//   TIFF            .tif, a page per slice; BigTIFF   raw, LZW, Deflate, PackBits; strips, tiles
 //   plain           any, dims and type from options   raw
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_volume.h)
 //
 // 1. Samples stay in their file type: uint8/16/32, int8/16/32, float32/64, either byte order. Two
-//    are converted, and the log says so. A NIfTI file with a scaling (scl_slope, scl_inter) becomes
-//    float32 from types of up to 16 bits and float32, else float64. NumPy's 64-bit integers become
+//    are converted, and the log says so. Scaled samples (of NIfTI, DICOM, ImageJ) become float32
+//    from types of up to 16 bits and float32, else float64. NumPy's 64-bit integers become
 //    float64.
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and anatomical space. Frame::space has the
-//    space: RAS+ for NIfTI, LPS+ for MetaImage, the field "space" for NRRD.
+//    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD.
 // 4. Refused with a message, never guessed:
 //    - other 64-bit integers, complex samples, several components or time steps (trailing
 //    dimensions of 1
 //      are allowed);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
+//    - slices of a folder that are missing, double, or of different series, sizes or directions;
+//    - pictures in color, JPEG and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).
@@ -77,7 +82,7 @@ struct ReadOptions {
   // If given, only this block is read, as a block of the whole (Volume::as_block). Not with a roi.
   std::optional<BlockChoice> block{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
-  std::optional<Vec3> spacing{};       // of a NumPy array, along x, y and z; 1,1,1 if not given
+  std::optional<Vec3> spacing{};       // of NumPy and TIFF, along x, y and z; else 1,1,1 or TIFF's
 };
 
 // A named array of a file.
@@ -91,12 +96,13 @@ struct NamedArray {
 // Facts about the reading, beside the volume.
 struct ReadLog {
   std::vector<std::string> notes;  // for the user, one line each
-  std::vector<std::string> files;  // all that were opened, header and data
+  std::vector<std::string> files;  // all that the volume is made of, header and data
   std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
-// Returns the volume of `input`: a path, "-" (standard input) or "builtin:NAME[:SIZE]". Throws an
-// InputError of one line that names the file and the fault.
+// Returns the volume of `input`: a path of a file or of a folder of DICOM slices, "-" (standard
+// input) or "builtin:NAME[:SIZE]". Throws an InputError of one line that names the file and the
+// fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 

@@ -80,12 +80,6 @@ void swap_words(std::span<std::byte> bytes) {
   }
 }
 
-void swap_bytes(std::span<std::byte> bytes, std::size_t word_size) {
-  if (word_size == 2) swap_words<std::uint16_t>(bytes);
-  if (word_size == 4) swap_words<std::uint32_t>(bytes);
-  if (word_size == 8) swap_words<std::uint64_t>(bytes);
-}
-
 // Returns a copy of the region's samples.
 Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::byte> data) {
   const std::size_t nx = static_cast<std::size_t>(grid.dims[0]);
@@ -137,6 +131,12 @@ void parse_samples(const SampleGrid& grid, const Bytes& data, bool more_may_foll
 }
 
 }  // namespace
+
+void swap_bytes(std::span<std::byte> bytes, std::size_t word_size) {
+  if (word_size == 2) swap_words<std::uint16_t>(bytes);
+  if (word_size == 4) swap_words<std::uint32_t>(bytes);
+  if (word_size == 8) swap_words<std::uint64_t>(bytes);
+}
 
 void SampleGrid::set_spacing(const Vec3& spacing) {
   // A negative spacing would mirror the axis unseen; NaN is refused where the steps are.
@@ -262,6 +262,24 @@ Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrappin
                         " bytes, the compressed data holds more");
   const Bytes bytes = bytes_of(std::move(buffer), data.name);
   return volume_from_raw(grid, bytes.from(static_cast<std::size_t>(skip)));
+}
+
+Volume volume_from_slices(
+    const SampleGrid& grid,
+    const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice) {
+  const std::size_t size = static_cast<std::size_t>(data_size(grid));
+  const Roi roi = region(grid);
+  place(grid);  // a fault of the geometry is found before the work
+  const std::size_t slice = size / static_cast<std::size_t>(grid.dims[2]);
+  // Not initialized: the system gives memory to the pages that are written.
+  Buffer buffer(size);
+  for (std::size_t k = static_cast<std::size_t>(roi.begin.k);
+       k < static_cast<std::size_t>(roi.end.k); ++k) {
+    write_slice(k, buffer.span().subspan(k * slice, slice));
+  }
+  SampleGrid native = grid;
+  native.byte_order = std::endian::native;
+  return volume_from_raw(native, bytes_of(std::move(buffer), grid.name));
 }
 
 }  // namespace deliso

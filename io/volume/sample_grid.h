@@ -11,7 +11,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -39,6 +41,9 @@ struct SampleGrid {
   void set_spacing(const Vec3& spacing);
 };
 
+// Reverses the bytes of each word of 2, 4 or 8 bytes.
+void swap_bytes(std::span<std::byte> bytes, std::size_t word_size);
+
 // All of these throw InputErrors with the name of the grid or, if the bytes are at fault, of the
 // bytes.
 
@@ -55,5 +60,11 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
 // Returns the volume. `data` has `skip` bytes and then exactly the samples, compressed.
 Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrapping wrapping,
                               std::uint64_t skip);
+// Returns the volume. `write_slice(k, out)` fills `out` with the samples of slice k, in native
+// order. It is called for the slices of the grid's region only; the others take no memory. pre: the
+// data of all slices is known to exist.
+Volume volume_from_slices(
+    const SampleGrid& grid,
+    const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice);
 
 }  // namespace deliso

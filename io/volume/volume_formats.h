@@ -46,6 +46,15 @@ Volume read_vti(const VolumeInput& input);
 bool looks_like_npy(const Bytes& bytes);
 Volume read_npy(const VolumeInput& input);
 
+// A file of several frames.
+bool looks_like_dicom(const Bytes& bytes);
+Volume read_dicom(const VolumeInput& input);
+// A folder with the slices of a DICOM series. `input` has its name and no bytes.
+Volume read_folder(const VolumeInput& input);
+
+bool looks_like_tiff(const Bytes& bytes);
+Volume read_tiff(const VolumeInput& input);
+
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 

@@ -56,6 +56,13 @@ void add_volumes(Corpus& corpus) {
     }
   }
   for (const bool binary : {false, true}) corpus.add("vtk", vtk_of_many(binary));
+  const Truth slices = random_truth(SampleType::i16, {4, 3, 2}, 17);
+  for (const bool is_rle : {false, true}) {
+    const DicomForm form{.is_rle = is_rle};
+    corpus.add("dicom", dicom_file(form, dicom_image(slices, form, 0, 1)) +
+                            std::string(fuzz::kDetached) +
+                            dicom_file(form, dicom_image(slices, form, 1, 1)));
+  }
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     Random random(seed);
     std::string data;

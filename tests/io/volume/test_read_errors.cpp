@@ -102,10 +102,12 @@ TEST_CASE("files that are missing, unreadable, empty or no volumes are refused")
   const TemporaryFolder folder;
   CHECK(fault(folder, "none.nrrd") == "none.nrrd: cannot open: No such file or directory");
   std::filesystem::create_directories(folder.path("folder"));
-  CHECK(fault(folder, "folder") == "folder: is a directory, not a file");
+  CHECK(fault(folder, "folder") ==
+        "folder: is a folder without DICOM images: give the one that holds the slices, or a file");
   CHECK(fault_of(folder, "v.nrrd", "") == "v.nrrd: is empty");
   const std::string unknown =
-      ": is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy; raw data needs dimensions and "
+      ": is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
+      "dimensions and "
       "type)";
   CHECK(fault_of(folder, "v.txt", "some text\n") == "v.txt" + unknown);
   CHECK(fault_of(folder, "v.nii", std::string(1000, '\0')) == "v.nii" + unknown);
@@ -399,10 +401,7 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
     return file.replace(offset, magic.size(), magic);
   };
   const std::tuple<std::string, std::string, std::string> files[] = {
-      {"slice", at(128, "DICM"), "is DICOM: convert it with 'dcm2niix"},
-      {"slice.dcm", nothing, "is DICOM: convert it with 'dcm2niix"},
-      {"a.tif", at(0, std::string("II*\0", 4)), "is TIFF: "},
-      {"a.tif", at(0, std::string("MM\0*", 4)), "is TIFF: "},
+      {"slice", nothing.substr(0, 128) + "DICM", "is DICOM without an image"},
       {"a.h5", at(0, "\x89HDF\r\n\x1a\n"), "is HDF5: make it raw with 'h5dump"},
       {"a.mrc", at(208, "MAP "), "is MRC: "},
       {"a.png", at(0, "\x89PNG\r\n\x1a\n"), "is a picture: "},
@@ -415,8 +414,9 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
   const std::pair<std::string, std::string> folders[] = {
       {".zarray", "is Zarr: "},
       {"zarr.json", "is Zarr: "},
-      {"IM1.DCM", "is a folder of DICOM slices: "},
-      {"0001.png", "is a folder of pictures: "}};
+      {"IM1.DCM", "is a folder without DICOM images: "},
+      {"0001.png", "is a folder of pictures: make one raw file"},
+      {"0001.TIF", "is a folder of pictures: make one file of them with 'tiffcp"}};
   for (const auto& [file, message] : folders) {
     const TemporaryFolder slices;
     slices.write(file, "");

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -419,6 +420,376 @@ inline std::string npy(const Truth& t, std::endian order, int version) {
   return npy(descr, false, shape, t.in_order(order), version);
 }
 
+// ---- DICOM
+
+struct DicomForm {
+  bool is_explicit = true;
+  std::endian order = std::endian::little;
+  bool is_rle = false;
+  bool has_preamble = true;
+  bool has_lengths = true;  // of sequences and their items
+  enum class Place { stack, offsets, shared, each } place = Place::shared;  // of several frames
+};
+
+// Runs of equal bytes, and stretches of others.
+inline std::string pack_bits(const std::string& bytes) {
+  std::string out;
+  for (std::size_t at = 0, end = 0; at < bytes.size(); at = end) {
+    end = at + 1;
+    const auto repeats = [&] { return end < bytes.size() && bytes[end] == bytes[end - 1]; };
+    if (repeats()) {
+      while (repeats() && end - at < 128) ++end;
+      out += static_cast<char>(257 - (end - at));
+      out += bytes[at];
+      continue;
+    }
+    while (end < bytes.size() && !repeats() && end - at < 128) ++end;
+    if (repeats() && end - at > 1) --end;
+    out += static_cast<char>(end - at - 1);
+    out += bytes.substr(at, end - at);
+  }
+  return out;
+}
+
+struct DicomElement {
+  std::string vr, value;
+};
+using DicomElements = std::map<std::uint32_t, DicomElement>;  // by group and element
+
+inline DicomElement dicom_numbers(const std::vector<double>& numbers) {
+  std::string words;
+  for (const double number : numbers) {
+    if (!words.empty()) words += '\\';
+    words += to_text(number);
+  }
+  return {"DS", words};
+}
+inline DicomElement dicom_vector(const Vec3& v) {
+  return dicom_numbers({v.x, v.y, v.z});
+}
+
+inline std::string dicom_element(const DicomForm& form, std::uint32_t tag, DicomElement element) {
+  const auto number = [&](std::uint64_t n, int bytes) { return ordered(n, bytes, form.order); };
+  const bool is_fragments = element.vr == "OB" && form.is_rle;
+  const bool has_length = !is_fragments && (form.has_lengths || element.vr != "SQ");
+  if (element.value.size() % 2 != 0) element.value += element.vr == "DS" ? ' ' : '\0';
+  std::string out = number(tag >> 16, 2) + number(tag & 0xffff, 2);
+  const bool is_long = element.vr == "OB" || element.vr == "OW" || element.vr == "SQ";
+  if (form.is_explicit) out += element.vr;
+  if (form.is_explicit && is_long) out.append(2, '\0');
+  out +=
+      number(has_length ? element.value.size() : 0xffffffff, form.is_explicit && !is_long ? 2 : 4);
+  out += element.value;
+  if (!has_length) out += number(0xfffe, 2) + number(0xe0dd, 2) + number(0, 4);
+  return out;
+}
+
+inline std::string dicom_elements(const DicomForm& form, const DicomElements& elements) {
+  std::string out;
+  for (const auto& [tag, element] : elements) out += dicom_element(form, tag, element);
+  return out;
+}
+
+inline DicomElement dicom_sequence(const DicomForm& form, const std::vector<DicomElements>& items) {
+  std::string out;
+  for (const DicomElements& item : items) {
+    const std::string content = dicom_elements(form, item);
+    const auto number = [&](std::uint64_t n, int bytes) { return ordered(n, bytes, form.order); };
+    out += number(0xfffe, 2) + number(0xe000, 2) +
+           number(form.has_lengths ? content.size() : 0xffffffff, 4) + content;
+    if (!form.has_lengths) out += number(0xfffe, 2) + number(0xe00d, 2) + number(0, 4);
+  }
+  return {"SQ", out};
+}
+
+inline std::string dicom_file(const DicomForm& form, const DicomElements& elements) {
+  std::string file;
+  if (form.has_preamble) {
+    const char* syntax = form.is_rle                         ? "1.2.840.10008.1.2.5"
+                         : !form.is_explicit                 ? "1.2.840.10008.1.2"
+                         : form.order == std::endian::little ? "1.2.840.10008.1.2.1"
+                                                             : "1.2.840.10008.1.2.2";
+    file = std::string(128, '\0') + "DICM" + dicom_elements({}, {{0x00020010, {"UI", syntax}}});
+  }
+  return file + dicom_elements(form, elements);
+}
+
+// The elements of `count` frames from `first` on. One frame is a slice of a series.
+inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int first, int count) {
+  const auto number = [&](std::uint64_t n) {
+    return DicomElement{"US", ordered(n, 2, form.order)};
+  };
+  const std::size_t sample = size_of(t.type);
+  const std::size_t frame = sample * static_cast<std::size_t>(t.dims.i * t.dims.j);
+  const bool is_signed =
+      t.type == SampleType::i8 || t.type == SampleType::i16 || t.type == SampleType::i32;
+  const DicomElement position = dicom_vector(t.origin + first * t.step(2));
+  const DicomElement directions =
+      dicom_numbers({t.axes[0].x, t.axes[0].y, t.axes[0].z, t.axes[1].x, t.axes[1].y, t.axes[1].z});
+  const DicomElement spacing = dicom_numbers({t.spacing.y, t.spacing.x});
+  DicomElements all{{0x00080008, {"CS", "ORIGINAL"}},
+                    {0x00081140, dicom_sequence(form, {{{0x00280010, number(9)}}, {}})},
+                    {0x0020000e, {"UI", "1.2.3"}},
+                    {0x00280002, number(1)},
+                    {0x00280004, {"CS", "MONOCHROME2"}},
+                    {0x00280010, number(static_cast<std::uint64_t>(t.dims.j))},
+                    {0x00280011, number(static_cast<std::uint64_t>(t.dims.i))},
+                    {0x00280100, number(8 * sample)},
+                    {0x00280101, number(8 * sample)},
+                    {0x00280102, number(8 * sample - 1)},
+                    {0x00280103, number(is_signed)}};
+  const auto place = form.place;
+  using Place = DicomForm::Place;
+  if (count > 1) all[0x00280008] = {"IS", to_text(count)};
+  if (count == 1 || place == Place::stack || place == Place::offsets) {
+    all[0x00200032] = position;
+    all[0x00200037] = directions;
+    all[0x00280030] = spacing;
+    std::vector<double> offsets;
+    for (int n = 0; n < count; ++n) offsets.push_back(n * t.spacing.z);
+    if (place == Place::offsets) {
+      all[0x3004000c] = dicom_numbers(offsets);
+    } else if (count > 1) {
+      all[0x00180088] = dicom_numbers({t.spacing.z});
+    }
+  } else {
+    const DicomElements common{{0x00209116, dicom_sequence(form, {{{0x00200037, directions}}})},
+                               {0x00289110, dicom_sequence(form, {{{0x00280030, spacing}}})}};
+    std::vector<DicomElements> groups;
+    for (int n = 0; n < count; ++n) {
+      groups.push_back(place == Place::each ? common : DicomElements{});
+      groups.back()[0x00209113] =
+          dicom_sequence(form, {{{0x00200032, dicom_vector(t.origin + (first + n) * t.step(2))}}});
+    }
+    all[0x52009229] = dicom_sequence(form, {place == Place::each ? DicomElements{} : common});
+    all[0x52009230] = dicom_sequence(form, groups);
+  }
+
+  const std::string bytes =
+      t.in_order(form.order)
+          .substr(static_cast<std::size_t>(first) * frame, static_cast<std::size_t>(count) * frame);
+  all[0x7fe00010] = {sample > 1 || !form.is_explicit ? "OW" : "OB", bytes};
+  if (form.is_rle) {
+    std::string items = little(0xe000fffe, 4) + little(0, 4);
+    for (std::size_t at = 0; at < bytes.size(); at += frame) {
+      std::string header = little(sample, 4), segments;
+      for (std::size_t byte = sample; byte-- > 0;) {  // the highest first
+        std::string plane;
+        for (std::size_t n = at + byte; n < at + frame; n += sample) plane += bytes[n];
+        header += little(64 + segments.size(), 4);
+        segments += pack_bits(plane);
+      }
+      header.resize(64);
+      if (segments.size() % 2 != 0) segments += '\0';
+      items += little(0xe000fffe, 4) + little(64 + segments.size(), 4) + header + segments;
+    }
+    all[0x7fe00010] = {"OB", items};
+  }
+  return all;
+}
+
+// ---- TIFF
+
+// TIFF's LZW: codes of 9 to 12 bits, the highest bit first.
+inline std::string lzw(const std::string& bytes) {
+  std::string out;
+  std::uint32_t bits = 0;
+  int pending = 0, width = 9;
+  const auto put = [&](int code) {
+    bits = bits << width | static_cast<std::uint32_t>(code);
+    for (pending += width; pending >= 8; pending -= 8) {
+      out += static_cast<char>(bits >> (pending - 8) & 255);
+    }
+  };
+  std::map<std::string, int> table;
+  const auto clear = [&] {
+    put(256);
+    table.clear();
+    for (int n = 0; n < 258; ++n) {
+      table[n < 256 ? std::string(1, static_cast<char>(n)) : "code" + to_text(n)] = n;
+    }
+    width = 9;
+  };
+  clear();
+  std::string string;
+  for (const char c : bytes) {
+    if (table.count(string + c) > 0) {
+      string += c;
+      continue;
+    }
+    put(table[string]);
+    const int next = static_cast<int>(table.size());
+    table[string + c] = next;
+    if (next == 511 || next == 1023 || next == 2047) ++width;
+    if (next == 4094) clear();
+    string = c;
+  }
+  if (!string.empty()) put(table[string]);
+  // The decoder has one more string now.
+  if (table.size() == 511 || table.size() == 1023 || table.size() == 2047) ++width;
+  put(257);
+  if (pending > 0) out += static_cast<char>(bits << (8 - pending) & 255);
+  return out;
+}
+
+struct TiffForm {
+  std::endian order = std::endian::little;
+  bool is_big = false;
+  int tile = 0;            // side of the tiles; 0: strips
+  int rows_per_strip = 3;  // else
+  int compression = 1, predictor = 1;
+};
+
+struct TiffPage {
+  struct Values {
+    int type = 3;  // 2: text, 3: short, 4: long, 5: rational, 16: long8
+    std::uint64_t count = 1;
+    std::string bytes;
+  };
+  std::map<int, Values> tags;
+  std::vector<std::string> blocks;
+};
+
+inline TiffPage::Values tiff_value(const TiffForm& form, std::uint64_t value, int type = 4) {
+  return {type, 1, ordered(value, type == 3 ? 2 : type == 16 ? 8 : 4, form.order)};
+}
+inline TiffPage::Values tiff_ratio(const TiffForm& form, std::uint64_t up, std::uint64_t down) {
+  return {5, 1, ordered(up, 4, form.order) + ordered(down, 4, form.order)};
+}
+inline TiffPage::Values tiff_text(const std::string& text) {
+  return {2, text.size() + 1, text + '\0'};
+}
+
+// Rows of differences, as the predictors write them. `rows` has samples in native order.
+inline std::string tiff_differences(const TiffForm& form, const Truth& t, std::string row) {
+  const std::size_t size = size_of(t.type), count = row.size() / size;
+  if (form.predictor == 2) {
+    std::uint64_t last = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, &row[n * size], size);  // little-endian machines
+      const std::uint64_t difference = word - last;
+      std::memcpy(&row[n * size], &difference, size);
+      last = word;
+    }
+  }
+  if (form.predictor == 3) {  // the highest bytes of all samples, then the next ones
+    std::string bytes(row.size(), '\0');
+    for (std::size_t n = 0; n < row.size(); ++n) {
+      bytes[(size - 1 - n % size) * count + n / size] = row[n];
+    }
+    for (std::size_t n = bytes.size(); n-- > 1;) {
+      bytes[n] = static_cast<char>(bytes[n] - bytes[n - 1]);
+    }
+    return bytes;
+  }
+  if (form.order != std::endian::native) {
+    for (std::size_t n = 0; n < row.size(); n += size) {
+      std::reverse(row.begin() + static_cast<std::ptrdiff_t>(n),
+                   row.begin() + static_cast<std::ptrdiff_t>(n + size));
+    }
+  }
+  return row;
+}
+
+inline TiffPage tiff_page(const Truth& t, const TiffForm& form, int k) {
+  TiffPage page;
+  const auto tag = [&](int id, std::size_t value, int type = 4) {
+    page.tags[id] = tiff_value(form, value, type);
+  };
+  const std::size_t size = size_of(t.type);
+  const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
+  const bool is_signed =
+      t.type == SampleType::i8 || t.type == SampleType::i16 || t.type == SampleType::i32;
+  tag(256, static_cast<std::size_t>(t.dims.i));
+  tag(257, static_cast<std::size_t>(t.dims.j));
+  tag(258, 8 * size, 3);
+  tag(259, static_cast<std::size_t>(form.compression), 3);
+  tag(262, 1, 3);
+  if (form.predictor != 1) tag(317, static_cast<std::size_t>(form.predictor), 3);
+  if (is_real || is_signed) tag(339, is_real ? 3 : 2, 3);
+  if (form.tile > 0) {
+    tag(322, static_cast<std::size_t>(form.tile));
+    tag(323, static_cast<std::size_t>(form.tile));
+  } else {
+    tag(278, static_cast<std::size_t>(form.rows_per_strip));
+  }
+  const int height = form.tile > 0 ? form.tile : form.rows_per_strip;
+  const int width = form.tile > 0 ? form.tile : t.dims.i;
+  for (int y0 = 0; y0 < t.dims.j; y0 += height) {
+    for (int x0 = 0; x0 < t.dims.i; x0 += width) {
+      std::string block;
+      for (int y = y0; y < y0 + height && (form.tile > 0 || y < t.dims.j); ++y) {
+        std::string row;
+        for (int x = x0; x < x0 + width; ++x) {
+          const bool inside = x < t.dims.i && y < t.dims.j;
+          const int n = inside ? x + t.dims.i * (y + t.dims.j * k) : 0;
+          row += t.bytes.substr(size * static_cast<std::size_t>(n), size);
+        }
+        block += tiff_differences(form, t, row);
+      }
+      if (form.compression == 5) block = lzw(block);
+      if (form.compression == 8 || form.compression == 32946) block = zlibbed(block, t.seed);
+      if (form.compression == 32773) block = pack_bits(block);
+      page.blocks.push_back(block);
+    }
+  }
+  return page;
+}
+
+// The samples of all pages, the values of tags that do not fit into them, and the tags.
+inline std::string tiff_file(const TiffForm& form, std::vector<TiffPage> pages) {
+  const std::size_t word = form.is_big ? 8 : 4;
+  const auto number = [&](std::uint64_t n, std::size_t bytes) {
+    return ordered(n, static_cast<int>(bytes), form.order);
+  };
+  std::string file = form.order == std::endian::little ? "II" : "MM";
+  file += number(form.is_big ? 43 : 42, 2);
+  if (form.is_big) file += number(8, 2) + number(0, 2);
+  std::size_t link = file.size();  // where the place of the next page stands
+  file += number(0, word);
+  for (TiffPage& page : pages) {
+    const int type = form.is_big ? 16 : 4;
+    TiffPage::Values offsets{type, 0, ""}, sizes = offsets;
+    for (const std::string& block : page.blocks) {
+      offsets.bytes += number(file.size(), word);
+      sizes.bytes += number(block.size(), word);
+      offsets.count = ++sizes.count;
+      file += block;
+    }
+    const bool is_tiled = page.tags.count(322) > 0;
+    page.tags.try_emplace(is_tiled ? 324 : 273, offsets);
+    page.tags.try_emplace(is_tiled ? 325 : 279, sizes);
+  }
+  for (TiffPage& page : pages) {
+    for (auto& [id, values] : page.tags) {
+      if (values.bytes.size() <= word) continue;
+      const std::string at = number(file.size(), word);
+      file += values.bytes;
+      values.bytes = at;
+    }
+  }
+  for (const TiffPage& page : pages) {
+    file.replace(link, word, number(file.size(), word));
+    file += number(page.tags.size(), form.is_big ? 8 : 2);
+    for (auto [id, values] : page.tags) {
+      values.bytes.resize(word);
+      file += number(static_cast<std::uint64_t>(id), 2) +
+              number(static_cast<std::uint64_t>(values.type), 2) + number(values.count, word) +
+              values.bytes;
+    }
+    link = file.size();
+    file += number(0, word);
+  }
+  return file;
+}
+
+inline std::string tiff(const Truth& t, const TiffForm& form) {
+  std::vector<TiffPage> pages;
+  for (int k = 0; k < t.dims.k; ++k) pages.push_back(tiff_page(t, form, k));
+  return tiff_file(form, pages);
+}
+
 struct StoredVolume {
   std::string label;
   std::vector<NamedFile> files;  // the first is the one to read
@@ -468,11 +839,49 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
         std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
     raw.options.raw = RawLayout{t.dims, t.type, t.spacing, order, 4};
     all.push_back(raw);
+    for (const bool is_big : {false, true}) {
+      for (const int compression : {1, 5, 8, 32946, 32773}) {
+        const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
+        const bool has_predictor = compression == 5 || compression == 8;
+        for (const int predictor : {1, is_real ? 3 : 2}) {
+          for (const int tile : {0, 4}) {
+            if (predictor != 1 && !has_predictor) continue;
+            const TiffForm form{order, is_big, tile, 3, compression, predictor};
+            StoredVolume stack{
+                "tiff " + to_text(compression) + " " + to_text(predictor) + name(order),
+                {{"v.tif", tiff(t, form)}},
+                false,
+                {}};
+            stack.options.spacing = t.spacing;
+            all.push_back(stack);
+          }
+        }
+      }
+    }
     for (int version : {1, 2, 3}) {
       StoredVolume array{
           "npy " + to_text(version) + name(order), {{"v.npy", npy(t, order, version)}}, false, {}};
       array.options.spacing = t.spacing;
       all.push_back(array);
+    }
+  }
+  // DICOM has no left-handed axes.
+  if (t.type != SampleType::f32 && t.type != SampleType::f64 &&
+      !(dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0)) {
+    std::vector<std::pair<std::string, DicomForm>> forms{{"dicom explicit", {}},
+                                                         {"dicom implicit", {.is_explicit = false}},
+                                                         {"dicom be", {.order = std::endian::big}},
+                                                         {"dicom rle", {.is_rle = true}}};
+    for (const auto& [label, plain] : forms) {
+      for (const auto place : {DicomForm::Place::stack, DicomForm::Place::offsets,
+                               DicomForm::Place::shared, DicomForm::Place::each}) {
+        DicomForm form = plain;
+        form.place = place;
+        form.has_lengths = place != DicomForm::Place::each;
+        form.has_preamble =
+            place != DicomForm::Place::stack || form.is_rle || form.order == std::endian::big;
+        all.push_back({label, {{"v.dcm", dicom_file(form, dicom_image(t, form, 0, t.dims.k))}}});
+      }
     }
   }
   all.push_back({"vti ascii", vti(t, {"ascii", "", std::endian::little, 4, 0})});

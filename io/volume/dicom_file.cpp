@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: MIT
+#include "io/volume/dicom_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "base/frame.h"
+#include "base/text.h"
+#include "io/files/field_reader.h"
+#include "io/files/packbits.h"
+#include "io/files/text_scan.h"
+#include "io/volume/sample_grid.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t kPreamble = 128;
+constexpr int kMaxDepth = 32;  // of nested sequences; real ones have about six
+
+// Group and element.
+constexpr std::uint32_t kTransferSyntax = 0x00020010, kSeries = 0x0020000e, kPosition = 0x00200032,
+                        kOrientation = 0x00200037, kSamplesPerPixel = 0x00280002,
+                        kPhotometric = 0x00280004, kFrames = 0x00280008, kRows = 0x00280010,
+                        kColumns = 0x00280011, kPixelSpacing = 0x00280030,
+                        kBitsAllocated = 0x00280100, kBitsStored = 0x00280101,
+                        kHighBit = 0x00280102, kSigned = 0x00280103, kIntercept = 0x00281052,
+                        kSlope = 0x00281053, kDistance = 0x00180088, kFrameOffsets = 0x3004000c,
+                        kDoseScaling = 0x3004000e, kSharedGroups = 0x52009229,
+                        kFrameGroups = 0x52009230, kPixelData = 0x7fe00010, kItem = 0xfffee000,
+                        kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
+
+// The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
+// Measures, Pixel Value Transformation.
+constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110, 0x00289145};
+
+constexpr std::string_view kExplicitLittle = "1.2.840.10008.1.2.1",
+                           kImplicitLittle = "1.2.840.10008.1.2",
+                           kExplicitBig = "1.2.840.10008.1.2.2", kRle = "1.2.840.10008.1.2.5";
+
+constexpr std::pair<std::string_view, std::string_view> kOtherSyntaxes[] = {
+    {"1.2.840.10008.1.2.1.99", "a deflated data set"},
+    {"1.2.840.10008.1.2.4.50", "JPEG"},
+    {"1.2.840.10008.1.2.4.51", "JPEG"},
+    {"1.2.840.10008.1.2.4.57", "lossless JPEG"},
+    {"1.2.840.10008.1.2.4.70", "lossless JPEG"},
+    {"1.2.840.10008.1.2.4.80", "JPEG-LS"},
+    {"1.2.840.10008.1.2.4.81", "JPEG-LS"},
+    {"1.2.840.10008.1.2.4.90", "JPEG 2000"},
+    {"1.2.840.10008.1.2.4.91", "JPEG 2000"}};
+
+constexpr const char* kConvert =
+    "convert it with 'gdcmconv --raw IN OUT', or the series with 'dcm2niix -o OUT FOLDER'";
+
+bool is_upper(std::byte c) {
+  return c >= std::byte{'A'} && c <= std::byte{'Z'};
+}
+
+// Reads the elements of a file from its beginning up to the pixel data.
+class DicomParser {
+ public:
+  explicit DicomParser(const Bytes& bytes) : bytes_(bytes) { file_.bytes = bytes; }
+
+  std::optional<DicomFile> run() {
+    const bool has_preamble =
+        bytes_.text().substr(std::min(kPreamble, bytes_.size())).starts_with("DICM");
+    at_ = has_preamble ? kPreamble + 4 : 0;
+    // The first group is explicit, little-endian, and tells how the others are.
+    while (bytes_.size() - at_ >= 8 && number<std::uint16_t>(at_) == 2) {
+      const Element element = next(bytes_.size());
+      if (element.undefined) fail_damaged(element.at);
+      if (element.tag == kTransferSyntax) syntax_ = string_at(element);
+      at_ += element.length;
+    }
+    choose_syntax();
+    read_elements(bytes_.size(), &file_.common, 0);
+    if (!has_pixels_) return std::nullopt;
+    check_image();
+    return std::move(file_);
+  }
+
+ private:
+  struct Element {
+    std::size_t at = 0;  // of the tag
+    std::uint32_t tag = 0;
+    std::string_view vr = "";
+    std::size_t length = 0;
+    bool undefined = false;  // the length
+  };
+
+  [[noreturn]] void fail_damaged(std::size_t at) const {
+    fail(bytes_.name, text("is damaged, or ends too early: the element at byte ", at));
+  }
+
+  template <class T>
+  T number(std::size_t at) const {
+    return FieldReader(bytes_.data, order_).get<T>(at);
+  }
+
+  // Reads the tag and the length of the element at at_, and moves to its value.
+  Element next(std::size_t end) {
+    Element element{.at = at_};
+    const auto advance = [&](std::size_t count) {
+      if (end - at_ < count) fail_damaged(element.at);
+      at_ += count;
+      return at_ - count;
+    };
+    const std::size_t tag = advance(4);
+    element.tag = std::uint32_t{number<std::uint16_t>(tag)} << 16 | number<std::uint16_t>(tag + 2);
+    std::uint32_t length = 0;
+    if (is_explicit_ && element.tag >> 16 != 0xfffe) {
+      element.vr = bytes_.text().substr(advance(4), 2);
+      constexpr std::string_view kShort =  // of lengths in 16 bits
+          "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+      const bool is_short = kShort.find(element.vr) != std::string_view::npos;
+      length = is_short ? number<std::uint16_t>(at_ - 2) : number<std::uint32_t>(advance(4));
+    } else {
+      length = number<std::uint32_t>(advance(4));
+    }
+    element.undefined = length == 0xffffffff;
+    element.length = element.undefined ? 0 : length;
+    if (element.length > end - at_) fail_damaged(element.at);
+    return element;
+  }
+
+  void choose_syntax() {
+    if (syntax_.empty()) {  // without a first group
+      const bool has_vr = bytes_.size() >= at_ + 6 && is_upper(bytes_.data[at_ + 4]) &&
+                          is_upper(bytes_.data[at_ + 5]);
+      syntax_ = has_vr ? kExplicitLittle : kImplicitLittle;
+    }
+    for (const auto& [uid, what] : kOtherSyntaxes) {
+      if (syntax_ != uid) continue;
+      fail(bytes_.name, text("is compressed (", what, "): ", kConvert));
+    }
+    is_explicit_ = syntax_ != kImplicitLittle;
+    file_.is_rle = syntax_ == kRle;
+    file_.is_big_endian = syntax_ == kExplicitBig;
+    if (file_.is_big_endian) order_ = std::endian::big;
+    if (is_explicit_ && !file_.is_rle && !file_.is_big_endian && syntax_ != kExplicitLittle) {
+      fail(bytes_.name, text("has transfer syntax ", quote(syntax_), ": ", kConvert));
+    }
+  }
+
+  // Reads elements up to `end`, or to the end of an item of undefined length. `plane` gets what
+  // they say of it, if it is given.
+  void read_elements(std::size_t end, DicomPlane* plane, int depth) {
+    while (at_ < end && !has_pixels_) {
+      const Element element = next(end);
+      if (element.tag == kItemEnd) return;
+      if (depth == 0 && element.tag == kPixelData) {
+        read_pixel_data(element);
+        return;
+      }
+      const bool has_planes = depth == 0
+                                  ? element.tag == kSharedGroups || element.tag == kFrameGroups
+                                  : plane && std::ranges::count(kPlaneSequences, element.tag) > 0;
+      if (element.undefined || has_planes) {
+        read_items(element, end, has_planes ? plane : nullptr, depth);
+        continue;
+      }
+      if (plane) read_plane(element, *plane);
+      if (depth == 0 && element.length > 0) read_image(element);
+      at_ += element.length;
+    }
+  }
+
+  void read_items(const Element& sequence, std::size_t parent_end, DicomPlane* plane, int depth) {
+    if (depth == kMaxDepth) fail_damaged(sequence.at);
+    const std::size_t end = sequence.undefined ? parent_end : at_ + sequence.length;
+    // Data of unknown type and length are items in implicit VR (PS3.5, 6.2.2).
+    const std::pair saved(is_explicit_, order_);
+    if (sequence.vr == "UN") is_explicit_ = false, order_ = std::endian::little;
+    while (at_ < end) {
+      const Element item = next(end);
+      if (item.tag == kSequenceEnd) break;
+      if (item.tag != kItem) fail_damaged(item.at);
+      const std::size_t item_end = item.undefined ? end : at_ + item.length;
+      // The fragments of a compressed icon have no elements.
+      if (sequence.vr.starts_with('O') || sequence.tag == kPixelData) {
+        at_ = item_end;
+        continue;
+      }
+      if (sequence.tag == kFrameGroups && plane) plane = &file_.planes.emplace_back();
+      read_elements(item_end, plane, depth + 1);
+      if (!item.undefined) at_ = item_end;
+    }
+    std::tie(is_explicit_, order_) = saved;
+  }
+
+  std::string_view string_at(const Element& element) const {
+    std::string_view value = bytes_.text().substr(at_, element.length);
+    while (value.ends_with('\0')) value.remove_suffix(1);
+    return trimmed(value);
+  }
+
+  // Returns the decimal numbers of an element; `count` of them unless that is 0.
+  std::vector<double> numbers_at(const Element& element, const char* name,
+                                 std::size_t count) const {
+    std::string words(string_at(element));
+    std::ranges::replace(words, '\\', ' ');
+    std::optional<std::vector<double>> numbers = to_doubles(words);
+    const auto is_usable = [](double x) { return std::abs(x) <= kLargestLength; };  // and no NaN
+    if (!numbers || (count > 0 && numbers->size() != count) ||
+        !std::ranges::all_of(*numbers, is_usable)) {
+      fail(bytes_.name, text("its ", name, " is ", quote(string_at(element)), ", not ",
+                             count == 0 ? "" : std::to_string(count) + " ", "numbers"));
+    }
+    return *numbers;
+  }
+
+  void read_plane(const Element& element, DicomPlane& plane) const {
+    if (string_at(element).empty()) return;
+    if (element.tag == kPosition) {
+      const auto n = numbers_at(element, "ImagePositionPatient", 3);
+      plane.position = Vec3{n[0], n[1], n[2]};
+    } else if (element.tag == kOrientation) {
+      const auto n = numbers_at(element, "ImageOrientationPatient", 6);
+      plane.directions = {Vec3{n[0], n[1], n[2]}, Vec3{n[3], n[4], n[5]}};
+    } else if (element.tag == kPixelSpacing) {
+      const auto n = numbers_at(element, "PixelSpacing", 2);
+      plane.spacing = {n[1], n[0]};  // the file has the distance of rows first, which is along y
+    } else if (element.tag == kDistance) {
+      plane.distance = numbers_at(element, "SpacingBetweenSlices", 1)[0];
+    } else if (element.tag == kSlope || element.tag == kDoseScaling) {
+      plane.slope = numbers_at(element, "RescaleSlope", 1)[0];
+      if (*plane.slope == 0) fail(bytes_.name, "its RescaleSlope is 0");
+    } else if (element.tag == kIntercept) {
+      plane.intercept = numbers_at(element, "RescaleIntercept", 1)[0];
+    }
+  }
+
+  int short_at(const Element& element) const {
+    if (element.length < 2) fail_damaged(element.at);
+    return number<std::uint16_t>(at_);
+  }
+
+  void read_image(const Element& element) {
+    switch (element.tag) {
+      case kSeries:
+        file_.series = string_at(element);
+        break;
+      case kSamplesPerPixel:
+        file_.samples_per_pixel = short_at(element);
+        break;
+      case kPhotometric:
+        file_.photometric = string_at(element);
+        break;
+      case kFrames:
+        if (const auto count = to_int(string_at(element));
+            count && *count >= 1 && *count <= std::numeric_limits<int>::max()) {
+          file_.frame_count = *count;
+        } else {
+          fail(bytes_.name, "its NumberOfFrames is " + quote(string_at(element)));
+        }
+        break;
+      case kRows:
+        file_.rows = short_at(element);
+        break;
+      case kColumns:
+        file_.columns = short_at(element);
+        break;
+      case kBitsAllocated:
+        file_.bits_allocated = file_.bits_stored = short_at(element);
+        file_.high_bit = file_.bits_stored - 1;
+        break;
+      case kBitsStored:
+        file_.bits_stored = short_at(element);
+        file_.high_bit = file_.bits_stored - 1;
+        break;
+      case kHighBit:
+        file_.high_bit = short_at(element);
+        break;
+      case kSigned:
+        file_.is_signed = short_at(element) != 0;
+        break;
+      case kFrameOffsets:
+        file_.frame_offsets = numbers_at(element, "GridFrameOffsetVector", 0);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void read_pixel_data(const Element& element) {
+    has_pixels_ = true;
+    is_word_data_ = element.vr == "OW";
+    if (element.undefined != file_.is_rle) fail_damaged(element.at);
+    if (!file_.is_rle) {
+      file_.pixels = bytes_.data.subspan(at_, element.length);
+      return;
+    }
+    for (bool is_table = true;; is_table = false) {  // the first item has the frames' offsets
+      const Element item = next(bytes_.size());
+      if (item.tag == kSequenceEnd) return;
+      if (item.tag != kItem || item.undefined) fail_damaged(item.at);
+      if (!is_table) file_.fragments.push_back(bytes_.data.subspan(at_, item.length));
+      at_ += item.length;
+    }
+  }
+
+  void check_image() {
+    const std::string& name = bytes_.name;
+    // Old files do not tell that they are gray.
+    const bool is_gray = file_.photometric.empty() || file_.photometric.starts_with("MONOCHROME");
+    if (file_.samples_per_pixel != 1 || !is_gray) {
+      fail(name,
+           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed"));
+    }
+    const int bits = file_.bits_allocated;
+    if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
+        file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
+        file_.high_bit >= bits) {
+      fail(name, text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
+                      file_.high_bit, ": only those in 8, 16 and 32 are read"));
+    }
+    if (file_.rows == 0 || file_.columns == 0) fail(name, "does not tell its Rows and Columns");
+    file_.is_swapped_bytes = file_.is_big_endian && is_word_data_ && bits == 8;
+    const std::size_t frames = static_cast<std::size_t>(file_.frame_count),
+                      size = file_.frame_size();
+    const auto fail_size = [&](std::size_t found) {
+      fail(name, text("has ", found, " bytes of samples: ", frames, " frames of ", file_.columns,
+                      " x ", file_.rows, " need ", size, " each"));
+    };
+    if (file_.is_rle) {
+      if (file_.fragments.size() != frames) {
+        fail(name, text("has ", file_.fragments.size(), " compressed frames in place of ", frames));
+      }
+      for (const auto& fragment : file_.fragments) {
+        if (size > largest_unpacked(fragment.size())) fail_size(fragment.size());
+      }
+    } else {
+      // An odd number of bytes is padded to an even one.
+      const std::size_t found = file_.pixels.size();
+      if (frames > found / size || found - frames * size > 1) fail_size(found);
+      if (file_.is_swapped_bytes && found % 2 != 0) fail_size(found);
+    }
+    if (!file_.planes.empty() && file_.planes.size() != frames) {
+      fail(name,
+           text("has the places of ", file_.planes.size(), " frames, and ", frames, " frames"));
+    }
+    if (!file_.frame_offsets.empty() && file_.frame_offsets.size() != frames) {
+      fail(name, text("has the offsets of ", file_.frame_offsets.size(), " frames, and ", frames,
+                      " frames"));
+    }
+  }
+
+  const Bytes& bytes_;
+  std::size_t at_ = 0;
+  bool is_explicit_ = true;
+  std::endian order_ = std::endian::little;
+  bool has_pixels_ = false, is_word_data_ = false;
+  std::string syntax_;
+  DicomFile file_;
+};
+
+// Unpacks a frame in RLE (PS3.5, annex G): a header with the places of the segments, and one
+// segment per byte of a sample, the highest first.
+void unpack_rle(const DicomFile& file, std::span<const std::byte> fragment,
+                std::span<std::byte> out) {
+  constexpr std::size_t kHeader = 64;
+  const std::size_t planes = size_of(file.type()), count = out.size() / planes;
+  const auto fail_damaged = [&] { fail(file.name(), "its run lengths are damaged"); };
+  if (fragment.size() < kHeader) fail_damaged();
+  const FieldReader header(fragment, std::endian::little);
+  if (header.get<std::uint32_t>(0) != planes) fail_damaged();
+  Buffer plane(count);
+  for (std::size_t n = 0; n < planes; ++n) {
+    const std::size_t begin = header.get<std::uint32_t>(4 + 4 * n);
+    const std::size_t end = n + 1 < planes ? header.get<std::uint32_t>(8 + 4 * n) : fragment.size();
+    if (begin > end || end > fragment.size()) fail_damaged();
+    if (unpack_bits(fragment.subspan(begin, end - begin), plane.span()) != count) fail_damaged();
+    const std::size_t byte = std::endian::native == std::endian::big ? n : planes - 1 - n;
+    for (std::size_t k = 0; k < count; ++k) out[k * planes + byte] = plane.data[k];
+  }
+}
+
+// Keeps the bits of each sample that are its value. The others may hold an overlay.
+template <class T>
+void extract_bits(std::span<std::byte> samples, int bits_stored, int high_bit) {
+  const int width = 8 * static_cast<int>(sizeof(T));
+  const int up = width - 1 - high_bit, down = width - bits_stored;
+  for (std::size_t n = 0; n < samples.size(); n += sizeof(T)) {
+    T value;
+    std::memcpy(&value, &samples[n], sizeof value);
+    // The shift to the right repeats the sign of a signed T.
+    value = static_cast<T>(static_cast<T>(static_cast<unsigned>(value) << up) >> down);
+    std::memcpy(&samples[n], &value, sizeof value);
+  }
+}
+
+}  // namespace
+
+SampleType DicomFile::type() const {
+  if (bits_allocated == 8) return is_signed ? SampleType::i8 : SampleType::u8;
+  if (bits_allocated == 16) return is_signed ? SampleType::i16 : SampleType::u16;
+  return is_signed ? SampleType::i32 : SampleType::u32;
+}
+
+DicomPlane DicomFile::plane(std::size_t frame) const {
+  DicomPlane plane = common;
+  if (planes.empty()) return plane;
+  const DicomPlane& own = planes[frame];
+  const auto prefer = [](auto& to, const auto& from) {
+    if (from) to = from;
+  };
+  prefer(plane.position, own.position);
+  prefer(plane.directions, own.directions);
+  prefer(plane.spacing, own.spacing);
+  prefer(plane.distance, own.distance);
+  prefer(plane.slope, own.slope);
+  prefer(plane.intercept, own.intercept);
+  return plane;
+}
+
+void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
+  const std::size_t first = frame * out.size();
+  if (is_rle) {
+    unpack_rle(*this, fragments[frame], out);
+  } else if (is_swapped_bytes) {
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] = pixels[(first + n) ^ 1];
+  } else {
+    std::memcpy(out.data(), &pixels[first], out.size());
+    if (is_big_endian != (std::endian::native == std::endian::big)) {
+      swap_bytes(out, size_of(type()));
+    }
+  }
+  if (bits_stored == bits_allocated) return;
+  visit_type([&]<class T>(T) { extract_bits<T>(out, bits_stored, high_bit); });
+}
+
+// Without a preamble: an element of the first groups, as every data set begins.
+bool looks_like_dicom(const Bytes& bytes) {
+  if (bytes.text().substr(std::min(kPreamble, bytes.size())).starts_with("DICM")) return true;
+  if (bytes.size() <= kPreamble) return false;
+  const std::string_view tag = bytes.text().substr(0, 4);
+  for (const std::string_view known :
+       {"\2\0\0\0"sv, "\2\0\1\0"sv, "\2\0\2\0"sv, "\2\0\x10\0"sv, "\x8\0\0\0"sv, "\x8\0\5\0"sv,
+        "\x8\0\x8\0"sv, "\x8\0\x16\0"sv}) {
+    if (tag == known) return true;
+  }
+  return false;
+}
+
+std::optional<DicomFile> parse_dicom(const Bytes& bytes) {
+  return DicomParser(bytes).run();
+}
+
+}  // namespace deliso

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// One DICOM file (PS3.5, PS3.10): of its data set only what a volume is made of. Explicit and
+// implicit VR, either byte order, samples plain or in RLE; files without a preamble too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+#include "io/files/input_file.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// The place of a frame, and the meaning of its samples, as far as they are given.
+struct DicomPlane {
+  std::optional<Vec3> position{};                   // of the first sample
+  std::optional<std::array<Vec3, 2>> directions{};  // of x, along a row, and of y
+  std::optional<std::array<double, 2>> spacing{};   // along x and y
+  std::optional<double> distance{};                 // SpacingBetweenSlices
+  std::optional<double> slope{}, intercept{};
+};
+
+struct DicomFile {
+  Bytes bytes;
+  std::string series;  // SeriesInstanceUID
+  std::string photometric;
+  std::int64_t columns = 0, rows = 0, frame_count = 1;
+  int samples_per_pixel = 1;
+  int bits_allocated = 0, bits_stored = 0, high_bit = 0;
+  bool is_signed = false;
+  bool is_rle = false;
+  bool is_big_endian = false;
+  bool is_swapped_bytes = false;  // 8-bit samples in big-endian words of 16 bits
+
+  DicomPlane common;                  // of all frames
+  std::vector<DicomPlane> planes;     // one per frame, or none
+  std::vector<double> frame_offsets;  // along the normal, or none
+
+  std::span<const std::byte> pixels;                  // unless it is RLE
+  std::vector<std::span<const std::byte>> fragments;  // of RLE, one per frame
+
+  const std::string& name() const { return bytes.name; }
+  SampleType type() const;
+  // Calls f with a number of that type.
+  template <class F>
+  void visit_type(F f) const {
+    if (type() == SampleType::u8) f(std::uint8_t{});
+    if (type() == SampleType::i8) f(std::int8_t{});
+    if (type() == SampleType::u16) f(std::uint16_t{});
+    if (type() == SampleType::i16) f(std::int16_t{});
+    if (type() == SampleType::u32) f(std::uint32_t{});
+    if (type() == SampleType::i32) f(std::int32_t{});
+  }
+  std::size_t frame_size() const {
+    return size_of(type()) * static_cast<std::size_t>(rows * columns);
+  }
+  // Returns the frame's plane, with what all frames have in common.
+  DicomPlane plane(std::size_t frame) const;
+  // True if the stored samples are those of `type()`, in one piece.
+  bool is_plain() const { return !is_rle && bits_stored == bits_allocated && !is_swapped_bytes; }
+  // Fills `out` with the samples of a frame in native order. pre: out.size() == frame_size().
+  void write_frame(std::size_t frame, std::span<std::byte> out) const;
+};
+
+// Returns nullopt if the file has no image. Throws InputError if it is damaged, or has an image
+// whose samples cannot be read.
+std::optional<DicomFile> parse_dicom(const Bytes& bytes);
+
+}  // namespace deliso

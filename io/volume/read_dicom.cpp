@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// A volume from DICOM: the slices of a series, one file each, or the frames of one file (PS3.3,
+// C.7.6.2 and C.7.6.16). The slices are ordered by their places along the normal of their planes.
+// World coordinates are the patient's, LPS+ in millimeters.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "io/volume/dicom_file.h"
+#include "io/volume/foreign_formats.h"
+#include "io/volume/sample_grid.h"
+#include "io/volume/scaled_samples.h"
+#include "io/volume/volume_formats.h"
+
+namespace deliso {
+namespace {
+
+// Places are written with about three decimals, so they are not even to the last digit.
+constexpr double kUnevenSteps = 0.1;      // of the step: the largest error of a slice's place
+constexpr double kDirectionError = 1e-3;  // of a unit vector
+constexpr double kSpacingError = 1e-4;    // of the spacing
+
+// A frame of a file. Its plane is computed when needed: frames may be many and small.
+struct Slice {
+  const DicomFile* file = nullptr;
+  std::size_t frame = 0;
+  Vec3 position{};
+  double height = 0;  // along the normal
+
+  DicomPlane plane() const { return file->plane(frame); }
+  double slope() const { return plane().slope.value_or(1); }
+  double intercept() const { return plane().intercept.value_or(0); }
+  std::string name() const {
+    return file->frame_count == 1 ? file->name() : text(file->name(), ", frame ", frame + 1);
+  }
+};
+
+// A length for a message.
+double rounded(double length) {
+  return std::round(length * 1e4) / 1e4;
+}
+
+std::string base_name(const DicomFile& file) {
+  return std::filesystem::path(file.name()).filename().string();
+}
+
+// Refuses a file whose images cannot be in a volume with those of `first`.
+void require_same_kind(const DicomFile& file, const DicomFile& first) {
+  const auto refuse = [&](const std::string& fault) {
+    fail(file.name(), text(fault, ", unlike '", base_name(first), "'"));
+  };
+  if (file.series != first.series) {
+    fail(file.name(), text("is of another series than '", base_name(first),
+                           "' (SeriesInstanceUID): give each series a folder of its own"));
+  }
+  if (file.columns != first.columns || file.rows != first.rows) {
+    refuse(text("has ", file.columns, " x ", file.rows, " samples"));
+  }
+  if (file.type() != first.type()) refuse(text("has samples of type ", name_of(file.type())));
+  if (file.photometric != first.photometric) refuse("is " + file.photometric);
+}
+
+// Returns the plane of a frame with its place, which the file may give for all frames together.
+// Refuses a plane that is not given.
+DicomPlane placed_plane(const Slice& slice) {
+  const DicomFile& file = *slice.file;
+  DicomPlane plane = slice.plane();
+  if (!plane.spacing) fail(file.name(), "has no PixelSpacing");
+  const bool is_stack = file.frame_count > 1 && file.planes.empty();
+  if (!plane.directions) {
+    if (!is_stack) fail(file.name(), "has no ImageOrientationPatient");
+    plane.directions = {Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  }
+  auto& [x, y] = *plane.directions;
+  if (!(std::abs(length(x) - 1) <= 0.01 && std::abs(length(y) - 1) <= 0.01 &&
+        std::abs(dot(x, y)) <= 0.01)) {
+    fail(slice.name(), "its ImageOrientationPatient is no pair of directions at right angles");
+  }
+  x = x / length(x);
+  y = y / length(y);
+  if (is_stack) {
+    if (file.frame_offsets.empty() && !plane.distance) {
+      fail(file.name(), "does not tell the distance of its frames (SpacingBetweenSlices)");
+    }
+    const double offset = file.frame_offsets.empty()
+                              ? static_cast<double>(slice.frame) * *plane.distance
+                              : file.frame_offsets[slice.frame] - file.frame_offsets[0];
+    plane.position = plane.position.value_or(Vec3{}) + offset * cross(x, y);
+  }
+  if (!plane.position) fail(slice.name(), "has no ImagePositionPatient");
+  return plane;
+}
+
+void require_same_plane(const Slice& slice, const DicomPlane& plane, const DicomFile& first,
+                        const DicomPlane& wanted) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double spacing = (*plane.spacing)[axis], other = (*wanted.spacing)[axis];
+    if (distance((*plane.directions)[axis], (*wanted.directions)[axis]) > kDirectionError) {
+      fail(slice.name(), text("has another orientation than '", base_name(first), "'"));
+    }
+    if (std::abs(spacing - other) > kSpacingError * other) {
+      fail(slice.name(),
+           text("has PixelSpacing ", spacing, ", unlike '", base_name(first), "' with ", other));
+    }
+  }
+}
+
+// Returns all frames of all files, in the order of their places.
+std::vector<Slice> sorted_slices(const std::vector<DicomFile>& files) {
+  std::vector<Slice> slices;
+  const DicomPlane wanted = placed_plane({&files[0], 0});
+  const Vec3 normal = cross((*wanted.directions)[0], (*wanted.directions)[1]);
+  for (const DicomFile& file : files) {
+    require_same_kind(file, files[0]);
+    for (std::size_t frame = 0; frame < static_cast<std::size_t>(file.frame_count); ++frame) {
+      Slice slice{&file, frame};
+      const DicomPlane plane = placed_plane(slice);
+      require_same_plane(slice, plane, files[0], wanted);
+      slice.position = *plane.position;
+      slice.height = dot(slice.position, normal);
+      slices.push_back(slice);
+    }
+  }
+  std::ranges::stable_sort(slices, {}, &Slice::height);
+  return slices;
+}
+
+// Returns the step from a slice to the next. Refuses slices that are missing, that are there twice,
+// or whose places are uneven.
+Vec3 step_between(const std::vector<Slice>& slices) {
+  const std::size_t count = slices.size() - 1;
+  const Vec3 begin = slices[0].position;
+  const Vec3 step = (slices[count].position - begin) / static_cast<double>(count);
+  std::vector<double> gaps;
+  for (std::size_t n = 0; n < count; ++n) gaps.push_back(slices[n + 1].height - slices[n].height);
+  const double mean = (slices[count].height - slices[0].height) / static_cast<double>(count);
+  const auto refuse = [&](std::size_t n, const std::string& fault) {
+    fail(slices[n + 1].name(), fault + text(" '", base_name(*slices[n].file), "'"));
+  };
+  for (std::size_t n = 0; n < count; ++n) {
+    if (gaps[n] <= 0.01 * mean) refuse(n, "has the same place (ImagePositionPatient) as");
+  }
+  std::vector<double> ordered = gaps;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
+  std::ranges::nth_element(ordered, middle);
+  for (std::size_t n = 0; n < count; ++n) {
+    if (gaps[n] > 1.5 * *middle) {
+      refuse(n, text("slices are missing before it: it lies ", rounded(gaps[n]),
+                     ", where others have ", rounded(*middle), ", from"));
+    }
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    const Vec3 even = begin + static_cast<double>(n + 1) * step;
+    const double error = distance(slices[n + 1].position, even);
+    if (error > kUnevenSteps * length(step)) {
+      fail(slices[n + 1].name(), text("lies ", rounded(error), " from its place in even steps of ",
+                                      rounded(length(step)), ": resample the series"));
+    }
+  }
+  return step;
+}
+
+Volume volume_of(const VolumeInput& input, const std::vector<DicomFile>& files) {
+  if (files.size() == 1 && files[0].frame_count == 1) {
+    fail(files[0].name(), "is one slice: give the folder that holds the series");
+  }
+  const std::vector<Slice> slices = sorted_slices(files);
+  const DicomFile& first = *slices[0].file;
+  const DicomPlane plane = placed_plane(slices[0]);
+  SampleGrid grid = grid_of(input);
+  grid.type = first.type();
+  grid.byte_order = first.is_big_endian ? std::endian::big : std::endian::little;
+  grid.dims = {first.columns, first.rows, static_cast<std::int64_t>(slices.size())};
+  grid.set_spacing({(*plane.spacing)[0], (*plane.spacing)[1], 1});
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * (*plane.directions)[axis];
+  }
+  grid.steps[2] = step_between(slices);
+  grid.origin = slices[0].position;
+  if (slices[0].plane().directions) grid.space = AnatomicalSpace::lps;
+  if (first.photometric == "MONOCHROME1") {
+    input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
+  }
+
+  const bool is_scaled = std::ranges::any_of(
+      slices, [](const Slice& slice) { return slice.slope() != 1 || slice.intercept() != 0; });
+  const auto is_in_place = [&](const Slice& slice) {
+    return slice.frame == static_cast<std::size_t>(&slice - slices.data());
+  };
+  if (files.size() == 1 && first.is_plain() && !is_scaled &&
+      std::ranges::all_of(slices, is_in_place)) {
+    return volume_from_raw(grid,
+                           {first.name(), first.pixels.first(data_size(grid)), first.bytes.owner});
+  }
+  if (!is_scaled) {
+    return volume_from_slices(grid, [&](std::size_t k, std::span<std::byte> out) {
+      slices[k].file->write_frame(slices[k].frame, out);
+    });
+  }
+  const bool is_small = first.bits_allocated <= 16;
+  grid.type = is_small ? SampleType::f32 : SampleType::f64;
+  const std::size_t count = static_cast<std::size_t>(first.columns * first.rows);
+  Buffer stored(first.frame_size());
+  const auto write = [&](std::size_t k, std::span<std::byte> out) {
+    const double slope = slices[k].slope(), intercept = slices[k].intercept();
+    slices[k].file->write_frame(slices[k].frame, stored.span());
+    first.visit_type([&]<class T>(T) {
+      const T* samples = reinterpret_cast<const T*>(stored.data.get());
+      if (is_small) write_scaled<float>(samples, count, slope, intercept, out.data());
+      if (!is_small) write_scaled<double>(samples, count, slope, intercept, out.data());
+    });
+  };
+  const bool is_even = std::ranges::all_of(slices, [&](const Slice& slice) {
+    return slice.slope() == slices[0].slope() && slice.intercept() == slices[0].intercept();
+  });
+  const std::string how =
+      is_even ? text(" (", slices[0].slope(), " * sample + ", slices[0].intercept(), ")")
+              : ", slice by slice,";
+  input.note(
+      text("samples are rescaled as the files ask", how, " and held as ", name_of(grid.type)));
+  return volume_from_slices(grid, write);
+}
+
+}  // namespace
+
+Volume read_dicom(const VolumeInput& input) {
+  std::vector<DicomFile> files;
+  if (auto file = parse_dicom(input.bytes)) files.push_back(std::move(*file));
+  if (files.empty()) fail(input.name(), "is DICOM without an image");
+  return volume_of(input, files);
+}
+
+Volume read_folder(const VolumeInput& input) {
+  std::vector<std::string> paths;
+  std::error_code fault;
+  std::filesystem::directory_iterator entry(input.name(), fault);
+  for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
+  }
+  if (fault) fail(input.name(), "cannot list the folder: " + fault.message());
+  std::ranges::sort(paths);
+
+  std::vector<DicomFile> files;
+  std::vector<std::string> passed_over;
+  for (const std::string& path : paths) {
+    const Bytes bytes = open_file(path, NamedBy::file);
+    std::optional<DicomFile> file;
+    if (looks_like_dicom(bytes)) file = parse_dicom(bytes);
+    if (file) {
+      input.log.files.push_back(path);
+      files.push_back(std::move(*file));
+    } else {
+      passed_over.push_back(std::filesystem::path(path).filename().string());
+    }
+  }
+  if (files.empty()) refuse_folder(input.name());
+  if (!passed_over.empty()) {
+    const std::size_t more = passed_over.size() - 1;
+    input.note(text("passed over '", passed_over[0], more > 0 ? text("' and ", more, " more") : "'",
+                    ": no DICOM images"));
+  }
+  return volume_of(input, files);
+}
+
+}  // namespace deliso

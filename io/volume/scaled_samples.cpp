@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "io/volume/scaled_samples.h"
+
+#include <string>
+#include <utility>
+
+namespace deliso {
+namespace {
+
+template <class Real>
+Volume scaled(const Volume& volume, double slope, double intercept) {
+  const std::size_t count = volume.sample_count();
+  Buffer buffer(count * sizeof(Real));
+  volume.visit([&](const auto* samples) {
+    write_scaled<Real>(samples, count, slope, intercept, buffer.data.get());
+  });
+  const Bytes bytes = bytes_of(std::move(buffer), {});
+  const Volume real(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
+                    bytes.owner, volume.frame());
+  return volume.is_block() ? real.as_block(volume.first(), volume.whole_dims()) : real;
+}
+
+}  // namespace
+
+Volume scaled_volume(const VolumeInput& input, const Volume& volume, double slope,
+                     double intercept) {
+  const bool small = size_of(volume.type()) <= 2 || volume.type() == SampleType::f32;
+  Volume result =
+      small ? scaled<float>(volume, slope, intercept) : scaled<double>(volume, slope, intercept);
+  input.note("samples are scaled as the header asks (" + std::to_string(slope) + " * sample + " +
+             std::to_string(intercept) + ") and held as " + std::string(name_of(result.type())));
+  return result;
+}
+
+}  // namespace deliso

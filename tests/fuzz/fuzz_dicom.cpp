@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A file of several frames; or, behind kDetached, a second slice of a folder.
+#include "fuzz/reader_target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace deliso;
+  using namespace deliso::fuzz;
+  const std::string_view all(reinterpret_cast<const char*>(bytes), size);
+  const std::size_t cut = all.find(kDetached);
+  if (cut == std::string_view::npos) {
+    run_reader(bytes, size, "v.dcm", "v.data", read_dicom);
+    return 0;
+  }
+  const std::string series = folder() + "series";
+  std::filesystem::create_directories(series);
+  std::ofstream(series + "/1", std::ios::binary) << all.substr(0, cut);
+  std::ofstream(series + "/2", std::ios::binary) << all.substr(cut + kDetached.size());
+  try {
+    check_volume(read_volume(series), series);
+  } catch (const InputError& error) {
+    check_message(error);
+  }
+  return 0;
+}

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// Series of DICOM slices. Files of several frames are among the forms of test_read_volume.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "io/volume/read_volume.h"
+#include "volume_files.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+constexpr int kSlices = 5;
+constexpr const char* kNames[kSlices] = {"d.dcm", "b.dcm", "e.dcm", "a", "c.IMA"};
+
+Truth oblique_truth(SampleType type) {
+  Truth truth = random_truth(type, {4, 3, kSlices}, 3);
+  truth.spacing = {0.5, 1.25, 3};
+  truth.origin = {10, -20.25, 30.5};
+  truth.axes = {Vec3{0.6, 0.8, 0}, Vec3{0, 0, -1}, Vec3{-0.8, 0.6, 0}};
+  return truth;
+}
+
+// A series in a folder of its own; `change` may edit the elements of each slice.
+template <class Change>
+std::string write_series(const TemporaryFolder& folder, const Truth& truth, const DicomForm& form,
+                         Change change) {
+  const std::string series = folder.path("series");
+  std::filesystem::remove_all(series);
+  std::filesystem::create_directories(series);
+  for (int k = 0; k < kSlices; ++k) {
+    DicomElements elements = dicom_image(truth, form, k, 1);
+    change(k, elements);
+    folder.write(std::string("series/") + kNames[k], dicom_file(form, elements));
+  }
+  return series;
+}
+std::string write_series(const TemporaryFolder& folder, const Truth& truth,
+                         const DicomForm& form = {}) {
+  return write_series(folder, truth, form, [](int, DicomElements&) {});
+}
+
+std::string bytes_of_samples(const Volume& volume) {
+  return volume.visit([&](const auto* samples) {
+    return std::string(reinterpret_cast<const char*>(samples),
+                       volume.sample_count() * sizeof *samples);
+  });
+}
+
+// Returns the message without the names of the folders above the series; "" if all is well.
+std::string fault(const std::string& series, const ReadOptions& options = {}) {
+  try {
+    read_volume(series, options);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    const std::string above = series.substr(0, series.rfind('/') + 1);
+    if (message.starts_with(above)) message.erase(0, above.size());
+    return message;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a series is sorted by the places of its slices, in every encoding") {
+  const TemporaryFolder folder;
+  const DicomForm forms[] = {{},
+                             {.is_explicit = false},
+                             {.order = std::endian::big},
+                             {.is_rle = true},
+                             {.has_preamble = false},
+                             {.is_explicit = false, .has_preamble = false, .has_lengths = false}};
+  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16,
+                                SampleType::u32, SampleType::i32}) {
+    const Truth truth = oblique_truth(type);
+    for (const DicomForm& form : forms) {
+      ReadLog log;
+      const std::string series = write_series(folder, truth, form);
+      const Volume volume = read_volume(series, {}, &log);
+      REQUIRE(volume.dims() == truth.dims);
+      REQUIRE(volume.type() == type);
+      CHECK(bytes_of_samples(volume) == truth.bytes);
+      CHECK(distance(volume.spacing(), truth.spacing) < 1e-12);
+      CHECK(distance(volume.frame().origin, truth.origin) < 1e-12);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        CHECK(distance(volume.frame().axes[axis], truth.axes[axis]) < 1e-12);
+      }
+      CHECK(volume.frame().space == AnatomicalSpace::lps);
+      CHECK(log.notes.empty());
+      CHECK(log.files.size() == kSlices);
+      CHECK(std::ranges::count(log.files, series + "/d.dcm") == 1);
+
+      ReadOptions options;
+      options.roi = Roi{{1, 0, 2}, {4, 3, 4}};
+      const Volume part = read_volume(series, options);
+      REQUIRE(part.dims() == Index3{3, 3, 2});
+      for (int n = 0; n < 18; ++n) {
+        CHECK(part.sample(n % 3, n / 3 % 3, n / 9) ==
+              volume.sample(1 + n % 3, n / 3 % 3, 2 + n / 9));
+      }
+    }
+  }
+}
+
+TEST_CASE("the bits of a sample are taken from its word") {
+  const TemporaryFolder folder;
+  // Twelve bits up to bit 13; the others are noise.
+  const Truth noise = oblique_truth(SampleType::u16);
+  for (const bool is_signed : {false, true}) {
+    const std::string series = write_series(folder, noise, {}, [&](int, DicomElements& elements) {
+      elements[0x00280101].value = little(12, 2);
+      elements[0x00280102].value = little(13, 2);
+      elements[0x00280103].value = little(is_signed, 2);
+    });
+    const Volume volume = read_volume(series);
+    REQUIRE(volume.type() == (is_signed ? SampleType::i16 : SampleType::u16));
+    for (int n = 0; n < 60; ++n) {
+      std::uint16_t word;
+      std::memcpy(&word, &noise.bytes[2 * static_cast<std::size_t>(n)], 2);
+      int value = word >> 2 & 0xfff;
+      if (is_signed && value >= 2048) value -= 4096;
+      CHECK(volume.sample(n % 4, n / 4 % 3, n / 12) == value);
+    }
+  }
+}
+
+TEST_CASE("slope and intercept are applied, also if every slice has its own") {
+  const TemporaryFolder folder;
+  for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16,
+                                SampleType::u32, SampleType::i32}) {
+    const Truth truth = oblique_truth(type);
+    const Volume plain = read_volume(write_series(folder, truth));
+    for (const bool own : {false, true}) {
+      const auto slope = [&](int k) { return own ? 0.5 + k : 0.5; };
+      ReadLog log;
+      const Volume scaled =
+          read_volume(write_series(folder, truth, {},
+                                   [&](int k, DicomElements& elements) {
+                                     elements[0x00281052] = dicom_numbers({-1024});
+                                     elements[0x00281053] = dicom_numbers({slope(k)});
+                                   }),
+                      {}, &log);
+      const bool is_wide = size_of(type) == 4;
+      REQUIRE(scaled.type() == (is_wide ? SampleType::f64 : SampleType::f32));
+      for (int n = 0; n < 60; ++n) {
+        const int k = n / 12;
+        const double value = slope(k) * plain.sample(n % 4, n / 4 % 3, k) - 1024;
+        CHECK(scaled.sample(n % 4, n / 4 % 3, k) ==
+              (is_wide ? value : static_cast<double>(static_cast<float>(value))));
+      }
+      REQUIRE(log.notes.size() == 1);
+      CHECK((log.notes[0].find("slice by slice") != std::string::npos) == own);
+    }
+  }
+}
+
+TEST_CASE("files of the folder that are no images are passed over, and told") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::i16);
+  const std::string series = write_series(folder, truth);
+  folder.write("series/.note", "text");
+  folder.write("series/DICOMDIR", dicom_file({}, {{0x00041130, {"CS", "DISK"}}}));
+  folder.write("series/empty.dcm", "");
+  std::filesystem::create_directories(folder.path("series/more.dcm"));
+  ReadLog log;
+  CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].ends_with("passed over '.note' and 2 more: no DICOM images"));
+  CHECK(log.files.size() == kSlices);
+  for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
+  CHECK(fault(series).find("is a folder without DICOM images") != std::string::npos);
+}
+
+TEST_CASE("each fault of a series has its message, with the file") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u16);
+  // Slice 3 is the file 'a', the first that is read, and slice 2 is 'e.dcm', the last.
+  const auto with = [&](std::uint32_t tag, const DicomElement& element) {
+    return fault(write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+      if (k == 2) elements[tag] = element;
+    }));
+  };
+  const auto number = [](std::uint64_t n) { return DicomElement{"US", little(n, 2)}; };
+  const auto place = [&](double k) { return dicom_vector(truth.origin + k * truth.step(2)); };
+  CHECK(with(0x00200013, {"IS", "7"}) == "");
+  CHECK(with(0x00200032, place(2.05)) == "");
+  CHECK(with(0x00200032, place(1)) ==
+        "series/e.dcm: has the same place (ImagePositionPatient) as 'b.dcm'");
+  CHECK(with(0x00200032, place(9)) ==
+        "series/a: slices are missing before it: it lies 6, where others have 3, from 'b.dcm'");
+  CHECK(with(0x00200032, place(2.25)).starts_with("series/e.dcm: lies 0.75"));
+  CHECK(with(0x00200032, dicom_vector(truth.origin + 2 * truth.step(2) + truth.step(0)))
+            .starts_with("series/e.dcm: lies 0.5"));
+  CHECK(with(0x00200032, {"DS", "  "}) == "series/e.dcm: has no ImagePositionPatient");
+  CHECK(with(0x00200032, {"DS", "1\\2"}) ==
+        "series/e.dcm: its ImagePositionPatient is '1\\2', not 3 numbers");
+  CHECK(with(0x00200032, {"DS", "1\\nan\\2"}).find("not 3 numbers") != std::string::npos);
+  CHECK(with(0x00200037, {"DS", ""}) == "series/e.dcm: has no ImageOrientationPatient");
+  CHECK(with(0x00200037, {"DS", "0.6\\0.8\\0\\0\\0\\1"}) ==
+        "series/e.dcm: has another orientation than 'a'");
+  CHECK(with(0x00200037, {"DS", "0.6\\0.8\\0\\0.6\\0.8\\0"}).find("is no pair of directions") !=
+        std::string::npos);
+  CHECK(with(0x0020000e, {"UI", "1.2.4"}).starts_with("series/e.dcm: is of another series"));
+  CHECK(with(0x00280030, {"DS", "1.25\\0.6"}) ==
+        "series/e.dcm: has PixelSpacing 0.6, unlike 'a' with 0.5");
+  CHECK(with(0x00280030, {"DS", ""}) == "series/e.dcm: has no PixelSpacing");
+  CHECK(with(0x00280011, number(3)).starts_with("series/e.dcm: has 24 bytes of samples: "));
+  CHECK(with(0x00280010, number(0)) == "series/e.dcm: does not tell its Rows and Columns");
+  CHECK(with(0x00280103, number(1)) == "series/e.dcm: has samples of type int16, unlike 'a'");
+  CHECK(with(0x00280004, {"CS", "MONOCHROME1"}) == "series/e.dcm: is MONOCHROME1, unlike 'a'");
+  CHECK(with(0x00280004, {"CS", "RGB"}) ==
+        "series/e.dcm: is in color ('RGB'): only grayscale can be meshed");
+  CHECK(with(0x00280100, number(1)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
+  CHECK(with(0x00280101, number(17)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
+  CHECK(with(0x00280102, number(16)).find("only those in 8, 16 and 32 are read") !=
+        std::string::npos);
+  CHECK(with(0x00280008, {"IS", "0"}) == "series/e.dcm: its NumberOfFrames is '0'");
+  CHECK(with(0x00281053, {"DS", "0"}) == "series/e.dcm: its RescaleSlope is 0");
+  CHECK(with(0x7fe00010, {"OW", "abc"}).starts_with("series/e.dcm: has 4 bytes of samples"));
+
+  std::string series = write_series(folder, truth);
+  CHECK(fault(series + "/a") == "a: is one slice: give the folder that holds the series");
+  ReadOptions options;
+  options.spacing = Vec3{1, 1, 1};
+  CHECK(fault(series, options).find("has a spacing of its own") != std::string::npos);
+  options = {};
+  options.array = "x";
+  CHECK(fault(series, options).find("has no named arrays") != std::string::npos);
+  options = {};
+  options.roi = Roi{{0, 0, 0}, {4, 3, 6}};
+  CHECK(fault(series, options).starts_with("series: region 0:6 along z"));
+
+  // The places of a tilted gantry do not follow the normal.
+  series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+    elements[0x00200032] = dicom_vector(truth.origin + k * (truth.step(2) + 0.2 * truth.step(1)));
+  });
+  CHECK(fault(series).starts_with("series: sheared grid: its axes y and z"));
+
+  const std::string whole = dicom_file({}, dicom_image(truth, {}, 2, 1));
+  for (std::size_t size = 140; size < whole.size(); size += 7) {
+    folder.write("series/e.dcm", whole.substr(0, size));
+    CHECK(fault(series) != "");
+  }
+}
+
+TEST_CASE("transfer syntaxes that are not read are named") {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> syntaxes[] = {
+      {"1.2.840.10008.1.2.1.99", "is compressed (a deflated data set): convert it with 'gdcmconv"},
+      {"1.2.840.10008.1.2.4.70", "is compressed (lossless JPEG): convert it with 'gdcmconv"},
+      {"1.2.840.10008.1.2.4.90", "is compressed (JPEG 2000): convert it with 'gdcmconv"},
+      {"1.2.3", "has transfer syntax '1.2.3': convert it with 'gdcmconv"}};
+  for (const auto& [uid, message] : syntaxes) {
+    const std::string file = std::string(128, '\0') + "DICM" +
+                             dicom_elements({}, {{0x00020010, {"UI", uid}}}) + "damaged data set";
+    CHECK(fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
+  }
+}
+
+TEST_CASE("a file of several frames says where they are") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u8);
+  using Place = DicomForm::Place;
+  const auto with = [&](Place place, std::uint32_t tag, const DicomElement& element) {
+    const DicomForm form{.place = place};
+    DicomElements elements = dicom_image(truth, form, 0, kSlices);
+    elements[tag] = element;
+    return fault(folder.write("v.dcm", dicom_file(form, elements)));
+  };
+  CHECK(with(Place::stack, 0x00180088, {"DS", "3"}) == "");
+  CHECK(with(Place::stack, 0x00180088, {"DS", ""}) ==
+        "v.dcm: does not tell the distance of its frames (SpacingBetweenSlices)");
+  CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9"}) ==
+        "v.dcm: has the offsets of 4 frames, and 5 frames");
+  CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9\\9"}) ==
+        "v.dcm, frame 5: has the same place (ImagePositionPatient) as 'v.dcm'");
+  CHECK(with(Place::shared, 0x52009230, dicom_sequence({}, {{}, {}})) ==
+        "v.dcm: has the places of 2 frames, and 5 frames");
+  CHECK(with(Place::shared, 0x52009229, dicom_sequence({}, {})) == "v.dcm: has no PixelSpacing");
+  CHECK(with(Place::shared, 0x00280008, {"IS", "2147483647"}).find("bytes of samples") !=
+        std::string::npos);
+  // Frames run along the negative normal.
+  DicomForm form{.place = Place::stack};
+  DicomElements elements = dicom_image(truth, form, 0, kSlices);
+  elements[0x00280004] = {"CS", "MONOCHROME1"};
+  elements[0x3004000e] = {"DS", "0.5"};  // the unit of a dose
+  ReadLog log;
+  const Volume half = read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, &log);
+  CHECK(half.sample(1, 0, 0) == 0.5 * static_cast<std::uint8_t>(truth.bytes[1]));
+  REQUIRE(log.notes.size() == 2);
+  CHECK(log.notes[0].find("they are kept as stored") != std::string::npos);
+  elements = dicom_image(truth, form, 0, kSlices);
+  elements[0x00180088] = {"DS", "-3"};
+  const Volume back = read_volume(folder.write("v.dcm", dicom_file(form, elements)));
+  CHECK(distance(back.frame().origin, truth.origin - 4 * truth.step(2)) < 1e-12);
+  CHECK(distance(back.frame().axes[2], truth.axes[2]) < 1e-12);
+  CHECK(back.sample(1, 2, 0) ==
+        static_cast<std::uint8_t>(truth.bytes[static_cast<std::size_t>(1 + 4 * (2 + 3 * 4))]));
+  // Sequences within sequences end somewhere.
+  form.has_lengths = false;
+  DicomElement nested = dicom_sequence(form, {{}});
+  for (int n = 0; n < 100; ++n) nested = dicom_sequence(form, {{{0x00081140, nested}}});
+  elements = dicom_image(truth, form, 0, kSlices);
+  elements[0x00081140] = nested;
+  CHECK(fault(folder.write("v.dcm", dicom_file(form, elements))).find("is damaged") !=
+        std::string::npos);
+}

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// What TIFF stacks say of themselves. Their encodings are among the forms of test_read_volume.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "io/files/lzw.h"
+#include "io/files/packbits.h"
+#include "io/volume/read_volume.h"
+#include "volume_files.h"
+
+using namespace deliso;
+using namespace deliso::test;
+
+namespace {
+
+Truth small_truth(SampleType type = SampleType::u8) {
+  return random_truth(type, {5, 4, 3}, 5);
+}
+
+std::vector<TiffPage> pages_of(const Truth& truth, const TiffForm& form = {}) {
+  std::vector<TiffPage> pages;
+  for (int k = 0; k < truth.dims.k; ++k) pages.push_back(tiff_page(truth, form, k));
+  return pages;
+}
+
+// Returns the message behind the file's name; "" if all is well.
+std::string fault(const std::string& path, const ReadOptions& options = {}) {
+  try {
+    read_volume(path, options);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    REQUIRE(message.starts_with(path + ": "));
+    return message.substr(path.size() + 2);
+  }
+  return "";
+}
+
+std::string bytes_of_samples(const Volume& volume) {
+  return volume.visit([&](const auto* samples) {
+    return std::string(reinterpret_cast<const char*>(samples),
+                       volume.sample_count() * sizeof *samples);
+  });
+}
+
+template <class Unpack>
+std::string unpacked(Unpack unpack, const std::string& packed, std::size_t room) {
+  std::string out(room, '\0');
+  out.resize(unpack(std::as_bytes(std::span(packed)), std::as_writable_bytes(std::span(out))));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("LZW and PackBits give back what was packed, and nothing beyond") {
+  std::string all;
+  Random random(3);
+  for (int n = 0; n < 20000; ++n) {
+    const std::uint32_t alphabet = n < 10000 ? 2 : 256;
+    all.append(1 + (random.below(50) == 0 ? 400 : 0), static_cast<char>(random.below(alphabet)));
+  }
+  for (const std::size_t size : {0, 1, 2, 130, 5000, 40000}) {
+    const std::string bytes = all.substr(0, size);
+    CHECK(unpacked(unpack_lzw, lzw(bytes), size + 9) == bytes);
+    CHECK(unpacked(unpack_bits, pack_bits(bytes), size + 9) == bytes);
+    CHECK(unpacked(unpack_lzw, lzw(bytes), size / 2) == bytes.substr(0, size / 2));
+    CHECK(unpacked(unpack_bits, pack_bits(bytes), size / 2) == bytes.substr(0, size / 2));
+    CHECK(largest_of_lzw(lzw(bytes).size()) >= size);
+  }
+  CHECK(unpacked(unpack_lzw, lzw(all), all.size()) == all);
+  const std::string constant(1u << 20, 'x');
+  CHECK(unpacked(unpack_lzw, lzw(constant), constant.size()) == constant);
+  CHECK(largest_unpacked(pack_bits(constant).size()) == constant.size());
+  // The first code is a string that no code made; 128 in PackBits is no run.
+  CHECK(unpacked(unpack_lzw, "\x81\x80", 9) == "");
+  CHECK(unpacked(unpack_bits, std::string("\x80\xff\x41\x00\x42\x05\x43", 7), 9) == "AABC");
+}
+
+TEST_CASE("ImageJ's spacing, unit and signed samples") {
+  const TemporaryFolder folder;
+  const Truth truth = small_truth(SampleType::u16);
+  const TiffForm form{.order = std::endian::big, .rows_per_strip = 4};
+  const auto read = [&](const std::string& lines, bool has_resolution, ReadLog& log) {
+    std::vector<TiffPage> pages = pages_of(truth, form);
+    pages[0].tags[270] = tiff_text("ImageJ=1.53t\nimages=3\nslices=3\n" + lines);
+    if (has_resolution) {
+      pages[0].tags[282] = tiff_ratio(form, 40, 10);
+      pages[0].tags[283] = tiff_ratio(form, 5, 10);
+      pages[0].tags[296] = tiff_value(form, 1, 3);
+    }
+    return read_volume(folder.write("v.tif", tiff_file(form, pages)), {}, &log);
+  };
+  ReadLog log;
+  CHECK(read("", false, log).spacing() == Vec3{1, 1, 1});
+  CHECK(read("spacing=2.5\n", false, log).spacing() == Vec3{1, 1, 2.5});
+  CHECK(read("spacing=-2.5\n", false, log).spacing() == Vec3{1, 1, 2.5});
+  CHECK(log.notes.empty());
+  CHECK(read("unit=micron\nspacing=2.5\n", true, log).spacing() == Vec3{0.25, 2, 2.5});
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].ends_with("the spacing is in 'micron', as ImageJ has it"));
+  CHECK(bytes_of_samples(read("", true, log)) == truth.bytes);
+  const Volume is_signed = read("cf=0\nc0=-32768.0\nc1=1.0\nvunit=Gray Value\n", false, log);
+  const Volume plain = read("cf=20\n", false, log);
+  CHECK(is_signed.type() == SampleType::f32);
+  CHECK(is_signed.sample(2, 3, 1) == plain.sample(2, 3, 1) - 32768);
+}
+
+TEST_CASE("ImageJ's pages behind the first") {
+  const TemporaryFolder folder;
+  const Truth truth = small_truth(SampleType::i16);
+  const TiffForm form{.order = std::endian::big, .rows_per_strip = 4};
+  // One page; its only strip goes on with the samples of the others.
+  const auto file = [&](const std::string& images, const std::string& samples) {
+    TiffPage page = tiff_page(truth, form, 0);
+    page.blocks[0] = samples;
+    page.tags[279] = tiff_value(form, 40);
+    page.tags[270] = tiff_text("ImageJ=1.53t\nimages=" + images + "\nslices=3\n");
+    return folder.write("v.tif", tiff_file(form, {page}));
+  };
+  const std::string samples = truth.in_order(form.order);
+  const Volume volume = read_volume(file("3", samples));
+  REQUIRE(volume.dims() == truth.dims);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(fault(file("1", samples)) ==
+        "has one page: join the slices with 'tiffcp SLICES stack.tif'");
+  CHECK(fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
+  CHECK(fault(file("99999999999", samples)).find("are too many") != std::string::npos);
+  CHECK(fault(file("3\nchannels=3", samples)) ==
+        "has channels = 3: only a stack of one channel and one time can be meshed");
+  CHECK(fault(file("3\nframes=3", samples)).starts_with("has frames = 3"));
+  TiffForm packed = form;
+  packed.compression = 32773;
+  TiffPage page = tiff_page(truth, packed, 0);
+  page.tags[270] = tiff_text("ImageJ=1.53t\nimages=3\n");
+  CHECK(fault(folder.write("v.tif", tiff_file(packed, {page}))) ==
+        "has one page, and ImageJ's others are not behind it");
+}
+
+TEST_CASE("OME's spacing and channels") {
+  const TemporaryFolder folder;
+  const Truth truth = small_truth();
+  const auto file = [&](const std::string& attributes) {
+    std::vector<TiffPage> pages = pages_of(truth);
+    pages[0].tags[270] = tiff_text("<?xml version=\"1.0\"?><OME><Image><Pixels ID=\"1\" " +
+                                   attributes + "><Channel/></Pixels></Image></OME>");
+    return folder.write("v.tif", tiff_file({}, pages));
+  };
+  const std::string sizes = "PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.25\" ";
+  CHECK(read_volume(file("SizeC=\"1\" " + sizes + "PhysicalSizeZ=\"2\"")).spacing() ==
+        Vec3{0.5, 0.25, 2});
+  CHECK(read_volume(file(sizes)).spacing() == Vec3{1, 1, 1});
+  CHECK(fault(file("SizeC=\"3\" SizeT=\"1\"")).starts_with("has SizeC = 3: only a stack"));
+  CHECK(fault(file("SizeT=\"3\"")).starts_with("has SizeT = 3: only a stack"));
+  ReadOptions options;
+  options.spacing = Vec3{3, 2, 1};
+  CHECK(read_volume(file(sizes + "PhysicalSizeZ=\"2\""), options).spacing() == Vec3{3, 2, 1});
+}
+
+TEST_CASE("a resolution without the distance of pages is noted, and white zeros") {
+  const TemporaryFolder folder;
+  std::vector<TiffPage> pages = pages_of(small_truth());
+  pages[0].tags[282] = pages[0].tags[283] = tiff_ratio({}, 300, 1);
+  ReadLog log;
+  CHECK(read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log).spacing() ==
+        Vec3{1, 1, 1});
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].find("--spacing gives another distance") != std::string::npos);
+  for (TiffPage& page : pages) page.tags[262] = tiff_value({}, 0, 3);
+  const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
+  CHECK(bytes_of_samples(volume) == small_truth().bytes);
+  CHECK(log.notes.back().find("(WhiteIsZero)") != std::string::npos);
+}
+
+TEST_CASE("reduced pictures and masks are no slices") {
+  const TemporaryFolder folder;
+  const Truth truth = small_truth(), reduced = random_truth(SampleType::u8, {2, 2, 3}, 6);
+  std::vector<TiffPage> pages;
+  for (int k = 0; k < 3; ++k) {
+    pages.push_back(tiff_page(truth, {}, k));
+    pages.push_back(tiff_page(reduced, {}, k));
+    pages.back().tags[254] = tiff_value({}, k == 0 ? 1 : 4);
+  }
+  CHECK(bytes_of_samples(read_volume(folder.write("v.tif", tiff_file({}, pages)))) == truth.bytes);
+}
+
+TEST_CASE("samples in one piece are mapped, not copied") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("v.tif", tiff(small_truth(), {}));
+  const Volume volume = read_volume(path);
+  const double before = volume.sample(0, 0, 0);
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(8);
+    file.put(static_cast<char>(static_cast<int>(before) ^ 1));
+  }
+  CHECK(volume.sample(0, 0, 0) == static_cast<double>(static_cast<int>(before) ^ 1));
+}
+
+TEST_CASE("each fault of a TIFF file has its message") {
+  const TemporaryFolder folder;
+  const Truth truth = small_truth();
+  // Page 2 of three with another value of a tag.
+  const auto with = [&](int tag, std::uint64_t value, const TiffForm& form = {}, int page = 1) {
+    std::vector<TiffPage> pages = pages_of(truth, form);
+    for (int k = page; k < (page == 0 ? 3 : page + 1); ++k) {
+      pages[static_cast<std::size_t>(k)].tags[tag] = tiff_value(form, value);
+    }
+    return fault(folder.write("v.tif", tiff_file(form, pages)));
+  };
+  CHECK(with(256, 5) == "");
+  CHECK(with(256, 6) == "page 2 has 6 x 4 samples, and page 1 5 x 4");
+  CHECK(with(257, 5) == "page 2 has 5 x 5 samples, and page 1 5 x 4");
+  CHECK(with(258, 16) == "page 2 has samples of another type than page 1");
+  CHECK(with(339, 2) == "page 2 has samples of another type than page 1");
+  CHECK(with(259, 7) == "is compressed (JPEG): convert it with 'tiffcp -c zip IN OUT'");
+  CHECK(with(259, 34712).starts_with("is compressed (JPEG 2000)"));
+  CHECK(with(259, 77).starts_with("is compressed in a way that is not read (77)"));
+  CHECK(with(266, 2) == "its bits are stored in reverse (FillOrder 2)");
+  CHECK(with(278, 0) == "page 2 has strips or tiles of an impossible size");
+  CHECK(with(322, 0, {.tile = 4}) == "page 2 has strips or tiles of an impossible size");
+  CHECK(with(322, 4294967295, {.tile = 4}) == "page 2 has strips or tiles of an impossible size");
+  CHECK(with(322, 2147483647, {.tile = 4}).starts_with("is damaged"));
+  CHECK(with(317, 3, {.compression = 8}) == "predictor 3 is not known for its samples");
+  CHECK(with(273, 4000).starts_with("is damaged, or ends too early"));
+  CHECK(with(279, 4000, {.rows_per_strip = 4, .compression = 8}).starts_with("is damaged"));
+  CHECK(with(279, 1, {.rows_per_strip = 4, .compression = 5})
+            .starts_with("compressed data is damaged: "));
+  CHECK(with(262, 2, {}, 0) == "is in color (RGB): only grayscale can be meshed");
+  CHECK(with(262, 3, {}, 0) == "is in color (a palette): only grayscale can be meshed");
+  CHECK(with(277, 2, {}, 0) == "has 2 samples per pixel: only grayscale can be meshed");
+  CHECK(with(258, 1, {}, 0).starts_with("its samples are unsigned integers of 1 bits"));
+  CHECK(with(339, 6, {}, 0).starts_with("its samples are complex numbers of 8 bits"));
+  CHECK(with(256, 4294967295, {}, 0) == "2147483648 samples along x are too many");
+  CHECK(with(256, 1, {}, 0) == "1 samples along x: a volume needs two or more along each axis");
+  // A width that the data cannot have takes no memory.
+  CHECK(with(256, 100000000, {.rows_per_strip = 4, .compression = 8}, 0).starts_with("is damaged"));
+
+  // Two hundred pages of the same strip, which is most of the file.
+  const Truth noise = random_truth(SampleType::u8, {200, 200, 1}, 7);
+  TiffForm form{.rows_per_strip = 200, .compression = 8};
+  std::vector<TiffPage> pages{tiff_page(noise, form, 0)};
+  const std::size_t size = pages[0].blocks[0].size();
+  pages.resize(200, pages[0]);
+  for (std::size_t n = 1; n < pages.size(); ++n) {
+    pages[n].blocks.clear();
+    pages[n].tags[273] = tiff_value(form, 8);
+    pages[n].tags[279] = tiff_value(form, size);
+  }
+  CHECK(fault(folder.write("v.tif", tiff_file(form, pages))) == "its strips or tiles overlap");
+
+  std::string circle = tiff(truth, {});
+  circle.replace(circle.size() - 4, 4, circle.substr(4, 4));
+  CHECK(fault(folder.write("v.tif", circle)) == "its pages follow each other in a circle");
+  CHECK(fault(folder.write("v.tif", std::string("II*\0\0\0\0\0", 8))) == "has no pages");
+}
