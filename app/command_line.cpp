@@ -185,7 +185,8 @@ void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
       "--roi",       "--cap",          "--min-component", "--largest",      "--vertices",
-      "--triangles", "--keep-partial", "--paper",         "--single-stage", "--stop-after"};
+      "--triangles", "--keep-partial", "--paper",         "--single-stage", "--stop-after",
+      "--attributes"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };
@@ -232,6 +233,9 @@ void check_combination(CommandLine& line) {
   }
   if (line.write.ascii && line.write.format != MeshFormat::ply) {
     throw InputError("--ply-ascii needs PLY output");
+  }
+  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
+    throw InputError("--attributes needs PLY, VTP or GLB output");
   }
 }
 

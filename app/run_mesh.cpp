@@ -11,6 +11,7 @@
 #include "app/criteria_note.h"
 #include "app/expected_vertices.h"
 #include "app/marching_cubes.h"
+#include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -138,13 +139,19 @@ void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
 }
 
-void write_results(const TriMesh& mesh, const Volume& volume, MeshRun& run) {
+void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
+                   MeshRun& run) {
   const CommandLine& line = run.line;
   const DeferSignals defer;
   const Stopwatch watch;
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
     options.comment = criteria_note(line, volume, run.report);
+    if (line.options.cap) options.first_cap = surface.faces.size();
+    if (line.attributes) {
+      options.attributes =
+          mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
+    }
     if (line.read.block) {
       options.seam = seam_of(mesh, volume);
       options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
@@ -207,7 +214,7 @@ int run_mesh(const CommandLine& line) {
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
   progress.show("writing", 0);
-  write_results(mesh, volume, run);
+  write_results(mesh, surface, volume, run);
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();
