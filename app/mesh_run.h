@@ -2,7 +2,6 @@
 // The results of a run of the mesh command, as text and as JSON.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/place_faults.h"
 #include "app/topology.h"
 #include "check/verify.h"
 #include "mesh/quality.h"
@@ -31,21 +31,19 @@ struct MeshRun {
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
   double volume = 0;        // with --cap: the volume inside mesh and caps, in world units
-  // Pairs of crossing facets in the file, and how many they would be in double precision. Counted
-  // with --cap, and if coordinates are rounded to float.
-  std::size_t crossings = 0, crossings_in_double = 0;
+  // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
+  // and if coordinates are rounded to float.
+  PlaceFaults written, in_double;
   std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
   std::uint64_t peak_bytes = 0;  // of the process
 
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
-  std::size_t crossings_by_rounding() const {
-    return crossings - std::min(crossings, crossings_in_double);
-  }
+  PlaceFaults by_rounding() const { return written.beyond(in_double); }
   bool sound() const {
-    return fault.empty() && report.cap.failure.empty() && crossings_by_rounding() == 0 &&
-           !(has_solid() && crossings > 0) && !(verification && verification->faults.any());
+    return fault.empty() && report.cap.failure.empty() && !by_rounding().any() &&
+           !(has_solid() && written.crossings > 0) && !(verification && verification->faults.any());
   }
 };
 

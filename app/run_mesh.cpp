@@ -25,7 +25,6 @@
 #include "blocks/seam.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
-#include "embedding/self_intersections.h"
 #include "io/mesh/write_mesh.h"
 #include "io/parts/part_note.h"
 #include "mesh/check_mesh.h"
@@ -123,9 +122,9 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
-// Counts crossings of the points as the file will have them: single precision and turned axes round
-// them. If some cross, counts those of the doubles too, to see whether rounding is the cause.
-void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
+// Counts faults of the points as the file will have them: single precision and turned axes round
+// them. If there are some, counts those of the doubles too, to see whether rounding is the cause.
+void count_faults_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
@@ -133,10 +132,10 @@ void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
   const auto count = [&](const MeshWriteOptions& how) {
     const std::vector<Vec3> points =
         is_written ? written_points(mesh, how) : std::vector<Vec3>(mesh.points);
-    return count_crossings(points, mesh.faces, line.options.threads);
+    return count_place_faults(points, mesh.faces, line.options.threads);
   };
-  run.crossings = run.crossings_in_double = count(line.write);
-  if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
+  run.written = run.in_double = count(line.write);
+  if (is_single && run.written.any()) run.in_double = count({.format = MeshFormat::ply});
 }
 
 void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
@@ -210,7 +209,7 @@ int run_mesh(const CommandLine& line) {
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
-  count_crossings_as_written(mesh, run);
+  count_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
   progress.show("writing", 0);
