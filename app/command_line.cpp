@@ -184,9 +184,8 @@ template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
-      "--roi",       "--cap",          "--min-component", "--largest",      "--vertices",
-      "--triangles", "--keep-partial", "--paper",         "--single-stage", "--stop-after",
-      "--attributes"};
+      "--roi",          "--cap",   "--min-component", "--largest",    "--vertices",  "--triangles",
+      "--keep-partial", "--paper", "--single-stage",  "--stop-after", "--attributes"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };

@@ -45,8 +45,8 @@ std::vector<std::array<float, 3>> normals(const TriMesh& mesh, const Volume& vol
     const double size = length(normal);
     const bool usable = size > 0 && std::isfinite(size);
     const Vec3 unit = usable ? normal / size : Vec3{0, 0, 1};
-    result.push_back({static_cast<float>(unit.x), static_cast<float>(unit.y),
-                      static_cast<float>(unit.z)});
+    result.push_back(
+        {static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)});
   }
   return result;
 }
@@ -57,9 +57,8 @@ MeshAttributes mesh_attributes(const TriMesh& mesh, const TriMesh& surface, cons
                                const Report& report, int threads) {
   const bool has_caps = surface.faces.size() < mesh.faces.size();
   MeshAttributes attributes;
-  attributes.normals =
-      normals(mesh, volume, surface.faces.size(),
-              has_caps ? report.cap.surface_vertices : mesh.points.size());
+  attributes.normals = normals(mesh, volume, surface.faces.size(),
+                               has_caps ? report.cap.surface_vertices : mesh.points.size());
   attributes.component = facet_components(mesh).of_facet;
   const double limit = kSearchDiagonals * length(volume.spacing());
   for (const double d : facet_distances(surface, volume, report.kappa_effective, threads)) {

@@ -49,16 +49,15 @@ RawLayout& raw_layout(CommandLine& line) {
 MeshFormat parse_format(std::string_view option, std::string_view text) {
   using enum MeshFormat;
   return choose(option, text,
-                std::to_array<std::pair<std::string_view, MeshFormat>>(
-                    {{"ply", ply},
-                     {"off", off},
-                     {"obj", obj},
-                     {"stl", stl},
-                     {"vtp", vtp},
-                     {"glb", glb},
-                     {"3mf", three_mf},
-                     {"smesh", smesh},
-                     {"poly", poly}}));
+                std::to_array<std::pair<std::string_view, MeshFormat>>({{"ply", ply},
+                                                                        {"off", off},
+                                                                        {"obj", obj},
+                                                                        {"stl", stl},
+                                                                        {"vtp", vtp},
+                                                                        {"glb", glb},
+                                                                        {"3mf", three_mf},
+                                                                        {"smesh", smesh},
+                                                                        {"poly", poly}}));
 }
 
 double parse_share(std::string_view option, std::string_view text) {
@@ -102,7 +101,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text v) { l.output = v; },
      "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
      ".ply"},
-    {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl, vtp, glb, 3mf, smesh or poly, whatever FILE's ending is",
+    {"--format", 0, "FORMAT", kMeshOnly,
+     "ply, off, obj, stl, vtp, glb, 3mf, smesh or poly, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
      [](Line& l, Text, Text) { l.write.ascii = true; }},
@@ -111,7 +111,8 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--double", 0, "", kMeshAndJoin, "coordinates in double precision (default)",
      [](Line& l, Text, Text) { l.write.single_precision = false; }},
     {"--attributes", 0, "", kMeshOnly,
-     "with the mesh: normals of vertices, and of triangles component, distance from the surface and "
+     "with the mesh: normals of vertices, and of triangles component, distance from the surface "
+     "and "
      "with --cap a mark; in PLY, VTP and GLB",
      [](Line& l, Text, Text) { l.attributes = true; }},
     {"--json", 0, "FILE", kReports, "all statistics as JSON, or - for standard output",

@@ -148,8 +148,7 @@ void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& vo
     options.comment = criteria_note(line, volume, run.report);
     if (line.options.cap) options.first_cap = surface.faces.size();
     if (line.attributes) {
-      options.attributes =
-          mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
+      options.attributes = mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
     }
     if (line.read.block) {
       options.seam = seam_of(mesh, volume);

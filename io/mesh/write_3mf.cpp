@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 3MF (3D Manufacturing Format, core specification): a zip archive of three parts. The first two
-// say where the third is, the mesh as XML. Numbers are text, so they keep double precision. The unit
-// is the millimeter, which slicing programs take for every file without one.
+// say where the third is, the mesh as XML. Numbers are text, so they keep double precision. The
+// unit is the millimeter, which slicing programs take for every file without one.
 #include <limits>
 #include <span>
 #include <vector>
@@ -132,7 +132,7 @@ class ZipWriter {
   AtomicFile& out_;
   std::vector<Part> parts_;
   ZlibStream stream_;
-  std::string text_;  // of the part, not yet deflated
+  std::string text_;    // of the part, not yet deflated
   bool begun_ = false;  // data of the part was written
   std::uint64_t position_ = 0, data_begins_ = 0;
 };

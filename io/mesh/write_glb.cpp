@@ -12,6 +12,7 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "base/text.h"
+#include "base/to_float.h"
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
@@ -21,10 +22,6 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546c67, kVersion = 2, kJson = 0x4e4f534a, kBinary = 0x004e4942;
 constexpr int kFloat = 5126, kUnsigned = 5125, kVertexArray = 34962, kIndexArray = 34963;
 constexpr std::uint64_t kWord = 4;  // bytes of a number
-
-Vec3 as_floats(const Vec3& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
 
 Box3 box_of_points(const WorldMesh& mesh) {
   if (mesh.vertex_count() == 0) return {};
@@ -37,7 +34,7 @@ Box3 box_of_points(const WorldMesh& mesh) {
 }
 
 Vec3 middle_of(const Box3& box) {
-  return as_floats(0.5 * box.lo + 0.5 * box.hi);
+  return to_float(0.5 * box.lo + 0.5 * box.hi);
 }
 
 // One array of the file, which is a view of the buffer and an accessor.
@@ -89,8 +86,9 @@ std::string asset_json(const WorldMesh& mesh) {
     if (c == '"') comment += '\\';
     comment += c;
   }
+  const std::string_view space = mesh.space();
   return text(R"("asset":{"version":"2.0","generator":"DelIso","extras":{"comment":")", comment,
-              R"(","SPACE":")", mesh.space(), "\"}}");
+              space.empty() ? "" : R"(","SPACE":")", space, "\"}}");
 }
 
 // Writes the component of every vertex, then the largest distance of its facets.
@@ -121,12 +119,13 @@ void write_glb(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& o
   std::vector<Array> arrays;
   // Rounding is monotone, so the least coordinate is the rounded least.
   arrays.push_back({vertices, 3,
-                    text(R"(,"min":)", list(as_floats(box.lo - middle)), R"(,"max":)",
-                         list(as_floats(box.hi - middle)))});
-  if (options.attributes) arrays.insert(arrays.end(), {{vertices, 3, ""}, {vertices, 1, ""},
-                                                       {vertices, 1, ""}});
+                    text(R"(,"min":)", list(to_float(box.lo - middle)), R"(,"max":)",
+                         list(to_float(box.hi - middle)))});
+  if (options.attributes)
+    arrays.insert(arrays.end(), {{vertices, 3, ""}, {vertices, 1, ""}, {vertices, 1, ""}});
   const std::size_t indices = arrays.size();
-  const char* const values = options.attributes ? R"(,"NORMAL":1,"_COMPONENT":2,"_DISTANCE":3)" : "";
+  const char* const values =
+      options.attributes ? R"(,"NORMAL":1,"_COMPONENT":2,"_DISTANCE":3)" : "";
   std::string primitives;
   const auto add_primitive = [&](std::size_t size, int material) {
     if (size == 0) return;

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "base/to_float.h"
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
@@ -14,15 +15,10 @@ struct Ending {
   std::string_view text;
   MeshFormat format;
 };
-constexpr Ending kEndings[] = {{".ply", MeshFormat::ply},
-                               {".off", MeshFormat::off},
-                               {".obj", MeshFormat::obj},
-                               {".stl", MeshFormat::stl},
-                               {".vtp", MeshFormat::vtp},
-                               {".glb", MeshFormat::glb},
-                               {".3mf", MeshFormat::three_mf},
-                               {".smesh", MeshFormat::smesh},
-                               {".poly", MeshFormat::poly}};
+constexpr Ending kEndings[] = {
+    {".ply", MeshFormat::ply},      {".off", MeshFormat::off},     {".obj", MeshFormat::obj},
+    {".stl", MeshFormat::stl},      {".vtp", MeshFormat::vtp},     {".glb", MeshFormat::glb},
+    {".3mf", MeshFormat::three_mf}, {".smesh", MeshFormat::smesh}, {".poly", MeshFormat::poly}};
 
 bool ends_with(std::string_view path, std::string_view ending) {
   if (path.size() <= ending.size()) return false;
@@ -83,9 +79,8 @@ std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& op
   std::vector<Vec3> points;
   points.reserve(world.vertex_count());
   for (std::size_t v = 0; v < world.vertex_count(); ++v) {
-    Vec3 q = world.point(v) - origin;
-    for (int axis = 0; single && axis < 3; ++axis) q[axis] = static_cast<float>(q[axis]);
-    points.push_back(q);
+    const Vec3 p = world.point(v) - origin;
+    points.push_back(single ? to_float(p) : p);
   }
   return points;
 }

@@ -6,8 +6,9 @@
 // appear whole or not at all (io/files/atomic_file.h); `-` is standard output.
 //
 // A comment is one line at the head of the file: PLY `comment`, an XML comment in VTP and 3MF,
-// `extras` of the asset in glTF, else `#`. In STL it follows the title, if the 80 bytes suffice. Bytes that one of these formats does
-// not allow are written as `?`: all but printable ASCII, `\`, a second `-` in a row.
+// `extras` of the asset in glTF, else `#`. In STL it follows the title, if the 80 bytes suffice.
+// Bytes that one of these formats does not allow are written as `?`: all but printable ASCII, `\`,
+// a second `-` in a row.
 #pragma once
 
 #include <array>
@@ -29,10 +30,10 @@ enum class MeshFormat : std::uint8_t {
   stl,  // binary: single precision triangles with normals, no sharing of vertices
   vtp,  // VTK XML PolyData with raw appended arrays, for ParaView and Slicer
   // Written, not read:
-  glb,         // glTF 2.0, binary: single precision, for web pages and modelers
-  three_mf,    // 3MF: a zip archive of XML, for printers
-  smesh,       // text for TetGen, one line a facet
-  poly,        // text for TetGen, two lines a facet
+  glb,       // glTF 2.0, binary: single precision, for web pages and modelers
+  three_mf,  // 3MF: a zip archive of XML, for printers
+  smesh,     // text for TetGen, one line a facet
+  poly,      // text for TetGen, two lines a facet
 };
 
 constexpr bool is_read(MeshFormat format) {
@@ -69,8 +70,8 @@ struct MeshWriteOptions {
   std::string comment{};               // empty: none
   // PLY only, for a part of a mesh: an element `seam` after the facets.
   std::vector<SeamVertex> seam{};
-  // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF mark
-  // them if there are attributes. Absent: no caps were asked for.
+  // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF
+  // mark them if there are attributes. Absent: no caps were asked for.
   std::optional<std::size_t> first_cap{};
   std::optional<MeshAttributes> attributes{};  // pre: holds_attributes()
 };
@@ -91,8 +92,8 @@ struct PartMesh {
 PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS, in VTP as
-// field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and on every
-// fault of the file system.
+// field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and
+// on every fault of the file system.
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 }  // namespace deliso

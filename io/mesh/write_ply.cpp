@@ -69,9 +69,14 @@ void PlyWriter::finish() {
 }
 
 void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
-  PlyHeader header{{"DelIso" + mesh.space_note()}, mesh.vertex_count(), mesh.face_count(),
-                   options.seam, options.single_precision, options.ascii,
-                   options.attributes ? &*options.attributes : nullptr, options.first_cap};
+  PlyHeader header{{"DelIso" + mesh.space_note()},
+                   mesh.vertex_count(),
+                   mesh.face_count(),
+                   options.seam,
+                   options.single_precision,
+                   options.ascii,
+                   options.attributes ? &*options.attributes : nullptr,
+                   options.first_cap};
   const std::string comment = mesh.comment_line("", "");
   if (!comment.empty()) header.comments.push_back(comment);
   PlyWriter writer(out, header);

@@ -46,8 +46,7 @@ void write_vtp(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& o
                  mesh.face_count(), "\">\n"));
   if (options.attributes) {
     out.write("      <PointData Normals=\"Normals\">\n");
-    out.write(
-        data_array(R"(type="Float32" Name="Normals" NumberOfComponents="3")", normals_at));
+    out.write(data_array(R"(type="Float32" Name="Normals" NumberOfComponents="3")", normals_at));
     out.write("      </PointData>\n      <CellData>\n");
     out.write(data_array(R"(type="Int32" Name="component")", components_at));
     out.write(data_array(R"(type="Float32" Name="distance")", distances_at));
