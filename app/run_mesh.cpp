@@ -141,7 +141,6 @@ void count_faults_as_written(const TriMesh& mesh, MeshRun& run) {
 void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
                    MeshRun& run) {
   const CommandLine& line = run.line;
-  const DeferSignals defer;
   const Stopwatch watch;
   if (!line.output.empty()) {
     MeshWriteOptions options = line.write;
@@ -155,6 +154,7 @@ void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& vo
       options.comment = part_comment(options.comment, volume, *line.read.block, *line.isovalue,
                                      run.report.kappa_effective, written_part(mesh, options));
     }
+    const DeferSignals defer;
     write_mesh(mesh, line.output, options);
   }
   run.seconds_write = watch.seconds();

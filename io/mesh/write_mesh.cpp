@@ -63,7 +63,7 @@ MeshFormat readable_format_of(std::string_view path) {
 }
 
 bool writes_single_precision(const MeshWriteOptions& options) {
-  return options.single_precision || is_always_single(*options.format);
+  return options.single_precision || (options.format && is_always_single(*options.format));
 }
 
 bool WorldMesh::is_closed() const {
