@@ -34,6 +34,7 @@ struct MeshRun {
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
   // and if coordinates are rounded to float.
   PlaceFaults written, in_double;
+  std::size_t mended = 0;  // vertices not at the nearest float, so that there are fewer faults
   std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
@@ -42,7 +43,7 @@ struct MeshRun {
   bool has_solid() const { return line.options.cap && report.cap.failure.empty(); }
   PlaceFaults by_rounding() const { return written.beyond(in_double); }
   bool sound() const {
-    return fault.empty() && report.cap.failure.empty() && !by_rounding().any() &&
+    return fault.empty() && report.cap.failure.empty() && by_rounding().count() == 0 &&
            !(has_solid() && written.crossings > 0) && !(verification && verification->faults.any());
   }
 };

@@ -157,6 +157,7 @@ std::string report_json(const MeshRun& run) {
   json.add("crossings_by_rounding", by_rounding.crossings);
   json.add("flat_by_rounding", by_rounding.flat);
   json.add("coincident_by_rounding", by_rounding.coincident);
+  json.add("mended_vertices", run.mended);
   json.close();
   if (run.verification) add_verification(json, *run.verification, run.input.volume);
   json.add("peak_memory_bytes", run.peak_bytes);

@@ -185,7 +185,11 @@ std::string report_text(const MeshRun& run) {
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
   }
-  if (run.by_rounding().any()) {
+  if (run.mended > 0) {
+    text += "rounding  " + counted(run.mended, "vertex", "vertices") +
+            " not at the nearest float, so that triangles keep apart\n";
+  }
+  if (run.by_rounding().count() > 0) {
     text += "rounding  FAULT: single precision makes " + place_faults_text(run.by_rounding()) +
             "; " + kKeepDoubles + "\n";
   }

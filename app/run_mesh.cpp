@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -122,24 +123,57 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
+std::vector<Triangle> triangles_of(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  return triangles;
+}
+
+// Returns the mesh in the world, with the vertices where the file should have them so that rounding
+// makes no faults.
+TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
+  PartMesh world = written_part(mesh, {.format = MeshFormat::ply});
+  const Vec3 origin = written_origin(mesh, line.write);
+  for (Vec3& p : world.points) p = p - origin;
+  world.points = round_without_faults(world.points, world.triangles, line.options.threads);
+  for (Vec3& p : world.points) p = p + origin;
+  TriMesh rounded = make_tri_mesh(std::move(world.points), world.triangles);
+  rounded.frame.space = mesh.frame.space;
+  return rounded;
+}
+
 // Counts faults of the points as the file will have them: single precision and turned axes round
-// them. If there are some, counts those of the doubles too, to see whether rounding is the cause.
-void count_faults_as_written(const TriMesh& mesh, MeshRun& run) {
+// them. If there are some, counts those of the doubles too, to see whether rounding is the cause,
+// and tries another rounding. Returns a mesh to write in place of `mesh`, if that helps.
+std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
-  if (!run.has_solid() && !is_single) return;
-  const auto count = [&](const MeshWriteOptions& how) {
-    const std::vector<Vec3> points =
-        is_written ? written_points(mesh, how) : std::vector<Vec3>(mesh.points);
-    return count_place_faults(points, mesh.faces, line.options.threads);
+  if (!run.has_solid() && !is_single) return std::nullopt;
+  const std::vector<Triangle> triangles = triangles_of(mesh);
+  const auto find = [&](const std::vector<Vec3>& points) {
+    return find_place_faults(points, triangles, line.options.threads);
   };
-  run.written = run.in_double = count(line.write);
-  if (is_single && run.written.any()) run.in_double = count({.format = MeshFormat::ply});
+  const std::vector<Vec3> points =
+      is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
+  run.written = run.in_double = find(points);
+  if (!is_single || run.written.count() == 0) return std::nullopt;
+  run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
+  // The seam of a part has to be that of its neighbor.
+  if (run.by_rounding().count() == 0 || line.read.block) return std::nullopt;
+  TriMesh rounded = rounded_mesh(mesh, line);
+  const std::vector<Vec3> others = written_points(rounded, line.write);
+  const PlaceFaults left = find(others);
+  if (left.count() >= run.written.count()) return std::nullopt;
+  run.written = left;
+  for (std::size_t v = 0; v < points.size(); ++v) run.mended += points[v] == others[v] ? 0 : 1;
+  return rounded;
 }
 
-void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& volume,
-                   MeshRun& run) {
+// `rounded`: written in place of `mesh`, if given.
+void write_results(const TriMesh& mesh, const std::optional<TriMesh>& rounded,
+                   const TriMesh& surface, const Volume& volume, MeshRun& run) {
   const CommandLine& line = run.line;
   const Stopwatch watch;
   if (!line.output.empty()) {
@@ -155,7 +189,7 @@ void write_results(const TriMesh& mesh, const TriMesh& surface, const Volume& vo
                                      run.report.kappa_effective, written_part(mesh, options));
     }
     const DeferSignals defer;
-    write_mesh(mesh, line.output, options);
+    write_mesh(rounded ? *rounded : mesh, line.output, options);
   }
   run.seconds_write = watch.seconds();
 }
@@ -208,11 +242,11 @@ int run_mesh(const CommandLine& line) {
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
-  count_faults_as_written(mesh, run);
+  const std::optional<TriMesh> rounded = find_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
   progress.show("writing", 0);
-  write_results(mesh, surface, volume, run);
+  write_results(mesh, rounded, surface, volume, run);
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();

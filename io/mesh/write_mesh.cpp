@@ -72,10 +72,14 @@ bool WorldMesh::is_closed() const {
   });
 }
 
+Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options) {
+  return options.format == MeshFormat::glb ? glb_origin(WorldMesh(mesh, {})) : Vec3{};
+}
+
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
   const bool single = writes_single_precision(options);
   const WorldMesh world(mesh, {});
-  const Vec3 origin = options.format == MeshFormat::glb ? glb_origin(world) : Vec3{};
+  const Vec3 origin = written_origin(mesh, options);
   std::vector<Vec3> points;
   points.reserve(world.vertex_count());
   for (std::size_t v = 0; v < world.vertex_count(); ++v) {

@@ -79,8 +79,11 @@ struct MeshWriteOptions {
 // True if coordinates are rounded to float: with single_precision, in STL and in glTF. pre:
 // options.format.
 bool writes_single_precision(const MeshWriteOptions& options);
-// Returns the points as the file will have them: in the world, rounded if it rounds, and in glTF
-// relative to the mesh's middle. pre: options.format.
+// Returns the point of the world that coordinates are relative to: in glTF the mesh's middle. pre:
+// options.format.
+Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options);
+// Returns the points as the file will have them: in the world, relative to written_origin(),
+// rounded if it rounds. pre: options.format.
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // A part as its file has it; the facets are not linked.
