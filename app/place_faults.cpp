@@ -72,7 +72,7 @@ void mend(VertexId vertex, const Vec3& exact, std::vector<Vec3>& points,
           std::span<const Triangle> triangles) {
   constexpr std::size_t kMostTriangles = std::size_t{1} << 14;
   Surroundings near = surroundings_of(vertex, points, triangles);
-  if (near.triangles.size() > kMostTriangles) return;
+  if (near.triangles.empty() || near.triangles.size() > kMostTriangles) return;
   Vec3& tried = near.points[near.vertex];
   std::size_t fewest = find_place_faults(near.points, near.triangles, 1).count();
   const Vec3 nearest = to_float(exact);

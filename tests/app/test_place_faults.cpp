@@ -83,4 +83,6 @@ TEST_CASE("where rounding makes faults, other floats around the exact place are 
 TEST_CASE("vertices that are all floats cannot be mended") {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
   CHECK(round_without_faults(points, Triangles{{0, 1, 2}}, 1) == points);
+  // Nor can those of no triangle.
+  CHECK(round_without_faults({{1, 0, 0}, {1, 0, 0}}, {}, 1).size() == 2);
 }
