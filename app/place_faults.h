@@ -31,8 +31,8 @@ PlaceFaults find_place_faults(const std::vector<Vec3>& points, std::span<const T
 std::string place_faults_text(const PlaceFaults& faults);
 
 // Returns the points rounded to floats. Vertices in faults of the nearest floats take others of the
-// eight floats around them if that leaves fewer faults. Does nothing for them if there are more
-// than kMostMended, or if four rounds have not helped.
+// eight floats around them if that leaves fewer faults. Four rounds over these vertices; none while
+// there are more than kMostMended.
 inline constexpr std::size_t kMostMended = 256;
 std::vector<Vec3> round_without_faults(const std::vector<Vec3>& exact,
                                        std::span<const Triangle> triangles, int threads);
