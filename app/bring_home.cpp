@@ -6,14 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "base/to_float.h"
 #include "delaunay/predicates.h"
 
 namespace deliso {
 
 bool is_single_precision(const TriMesh& mesh) {
-  return std::ranges::all_of(mesh.points, [](const Vec3& p) {
-    return Vec3{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)} == p;
-  });
+  return std::ranges::all_of(mesh.points, [](const Vec3& p) { return to_float(p) == p; });
 }
 
 double bring_home(TriMesh& mesh, const Frame& at) {

@@ -16,7 +16,7 @@ namespace deliso {
 
 // Advice about crossings that rounding to float made.
 inline constexpr const char* kKeepDoubles =
-    ".ply, .off, .obj and .vtp keep doubles, without --float";
+    ".ply, .off, .obj, .vtp, .3mf, .smesh and .poly keep doubles, without --float";
 
 // Returns the options of a verification, with lengths in the scaled frame and position_error 0. The
 // limits come from the command line; the check command prefers `noted`, the criteria in the mesh's

@@ -214,9 +214,9 @@ template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
-      "--roi",           "--median",       "--smooth",    "--label",     "--cap",
-      "--min-component", "--largest",      "--vertices",  "--triangles", "--keep-partial",
-      "--paper",         "--single-stage", "--stop-after"};
+      "--roi",           "--median",       "--smooth",     "--label",     "--cap",
+      "--min-component", "--largest",      "--vertices",   "--triangles", "--keep-partial",
+      "--paper",         "--single-stage", "--stop-after", "--attributes"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };
@@ -262,6 +262,9 @@ void check_combination(CommandLine& line) {
   }
   if (line.write.ascii && line.write.format != MeshFormat::ply) {
     throw InputError("--ply-ascii needs PLY output");
+  }
+  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
+    throw InputError("--attributes needs PLY, VTP or GLB output");
   }
 }
 

@@ -75,6 +75,7 @@ struct CommandLine {
   } given;  // of a check: limits from options, not from the mesh's file or defaults
   std::size_t trace_limit = 200'000;  // events
   bool trace_times = true;
+  bool attributes = false;  // in the mesh's file
   bool allow_empty = false;
   bool check = false;
   double restricted_share = 0;  // the least that a check accepts

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "base/triangle.h"
 #include "check/distances.h"
 #include "contour/contour.h"
@@ -31,6 +32,7 @@ double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
   return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
 }
 
+// Returns the length of a voxel in reports.
 }  // namespace
 
 FacetComponents facet_components(const TriMesh& mesh) {
@@ -84,22 +86,33 @@ std::vector<double> smallest_angles(const TriMesh& mesh) {
   });
 }
 
+std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, double kappa,
+                                    int threads) {
+  constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
+  constexpr std::size_t kFacetsAtOnce = 1u << 10;
+  const VoxelTree voxels(volume);
+  const Isosurface surface(volume, voxels, kappa);
+  const double limit = kSearchDiagonals * length(volume.spacing());
+  std::vector<double> distances(home.faces.size(), 0);
+  for_each_run(threads, distances.size(), kFacetsAtOnce, [&](std::size_t begin, std::size_t end) {
+    SearchCounters counters;
+    for (FaceId f(begin); f < end; ++f) {
+      const auto& [a, b, c] = home.faces[f].v;
+      for (const Measure& m : measure_triangle(home.points[a], home.points[b], home.points[c],
+                                               surface, limit, kNear * volume.voxel(), counters)) {
+        distances[f] = std::max(distances[f], m.distance);
+      }
+    }
+  });
+  return distances;
+}
+
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume,
                                         double isovalue) {
-  constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
-  const Vec3 spacing = volume.spacing();
-  const double voxel = volume.voxel();
-  const VoxelTree voxels(volume);
-  const Isosurface surface(volume, voxels, settled_isovalue(volume, isovalue));
-  const double limit = kSearchDiagonals * length(spacing);
-  SearchCounters counters;
-  return of_facets(home, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    double furthest = 0;
-    for (const Measure& m : measure_triangle(a, b, c, surface, limit, kNear * voxel, counters)) {
-      furthest = std::max(furthest, m.distance);
-    }
-    return furthest / voxel;
-  });
+  std::vector<double> distances =
+      facet_distances(home, volume, settled_isovalue(volume, isovalue), 1);
+  for (double& distance : distances) distance /= volume.voxel();
+  return distances;
 }
 
 std::vector<double> gradient_sizes(const TriMesh& home, const Volume& volume) {

@@ -26,9 +26,12 @@ std::vector<std::uint8_t> facets_of_most_area(const TriMesh& mesh,
 
 std::vector<double> smallest_angles(const TriMesh& mesh);  // degrees; 0 without area
 
-// Returns the distances of facets from the isosurface, in voxels: for each the
-// largest distance that `check` measures, infinite if the surface is not near. `home`: the mesh in
-// the volume's frame. The isovalue is the user's.
+// Returns the distances of facets from the isosurface, in the unit of the scaled frame. It is the
+// largest of the distances that `check` measures, infinite if the surface is not near. `home`: the
+// mesh in the volume's frame. pre: kappa is effective_isovalue().
+std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, double kappa,
+                                    int threads);
+// Returns the same in voxels, for an isovalue of the user.
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume, double isovalue);
 
 // Returns the size of the interpolant's gradient at the facets' middles, per unit of length. The

@@ -2,7 +2,6 @@
 // A run of the mesh command without its files, and its results as text and as JSON.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -11,6 +10,7 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/place_faults.h"
 #include "app/progress.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
@@ -35,9 +35,11 @@ struct MeshRun {
   MeshQuality quality;      // of the surface
   MeshQuality cap_quality;  // with --cap
   double volume = 0;        // if has_volume(): inside mesh and caps, in world units
-  // Pairs of crossing facets in the file, and how many they would be in double precision. Counted
-  // with --cap, and if coordinates are rounded to float.
-  std::size_t crossings = 0, crossings_in_double = 0;
+  // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
+  // and if coordinates are rounded to float.
+  PlaceFaults written, in_double;
+  std::size_t mended = 0;  // vertices not at the nearest float, so that there are fewer faults
+  std::optional<TriMesh> rounded;            // the mesh with these vertices, to be written
   std::optional<Verification> verification;  // with --check
 
   double seconds_check = 0, seconds_write = 0, seconds_total = 0;
@@ -50,12 +52,10 @@ struct MeshRun {
   }
   // Returns the share by which it differs from the volume of the label's voxels.
   double volume_difference() const { return volume / input.field.label->volume - 1; }
-  std::size_t crossings_by_rounding() const {
-    return crossings - std::min(crossings, crossings_in_double);
-  }
+  PlaceFaults by_rounding() const { return written.beyond(in_double); }
   bool sound() const {
-    return fault.empty() && report.cap.failure.empty() && crossings_by_rounding() == 0 &&
-           !(has_solid() && crossings > 0) && !(verification && verification->faults.any());
+    return fault.empty() && report.cap.failure.empty() && by_rounding().count() == 0 &&
+           !(has_solid() && written.crossings > 0) && !(verification && verification->faults.any());
   }
 };
 

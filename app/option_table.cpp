@@ -50,8 +50,15 @@ RawLayout& raw_layout(CommandLine& line) {
 MeshFormat parse_format(std::string_view option, std::string_view text) {
   using enum MeshFormat;
   return choose(option, text,
-                std::to_array<std::pair<std::string_view, MeshFormat>>(
-                    {{"ply", ply}, {"off", off}, {"obj", obj}, {"stl", stl}, {"vtp", vtp}}));
+                std::to_array<std::pair<std::string_view, MeshFormat>>({{"ply", ply},
+                                                                        {"off", off},
+                                                                        {"obj", obj},
+                                                                        {"stl", stl},
+                                                                        {"vtp", vtp},
+                                                                        {"glb", glb},
+                                                                        {"3mf", three_mf},
+                                                                        {"smesh", smesh},
+                                                                        {"poly", poly}}));
 }
 
 double parse_share(std::string_view option, std::string_view text) {
@@ -100,11 +107,12 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--iso", 'k', "K", kVolume, "isovalue: the surface is where the volume's interpolant is K",
      [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
     {"--output", 'o', "FILE", kOutput,
-     "mesh to write: .ply .off .obj .stl .vtp, or - for standard output",
+     "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
      "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
      ".ply"},
-    {"--format", 0, "FORMAT", kMeshOnly, "ply, off, obj, stl or vtp, whatever FILE's ending is",
+    {"--format", 0, "FORMAT", kMeshOnly,
+     "ply, off, obj, stl, vtp, glb, 3mf, smesh or poly, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
      [](Line& l, Text, Text) { l.write.ascii = true; }},
@@ -112,6 +120,11 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text) { l.write.single_precision = true; }},
     {"--double", 0, "", kMeshAndJoin, "coordinates in double precision (default)",
      [](Line& l, Text, Text) { l.write.single_precision = false; }},
+    {"--attributes", 0, "", kMeshOnly,
+     "with the mesh: normals of vertices, and of triangles component, distance from the surface "
+     "and "
+     "with --cap a mark; in PLY, VTP and GLB",
+     [](Line& l, Text, Text) { l.attributes = true; }},
     {"--json", 0, "FILE", kReports, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar",

@@ -152,10 +152,14 @@ std::string report_json(const MeshRun& run) {
     add_solid(json, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
     json.add("cap_failure", report.cap.failure);
-    json.add("cap_crossings", run.has_solid() ? run.crossings : 0);
+    json.add("cap_crossings", run.has_solid() ? run.written.crossings : 0);
   }
   if (run.input.field.label && run.has_volume()) json.add("volume", run.volume);
-  json.add("crossings_by_rounding", run.crossings_by_rounding());
+  const PlaceFaults by_rounding = run.by_rounding();
+  json.add("crossings_by_rounding", by_rounding.crossings);
+  json.add("flat_by_rounding", by_rounding.flat);
+  json.add("coincident_by_rounding", by_rounding.coincident);
+  json.add("mended_vertices", run.mended);
   json.close();
   if (run.verification) add_verification(json, *run.verification, run.input.volume());
   json.add("peak_memory_bytes", run.peak_bytes);

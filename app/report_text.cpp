@@ -134,7 +134,7 @@ std::string verdict_text(const MeshRun& run) {
   } else {
     text += options.components.is_all() ? "exact topology" : "only the components asked for";
   }
-  const std::uint64_t crossings = run.crossings + report[Counter::crossings_handed_over];
+  const std::uint64_t crossings = run.written.crossings + report[Counter::crossings_handed_over];
   if (crossings > 0) {
     text += "; " + counted(crossings, "crossing pair", "crossing pairs") + " of triangles";
   } else {
@@ -181,8 +181,8 @@ std::string report_text(const MeshRun& run) {
     text += "solid     " +
             solid_text(run.vertices - report.cap.surface_vertices,
                        run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality) +
-            "\n          " + (run.crossings > 0 ? "FAULT: " : "") +
-            counted(run.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
+            "\n          " + (run.written.crossings > 0 ? "FAULT: " : "") +
+            counted(run.written.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
   }
@@ -190,10 +190,13 @@ std::string report_text(const MeshRun& run) {
     append_format(text, "volume    %s in the mesh, %.2f %% off that of the voxels\n",
                   volume_text(run.volume).c_str(), 100 * run.volume_difference());
   }
-  if (run.crossings_by_rounding() > 0) {
-    text += "rounding  FAULT: single precision makes " +
-            counted(run.crossings_by_rounding(), "pair", "pairs") + " of triangles cross; " +
-            kKeepDoubles + "\n";
+  if (run.mended > 0) {
+    text += "rounding  " + counted(run.mended, "vertex", "vertices") +
+            " not at the nearest float, so that triangles keep apart\n";
+  }
+  if (run.by_rounding().count() > 0) {
+    text += "rounding  FAULT: single precision makes " + place_faults_text(run.by_rounding()) +
+            "; " + kKeepDoubles + "\n";
   }
   if (run.triangles > 0)
     append_quality(text, run.quality, run.line.options.limits[Criterion::r_over_l].value,

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/criteria_note.h"
 #include "app/expected_vertices.h"
 #include "app/marching_cubes.h"
+#include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -24,7 +26,6 @@
 #include "blocks/seam.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
-#include "embedding/self_intersections.h"
 #include "io/mesh/write_mesh.h"
 #include "io/parts/part_note.h"
 #include "mesh/check_mesh.h"
@@ -120,20 +121,52 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
-// Counts crossings of the points as the file will have them: single precision and turned axes round
-// them. If some cross, counts those of the doubles too, to see whether rounding is the cause.
-void count_crossings_as_written(const TriMesh& mesh, MeshRun& run) {
+std::vector<Triangle> triangles_of(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  return triangles;
+}
+
+// Returns the mesh in the world, with the vertices where the file should have them so that rounding
+// makes no faults.
+TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
+  PartMesh world = written_part(mesh, {.format = MeshFormat::ply});
+  const Vec3 origin = written_origin(mesh, line.write);
+  for (Vec3& p : world.points) p = p - origin;
+  world.points = round_without_faults(world.points, world.triangles, line.options.threads);
+  for (Vec3& p : world.points) p = p + origin;
+  TriMesh rounded = make_tri_mesh(std::move(world.points), world.triangles);
+  rounded.frame.space = mesh.frame.space;
+  return rounded;
+}
+
+// Counts faults of the points as the file will have them: single precision and turned axes round
+// them. If there are some, counts those of the doubles too, to see whether rounding is the cause,
+// and tries another rounding. Returns a mesh to write in place of `mesh`, if that helps.
+std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run) {
   const CommandLine& line = run.line;
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
-  if (!run.has_solid() && !is_single) return;
-  const auto count = [&](const MeshWriteOptions& how) {
-    const std::vector<Vec3> points =
-        is_written ? written_points(mesh, how) : std::vector<Vec3>(mesh.points);
-    return count_crossings(points, mesh.faces, line.options.threads);
+  if (!run.has_solid() && !is_single) return std::nullopt;
+  const std::vector<Triangle> triangles = triangles_of(mesh);
+  const auto find = [&](const std::vector<Vec3>& points) {
+    return find_place_faults(points, triangles, line.options.threads);
   };
-  run.crossings = run.crossings_in_double = count(line.write);
-  if (is_single && run.crossings > 0) run.crossings_in_double = count({.format = MeshFormat::ply});
+  const std::vector<Vec3> points =
+      is_written ? written_points(mesh, line.write) : std::vector<Vec3>(mesh.points);
+  run.written = run.in_double = find(points);
+  if (!is_single || run.written.count() == 0) return std::nullopt;
+  run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
+  // The seam of a part has to be that of its neighbor.
+  if (run.by_rounding().count() == 0 || line.read.block) return std::nullopt;
+  TriMesh rounded = rounded_mesh(mesh, line);
+  const std::vector<Vec3> others = written_points(rounded, line.write);
+  const PlaceFaults left = find(others);
+  if (left.count() >= run.written.count()) return std::nullopt;
+  run.written = left;
+  for (std::size_t v = 0; v < points.size(); ++v) run.mended += points[v] == others[v] ? 0 : 1;
+  return rounded;
 }
 
 }  // namespace
@@ -149,6 +182,12 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const Volume& volume = run.input.volume();
   MeshWriteOptions options = line.write;
   options.comment = criteria_note(line, volume, run.report);
+  const std::size_t first_cap = run.report.cap.surface_triangles;
+  if (line.options.cap) options.first_cap = first_cap;
+  if (line.attributes) {
+    const TriMesh surface = part_of(mesh, 0, line.options.cap ? first_cap : mesh.faces.size());
+    options.attributes = mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
+  }
   if (line.read.block) {
     options.seam = seam_of(mesh, volume);
     options.comment = part_comment(options.comment, volume, *line.read.block, *run.input.isovalue,
@@ -197,7 +236,7 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
-  count_crossings_as_written(mesh, run);
+  run.rounded = find_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
   return mesh;
@@ -211,12 +250,13 @@ void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) 
     std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
   });
   progress.show("writing", 0);
-  {
+  const Stopwatch watch;
+  if (!line.output.empty()) {
+    const MeshWriteOptions options = write_options(run, mesh);
     const DeferSignals defer;
-    const Stopwatch watch;
-    if (!line.output.empty()) write_mesh(mesh, line.output, write_options(run, mesh));
-    run.seconds_write = watch.seconds();
+    write_mesh(run.rounded ? *run.rounded : mesh, line.output, options);
   }
+  run.seconds_write = watch.seconds();
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();

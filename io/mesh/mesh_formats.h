@@ -33,6 +33,8 @@ class WorldMesh {
   }
   // Returns the text after the program's name; empty if the space is unknown.
   std::string space_note() const { return space().empty() ? "" : " SPACE=" + std::string(space()); }
+  // True if no facet has an edge on a boundary.
+  bool is_closed() const;
   Triangle triangle(std::size_t f) const {
     const Triangle& v = mesh_.faces[FaceId(f)].v;
     return mirrored_ ? Triangle{v[0], v[2], v[1]} : v;
@@ -65,8 +67,8 @@ void put_binary(AtomicFile& out, T value) {
 }
 
 // Appends the shortest text that reads back as `value`, then `after`.
-template <Number T>
-void put_text(AtomicFile& out, T value, char after) {
+template <class Out, Number T>
+void put_text(Out& out, T value, char after) {
   char text[32];
   char* end = std::to_chars(text, text + sizeof text - 1, value).ptr;
   *end++ = after;
@@ -88,10 +90,18 @@ void for_each_coordinate(const WorldMesh& mesh, bool single_precision, Put put) 
   }
 }
 
+// Returns the point that coordinates in glTF are relative to: the middle of the mesh, as floats.
+Vec3 glb_origin(const WorldMesh& mesh);
+
 void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
 void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_stl(AtomicFile& out, const WorldMesh& mesh);
-void write_vtp(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+void write_vtp(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
+void write_glb(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
+void write_3mf(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+// As .poly if `as_poly`, else as .smesh.
+void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options,
+                  bool as_poly);
 
 }  // namespace deliso

@@ -2,7 +2,9 @@
 // A PLY file vertex by vertex, then facet by facet, for meshes that are never in memory as a whole.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "base/triangle.h"
 #include "base/vec3.h"
 #include "io/files/atomic_file.h"
+#include "io/mesh/write_mesh.h"
 #include "mesh/seam_vertex.h"
 
 namespace deliso {
@@ -19,6 +22,8 @@ struct PlyHeader {
   std::uint64_t vertices = 0, facets = 0;
   std::span<const SeamVertex> seam{};  // of a part of a mesh: the third element
   bool single_precision = false, ascii = false;
+  const MeshAttributes* attributes = nullptr;
+  std::optional<std::size_t> first_cap{};  // with attributes
 };
 
 class PlyWriter {
@@ -32,8 +37,13 @@ class PlyWriter {
   void finish();
 
  private:
+  // Writes a property; `last`: of its line.
+  template <class T>
+  void put(T value, bool last);
+
   AtomicFile& out_;
   const PlyHeader& header_;
+  std::size_t next_vertex_ = 0, next_facet_ = 0;
 };
 
 }  // namespace deliso

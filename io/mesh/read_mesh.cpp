@@ -52,6 +52,8 @@ MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::stri
     case MeshFormat::vtp:
       parts = parse_vtp(bytes, name);
       break;
+    default:
+      DELISO_CHECK(is_read(format));
   }
   if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
     throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
@@ -74,7 +76,7 @@ TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
     const Bytes bytes = read_standard_input();
     return parse_mesh(bytes.text(), format_of_bytes(bytes.text()), bytes.name, comments);
   }
-  const MeshFormat format = mesh_format_of(path);
+  const MeshFormat format = readable_format_of(path);
   return parse_mesh(open_file(path).text(), format, path, comments);
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/mesh/write_mesh.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/text.h"
+#include "base/to_float.h"
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
@@ -12,11 +15,10 @@ struct Ending {
   std::string_view text;
   MeshFormat format;
 };
-constexpr Ending kEndings[] = {{".ply", MeshFormat::ply},
-                               {".off", MeshFormat::off},
-                               {".obj", MeshFormat::obj},
-                               {".stl", MeshFormat::stl},
-                               {".vtp", MeshFormat::vtp}};
+constexpr Ending kEndings[] = {
+    {".ply", MeshFormat::ply},      {".off", MeshFormat::off},     {".obj", MeshFormat::obj},
+    {".stl", MeshFormat::stl},      {".vtp", MeshFormat::vtp},     {".glb", MeshFormat::glb},
+    {".3mf", MeshFormat::three_mf}, {".smesh", MeshFormat::smesh}, {".poly", MeshFormat::poly}};
 
 bool ends_with(std::string_view path, std::string_view ending) {
   if (path.size() <= ending.size()) return false;
@@ -38,27 +40,47 @@ std::string clean(std::string comment) {
   return comment;
 }
 
-}  // namespace
-
-MeshFormat mesh_format_of(std::string_view path) {
+// `accepts(format)`: whether an ending will do.
+template <class Accepts>
+MeshFormat format_of(std::string_view path, const char* what, Accepts accepts) {
   std::string known;
   for (const Ending& ending : kEndings) {
+    if (!accepts(ending.format)) continue;
     if (ends_with(path, ending.text)) return ending.format;
     known += text(known.empty() ? "" : ", ", ending.text);
   }
-  throw InputError(text("'", path, "' has no mesh format's ending (", known, ")"));
+  throw InputError(text("'", path, "' has no ", what, " ending (", known, ")"));
+}
+
+}  // namespace
+
+MeshFormat mesh_format_of(std::string_view path) {
+  return format_of(path, "mesh format's", [](MeshFormat) { return true; });
+}
+
+MeshFormat readable_format_of(std::string_view path) {
+  return format_of(path, "readable mesh format's", is_read);
 }
 
 bool writes_single_precision(const MeshWriteOptions& options) {
-  return options.single_precision || options.format == MeshFormat::stl;
+  return options.single_precision || (options.format && is_always_single(*options.format));
+}
+
+bool WorldMesh::is_closed() const {
+  return std::ranges::all_of(mesh_.faces, [](const Face& face) {
+    return std::ranges::none_of(face.n, [](FaceId g) { return g == kNoId; });
+  });
+}
+
+Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options) {
+  return options.format == MeshFormat::glb ? glb_origin(WorldMesh(mesh, {})) : Vec3{};
 }
 
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
   std::vector<Vec3> points = mesh.world_points();
   const bool single = writes_single_precision(options);
-  for (Vec3& p : points) {
-    for (int axis = 0; single && axis < 3; ++axis) p[axis] = static_cast<float>(p[axis]);
-  }
+  const Vec3 origin = written_origin(mesh, options);
+  for (Vec3& p : points) p = single ? to_float(p - origin) : p - origin;
   return points;
 }
 
@@ -90,7 +112,17 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
       write_stl(out, world);
       break;
     case MeshFormat::vtp:
-      write_vtp(out, world, options.single_precision);
+      write_vtp(out, world, options);
+      break;
+    case MeshFormat::glb:
+      write_glb(out, world, options);
+      break;
+    case MeshFormat::three_mf:
+      write_3mf(out, world, options.single_precision);
+      break;
+    case MeshFormat::smesh:
+    case MeshFormat::poly:
+      write_tetgen(out, world, options, format == MeshFormat::poly);
       break;
   }
   out.commit();

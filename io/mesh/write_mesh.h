@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Writes a triangle mesh as PLY, OFF, OBJ, STL or VTP.
+// Writes a triangle mesh as PLY, OFF, OBJ, STL, VTP, glTF, 3MF, or for TetGen.
 //
 // The same mesh gives the same bytes on every machine. Numbers in text are the shortest that read
 // back the same, in any locale. Binary is little endian. Files contain no time or place. They
 // appear whole or not at all (io/files/atomic_file.h); `-` is standard output.
 //
-// A comment is one line at the head of the file: PLY `comment`, OFF and OBJ `#`, an XML comment in
-// VTP. In STL it follows the title, if the 80 bytes suffice. Bytes that one of these formats does
-// not allow are written as `?`: all but printable ASCII, `\`, a second `-` in a row.
+// A comment is one line at the head of the file: PLY `comment`, an XML comment in VTP and 3MF,
+// `extras` of the asset in glTF, else `#`. In STL it follows the title, if the 80 bytes suffice.
+// Bytes that one of these formats does not allow are written as `?`: all but printable ASCII, `\`,
+// a second `-` in a row.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,26 +29,61 @@ enum class MeshFormat : std::uint8_t {
   obj,  // text, Wavefront's
   stl,  // binary: single precision triangles with normals, no sharing of vertices
   vtp,  // VTK XML PolyData with raw appended arrays, for ParaView and Slicer
+  // Written, not read:
+  glb,       // glTF 2.0, binary: single precision, for web pages and modelers
+  three_mf,  // 3MF: a zip archive of XML, for printers
+  smesh,     // text for TetGen, one line a facet
+  poly,      // text for TetGen, two lines a facet
 };
+
+constexpr bool is_read(MeshFormat format) {
+  return format <= MeshFormat::vtp;
+}
+// True if coordinates are float whatever is asked.
+constexpr bool is_always_single(MeshFormat format) {
+  return format == MeshFormat::stl || format == MeshFormat::glb;
+}
+constexpr bool holds_attributes(MeshFormat format) {
+  return format == MeshFormat::ply || format == MeshFormat::vtp || format == MeshFormat::glb;
+}
 
 // Returns the format of the ending of `path`, in upper or lower case. For another ending throws an
 // InputError that lists the endings.
 MeshFormat mesh_format_of(std::string_view path);
+// The same for formats that are read.
+MeshFormat readable_format_of(std::string_view path);
+
+// Values of vertices and facets, in the order of the mesh. PLY and VTP hold them as they are. glTF
+// has no values of facets: a vertex gets the component of its facets and their largest distance,
+// and caps are a primitive of their own.
+struct MeshAttributes {
+  std::vector<std::array<float, 3>> normals;  // per vertex: unit, in the world
+  std::vector<std::uint32_t> component;       // per facet, counted from 0
+  std::vector<float> distance;                // per facet
+};
 
 struct MeshWriteOptions {
   std::optional<MeshFormat> format{};  // absent: by the path's ending, PLY on standard output
-  bool single_precision = false;       // coordinates as float instead of double (STL always is)
+  bool single_precision = false;       // coordinates as float instead of double (STL, glTF: always)
   bool ascii = false;                  // PLY only
   bool sync = false;                   // wait until the bytes are on the medium
   std::string comment{};               // empty: none
   // PLY only, for a part of a mesh: an element `seam` after the facets.
   std::vector<SeamVertex> seam{};
+  // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF
+  // mark them if there are attributes. Absent: no caps were asked for.
+  std::optional<std::size_t> first_cap{};
+  std::optional<MeshAttributes> attributes{};  // pre: holds_attributes()
 };
 
-// True if coordinates are rounded to float: with single_precision, and in STL. pre: options.format.
-bool writes_single_precision(const MeshWriteOptions& options);
-// Returns the points as the file will have them: in the world, rounded if it rounds. pre:
+// True if coordinates are rounded to float: with single_precision, in STL and in glTF. pre:
 // options.format.
+bool writes_single_precision(const MeshWriteOptions& options);
+// Returns the point of the world that coordinates are relative to: in glTF the mesh's middle. pre:
+// options.format.
+Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options);
+// Returns the points as the file will have them: in the world, relative to written_origin(),
+// rounded if it rounds. pre: options.format.
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // A part as its file has it; the facets are not linked.
@@ -58,8 +95,8 @@ struct PartMesh {
 PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS, in VTP as
-// field data for 3D Slicer, in OFF not at all. Throws InputError on an unknown ending and on every
-// fault of the file system.
+// field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and
+// on every fault of the file system.
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 }  // namespace deliso

@@ -15,8 +15,13 @@ PlyWriter::PlyWriter(AtomicFile& out, const PlyHeader& header) : out_(out), head
   for (const char* axis : {"x", "y", "z"}) {
     out.write(text("property ", header.single_precision ? "float" : "double", " ", axis, "\n"));
   }
+  if (header.attributes) out.write("property float nx\nproperty float ny\nproperty float nz\n");
   out.write(text("element face ", header.facets, "\n"));
   out.write("property list uchar int vertex_indices\n");
+  if (header.attributes) {
+    out.write("property int component\nproperty float distance\n");
+    if (header.first_cap) out.write("property uchar cap\n");
+  }
   if (!header.seam.empty()) {
     out.write(text("element seam ", header.seam.size(), "\n"));
     for (const char* name : kSeamProperties) out.write(text("property int ", name, "\n"));
@@ -24,24 +29,33 @@ PlyWriter::PlyWriter(AtomicFile& out, const PlyHeader& header) : out_(out), head
   out.write("end_header\n");
 }
 
+template <class T>
+void PlyWriter::put(T value, bool last) {
+  header_.ascii ? put_text(out_, value, last ? '\n' : ' ') : put_binary(out_, value);
+}
+
 void PlyWriter::vertex(const Vec3& p) {
+  const MeshAttributes* attributes = header_.attributes;
   for (int axis = 0; axis < 3; ++axis) {
-    const char after = axis == 2 ? '\n' : ' ';
-    const auto put = [&](auto value) {
-      header_.ascii ? put_text(out_, value, after) : put_binary(out_, value);
-    };
-    header_.single_precision ? put(static_cast<float>(p[axis])) : put(p[axis]);
+    const bool last = axis == 2 && !attributes;
+    header_.single_precision ? put(static_cast<float>(p[axis]), last) : put(p[axis], last);
   }
+  if (!attributes) return;
+  const auto& [x, y, z] = attributes->normals[next_vertex_++];
+  put(x, false);
+  put(y, false);
+  put(z, true);
 }
 
 void PlyWriter::facet(const Triangle& t) {
-  if (header_.ascii) {
-    out_.write("3 ");
-    for (int i = 0; i < 3; ++i) put_text(out_, t[i].number(), i == 2 ? '\n' : ' ');
-  } else {
-    put_binary(out_, std::uint8_t{3});
-    for (const VertexId v : t) put_binary(out_, v.number());
-  }
+  const MeshAttributes* attributes = header_.attributes;
+  put(std::uint8_t{3}, false);
+  for (int i = 0; i < 3; ++i) put(t[i].number(), i == 2 && !attributes);
+  if (!attributes) return;
+  const std::size_t f = next_facet_++;
+  put(attributes->component[f], false);
+  put(attributes->distance[f], !header_.first_cap);
+  if (header_.first_cap) put(std::uint8_t{f >= *header_.first_cap}, true);
 }
 
 void PlyWriter::finish() {
@@ -55,9 +69,14 @@ void PlyWriter::finish() {
 }
 
 void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
-  PlyHeader header{
-      {"DelIso" + mesh.space_note()}, mesh.vertex_count(), mesh.face_count(), options.seam,
-      options.single_precision,       options.ascii};
+  PlyHeader header{{"DelIso" + mesh.space_note()},
+                   mesh.vertex_count(),
+                   mesh.face_count(),
+                   options.seam,
+                   options.single_precision,
+                   options.ascii,
+                   options.attributes ? &*options.attributes : nullptr,
+                   options.first_cap};
   const std::string comment = mesh.comment_line("", "");
   if (!comment.empty()) header.comments.push_back(comment);
   PlyWriter writer(out, header);

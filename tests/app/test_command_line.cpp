@@ -539,17 +539,30 @@ TEST_CASE("a bad view, size, zoom or plane is refused in one line that quotes it
 }
 
 TEST_CASE("every format is chosen by its name and by its ending") {
-  const std::pair<std::string, MeshFormat> formats[] = {{"ply", MeshFormat::ply},
-                                                        {"off", MeshFormat::off},
-                                                        {"obj", MeshFormat::obj},
-                                                        {"stl", MeshFormat::stl},
-                                                        {"vtp", MeshFormat::vtp}};
+  const std::pair<std::string, MeshFormat> formats[] = {
+      {"ply", MeshFormat::ply},      {"off", MeshFormat::off},     {"obj", MeshFormat::obj},
+      {"stl", MeshFormat::stl},      {"vtp", MeshFormat::vtp},     {"glb", MeshFormat::glb},
+      {"3mf", MeshFormat::three_mf}, {"smesh", MeshFormat::smesh}, {"poly", MeshFormat::poly}};
   for (const auto& [name, format] : formats) {
     CHECK(parse({"a", "--iso", "1", "-o", "m." + name}).write.format == format);
     CHECK(parse({"a", "--iso", "1", "-o", "-", "--format", name}).write.format == format);
     CHECK(parse({"a", "--iso", "1", "-o", "m.ply", "--format", name}).write.format == format);
   }
   CHECK(parse({"a", "--iso", "1", "-o", "-"}).write.format == MeshFormat::ply);
+}
+
+TEST_CASE("--attributes is for formats that hold them, and for whole meshes") {
+  for (const std::string out : {"m.ply", "m.vtp", "m.glb", "-"}) {
+    CHECK(parse({"a", "--iso", "1", "--attributes", "-o", out}).attributes);
+  }
+  CHECK_FALSE(parse({"a", "--iso", "1", "-o", "m.ply"}).attributes);
+  const char* refused = "--attributes needs PLY, VTP or GLB output";
+  for (const std::string out : {"m.off", "m.obj", "m.stl", "m.3mf", "m.smesh", "m.poly"}) {
+    CHECK(refusal({"a", "--iso", "1", "--attributes", "-o", out}) == refused);
+  }
+  CHECK(refusal({"a", "--iso", "1", "--attributes"}) == refused);
+  CHECK(refusal({"a", "--iso", "1", "--attributes", "-o", "m.ply", "--block", "0,0,0/1,1,1"}) ==
+        "--block and --attributes exclude each other");
 }
 
 TEST_CASE("help and version win over everything after them, and need no input") {

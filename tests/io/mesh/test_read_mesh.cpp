@@ -496,7 +496,10 @@ TEST_CASE("missing and unreadable files are refused") {
   write_bytes(folder / "a.stl", "solid");
   CHECK(error(folder / "a.stl") ==
         text("'", folder / "a.stl", "' line 1: the file ends before 'endsolid'"));
-  CHECK(error("a.xyz") == "'a.xyz' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
+  CHECK(error("a.xyz") ==
+        "'a.xyz' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
+  CHECK(error("a.glb") ==
+        "'a.glb' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
 }
 
 TEST_CASE("every truncation of a binary PLY is noticed, of the others most") {

@@ -3,7 +3,6 @@
 // locale, and a fault leaves no file.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <clocale>
 #include <cmath>
 #include <cstring>
@@ -12,55 +11,22 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
-#include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
-#include "io/mesh/write_mesh.h"
-#include "mesh/meshes.h"
+#include "io/mesh/written_mesh.h"
 
 using namespace deliso;
 using namespace deliso::test;
 
 namespace {
 
-constexpr MeshFormat kFormats[] = {MeshFormat::ply, MeshFormat::off, MeshFormat::obj,
-                                   MeshFormat::stl, MeshFormat::vtp};
-
-std::string written(const TriMesh& mesh, MeshWriteOptions options) {
-  const TemporaryFolder folder;
-  write_mesh(mesh, folder / "mesh", options);
-  return file_bytes(folder / "mesh");
-}
+constexpr MeshFormat kFormats[] = {MeshFormat::ply,      MeshFormat::off,   MeshFormat::obj,
+                                   MeshFormat::stl,      MeshFormat::vtp,   MeshFormat::glb,
+                                   MeshFormat::three_mf, MeshFormat::smesh, MeshFormat::poly};
 
 // Numbers that show the shortest form. The frame, even the plain one, makes -0 a 0.
 TriMesh triangle() {
   return make_tri_mesh({{0.1, -0.0, 1e300}, {1.0 / 3, 2, 1e-7}, {-5, 123456789, 0.5}},
                        Triangles{{0, 1, 2}});
-}
-
-TriMesh random_sphere(std::uint64_t seed) {
-  RandomMesh source(octahedron(), seed);
-  for (int i = 0; i < 40; ++i) source.change();
-  TriMesh mesh = source.mesh();
-  for (Vec3& p : mesh.points) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] = source.random().uniform(-100, 100);
-  }
-  return mesh;
-}
-
-// Little endian, from the bytes themselves.
-template <class T>
-T number_at(const std::string& bytes, std::size_t at) {
-  REQUIRE(at + sizeof(T) <= bytes.size());
-  std::uint64_t bits = 0;
-  for (std::size_t i = sizeof(T); i-- > 0;) {
-    bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
-  }
-  if constexpr (std::is_same_v<T, float>)
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-  else if constexpr (std::is_same_v<T, double>)
-    return std::bit_cast<double>(bits);
-  else
-    return static_cast<T>(bits);
 }
 
 // The number behind `key` in text.
@@ -91,6 +57,12 @@ TEST_CASE("the text formats") {
         "OFF\n3 1 0\n0.1 0 1e+300\n0.3333333333333333 2 1e-07\n-5 123456789 0.5\n3 0 1 2\n");
   CHECK(written(triangle(), {.format = MeshFormat::obj}) ==
         "# DelIso\nv 0.1 0 1e+300\nv 0.3333333333333333 2 1e-07\nv -5 123456789 0.5\nf 1 2 3\n");
+  CHECK(written(triangle(), {.format = MeshFormat::smesh}) ==
+        "# DelIso\n3 3 0 0\n0 0.1 0 1e+300\n1 0.3333333333333333 2 1e-07\n2 -5 123456789 0.5\n"
+        "1 1\n3 0 1 2 1\n0\n0\n");
+  CHECK(written(triangle(), {.format = MeshFormat::poly, .comment = "a", .first_cap = 0}) ==
+        "# DelIso\n# a\n3 3 0 0\n0 0.1 0 1e+300\n1 0.3333333333333333 2 1e-07\n"
+        "2 -5 123456789 0.5\n1 1\n1 0 2\n3 0 1 2\n0\n0\n");
   TriMesh small = triangle();
   small.points[0].z = 1e30;
   CHECK(written(small, {.format = MeshFormat::obj, .single_precision = true}) ==
@@ -200,6 +172,64 @@ TEST_CASE("VTP: each array is at its offset in the XML, after its size") {
   }
 }
 
+TEST_CASE("PLY holds values of vertices and facets, as text and as bytes") {
+  const TriMesh mesh = mesh_of(tetrahedron());
+  MeshWriteOptions options = with_attributes(mesh, MeshFormat::ply);
+  options.ascii = true;
+  CHECK(written(mesh, options) ==
+        "ply\nformat ascii 1.0\ncomment DelIso\nelement vertex 4\nproperty double x\n"
+        "property double y\nproperty double z\nproperty float nx\nproperty float ny\n"
+        "property float nz\nelement face 4\nproperty list uchar int vertex_indices\n"
+        "property int component\nproperty float distance\nproperty uchar cap\nend_header\n"
+        "0 0 0 0 0.5 0\n1 1 1 1 -0.5 0.1\n2 4 8 2 -1.5 0.2\n3 9 27 3 -2.5 0.3\n"
+        "3 0 2 1 0 0 0\n3 0 1 3 0 0.1 0\n3 1 2 3 1 0.2 0\n3 2 0 3 1 0.3 1\n");
+  options.first_cap.reset();
+  CHECK(written(mesh, options).find("uchar cap") == std::string::npos);
+  CHECK(written(mesh, options).ends_with("3 2 0 3 1 0.3\n"));
+
+  options = with_attributes(mesh, MeshFormat::ply);
+  const std::string bytes = written(mesh, options);
+  const std::size_t begin = bytes.find("end_header\n") + 11, vertex = 3 * 8 + 3 * 4;
+  const std::size_t facets = begin + 4 * vertex, facet = 1 + 3 * 4 + 4 + 4 + 1;
+  REQUIRE(bytes.size() == facets + 4 * facet);
+  CHECK(number_at<float>(bytes, begin + 2 * vertex + 24 + 4) == -1.5f);
+  CHECK(number_at<std::uint32_t>(bytes, facets + 2 * facet + 13) == 1);
+  CHECK(number_at<float>(bytes, facets + 3 * facet + 17) == 0.1f * 3);
+  CHECK(bytes[facets + 2 * facet + 21] == 0);
+  CHECK(bytes[facets + 3 * facet + 21] == 1);
+  CHECK(parse_mesh(bytes, MeshFormat::ply, "m").points == mesh.points);
+}
+
+TEST_CASE("VTP holds values of vertices and facets as its point and cell data") {
+  const TriMesh mesh = mesh_of(tetrahedron());
+  MeshWriteOptions options = with_attributes(mesh, MeshFormat::vtp);
+  const std::string bytes = written(mesh, options);
+  const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+  const std::size_t data = bytes.find(mark) + mark.size();
+  const auto array = [&](const std::string& name, std::size_t size) {
+    const std::size_t at = data + attribute(bytes, "offset", bytes.find("Name=\"" + name + "\""));
+    CHECK(number_at<std::uint64_t>(bytes, at) == size);
+    return at + 8;
+  };
+  const std::size_t normals = array("Normals", 48), components = array("component", 16);
+  const std::size_t distances = array("distance", 16), caps = array("cap", 4);
+  for (std::size_t n = 0; n < 4; ++n) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      CHECK(number_at<float>(bytes, normals + 12 * n + 4 * axis) ==
+            options.attributes->normals[n][axis]);
+    }
+    CHECK(number_at<std::uint32_t>(bytes, components + 4 * n) == n / 2);
+    CHECK(number_at<float>(bytes, distances + 4 * n) == options.attributes->distance[n]);
+    CHECK(bytes[caps + n] == (n >= 3 ? 1 : 0));
+  }
+  CHECK(bytes.substr(caps + 4) == "\n  </AppendedData>\n</VTKFile>\n");
+  const TriMesh read = parse_mesh(bytes, MeshFormat::vtp, "m");
+  CHECK(read.points == mesh.points);
+  CHECK(read.faces[3].v == mesh.faces[3].v);
+  options.first_cap.reset();
+  CHECK(written(mesh, options).find("\"cap\"") == std::string::npos);
+}
+
 TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data; nothing else changes") {
   const TriMesh mesh = random_sphere(3);
   const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
@@ -210,6 +240,7 @@ TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data; nothi
        {"<PolyData>\n",
         "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
         "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n"}},
+      {MeshFormat::smesh, {"# DelIso", "# DelIso SPACE=LPS"}},
       {MeshFormat::off, {"OFF", "OFF"}}};
   for (const auto& [format, change] : heads) {
     const std::string& now = change.second;
@@ -376,17 +407,25 @@ TEST_CASE("the ending decides the format") {
   CHECK(mesh_format_of("a.ply.Vtp") == MeshFormat::vtp);
   CHECK(mesh_format_of("a.stl") == MeshFormat::stl);
   CHECK(mesh_format_of("a.off") == MeshFormat::off);
+  CHECK(mesh_format_of("a.GLB") == MeshFormat::glb);
+  CHECK(mesh_format_of("a.3mf") == MeshFormat::three_mf);
+  CHECK(mesh_format_of("a.smesh") == MeshFormat::smesh);
+  CHECK(mesh_format_of("a.poly") == MeshFormat::poly);
   const TemporaryFolder folder;
   for (const std::string name : {"mesh.plyx", "mesh", "ply", ".ply", "mesh.gz", ""}) {
     CHECK(error_of(name) ==
-          "'" + name + "' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
+          "'" + name +
+              "' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp, .glb, .3mf, "
+              ".smesh, .poly)");
   }
 }
 
 TEST_CASE(
     "every fault of the file system, in every format: one line, nothing left, old file kept") {
   const TemporaryFolder folder;
-  for (const std::string ending : {".ply", ".off", ".obj", ".stl", ".vtp"}) {
+  const std::string endings[] = {".ply", ".off", ".obj",   ".stl", ".vtp",
+                                 ".glb", ".3mf", ".smesh", ".poly"};
+  for (const std::string& ending : endings) {
     CHECK(error_of(folder / ("absent/mesh" + ending)) ==
           "cannot write '" + (folder / ("absent/mesh" + ending)) + "': No such file or directory");
     std::filesystem::create_directory(folder / ("folder" + ending));
@@ -396,5 +435,5 @@ TEST_CASE(
     CHECK(error_of(folder / ("full" + ending)) ==
           "cannot write '" + (folder / ("full" + ending)) + "': No space left on device");
   }
-  CHECK(folder.file_count() == 10);
+  CHECK(folder.file_count() == 2 * std::size(endings));
 }

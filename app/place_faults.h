@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Faults of a mesh that depend on where exactly its vertices are, so that rounding can make them;
+// and a rounding that avoids them.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace deliso {
+
+struct PlaceFaults {
+  std::size_t crossings = 0;   // pairs of triangles; of count_crossings()
+  std::size_t flat = 0;        // triangles without area
+  std::size_t coincident = 0;  // vertices at the position of one with a smaller id
+
+  std::size_t count() const { return crossings + flat + coincident; }
+  // Returns how many more there are than in `others`, of each kind.
+  PlaceFaults beyond(const PlaceFaults& others) const;
+};
+
+// Counts the faults. `where`, if given, receives the vertices that have a part in one, ascending.
+PlaceFaults find_place_faults(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                              int threads, std::vector<VertexId>* where = nullptr);
+
+// Returns what rounding made, "2 pairs of triangles cross, 1 triangle flat", of the kinds that
+// there are.
+std::string place_faults_text(const PlaceFaults& faults);
+
+// Returns the points rounded to floats. Vertices in faults of the nearest floats take others of the
+// eight floats around them if that leaves fewer faults. Four rounds over these vertices; none while
+// there are more than kMostMended.
+inline constexpr std::size_t kMostMended = 256;
+std::vector<Vec3> round_without_faults(const std::vector<Vec3>& exact,
+                                       std::span<const Triangle> triangles, int threads);
+
+}  // namespace deliso

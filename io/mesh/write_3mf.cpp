@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// 3MF (3D Manufacturing Format, core specification): a zip archive of three parts. The first two
+// say where the third is, the mesh as XML. Numbers are text, so they keep double precision. The
+// unit is the millimeter, which slicing programs take for every file without one.
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/check.h"
+#include "base/text.h"
+#include "io/files/checksum.h"
+#include "io/files/deflate.h"
+#include "io/mesh/mesh_formats.h"
+
+namespace deliso {
+namespace {
+
+// A zip archive (APPNOTE 6.3) of deflated parts, written in one go: a part's sizes and checksum
+// follow its data. The time of all parts is that at which DOS begins.
+class ZipWriter {
+ public:
+  explicit ZipWriter(AtomicFile& out) : out_(out) {}
+
+  void begin(std::string name) {
+    parts_.push_back({std::move(name), position_});
+    put32(0x04034b50);
+    put_common(parts_.back(), kSizesFollow);
+    put(parts_.back().name);
+    data_begins_ = position_;
+  }
+  // Adds bytes to the part that was begun.
+  void write(std::string_view bytes) {
+    text_ += bytes;
+    if (text_.size() >= kPiece) deflate_text();
+  }
+  void end() {
+    deflate_text();
+    std::string rest = stream_.finish();
+    rest.resize(rest.size() - kAdlerSize);
+    put_deflated(rest);
+    stream_ = {};
+    begun_ = false;
+    Part& part = parts_.back();
+    part.packed_size = position_ - data_begins_;
+    if (part.size > kMost || position_ > kMost) {
+      throw InputError(
+          text("cannot write '", out_.path(), "': more than the 4 GiB that 3MF holds here"));
+    }
+    put32(0x08074b50);
+    put_sums(part);
+  }
+  void finish() {
+    const std::uint64_t directory = position_;
+    for (const Part& part : parts_) {
+      put32(0x02014b50);
+      put16(kVersion);
+      put_common(part, kSizesFollow);
+      put16(0);  // size of the comment
+      put16(0);  // disk
+      put16(0);
+      put32(0);  // attributes
+      put32(static_cast<std::uint32_t>(part.at));
+      put(part.name);
+    }
+    const std::uint64_t directory_size = position_ - directory;
+    const auto count = static_cast<std::uint16_t>(parts_.size());
+    put32(0x06054b50);
+    put32(0);  // disks
+    put16(count);
+    put16(count);
+    put32(static_cast<std::uint32_t>(directory_size));
+    put32(static_cast<std::uint32_t>(directory));
+    put16(0);  // size of the comment
+  }
+
+ private:
+  struct Part {
+    std::string name;
+    std::uint64_t at = 0, size = 0, packed_size = 0;
+    std::uint32_t sum = 0;
+  };
+  static constexpr std::size_t kPiece = std::size_t{1} << 16;
+  // Of the zlib stream around deflated data.
+  static constexpr std::size_t kHeadSize = 2, kAdlerSize = 4;
+  static constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint16_t kVersion = 20, kSizesFollow = 8, kDeflated = 8, kDay = 0x21;
+
+  void put(std::string_view bytes) {
+    out_.write(bytes);
+    position_ += bytes.size();
+  }
+  void put16(std::uint16_t value) {
+    put_binary(out_, value);
+    position_ += sizeof value;
+  }
+  void put32(std::uint32_t value) {
+    put_binary(out_, value);
+    position_ += sizeof value;
+  }
+  void put_sums(const Part& part) {
+    put32(part.sum);
+    put32(static_cast<std::uint32_t>(part.packed_size));
+    put32(static_cast<std::uint32_t>(part.size));
+  }
+  // Writes the fields that a part's header and its entry in the directory have in common. They are
+  // 0 in the header where the part is not known yet.
+  void put_common(const Part& part, std::uint16_t flags) {
+    put16(kVersion);
+    put16(flags);
+    put16(kDeflated);
+    put16(0);  // time
+    put16(kDay);
+    put_sums(part);
+    put16(static_cast<std::uint16_t>(part.name.size()));
+    put16(0);  // size of the extra field
+  }
+  void put_deflated(std::string_view data) {
+    if (!begun_ && !data.empty()) {
+      data.remove_prefix(kHeadSize);
+      begun_ = true;
+    }
+    put(data);
+  }
+  void deflate_text() {
+    Part& part = parts_.back();
+    part.sum = crc32(std::as_bytes(std::span(text_)), part.sum);
+    part.size += text_.size();
+    put_deflated(stream_.add(text_));
+    text_.clear();
+  }
+
+  AtomicFile& out_;
+  std::vector<Part> parts_;
+  ZlibStream stream_;
+  std::string text_;    // of the part, not yet deflated
+  bool begun_ = false;  // data of the part was written
+  std::uint64_t position_ = 0, data_begins_ = 0;
+};
+
+constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+
+void write_vertices(ZipWriter& zip, const WorldMesh& mesh, bool single_precision) {
+  constexpr std::string_view kBefore[] = {"<vertex x=\"", "y=\"", "z=\""};
+  zip.write("<vertices>\n");
+  for_each_coordinate(mesh, single_precision, [&](auto value, int axis) {
+    zip.write(kBefore[axis]);
+    put_text(zip, value, '"');
+    zip.write(axis == 2 ? "/>\n" : " ");
+  });
+  zip.write("</vertices>\n");
+}
+
+void write_triangles(ZipWriter& zip, const WorldMesh& mesh) {
+  constexpr std::string_view kBefore[] = {"<triangle v1=\"", "v2=\"", "v3=\""};
+  zip.write("<triangles>\n");
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const Triangle t = mesh.triangle(f);
+    for (int i = 0; i < 3; ++i) {
+      zip.write(kBefore[i]);
+      put_text(zip, t[i].number(), '"');
+      zip.write(i == 2 ? "/>\n" : " ");
+    }
+  }
+  zip.write("</triangles>\n");
+}
+
+}  // namespace
+
+void write_3mf(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
+  ZipWriter zip(out);
+  zip.begin("[Content_Types].xml");
+  zip.write(kXml);
+  zip.write(R"(<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)");
+  zip.end();
+  zip.begin("_rels/.rels");
+  zip.write(kXml);
+  zip.write(R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Id="model" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)");
+  zip.end();
+  zip.begin("3D/3dmodel.model");
+  zip.write(kXml);
+  zip.write(mesh.comment_line("<!-- ", " -->\n"));
+  zip.write(
+      R"(<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<metadata name="Application">DelIso</metadata>
+<resources>
+)");
+  // An object without triangles is not allowed; only a closed one is a solid, a "model".
+  const bool empty = mesh.face_count() == 0;
+  if (!empty) {
+    zip.write(mesh.is_closed() ? "<object id=\"1\" type=\"model\">\n<mesh>\n"
+                               : "<object id=\"1\" type=\"surface\">\n<mesh>\n");
+    write_vertices(zip, mesh, single_precision);
+    write_triangles(zip, mesh);
+    zip.write("</mesh>\n</object>\n");
+  }
+  zip.write("</resources>\n<build>\n");
+  if (!empty) zip.write("<item objectid=\"1\"/>\n");
+  zip.write("</build>\n</model>\n");
+  zip.end();
+  zip.finish();
+}
+
+}  // namespace deliso
