@@ -30,7 +30,8 @@ struct Solid {
 
 // `make`: mesh_isosurface(), or a substitute.
 inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
-                      decltype(mesh_isosurface)& make = mesh_isosurface) {
+                      TriMesh (&make)(const Volume&, double, const Options&,
+                                      Report&) = mesh_isosurface) {
   Solid solid;
   options.cap = true;
   solid.mesh = make(volume, kappa, options, solid.report);
