@@ -96,7 +96,9 @@ CommandLine parse(std::vector<std::string> inputs, double isovalue, const char* 
       "iso",  "output", "format", "json", "quiet",   "verbose", "roi",  "block",
       "type", "array",  "dims",   "skip", "spacing", "endian",  "help", "version"};
   std::vector<std::string> words = std::move(inputs);
-  if (!std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
+  bool of_labels = false;
+  for (auto at = options; at && *at; ++at) of_labels |= std::string_view(*at).starts_with("label=");
+  if (!of_labels || !std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
   for (; options && *options; ++options) {
     const std::string_view option = *options, name = option.substr(0, option.find('='));
     if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) {

@@ -13,6 +13,7 @@ that the program `deliso` makes of the array saved by numpy.save, to the byte.
 
 import ctypes
 import json
+import math
 import os
 import pathlib
 import sys
@@ -249,11 +250,16 @@ class _MeshHandle(ctypes.c_void_p):
             free(self)
 
 
-def mesh(array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options):
+def _level(isovalue):
+    return math.nan if isovalue is None else float(isovalue)
+
+
+def mesh(array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options):
     """Meshes the surface on which the interpolated samples are `isovalue`. Returns a Mesh.
 
     array     three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers become
               float64. It must not change meanwhile.
+    isovalue  left out with label=1 or label="1,4", which meshes labels of a segmentation
     spacing   distance between samples along x, y, z
     origin    place of array[0, 0, 0]: x, y, z
     progress  True draws a line on standard error; a function is called with (stage, share)
@@ -268,7 +274,7 @@ def mesh(array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False
     status = _watched(
         lambda watch: _ok(
             _library.deliso_mesh_create(
-                volume.handle, float(isovalue), words, watch, ctypes.byref(handle)
+                volume.handle, _level(isovalue), words, watch, ctypes.byref(handle)
             )
         ),
         progress,
@@ -279,7 +285,7 @@ def mesh(array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False
 
 
 def check(
-    mesh, array, isovalue, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options
+    mesh, array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options
 ):
     """Compares a mesh with the exact surface. Returns the program's report (--json) as a dict.
 
@@ -294,7 +300,7 @@ def check(
     _watched(
         lambda watch: _ok(
             _library.deliso_check(
-                mesh._handle, volume.handle, float(isovalue), words, watch, ctypes.byref(text)
+                mesh._handle, volume.handle, _level(isovalue), words, watch, ctypes.byref(text)
             )
         ),
         progress,

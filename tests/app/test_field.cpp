@@ -79,17 +79,17 @@ struct Balls {
 
 }  // namespace
 
-TEST_CASE("a world length is another number of samples on each axis, and vox the shortest side") {
+TEST_CASE("a world length is another number of samples on each axis, and vox the side of a cube") {
   std::vector<float> samples;
   for (int n = 0; n < 12 * 12 * 12; ++n) samples.push_back(static_cast<float>(n * n % 97));
-  const Volume volume = Volume::from_samples({12, 12, 12}, {0.5, 1, 2}, samples);
+  const Volume volume = Volume::from_samples({12, 12, 12}, {0.5, 1, 4}, samples);
   FieldOptions options;
   options.smooth = {1, Length::Unit::world};
   const Field world = make_field(volume, options, {}, "v", 2);
-  CHECK(world.sigma == Vec3{2, 1, 0.5});
-  CHECK(world.sigma_voxels == 2);
-  CHECK(same_samples(world.volume, gaussian(volume, {2, 1, 0.5})));
-  options.smooth = {2, Length::Unit::voxel};
+  CHECK(world.sigma == Vec3{2, 1, 0.25});
+  CHECK(world.sigma_voxels == doctest::Approx(1 / std::cbrt(2)));
+  CHECK(same_samples(world.volume, gaussian(volume, {2, 1, 0.25})));
+  options.smooth = {1 / volume.voxel(), Length::Unit::voxel};
   CHECK(same_samples(world.volume, make_field(volume, options, {}, "v", 1).volume));
   CHECK(world.is_filtered());
   CHECK_FALSE(make_field(volume, {}, {}, "v", 1).is_filtered());

@@ -127,6 +127,22 @@ class TestMesh(unittest.TestCase):
         torn = deliso.check((m.vertices, m.triangles[1:]), field(), 10.25)
         self.assertNotEqual(torn["check"]["faults"], {})
 
+    def test_labels_and_smoothing(self):
+        z, y, x = numpy.mgrid[-1:1:30j, -1:1:30j, -1:1:30j]
+        labels = numpy.zeros((30, 30, 30), numpy.uint8)
+        labels[(x + 0.4) ** 2 + y**2 + z**2 < 0.2] = 1
+        labels[(x - 0.4) ** 2 + y**2 + z**2 < 0.2] = 4
+        for label in (1, "1,4"):
+            m = deliso.mesh(labels, label=label, spacing=(1, 1, 2))
+            self.assertEqual(m.report["mesh"]["topology_exact"], True)
+            self.assertEqual(deliso.check(m, labels, label=label, spacing=(1, 1, 2))["check"]["faults"], {})
+        for options in ({"label": "all"}, {}):
+            with self.assertRaises(deliso.Error):
+                deliso.mesh(labels, **options)
+        rough = deliso.mesh(labels, 0.5)
+        smooth = deliso.mesh(labels, 0.5, smooth="1vox")
+        self.assertLess(len(smooth.vertices), len(rough.vertices))
+
     def test_errors_are_the_lines_of_the_program(self):
         for options, more in [
             ({"max_distance": "far"}, ["--max-distance", "far"]),

@@ -10,7 +10,7 @@ namespace deliso {
 namespace {
 
 // Shares of the light where nothing is seen of the sky. Colors with a meaning are darkened less.
-constexpr double kDarkest = 0.25, kDarkestColored = 0.6;
+constexpr double kDarkest = 0.4, kDarkestColored = 0.6;
 
 Vec3 unit(const Vec3& v) {
   const double size = length(v);
