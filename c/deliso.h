@@ -95,8 +95,8 @@ DELISO_API void deliso_volume_free(deliso_volume* volume); /* null is allowed */
 /* Meshes the surface on which the volume's interpolant has the isovalue. `options` are texts
  * "name=value", or "name" for switches, with a null after the last: those of the program's mesh
  * command without the two dashes. Options about files have no meaning here. `options` and `watch`
- * may be null. With the option "label=L" the isovalue is NaN. After DELISO_OK and DELISO_FAULT the caller owns the mesh; it does not need the
- * volume. */
+ * may be null. With the option "label=L" the isovalue is NaN. After DELISO_OK and DELISO_FAULT the
+ * caller owns the mesh; it does not need the volume. */
 DELISO_API deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
                                             const char* const* options, const deliso_watch* watch,
                                             deliso_mesh** mesh);
