@@ -91,7 +91,7 @@ class DicomParser {
   struct Element {
     std::size_t at = 0;  // of the tag
     std::uint32_t tag = 0;
-    std::string_view vr = "";
+    std::string_view vr;
     std::size_t length = 0;
     bool undefined = false;  // the length
   };

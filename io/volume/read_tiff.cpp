@@ -470,7 +470,7 @@ Volume read_tiff(const VolumeInput& input) {
   const std::optional<std::uint64_t> begin = find_samples(input, tiff);
   if (has_hidden_pages && !begin)
     fail(input.name(), "has one page, and ImageJ's others are not behind it");
-  const auto volume = [&] {
+  auto volume = [&] {
     if (begin) {
       const std::uint64_t size = data_size(grid);
       const Bytes data = input.bytes.from(*begin);
