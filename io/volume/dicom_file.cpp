@@ -107,7 +107,8 @@ class DicomParser {
 
   // Reads the tag and the length of the element at at_, and moves to its value.
   Element next(std::size_t end) {
-    Element element{.at = at_};
+    Element element;
+    element.at = at_;
     const auto advance = [&](std::size_t count) {
       if (end - at_ < count) fail_damaged(element.at);
       at_ += count;
