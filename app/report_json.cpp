@@ -121,10 +121,10 @@ std::string report_json(const MeshRun& run) {
   add_searches(json, "searches_refine", report.searches_refine);
   json.add("max_distance", report.max_distance);
   json.add("largest_h", report.largest_h);
-  json.open("rungs");
-  for (std::size_t r = 0; r < kRungs; ++r) {
-    const RungCounts& counts = report.rungs[r];
-    json.open(name_of(static_cast<Rung>(r)));
+  json.open("operations");
+  for (std::size_t r = 0; r < kOperations; ++r) {
+    const OperationCounts& counts = report.operations[r];
+    json.open(name_of(static_cast<Operation>(r)));
     json.add("done", counts.done);
     for (std::size_t n = 0; n < kRefusals; ++n) {
       json.add(name_of(static_cast<Refusal>(n)), counts.refused[n]);

@@ -92,10 +92,10 @@ void append_stages(std::string& text, const MeshRun& run) {
 }
 
 // Returns the operations of Stage 2, and the numbers refused by each test.
-void append_rungs(std::string& text, const Report& report) {
-  const char* heading = "rungs";
-  for (std::size_t r = 0; r < kRungs; ++r) {
-    const RungCounts& counts = report.rungs[r];
+void append_operations(std::string& text, const Report& report) {
+  const char* heading = "done";
+  for (std::size_t r = 0; r < kOperations; ++r) {
+    const OperationCounts& counts = report.operations[r];
     std::string refused;
     for (std::size_t n = 0; n < kRefusals; ++n) {
       if (counts.refused[n] == 0) continue;
@@ -106,8 +106,8 @@ void append_rungs(std::string& text, const Report& report) {
     }
     if (counts.done == 0 && refused.empty()) continue;
     append_format(text, "%-9s %s: %s%s\n", std::exchange(heading, ""),
-                  std::string(name_of(static_cast<Rung>(r))).c_str(), grouped(counts.done).c_str(),
-                  refused.c_str());
+                  std::string(name_of(static_cast<Operation>(r))).c_str(),
+                  grouped(counts.done).c_str(), refused.c_str());
   }
 }
 
@@ -120,7 +120,7 @@ void append_counters(std::string& text, const Report& report) {
                   std::string(name_of(static_cast<Counter>(n))).c_str(),
                   grouped(report.counters[n]).c_str());
   }
-  append_rungs(text, report);
+  append_operations(text, report);
   if (text.size() == before) text += "counters  nothing refused or unresolved\n";
 }
 

@@ -35,8 +35,8 @@ void add_routines(JsonWriter& json) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(Routine::count_); ++n) {
     add_routine(json, name_of(static_cast<Routine>(n)));
   }
-  for (std::size_t n = 0; n < kRungs; ++n) {
-    add_routine(json, routine_of(static_cast<Rung>(n)));
+  for (std::size_t n = 0; n < kOperations; ++n) {
+    add_routine(json, routine_of(static_cast<Operation>(n)));
   }
   json.close();
 }

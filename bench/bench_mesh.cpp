@@ -88,19 +88,19 @@ class Insertion {
   bool insert(FaceId f) {
     if (is_dead(mesh_.faces[f]) || !recovered_.mesh.duals[f].on_surface) return false;
     const Vec3 p = recovered_.mesh.duals[f].center;
-    return !insert_point(refinement_, Rung::surface_point, f, p);
+    return !insert_point(refinement_, Operation::surface_point, f, p);
   }
 
   // step() is run until it says that it is done.
   template <class F>
   void measure(const char* order, F step) {
-    const RungCounts before = report_[Rung::surface_point];
+    const OperationCounts before = report_[Operation::surface_point];
     const SearchCounters searched = report_.searches_refine;
     const double start = seconds();
     while (step()) {
     }
     const double spent = seconds() - start;
-    const RungCounts& after = report_[Rung::surface_point];
+    const OperationCounts& after = report_[Operation::surface_point];
     const auto done = static_cast<double>(after.done - before.done);
     std::uint64_t refused = 0;
     for (std::size_t r = 0; r < kRefusals; ++r) refused += after.refused[r] - before.refused[r];
@@ -121,7 +121,7 @@ class Insertion {
     }
     std::printf("%-18s %9zu edges       %7.0f ns each  %llu flips\n", "every edge", asked,
                 1e9 * (seconds() - start) / static_cast<double>(asked),
-                static_cast<unsigned long long>(report_[Rung::flip].done));
+                static_cast<unsigned long long>(report_[Operation::flip].done));
   }
 
   Report report_;

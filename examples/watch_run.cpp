@@ -22,13 +22,13 @@
 
 namespace {
 
-// Numbers below the count are routines of Stage 1; then come the rungs of Stage 2, the ways in
+// Numbers below the count are routines of Stage 1; then come the operations of Stage 2, the ways in
 // which it mends a triangle.
 std::string name_of_routine(std::size_t number) {
   constexpr auto count = static_cast<std::size_t>(deliso::Routine::count_);
   return number < count
              ? "Stage 1  " + std::string(name_of(static_cast<deliso::Routine>(number)).name)
-             : "Stage 2  " + std::string(name_of(static_cast<deliso::Rung>(number - count)));
+             : "Stage 2  " + std::string(name_of(static_cast<deliso::Operation>(number - count)));
 }
 
 // Likewise: reasons, and then the criteria.

@@ -22,7 +22,7 @@ void draw_contour(const std::string& folder);
 void draw_stars(const std::string& folder);
 // stages.cpp
 void draw_insert(const std::string& folder);
-void draw_rungs(const std::string& folder);
+void draw_operations(const std::string& folder);
 void draw_boundary(const std::string& folder);
 void draw_checking(const std::string& folder);
 // gates.cpp

@@ -34,7 +34,7 @@ constexpr Figure kFigures[] = {
     {"switch", draw_switch},
     {"insert", draw_insert},
     {"gates", draw_gates},
-    {"rungs", draw_rungs},
+    {"operations", draw_operations},
     {"boundary", draw_boundary},
     {"checking", draw_checking},
     {"fineness", draw_fineness},

@@ -108,7 +108,7 @@ void draw_insert(const std::string& folder) {
   out.frame(plan.panel, "E: whose balls hold p");
 
   Refinement r(s, h.surface, h.recovered.curves, h.parameters, h.report);
-  DELISO_CHECK(!insert_point(r, Rung::surface_point, start, p));
+  DELISO_CHECK(!insert_point(r, Operation::surface_point, start, p));
   plan.panel = panel(514);
   out.clip_to(plan.panel);
   draw_facets(out, plan, s, {r.created().begin(), r.created().end()}, ink::kAbove);
@@ -117,15 +117,15 @@ void draw_insert(const std::string& folder) {
   out.write(folder, "insert");
 }
 
-void draw_rungs(const std::string& folder) {
+void draw_operations(const std::string& folder) {
   const Volume volume = make_builtin_volume("builtin:noise");
   Report report;
   Options options;
   options.threads = 1;
   mesh_isosurface(volume, find_builtin_field("builtin:noise")->isovalue, options, report);
-  constexpr Rung kOperations[] = {
-      Rung::collapse, Rung::surface_point, Rung::foot, Rung::boundary_split,
-      Rung::flip,     Rung::far_point,     Rung::move};
+  constexpr Operation kShown[] = {
+      Operation::collapse, Operation::surface_point, Operation::foot, Operation::boundary_split,
+      Operation::flip,     Operation::far_point,     Operation::move};
   constexpr std::array<const char*, kRefusals> kColors = {
       "#0072b2", "#004b75", "#e69f00", "#cc79a7", "#8c8c00",
       "#56b4e9", "#999999", "#6a3d9a", "#c62828", "#cfd3d9"};
@@ -133,8 +133,8 @@ void draw_rungs(const std::string& folder) {
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
   out.text({kLeft, 26}, "builtin:noise: what was tried, by operation, as shares", Anchor::start, 13,
            ink::kText, true);
-  for (std::size_t row = 0; row < std::size(kOperations); ++row) {
-    const RungCounts& n = report[kOperations[row]];
+  for (std::size_t row = 0; row < std::size(kShown); ++row) {
+    const OperationCounts& n = report[kShown[row]];
     std::uint64_t all = n.done;
     for (const std::uint64_t refused : n.refused) all += refused;
     const double y = kTop + kRow * static_cast<double>(row);
@@ -147,14 +147,14 @@ void draw_rungs(const std::string& folder) {
     };
     bar(n.done, ink::kGreen);
     for (std::size_t r = 0; r < kRefusals; ++r) bar(n.refused[r], kColors[r]);
-    out.text({kLeft - 8, y + 16}, name_of(kOperations[row]), Anchor::end);
+    out.text({kLeft - 8, y + 16}, name_of(kShown[row]), Anchor::end);
     std::string counts;
     append_format(counts, "%llu of %llu", static_cast<unsigned long long>(n.done),
                   static_cast<unsigned long long>(all));
     out.text({kLeft + kWidth + 8, y + 16}, counts);
   }
   double x = 16;
-  double y = kTop + kRow * static_cast<double>(std::size(kOperations)) + 18;
+  double y = kTop + kRow * static_cast<double>(std::size(kShown)) + 18;
   const auto key = [&](std::string_view name, const char* color) {
     if (x > 640) {
       x = 16;
@@ -166,7 +166,7 @@ void draw_rungs(const std::string& folder) {
   };
   key("done", ink::kGreen);
   for (std::size_t r = 0; r < kRefusals; ++r) key(name_of(static_cast<Refusal>(r)), kColors[r]);
-  out.write(folder, "rungs");
+  out.write(folder, "operations");
 }
 
 void draw_boundary(const std::string& folder) {

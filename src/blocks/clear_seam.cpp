@@ -66,7 +66,7 @@ bool merge(Refinement& r, FaceId f, VertexId v, bool at_any_cost) {
     auto refusal = propose_merge(r, f, v, to, at_any_cost ? -1 : kSharpestFold);
     r.change.topology_only = at_any_cost;
     if (!refusal) refusal = merge_vertex(r, v, [] { return true; });
-    if (!r.done(Rung::collapse, refusal)) return true;
+    if (!r.done(Operation::collapse, refusal)) return true;
   }
   return false;
 }

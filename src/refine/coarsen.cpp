@@ -132,7 +132,7 @@ class Coarsening {
              worst_ratio(c.in.facets) <=
                  std::max(r_.parameters.refinement[Criterion::r_over_l], worst_ratio(c.was.facets));
     };
-    if (r_.done(Rung::collapse, merge_vertex(r_, e.from, is_shaped))) return false;
+    if (r_.done(Operation::collapse, merge_vertex(r_, e.from, is_shaped))) return false;
     quadrics_[e.to].add(quadrics_[e.from]);
     facet_[e.from] = kNoId;
     std::vector<VertexId> changed;

@@ -86,7 +86,7 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
     refusal = propose_merge(r, f, from, to);
     if (!refusal) refusal = merge_vertex(r, from, is_better);
-    if (!r.done(Rung::collapse, refusal)) break;
+    if (!r.done(Operation::collapse, refusal)) break;
   }
   return refusal;
 }

@@ -29,7 +29,7 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   };
   auto refusal = r.open_cavity(c);
   if (!refusal) refusal = r.replace(c, is_delaunay);
-  return r.done(Rung::flip, refusal);
+  return r.done(Operation::flip, refusal);
 }
 
 }  // namespace deliso

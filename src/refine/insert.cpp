@@ -72,28 +72,29 @@ std::optional<std::pair<VertexId, VertexId>> ends_on_chain(const Refinement& r, 
 
 }  // namespace
 
-std::optional<Refusal> insert_point(Refinement& r, Rung rung, FaceId start, const Vec3& p) {
+std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId start,
+                                    const Vec3& p) {
   collect_cavity(r, start, p);
   if (const auto edge = encroached_edge(r, p)) return split_boundary_edge(r, *edge);
-  return r.done(rung, put_cone(r, p));
+  return r.done(operation, put_cone(r, p));
 }
 
 std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge) {
   BoundaryChain& chain = r.s.chain;
   r.begin_change();
-  if (r.is_frozen(edge.face)) return r.done(Rung::boundary_split, Refusal::frozen);
+  if (r.is_frozen(edge.face)) return r.done(Operation::boundary_split, Refusal::frozen);
   const auto ends = ends_on_chain(r, edge);
   const double shortest = kShortestBoundaryEdge * r.parameters.r_min;
   if (!ends || distance2(r.point(ends->first), r.point(ends->second)) < shortest * shortest) {
-    return r.done(Rung::boundary_split, Refusal::boundary);
+    return r.done(Operation::boundary_split, Refusal::boundary);
   }
   const auto middle = r.curves.split({chain.place(ends->first), r.point(ends->first)},
                                      {chain.place(ends->second), r.point(ends->second)});
-  if (!middle) return r.done(Rung::boundary_split, Refusal::boundary);
+  if (!middle) return r.done(Operation::boundary_split, Refusal::boundary);
   collect_cavity(r, edge.face, middle->point);
   const auto refusal = put_cone(r, middle->point, edge);
   if (!refusal) chain.insert_after(ends->first, r.change.vertex, middle->place);
-  return r.done(Rung::boundary_split, refusal);
+  return r.done(Operation::boundary_split, refusal);
 }
 
 bool leaves_curve(const Refinement& r, EdgeRef edge) {

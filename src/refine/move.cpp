@@ -97,9 +97,9 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       best = foot;
     }
   }
-  if (!best) return r.done(Rung::move, Refusal::no_gain);
+  if (!best) return r.done(Operation::move, Refusal::no_gain);
   c.place = *best;
-  return r.done(Rung::move, r.replace(c, [] { return true; }));
+  return r.done(Operation::move, r.replace(c, [] { return true; }));
 }
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace deliso {
 
 // Inserts p, a point of Sigma (paper §2.2.2, Figure 3). E: the facets whose surface balls hold p,
 // found by a walk from `start`. The cone D from p over E's boundary replaces E. If p encroaches
-// upon a boundary edge, splits that edge instead (paper §5). Counts under `rung`. Unlike in the
-// paper, E must be a disk with all its vertices on its boundary.
-std::optional<Refusal> insert_point(Refinement& r, Rung rung, FaceId start, const Vec3& p);
+// upon a boundary edge, splits that edge instead (paper §5). Counts under `operation`. Unlike in
+// the paper, E must be a disk with all its vertices on its boundary.
+std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId start,
+                                    const Vec3& p);
 
 // Inserts the middle of the arc of a boundary edge. pre: no facet is across the edge.
 std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge);

@@ -167,7 +167,7 @@ bool RefineGeom::refine(FaceId f) {
   return (side < 3 && accept(split_boundary_edge(r_, {f, side}))) ||
          accept(collapse_short_edge(r_, f)) ||
          (!met_frozen_ && dual.on_surface &&
-          accept(insert_point(r_, Rung::surface_point, f, dual.center))) ||
+          accept(insert_point(r_, Operation::surface_point, f, dual.center))) ||
          (!met_frozen_ && insert_other_point(f));
 }
 
@@ -182,7 +182,7 @@ bool RefineGeom::insert_other_point(FaceId f) {
   const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
   const auto insert_foot = [&](const Vec3& from, double limit) {
     const auto foot = r_.finder.foot(from, normal, limit, r_.report.searches_refine);
-    return foot && accept(insert_point(r_, Rung::foot, f, *foot));
+    return foot && accept(insert_point(r_, Operation::foot, f, *foot));
   };
   return insert_foot(center, distance(center, p[0])) ||
          insert_foot(middle, 0.5 * std::sqrt(length2(i)));
@@ -250,7 +250,7 @@ bool RefineGeom::insert_far_samples() {
   for (const FarSample& at : far) {
     if (!is_live(at.facet)) continue;  // an earlier insertion may have removed it
     ask(at.facet, Reason::far_point);
-    any |= accept(insert_point(r_, Rung::far_point, at.facet, samples_[at.sample]));
+    any |= accept(insert_point(r_, Operation::far_point, at.facet, samples_[at.sample]));
   }
   return any;
 }

@@ -161,9 +161,9 @@ void Refinement::commit(Change& c) {
   }
 }
 
-std::optional<Refusal> Refinement::done(Rung rung, std::optional<Refusal> refusal) {
-  if (observer) observer->operation_tried(rung, change, refusal);
-  return report[rung].count(refusal);
+std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
+  if (observer) observer->operation_tried(operation, change, refusal);
+  return report[operation].count(refusal);
 }
 
 FacetShape Refinement::shape(const Triangle& v, const Dual& dual) const {

@@ -131,7 +131,7 @@ class Refinement {
   }
 
   // Counts the outcome of an operation, reports it to the observer, and returns it.
-  std::optional<Refusal> done(Rung rung, std::optional<Refusal> refusal);
+  std::optional<Refusal> done(Operation operation, std::optional<Refusal> refusal);
   std::span<const FaceId> created() const { return change.created; }
 
   // Returns the measures of a facet; without a surface point h is r.

@@ -57,7 +57,7 @@ inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
 static_assert(!kCounterNames.back().empty());
 
 // The operations of Stage 2, and why one is refused (refine/refinement.h).
-enum class Rung : std::uint8_t {
+enum class Operation : std::uint8_t {
   surface_point,
   foot,
   boundary_split,
@@ -80,26 +80,26 @@ enum class Refusal : std::uint8_t {
   frozen,
   count_
 };
-inline constexpr std::size_t kRungs = static_cast<std::size_t>(Rung::count_);
+inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
-inline constexpr std::array<std::string_view, kRungs> kRungNames{
+inline constexpr std::array<std::string_view, kOperations> kOperationNames{
     "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point"};
 inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
     "not_a_disk", "swallows_vertex", "no_surface_point", "too_close", "boundary",
     "turned",     "no_gain",         "uncovers",         "crossing",  "frozen"};
-static_assert(!kRungNames.back().empty() && !kRefusalNames.back().empty());
+static_assert(!kOperationNames.back().empty() && !kRefusalNames.back().empty());
 
 constexpr std::string_view name_of(Counter counter) {
   return kCounterNames[static_cast<std::size_t>(counter)];
 }
-constexpr std::string_view name_of(Rung rung) {
-  return kRungNames[static_cast<std::size_t>(rung)];
+constexpr std::string_view name_of(Operation operation) {
+  return kOperationNames[static_cast<std::size_t>(operation)];
 }
 constexpr std::string_view name_of(Refusal refusal) {
   return kRefusalNames[static_cast<std::size_t>(refusal)];
 }
 
-struct RungCounts {
+struct OperationCounts {
   std::uint64_t done = 0;
   std::array<std::uint64_t, kRefusals> refused{};
 
@@ -108,7 +108,7 @@ struct RungCounts {
     ++(refusal ? refused[static_cast<std::size_t>(*refusal)] : done);
     return refusal;
   }
-  RungCounts& operator+=(const RungCounts& others) {
+  OperationCounts& operator+=(const OperationCounts& others) {
     done += others.done;
     for (std::size_t k = 0; k < kRefusals; ++k) refused[k] += others.refused[k];
     return *this;
@@ -142,7 +142,7 @@ struct Report {
   bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
-  std::array<RungCounts, kRungs> rungs{};
+  std::array<OperationCounts, kOperations> operations{};
 
   // Sites without facets are not recovered points, so points_initial may be the larger number.
   std::size_t insertions_recover() const {
@@ -153,13 +153,15 @@ struct Report {
   void add_refinement(const Report& region) {
     searches_refine += region.searches_refine;
     insertions_refine += region.insertions_refine;
-    for (std::size_t r = 0; r < kRungs; ++r) rungs[r] += region.rungs[r];
+    for (std::size_t r = 0; r < kOperations; ++r) operations[r] += region.operations[r];
   }
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }
   std::uint64_t operator[](Counter c) const { return counters[static_cast<std::size_t>(c)]; }
-  RungCounts& operator[](Rung r) { return rungs[static_cast<std::size_t>(r)]; }
-  const RungCounts& operator[](Rung r) const { return rungs[static_cast<std::size_t>(r)]; }
+  OperationCounts& operator[](Operation r) { return operations[static_cast<std::size_t>(r)]; }
+  const OperationCounts& operator[](Operation r) const {
+    return operations[static_cast<std::size_t>(r)];
+  }
 };
 
 }  // namespace deliso

@@ -222,12 +222,12 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
     CHECK_MESSAGE(page.find(row, at + 1) == std::string::npos, name);
   };
   for (std::size_t n = 0; n < kCounterCount; ++n) check_row(name_of(static_cast<Counter>(n)));
-  for (std::size_t n = 0; n < kRungs; ++n) check_row(name_of(static_cast<Rung>(n)));
+  for (std::size_t n = 0; n < kOperations; ++n) check_row(name_of(static_cast<Operation>(n)));
   for (std::size_t n = 0; n < kRefusals; ++n) check_row(name_of(static_cast<Refusal>(n)));
   for (std::size_t n = 0; n < kFaultKinds; ++n) check_row(name_of(static_cast<FaultKind>(n)));
   for (const std::string_view word :
        {"us/point", "searches/p", "CPI",           "CPI*",     "r",        "l",       "h",
-        "D",        "r_min",      "r/l",           "h/r",      "labels",   "rungs",   "counters",
+        "D",        "r_min",      "r/l",           "h/r",      "labels",   "done",    "counters",
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
         "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",

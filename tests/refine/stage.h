@@ -235,7 +235,7 @@ class Stage {
                                                   [](const Face& face) { return !is_dead(face); }));
   }
 
-  // A point of Sigma near facet f, as another rung might have found it.
+  // A point of Sigma near facet f, as another operation might have found it.
   std::optional<Vec3> point_near(FaceId f, Random& random) {
     const double u = random.uniform(-0.2, 1.2), w = random.uniform(-0.2, 1.2);
     const Vec3 p =

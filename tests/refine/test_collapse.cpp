@@ -76,7 +76,7 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
     CAPTURE(k);
     const FaceId f = stage.random_facet(random);
     if (random.below(8) == 0) {  // vertices of Stage 2, which must stay
-      if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
+      if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Operation::foot, f, *p);
       continue;
     }
     const Stage::Snapshot before = stage.snapshot();

@@ -115,7 +115,8 @@ TEST_CASE(
       const int i = static_cast<int>(random.below(3));
       std::vector<FaceId> made;
       if (random.below(3) == 0) {
-        if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
+        if (const auto p = stage.point_near(f, random))
+          insert_point(stage.r, Operation::foot, f, *p);
       } else if (stage.flip_anyway(f, i, &made)) {
         REQUIRE(stage.fault() == "");
         for (const FaceId g : made) {
@@ -127,7 +128,7 @@ TEST_CASE(
       flip_once(stage, stage.random_facet(random), i, tally);
     }
     CHECK(stage.fault() == "");
-    const auto& counts = stage.report[Rung::flip];
+    const auto& counts = stage.report[Operation::flip];
     std::uint64_t all = counts.done;
     for (const std::uint64_t c : counts.refused) all += c;
     CHECK(all > 0);

@@ -37,8 +37,8 @@ std::set<FaceId> encroached(const Stage& stage, FaceId start, const Vec3& p) {
   return disk;
 }
 
-std::uint64_t done(const Report& report, Rung rung) {
-  return report[rung].done;
+std::uint64_t done(const Report& report, Operation operation) {
+  return report[operation].done;
 }
 
 // After a success: all that must hold, the new vertex in all new facets, nothing else touched.
@@ -72,7 +72,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     CAPTURE(k);
     const FaceId f = stage.random_facet(random);
     const Stage::Snapshot before = stage.snapshot();
-    const std::uint64_t splits_before = done(stage.report, Rung::boundary_split);
+    const std::uint64_t splits_before = done(stage.report, Operation::boundary_split);
     const std::uint32_t kind = random.below(8);
     if (kind == 0) {
       for (int i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
         if (!split_boundary_edge(stage.r, {f, i})) {
           ++tally.splits;
           check_inserted(stage, before, stage.r.created());
-          CHECK(done(stage.report, Rung::boundary_split) == splits_before + 1);
+          CHECK(done(stage.report, Operation::boundary_split) == splits_before + 1);
         } else {
           ++tally.splits_refused;
           CHECK(stage.snapshot() == before);
@@ -96,7 +96,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     if (!p) continue;
     const std::set<FaceId> disk = encroached(stage, f, *p);
     const std::size_t facets = stage.live_facets();
-    const auto refusal = insert_point(stage.r, Rung::foot, f, *p);
+    const auto refusal = insert_point(stage.r, Operation::foot, f, *p);
     if (refusal) {
       ++tally.refused;
       ++tally.refusals[static_cast<std::size_t>(*refusal)];
@@ -105,14 +105,15 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
     }
     ++tally.inserted;
     check_inserted(stage, before, stage.r.created());
-    if (done(stage.report, Rung::boundary_split) > splits_before) continue;  // it split an edge
+    if (done(stage.report, Operation::boundary_split) > splits_before)
+      continue;  // it split an edge
     REQUIRE(stage.mesh.points.back() == *p);
     REQUIRE(stage.live_facets() == facets + 2);
     for (const FaceId g : disk) {
       REQUIRE((is_dead(stage.mesh.faces[g]) || stage.mesh.faces[g].v != before.faces[g].v));
     }
   }
-  CHECK(done(stage.report, Rung::foot) + done(stage.report, Rung::boundary_split) ==
+  CHECK(done(stage.report, Operation::foot) + done(stage.report, Operation::boundary_split) ==
         stage.report.insertions_refine);
   CHECK(stage.report.insertions_refine == stage.mesh.points.size() - stage.report.points_recovered);
 }
@@ -154,7 +155,7 @@ TEST_CASE("a point too near a vertex is refused, and one whose cavity has a vert
   Stage stage(scene, options);
   const Vec3 at = stage.corner(0, 0);
   const Stage::Snapshot before = stage.snapshot();
-  CHECK(insert_point(stage.r, Rung::foot, 0, at) == Refusal::too_close);
+  CHECK(insert_point(stage.r, Operation::foot, 0, at) == Refusal::too_close);
   CHECK(stage.snapshot() == before);
   // Balls so large that p encroaches upon every facet around a vertex.
   std::vector<FaceId> star;
@@ -162,7 +163,7 @@ TEST_CASE("a point too near a vertex is refused, and one whose cavity has a vert
   const Vec3 out = at + 5 * (at - Vec3{7.5, 7.5, 7.5});
   for (const FaceId f : star) stage.surface_mesh.duals[f] = {out, 1e6, true};
   const Vec3 p = stage.surface_mesh.duals[0].center;
-  CHECK(insert_point(stage.r, Rung::foot, 0, p) == Refusal::swallows_vertex);
+  CHECK(insert_point(stage.r, Operation::foot, 0, p) == Refusal::swallows_vertex);
   CHECK(stage.mesh.points.size() == before.points.size());
 }
 
@@ -171,9 +172,10 @@ TEST_CASE("every insertion of a run is counted once, as what was done") {
   Report report;
   mesh_isosurface(volume, find_builtin_field("builtin:gyroid")->isovalue, {}, report);
   std::uint64_t inserted = 0;
-  for (const Rung rung : {Rung::surface_point, Rung::foot, Rung::boundary_split, Rung::far_point}) {
-    inserted += done(report, rung);
+  for (const Operation operation : {Operation::surface_point, Operation::foot,
+                                    Operation::boundary_split, Operation::far_point}) {
+    inserted += done(report, operation);
   }
-  CHECK(done(report, Rung::boundary_split) > 0);
+  CHECK(done(report, Operation::boundary_split) > 0);
   CHECK(inserted == report.insertions_refine);
 }

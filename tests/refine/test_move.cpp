@@ -146,7 +146,8 @@ TEST_CASE("every move keeps the mesh valid, on meshes of all kinds and after ran
       CAPTURE(k);
       const FaceId f = stage.random_facet(random);
       if (random.below(4) == 0) {
-        if (const auto p = stage.point_near(f, random)) insert_point(stage.r, Rung::foot, f, *p);
+        if (const auto p = stage.point_near(f, random))
+          insert_point(stage.r, Operation::foot, f, *p);
         continue;
       }
       const Stage::Snapshot before = stage.snapshot();

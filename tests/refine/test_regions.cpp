@@ -113,8 +113,8 @@ TEST_CASE("a mesh refined in regions stays valid, and is the same with any numbe
       REQUIRE(stage.fault() == "");
       left_in_parts += stage.report[Counter::unrefined_facets] + stage.report[Counter::points_far];
       in_parts += stage.mesh.points.size();
-      for (const RungCounts& rung : stage.report.rungs) {
-        put_off += rung.refused[static_cast<std::size_t>(Refusal::frozen)];
+      for (const OperationCounts& operation : stage.report.operations) {
+        put_off += operation.refused[static_cast<std::size_t>(Refusal::frozen)];
       }
     }
   }

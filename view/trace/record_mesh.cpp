@@ -29,7 +29,7 @@ void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, d
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
-void TraceRecorder::operation_tried(Rung rung, const Change& change,
+void TraceRecorder::operation_tried(Operation operation, const Change& change,
                                     std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
   TraceEvent& event = trace_.event();
@@ -50,7 +50,7 @@ void TraceRecorder::operation_tried(Rung rung, const Change& change,
       number_mesh(change.in.facets, kNoId, event.added);
     }
   }
-  event.routine = trace_code(rung);
+  event.routine = trace_code(operation);
   trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,
                report_.searches_recover.computations + report_.searches_refine.computations);
   trace_.record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));

@@ -44,7 +44,7 @@ enum class Routine : std::uint8_t {
   part_crossings,
   turn_out,
   build_tri_mesh,  // the switch
-  count_           // then the rungs of Stage 2
+  count_           // then the operations of Stage 2
 };
 
 // Of an attempt.
@@ -56,7 +56,8 @@ enum class TraceOutcome : std::uint8_t {
   count_  // then the refusals of Stage 2
 };
 
-// Their numbers in events: rungs follow the routines, criteria the reasons, refusals the outcomes.
+// Their numbers in events: operations follow the routines, criteria the reasons, refusals the
+// outcomes.
 constexpr std::uint8_t trace_code(Routine routine) {
   return static_cast<std::uint8_t>(routine);
 }
@@ -66,8 +67,8 @@ constexpr std::uint8_t trace_code(Reason reason) {
 constexpr std::uint8_t trace_code(TraceOutcome outcome) {
   return static_cast<std::uint8_t>(outcome);
 }
-constexpr std::uint8_t trace_code(Rung rung) {
-  return static_cast<std::uint8_t>(trace_code(Routine::count_) + static_cast<unsigned>(rung));
+constexpr std::uint8_t trace_code(Operation operation) {
+  return static_cast<std::uint8_t>(trace_code(Routine::count_) + static_cast<unsigned>(operation));
 }
 constexpr std::uint8_t trace_code(Criterion criterion) {
   return trace_code(reason_of(criterion));

@@ -36,12 +36,12 @@ RoutineName name_of(Routine routine) {
   return names[static_cast<std::size_t>(routine)];
 }
 
-RoutineName routine_of(Rung rung) {
+RoutineName routine_of(Operation operation) {
   struct Words {
     std::string_view text, figure = {};
   };
-  // In the order of Rung. A test asks for all of them: an operation can be tried without.
-  constexpr std::array<Words, kRungs> kWords{{
+  // In the order of Operation. A test asks for all of them: an operation can be tried without.
+  constexpr std::array<Words, kOperations> kWords{{
       {"RefineGeom: the facet's surface point is inserted; the facets whose balls hold it, the "
        "disk E, give way to the cone D",
        "9"},
@@ -52,8 +52,8 @@ RoutineName routine_of(Rung rung) {
       {"a vertex moves along the surface"},
       {"a point of the surface that is too far from the mesh is inserted"},
   }};
-  const Words& words = kWords[static_cast<std::size_t>(rung)];
-  return {name_of(rung), words.figure, 2, words.text};
+  const Words& words = kWords[static_cast<std::size_t>(operation)];
+  return {name_of(operation), words.figure, 2, words.text};
 }
 
 ReasonName name_of(Reason reason) {

@@ -14,8 +14,8 @@ struct RoutineName {
   std::string_view text;
 };
 RoutineName name_of(Routine routine);
-// A rung of Stage 2 as a routine, in whose numbers it follows the others.
-RoutineName routine_of(Rung rung);
+// An operation of Stage 2 as a routine, in whose numbers it follows the others.
+RoutineName routine_of(Operation operation);
 
 struct ReasonName {
   std::string_view name, text;  // what an event's value is, too

@@ -510,10 +510,10 @@ function names_in(file, from, shape) {
 
 test('tables of colors: every operation and criterion, fixed, distinct, not red against green', () => {
   const routines = names_in('view/trace/trace_names.cpp', 'RoutineName names[]', /\{"(\w+)"/g);
-  const rungs = names_in('src/surface/report.h', 'kRungNames', /"(\w+)"/g);
+  const operations = names_in('src/surface/report.h', 'kOperationNames', /"(\w+)"/g);
   const reasons = names_in('view/trace/trace_names.cpp', 'ReasonName names[]', /\{"([^"]+)",/g);
-  assert.ok(routines.length === 10 && rungs.length >= 7 && reasons.length >= 18);
-  assert.deepEqual(Object.keys(kOperations), [...routines, ...rungs]);
+  assert.ok(routines.length === 10 && operations.length >= 7 && reasons.length >= 18);
+  assert.deepEqual(Object.keys(kOperations), [...routines, ...operations]);
   for (const reason of [...reasons, ...kMeasured]) assert.ok(kCriteria[reason], reason);
   for (const table of [kOperations, kCriteria]) {
     const rows = Object.values(table);

@@ -368,8 +368,8 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
     check_replay(run);
     const TraceArrays& a = run.trace.arrays();
     std::array<std::size_t, kRefusals> refused{}, counted{};
-    for (const RungCounts& rung : run.report.rungs) {
-      for (std::size_t k = 0; k < kRefusals; ++k) counted[k] += rung.refused[k];
+    for (const OperationCounts& operation : run.report.operations) {
+      for (std::size_t k = 0; k < kRefusals; ++k) counted[k] += operation.refused[k];
     }
     Complex complex;
     for (std::size_t e = 0; e < run.trace.size(); ++e) {
@@ -402,11 +402,11 @@ TEST_CASE("every number of an event has a name") {
     CHECK(!name.text.empty());
     names.insert(name.name);
   }
-  for (std::size_t n = 0; n < kRungs; ++n) {
-    const RoutineName name = routine_of(static_cast<Rung>(n));
+  for (std::size_t n = 0; n < kOperations; ++n) {
+    const RoutineName name = routine_of(static_cast<Operation>(n));
     CHECK(!name.text.empty());
     names.insert(name.name);
   }
   CHECK(names.size() == static_cast<std::size_t>(Routine::count_) +
-                            static_cast<std::size_t>(Reason::count_) + kRungs);
+                            static_cast<std::size_t>(Reason::count_) + kOperations);
 }
