@@ -71,7 +71,7 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
   return std::nullopt;
 }
 
-std::string criteria_note(const CommandLine& line, const Volume& volume, const Report& report) {
+std::string criteria_note(const CommandLine& line, const Volume& volume) {
   const Options& options = line.options;
   const std::string field = field_note(line.field, volume);
   if (line.method == Method::marching_cubes) {
@@ -91,7 +91,7 @@ std::string criteria_note(const CommandLine& line, const Volume& volume, const R
     const Length& limit = options.limits.values[n];
     criteria.limits.values[n] = kCriterionTable[n].is_length ? in_voxels(limit) : limit.value;
   }
-  if (by_count(options)) criteria[Criterion::distance] = report.max_distance / voxel;
+  if (by_count(options)) criteria[Criterion::distance] = kNotAsked;
   return criteria_note(criteria) + field;
 }
 

@@ -9,7 +9,6 @@
 
 #include "app/command_line.h"
 #include "surface/criteria.h"
-#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -23,9 +22,9 @@ std::string criteria_note(const Criteria& criteria);
 // unknown names are skipped.
 std::optional<Criteria> noted_criteria(std::span<const std::string> comments);
 
-// Returns the line for the mesh of a run. With --vertices it has the distance reached. For a mesh
-// without criteria (Marching Cubes, Stage 1 alone) it names the method, and a check ignores it. The
-// words of the field follow (app/field.h).
-std::string criteria_note(const CommandLine& line, const Volume& volume, const Report& report);
+// Returns the line for the mesh of a run. With --vertices it has no distance, since none was asked
+// for. For a mesh without criteria (Marching Cubes, Stage 1 alone) it names the method, and a check
+// ignores it. The words of the field follow (app/field.h).
+std::string criteria_note(const CommandLine& line, const Volume& volume);
 
 }  // namespace deliso

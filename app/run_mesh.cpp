@@ -181,7 +181,7 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
   MeshWriteOptions options = line.write;
-  options.comment = criteria_note(line, volume, run.report);
+  options.comment = criteria_note(line, volume);
   const std::size_t first_cap = run.report.cap.surface_triangles;
   if (line.options.cap) options.first_cap = first_cap;
   if (line.attributes) {

@@ -59,20 +59,18 @@ Volume long_voxels() {
 
 TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   const Volume volume = long_voxels();
-  Report report;
-  report.max_distance = 0.0625;
   const auto note = [&](std::initializer_list<std::string_view> options) {
     std::vector<std::string_view> arguments = {"a", "--iso", "1"};
     arguments.insert(arguments.end(), options);
-    return criteria_note(parse_command_line(arguments), volume, report);
+    return criteria_note(parse_command_line(arguments), volume);
   };
   CHECK(note({}) == words(" r-min=0.5 max-distance=0.1 lambda=2"));
   CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
         words(" r-min=1 max-distance=0.4 lambda=1.5 max-radius=4"));
   CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
   CHECK(note({"--paper"}) == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
-  // The distance reached, not the default.
-  CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 max-distance=0.125 lambda=2"));
+  // The distance is a result, and no limit to check against.
+  CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 lambda=2"));
   CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
   CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
   CHECK_FALSE(read(note({"--method", "marching-cubes"})));

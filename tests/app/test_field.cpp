@@ -111,12 +111,12 @@ TEST_CASE("the median comes before the Gaussian") {
 TEST_CASE("the comment of a mesh names its field, and criteria are read past it") {
   const Balls balls;
   const CommandLine line = balls.line({"--label", "4,1", "--smooth", "1.5", "--median", "1"});
-  const std::string note = criteria_note(line, balls.volume, {});
+  const std::string note = criteria_note(line, balls.volume);
   CHECK(note.ends_with(" median=1 smooth=1.5 label=1,4"));
   const std::vector<std::string> comments{"DelIso", note};
   CHECK(noted_criteria(comments).has_value());
   CHECK(noted_field(comments) == field_note(line.field, balls.volume));
-  const std::string plain = criteria_note(balls.line({"--iso", "1"}), balls.volume, {});
+  const std::string plain = criteria_note(balls.line({"--iso", "1"}), balls.volume);
   CHECK(noted_field(std::vector{plain}) == "");
   CHECK_FALSE(noted_field(std::vector<std::string>{"by another program"}).has_value());
 }
