@@ -37,8 +37,9 @@ void append_entry(std::string& text, std::string left, std::string_view words) {
 }
 
 constexpr std::string_view kVolumes =
-    "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .vtk .vti .npy .tif .dcm, a folder of DICOM\n"
-    "slices, raw data with --dims and --type, builtin:NAME[:SIZE], or - for standard input.\n";
+    "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .vtk .vti .npy .tif .dcm, a folder of slices\n"
+    "(DICOM, TIFF), raw data with --dims and --type, builtin:NAME[:SIZE], or - for standard "
+    "input.\n";
 constexpr std::string_view kMeshes = "MESH: .ply .off .obj .stl .vtp, or - for standard input.\n";
 
 std::string usage(Command command) {

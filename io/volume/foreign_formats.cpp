@@ -74,11 +74,10 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (has_ending(name, ".tif") || has_ending(name, ".tiff"))
-      fail(path, "is a folder of pictures: make one file of them with 'tiffcp FOLDER/* stack.tif'");
     if (has_ending(name, ".png") || has_ending(name, ".jpg")) fail(path, kPictures);
   }
-  fail(path, "is a folder without DICOM images: give the one that holds the slices, or a file");
+  fail(path,
+       "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file");
 }
 
 }  // namespace deliso

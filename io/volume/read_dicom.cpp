@@ -7,13 +7,11 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "base/text.h"
 #include "io/volume/dicom_file.h"
-#include "io/volume/foreign_formats.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
 #include "io/volume/volume_formats.h"
@@ -166,7 +164,9 @@ Vec3 step_between(const std::vector<Slice>& slices) {
   return step;
 }
 
-Volume volume_of(const VolumeInput& input, const std::vector<DicomFile>& files) {
+}  // namespace
+
+Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>& files) {
   if (files.size() == 1 && files[0].frame_count == 1) {
     fail(files[0].name(), "is one slice: give the folder that holds the series");
   }
@@ -227,46 +227,11 @@ Volume volume_of(const VolumeInput& input, const std::vector<DicomFile>& files) 
   return volume_from_slices(grid, write);
 }
 
-}  // namespace
-
 Volume read_dicom(const VolumeInput& input) {
   std::vector<DicomFile> files;
   if (auto file = parse_dicom(input.bytes)) files.push_back(std::move(*file));
   if (files.empty()) fail(input.name(), "is DICOM without an image");
-  return volume_of(input, files);
-}
-
-Volume read_folder(const VolumeInput& input) {
-  std::vector<std::string> paths;
-  std::error_code fault;
-  std::filesystem::directory_iterator entry(input.name(), fault);
-  for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
-  }
-  if (fault) fail(input.name(), "cannot list the folder: " + fault.message());
-  std::ranges::sort(paths);
-
-  std::vector<DicomFile> files;
-  std::vector<std::string> passed_over;
-  for (const std::string& path : paths) {
-    const Bytes bytes = open_file(path, NamedBy::file);
-    std::optional<DicomFile> file;
-    if (looks_like_dicom(bytes)) file = parse_dicom(bytes);
-    if (file) {
-      input.log.files.push_back(path);
-      files.push_back(std::move(*file));
-    } else {
-      passed_over.push_back(std::filesystem::path(path).filename().string());
-    }
-  }
-  if (files.empty()) refuse_folder(input.name());
-  if (!passed_over.empty()) {
-    const std::size_t more = passed_over.size() - 1;
-    input.note(text("passed over '", passed_over[0], more > 0 ? text("' and ", more, " more") : "'",
-                    ": no DICOM images"));
-  }
-  return volume_of(input, files);
+  return read_dicom_slices(input, files);
 }
 
 }  // namespace deliso

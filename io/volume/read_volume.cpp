@@ -35,11 +35,6 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
     fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
 }
 
-void refuse_spacing(const std::string& name, const ReadOptions& options) {
-  if (options.spacing)
-    fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
-}
-
 Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
@@ -108,7 +103,6 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
     if (std::filesystem::is_directory(input, ignored)) {
       if (options.raw) refuse_folder(input);
       refuse_array(input, options);
-      refuse_spacing(input, options);
       return read_folder({{input, {}, nullptr}, directory, options, filled});
     }
     filled.files.push_back(input);
@@ -133,6 +127,11 @@ Roi region_of(const BlockChoice& block, Index3 dims) {
     region.end[axis] = static_cast<int>((n + 1) * voxels / parts) + 1;
   }
   return region;
+}
+
+void refuse_spacing(const std::string& name, const ReadOptions& options) {
+  if (options.spacing)
+    fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
 }
 
 SampleGrid grid_of(const VolumeInput& input) {

@@ -12,7 +12,8 @@
 //   NumPy           .npy, an array [z][y][x]          raw, C or Fortran order
 //   DICOM           a folder of slices; one file of   raw (either VR, either byte order), RLE
 //                   several frames
-//   TIFF            .tif, a page per slice; BigTIFF   raw, LZW, Deflate, PackBits; strips, tiles
+//   TIFF, BigTIFF   a folder of slices; one file of   raw, LZW, Deflate, PackBits; strips, tiles
+//                   several pages
 //   plain           any, dims and type from options   raw
 //   built-in        builtin:NAME[:SIZE]               computed (builtin_volume.h)
 //
@@ -30,7 +31,8 @@
 //      are allowed);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
-//    - slices of a folder that are missing, double, or of different series, sizes or directions;
+//    - DICOM slices that are missing, double, or of different series, sizes or directions;
+//    - TIFF slices of different sizes or types;
 //    - pictures in color, JPEG and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
@@ -100,9 +102,9 @@ struct ReadLog {
   std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
-// Returns the volume of `input`: a path of a file or of a folder of DICOM slices, "-" (standard
-// input) or "builtin:NAME[:SIZE]". Throws an InputError of one line that names the file and the
-// fault.
+// Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"
+// (standard input) or "builtin:NAME[:SIZE]". Throws an InputError of one line that names the file
+// and the fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 

@@ -14,6 +14,8 @@
 
 namespace deliso {
 
+struct DicomFile;
+
 struct VolumeInput {
   Bytes bytes;            // bytes.name is the path, or "standard input"
   std::string directory;  // where detached data files are: "" or ending with a slash
@@ -49,14 +51,23 @@ Volume read_npy(const VolumeInput& input);
 // A file of several frames.
 bool looks_like_dicom(const Bytes& bytes);
 Volume read_dicom(const VolumeInput& input);
-// A folder with the slices of a DICOM series. `input` has its name and no bytes.
-Volume read_folder(const VolumeInput& input);
+// The slices of a series. `input` has their folder's name.
+Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>& files);
 
 bool looks_like_tiff(const Bytes& bytes);
 Volume read_tiff(const VolumeInput& input);
+// The files of a folder, of one page each, in the order of the numbers in their names. `input` has
+// the folder's name.
+Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files);
+
+// A folder of DICOM or TIFF slices. `input` has its name and no bytes.
+Volume read_folder(const VolumeInput& input);
 
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
+
+// Throws InputError if a spacing is given, for formats that have their own.
+void refuse_spacing(const std::string& name, const ReadOptions& options);
 
 // Opens the file that a header of `input` names, and logs it. Relative names begin at the header's
 // folder.

@@ -172,7 +172,7 @@ TEST_CASE("files of the folder that are no images are passed over, and told") {
   CHECK(log.notes[0].ends_with("passed over '.note' and 2 more: no DICOM images"));
   CHECK(log.files.size() == kSlices);
   for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
-  CHECK(fault(series).find("is a folder without DICOM images") != std::string::npos);
+  CHECK(fault(series).find("is a folder without slices") != std::string::npos);
 }
 
 TEST_CASE("each fault of a series has its message, with the file") {

@@ -103,7 +103,8 @@ TEST_CASE("files that are missing, unreadable, empty or no volumes are refused")
   CHECK(fault(folder, "none.nrrd") == "none.nrrd: cannot open: No such file or directory");
   std::filesystem::create_directories(folder.path("folder"));
   CHECK(fault(folder, "folder") ==
-        "folder: is a folder without DICOM images: give the one that holds the slices, or a file");
+        "folder: is a folder without slices, of DICOM or TIFF: give the one that holds them, or a "
+        "file");
   CHECK(fault_of(folder, "v.nrrd", "") == "v.nrrd: is empty");
   const std::string unknown =
       ": is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
@@ -414,9 +415,8 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
   const std::pair<std::string, std::string> folders[] = {
       {".zarray", "is Zarr: "},
       {"zarr.json", "is Zarr: "},
-      {"IM1.DCM", "is a folder without DICOM images: "},
-      {"0001.png", "is a folder of pictures: make one raw file"},
-      {"0001.TIF", "is a folder of pictures: make one file of them with 'tiffcp"}};
+      {"IM1.DCM", "is a folder without slices, "},
+      {"0001.png", "is a folder of pictures: make one raw file"}};
   for (const auto& [file, message] : folders) {
     const TemporaryFolder slices;
     slices.write(file, "");

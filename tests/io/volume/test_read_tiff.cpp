@@ -122,7 +122,7 @@ TEST_CASE("ImageJ's pages behind the first") {
   REQUIRE(volume.dims() == truth.dims);
   CHECK(bytes_of_samples(volume) == truth.bytes);
   CHECK(fault(file("1", samples)) ==
-        "has one page: join the slices with 'tiffcp SLICES stack.tif'");
+        "has one page: give the folder of the slices, if each has a file");
   CHECK(fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
   CHECK(fault(file("99999999999", samples)).find("are too many") != std::string::npos);
   CHECK(fault(file("3\nchannels=3", samples)) ==
@@ -181,6 +181,58 @@ TEST_CASE("reduced pictures and masks are no slices") {
     pages.back().tags[254] = tiff_value({}, k == 0 ? 1 : 4);
   }
   CHECK(bytes_of_samples(read_volume(folder.write("v.tif", tiff_file({}, pages)))) == truth.bytes);
+}
+
+TEST_CASE("a folder of TIFF files is a stack, in the order of the numbers in their names") {
+  const TemporaryFolder folder;
+  const Truth truth = random_truth(SampleType::u16, {5, 4, 12}, 5);
+  const std::string slices = folder.path("slices");
+  std::filesystem::create_directories(slices);
+  const auto name = [](int k) { return "slices/ct" + std::to_string(k + 1) + "_a.tif"; };
+  for (int k = 0; k < truth.dims.k; ++k) {
+    const TiffForm form{.order = k % 2 == 0 ? std::endian::little : std::endian::big,
+                        .compression = k % 3 == 0 ? 5 : 1};
+    folder.write(name(k), tiff_file(form, {tiff_page(truth, form, k)}));
+  }
+  folder.write("slices/Thumbs.db", "no picture");
+  ReadLog log;
+  ReadOptions options;
+  options.spacing = Vec3{1, 1, 2.5};
+  const Volume volume = read_volume(slices, options, &log);
+  REQUIRE(volume.dims() == truth.dims);
+  CHECK(bytes_of_samples(volume) == truth.bytes);
+  CHECK(volume.spacing() == Vec3{1, 1, 2.5});
+  CHECK(log.files.size() == 12);
+  REQUIRE(log.notes.size() == 2);
+  CHECK(log.notes[0].ends_with("passed over 'Thumbs.db': no TIFF images"));
+  CHECK(log.notes[1].ends_with("12 slices, from 'ct1_a.tif' to 'ct12_a.tif'"));
+
+  const auto fault_of_slice = [&](const std::string& content) {
+    folder.write(name(4), content);
+    try {
+      read_volume(slices);
+    } catch (const InputError& error) {
+      const std::string message = error.what(), start = folder.path(name(4)) + ": ";
+      REQUIRE(message.starts_with(start));
+      return message.substr(start.size());
+    }
+    return std::string();
+  };
+  const TiffPage page = tiff_page(truth, {}, 4);
+  CHECK(fault_of_slice(tiff_file({}, {page, page})) ==
+        "has 2 pages: in a folder of slices each file has one");
+  CHECK(fault_of_slice(
+            tiff_file({}, {tiff_page(random_truth(SampleType::u16, {5, 3, 1}, 5), {}, 0)})) ==
+        "its page has 5 x 3 samples, and ct1_a.tif 5 x 4");
+  CHECK(fault_of_slice(
+            tiff_file({}, {tiff_page(random_truth(SampleType::i16, {5, 4, 1}, 5), {}, 0)})) ==
+        "its page has samples of another type than ct1_a.tif");
+  const std::string whole = tiff_file({}, {page});
+  CHECK(fault_of_slice(whole.substr(0, whole.size() - 4))
+            .starts_with("is damaged, or ends too early"));
+  CHECK(fault_of_slice(whole) == "");
+  for (int k = 1; k < truth.dims.k; ++k) std::filesystem::remove(folder.path(name(k)));
+  CHECK(fault(slices) == "has one slice only");
 }
 
 TEST_CASE("samples in one piece are mapped, not copied") {
