@@ -130,6 +130,7 @@ void add_trace(const Trace& trace, PageData& data) {
   data.add("event_micros", a.micros);
   data.add("event_searches", a.searches);
   data.add("event_computations", a.computations);
+  data.add("event_worst", a.worst);
   data.add("event_edge", a.edge);
   data.add("event_ball", a.ball);
   add_list(data, "removed", a.removed);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "refine/refinement.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -17,7 +18,19 @@ void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId ne
   }
 }
 
+void TraceRecorder::add_distance(FaceId f) {
+  const Triangle& v = mesh_->mesh.faces[f].v;
+  const Dual& dual = mesh_->duals[f];
+  const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
+  if (f >= distance_.size()) distance_.resize(f + 1);
+  distance_[f] = dual.on_surface ? measure(p[v[0]], p[v[1]], p[v[2]], dual.center).h : 0;
+  distances_.insert(distance_[f]);
+}
+
 void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
+  mesh_ = &s;
+  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) add_distance(f);
+  if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
   trace_.switch_to(s.mesh);
 }
 
@@ -49,6 +62,11 @@ void TraceRecorder::operation_tried(Operation operation, const Change& change,
       }
       number_mesh(change.in.facets, kNoId, event.added);
     }
+  }
+  if (!refusal) {
+    for (const FaceId f : change.cavity) remove_distance(f);
+    for (const FaceId f : change.created) add_distance(f);
+    if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
   }
   event.routine = trace_code(operation);
   trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,

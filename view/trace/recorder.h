@@ -4,12 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "paper/restricted.h"
 #include "recover/labels.h"
 #include "surface/observer.h"
 #include "surface/report.h"
+#include "surface/surface_mesh.h"
 #include "view/trace/trace.h"
 
 namespace deliso {
@@ -82,6 +84,9 @@ class TraceRecorder : public Observer {
   // Ends the event.
   void record(TraceOutcome outcome);
   void show(RecordId r);
+  // Keep the distances of a facet that came, and of one that went.
+  void add_distance(FaceId f);
+  void remove_distance(FaceId f) { distances_.erase(distances_.find(distance_[f])); }
   void tell_facet(RecordId r, TraceEvent& event) const;
 
   Trace& trace_;
@@ -97,6 +102,10 @@ class TraceRecorder : public Observer {
   const RestrictedDelaunay* restricted_ = nullptr;
   std::vector<Triangle> shown_;  // per record; kNoId: not in the complex
   TraceOutcome outcome_ = TraceOutcome::done;
+
+  const SurfaceMesh* mesh_ = nullptr;  // of Stage 2
+  IdArray<FaceId, double> distance_;   // of each facet; 0 without a surface point
+  std::multiset<double> distances_;    // of the live ones
 };
 
 }  // namespace deliso

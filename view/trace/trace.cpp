@@ -109,6 +109,7 @@ void Trace::append_event(std::uint8_t outcome) {
   a.micros.push_back(micros_since_last());
   a.searches.push_back(clamped(searches_));
   a.computations.push_back(clamped(computations_));
+  a.worst.push_back(static_cast<float>(worst_));
   append(a.removed, e.removed);
   append(a.added, e.added);
   append(a.zone, e.zone);

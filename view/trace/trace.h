@@ -116,6 +116,7 @@ struct TraceArrays {
   std::vector<std::uint32_t> vertex, caller;
   std::vector<std::uint32_t> micros;                  // since the event before
   std::vector<std::uint32_t> searches, computations;  // so far
+  std::vector<float> worst;  // distance in the mesh after the event; NaN before the switch
   TraceList<std::uint32_t> removed, added, zone, star, cone, relabel;
   TraceList<float> hits;
   std::vector<std::uint32_t> tets;  // of Del S at the switch
@@ -137,6 +138,8 @@ class Trace {
   TraceEvent& event() { return event_; }
   // So much the oracle has done so far.
   void count(std::uint64_t searches, std::uint64_t computations);
+  // The largest distance of a facet's circumcenter from its surface point, in the mesh.
+  void set_worst(double distance) { worst_ = distance; }
   // Ends the event; the next has the same who and why.
   void record(TraceOutcome outcome) { record(trace_code(outcome)); }
   void record(std::uint8_t outcome);
@@ -171,6 +174,7 @@ class Trace {
   Clock::time_point last_;
   TraceEvent event_;
   std::uint64_t searches_ = 0, computations_ = 0;
+  double worst_ = TraceEvent::kNone;
   std::vector<Vec3> points_;
   std::vector<VertexId> of_mesh_;
   TraceArrays arrays_;

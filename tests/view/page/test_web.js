@@ -249,6 +249,21 @@ test('a trace replayed: any step from any other, forwards and back, step by step
   }
 });
 
+test('the curves have the vertices of the surface at every step, and the worst distance of a column', () => {
+  for (let seed = 0; seed < 20; ++seed) {
+    const events = 40;
+    const { arrays, states } = random_trace(random_from(seed), events);
+    arrays.points = new Float32Array(3 * 21);
+    arrays.event_worst = Float32Array.from({ length: events }, (_, e) => e < 10 ? NaN : events - e);
+    const trace = new Trace({ header: {}, arrays });
+    const live = states.slice(1).map((state) => new Set(state.flat()).size);
+    assert.deepEqual(Array.from(live_vertices(trace)), live);
+    const { worst, vertices } = curves_of(trace, events / 2);
+    assert.deepEqual(Array.from(vertices), live.filter((_, e) => e % 2 === 1));
+    assert.deepEqual(Array.from(worst), Array.from(worst, (_, n) => n < 5 ? NaN : events - 2 * n));
+  }
+});
+
 test('labels of the contour are taken back as they were', () => {
   for (let seed = 0; seed < 20; ++seed) {
     const random = random_from(seed);

@@ -217,6 +217,52 @@ TEST_CASE("facets replayed are the mesh, and zones are in conflict, both ways") 
   }
 }
 
+TEST_CASE("the worst distance of the mesh after every event, by brute force") {
+  // Looks at all facets after each operation.
+  struct AllFacets : TraceRecorder {
+    using TraceRecorder::TraceRecorder;
+    void mesh_handed_over(const SurfaceMesh& s) override {
+      surface_mesh = &s;
+      TraceRecorder::mesh_handed_over(s);
+      worst.push_back(largest());
+    }
+    void operation_tried(Operation operation, const Change& change,
+                         std::optional<Refusal> refusal) override {
+      TraceRecorder::operation_tried(operation, change, refusal);
+      worst.push_back(largest());
+    }
+    float largest() const {
+      double h = 0;
+      for (FaceId f = 0; f < surface_mesh->mesh.faces.size(); ++f) {
+        if (is_dead(surface_mesh->mesh.faces[f]) || !surface_mesh->duals[f].on_surface) continue;
+        const Triangle& v = surface_mesh->mesh.faces[f].v;
+        const auto& p = surface_mesh->mesh.points;
+        h = std::max(h, measure(p[v[0]], p[v[1]], p[v[2]], surface_mesh->duals[f].center).h);
+      }
+      return static_cast<float>(h);
+    }
+    const SurfaceMesh* surface_mesh = nullptr;
+    std::vector<float> worst;
+  };
+  for (const char* name : {"torus", "gyroid"}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 16);
+    Trace trace(kNoLimit, false);
+    Report report;
+    AllFacets recorder(trace, report);
+    Options options;
+    options.observer = &recorder;
+    mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
+    const std::vector<float>& told = trace.arrays().worst;
+    REQUIRE(told.size() > recorder.worst.size());
+    const std::size_t stage1 = told.size() - recorder.worst.size();
+    for (std::size_t e = 0; e < stage1; ++e) CHECK(std::isnan(told[e]));
+    CHECK(std::equal(recorder.worst.begin(), recorder.worst.end(),
+                     told.begin() + static_cast<std::ptrdiff_t>(stage1)));
+    CHECK(told.back() < told[stage1]);
+  }
+}
+
 TEST_CASE("what calls for an insertion of the paper's is what the trace says") {
   std::map<Routine, int> asked;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

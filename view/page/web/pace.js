@@ -26,19 +26,30 @@ function measured_criterion(trace) {
   return kMeasured.find((name) => used.has(name)) ?? null;
 }
 
-// Per column of the timeline: the worst value that was handled there, and vertices so far.
+// The vertices that the surface has after every event.
+function live_vertices(trace) {
+  const facets_at = new Int32Array(trace.points.length / 3), counts = new Uint32Array(trace.count);
+  let live = 0;
+  for (let e = 0; e < trace.count; ++e) {
+    for (const v of trace.items('added', e)) if (facets_at[v]++ === 0) ++live;
+    for (const v of trace.items('removed', e)) if (--facets_at[v] === 0) --live;
+    counts[e] = live;
+  }
+  return counts;
+}
+
+// Per column of the timeline: the mesh's worst distance, from the switch on, and the vertices of the
+// surface.
 function curves_of(trace, columns) {
-  const name = measured_criterion(trace);
   const worst = new Float64Array(columns).fill(NaN), vertices = new Float64Array(columns).fill(NaN);
+  const live = live_vertices(trace);
   for (let e = 0; e < trace.count; ++e) {
     const column = Math.floor(e / trace.count * columns);
-    vertices[column] = trace.vertices[e + 1];
-    const value = trace.value(e);
-    if (trace.reason(e)?.name === name && Number.isFinite(value) && !(worst[column] >= value)) {
-      worst[column] = value;
-    }
+    vertices[column] = live[e];
+    const distance = trace.arrays.event_worst?.[e];
+    if (distance >= 0 && !(worst[column] >= distance)) worst[column] = distance;
   }
-  return { name, worst, vertices };
+  return { worst, vertices };
 }
 
 // A curve from low to high over its highest value; columns without a value are passed over.

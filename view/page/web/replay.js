@@ -39,7 +39,7 @@ class Trace {
     let count = arrays.event_routine?.length ?? 0;
     for (const [name, each] of [['outcome', 1], ['reason', 1], ['value', 1], ['vertex', 1],
                                 ['place', 3], ['caller', 3], ['micros', 1], ['searches', 1],
-                                ['computations', 1], ['edge', 6], ['ball', 4]]) {
+                                ['computations', 1], ['worst', 1], ['edge', 6], ['ball', 4]]) {
       const values = arrays['event_' + name];
       if (values) count = Math.min(count, Math.floor(values.length / each));
     }

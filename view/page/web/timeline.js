@@ -200,9 +200,9 @@ class Timeline {
     draw_curve(context, curves.worst, labels, kHead, kCurves - 4, orange, []);
     draw_curve(context, curves.vertices, labels, kHead, kCurves - 4, blue, [5, 3]);
     context.fillStyle = orange;
-    if (curves.name) context.fillText(`\u2014 worst ${kCriteria[curves.name].label}`, 2, kHead + 12, labels - 10);
+    context.fillText('\u2014 worst distance', 2, kHead + 12, labels - 10);
     context.fillStyle = blue;
-    context.fillText('- - vertices so far', 2, kHead + 28, labels - 10);
+    context.fillText('- - vertices', 2, kHead + 28, labels - 10);
     const bottom = this.top + this.lanes.length * kLane;
     context.fillStyle = ink;
     context.textBaseline = 'bottom';
