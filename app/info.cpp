@@ -58,7 +58,7 @@ std::string suggestions_text(const Info& info) {
     const Valley& v = s.valley;
     append_format(text, "%s  --iso %-10s  %s\n", heading, number_text(v.isovalue).c_str(),
                   size_text(s).c_str());
-    text += "                            parts " + percent(v.below) + " below from " +
+    text += "                            " + percent(v.below) + " of the samples below, " +
             percent(v.above) + " above";
     text += info.one_mode ? ", by Otsu's rule: there is one mode\n"
             : v.in_tail   ? ", beyond the mode at " + rounded(v.mode_below) + ": bone, in a CT\n"
