@@ -23,7 +23,9 @@ void TraceRecorder::add_distance(FaceId f) {
   const Dual& dual = mesh_->duals[f];
   const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
   if (f >= distance_.size()) distance_.resize(f + 1);
-  distance_[f] = dual.on_surface ? measure(p[v[0]], p[v[1]], p[v[2]], dual.center).h : 0;
+  const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
+  const bool is_small = shape.r <= report_.r_min;
+  distance_[f] = is_small ? 0 : dual.on_surface ? shape.h : shape.r;
   distances_.insert(distance_[f]);
 }
 

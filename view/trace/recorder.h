@@ -104,7 +104,7 @@ class TraceRecorder : public Observer {
   TraceOutcome outcome_ = TraceOutcome::done;
 
   const SurfaceMesh* mesh_ = nullptr;  // of Stage 2
-  IdArray<FaceId, double> distance_;   // of each facet; 0 without a surface point
+  IdArray<FaceId, double> distance_;   // of each facet, as Report::largest_h; 0 up to r_min
   std::multiset<double> distances_;    // of the live ones
 };
 

@@ -116,7 +116,7 @@ struct TraceArrays {
   std::vector<std::uint32_t> vertex, caller;
   std::vector<std::uint32_t> micros;                  // since the event before
   std::vector<std::uint32_t> searches, computations;  // so far
-  std::vector<float> worst;  // distance in the mesh after the event; NaN before the switch
+  std::vector<float> worst;  // largest h in the mesh after the event; NaN before the switch
   TraceList<std::uint32_t> removed, added, zone, star, cone, relabel;
   TraceList<float> hits;
   std::vector<std::uint32_t> tets;  // of Del S at the switch
@@ -138,7 +138,7 @@ class Trace {
   TraceEvent& event() { return event_; }
   // So much the oracle has done so far.
   void count(std::uint64_t searches, std::uint64_t computations);
-  // The largest distance of a facet's circumcenter from its surface point, in the mesh.
+  // Of all facets of the mesh above r_min the largest h (Report::largest_h).
   void set_worst(double distance) { worst_ = distance; }
   // Ends the event; the next has the same who and why.
   void record(TraceOutcome outcome) { record(trace_code(outcome)); }

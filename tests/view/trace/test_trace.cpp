@@ -234,13 +234,16 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
     float largest() const {
       double h = 0;
       for (FaceId f = 0; f < surface_mesh->mesh.faces.size(); ++f) {
-        if (is_dead(surface_mesh->mesh.faces[f]) || !surface_mesh->duals[f].on_surface) continue;
+        if (is_dead(surface_mesh->mesh.faces[f])) continue;
         const Triangle& v = surface_mesh->mesh.faces[f].v;
         const auto& p = surface_mesh->mesh.points;
-        h = std::max(h, measure(p[v[0]], p[v[1]], p[v[2]], surface_mesh->duals[f].center).h);
+        const Dual& dual = surface_mesh->duals[f];
+        const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
+        if (shape.r > r_min) h = std::max(h, dual.on_surface ? shape.h : shape.r);
       }
       return static_cast<float>(h);
     }
+    double r_min = 0;
     const SurfaceMesh* surface_mesh = nullptr;
     std::vector<float> worst;
   };
@@ -251,6 +254,7 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
     Report report;
     AllFacets recorder(trace, report);
     Options options;
+    recorder.r_min = options.r_min.in(scene.volume);
     options.observer = &recorder;
     mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
     const std::vector<float>& told = trace.arrays().worst;
@@ -259,6 +263,7 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
     for (std::size_t e = 0; e < stage1; ++e) CHECK(std::isnan(told[e]));
     CHECK(std::equal(recorder.worst.begin(), recorder.worst.end(),
                      told.begin() + static_cast<std::ptrdiff_t>(stage1)));
+    CHECK(told.back() == static_cast<float>(report.largest_h));
     CHECK(told.back() < told[stage1]);
   }
 }

@@ -15,6 +15,8 @@ const kMarks = {
   went: { label: 'Facets that go', color: 0xf08a24, dash: 'dashed' },
 };
 
+const kRefusedPoint = { label: 'Point that was refused', color: kMarks.went.color };
+
 // The edges that one of these triangles alone has: pairs of vertices.
 function rim_of(triangles) {
   const edges = new Map();
@@ -70,8 +72,7 @@ class EventMarks {
     const ball = trace.ball(e);
     if (ball) this.show_ball(Array.from(ball));
     if (place) {
-      const refused = trace.refused(e);
-      this.dots.point.add(place, refused ? kMarks.went.color : kMarks.point.color, 13);
+      this.dots.point.add(place, this.mark('point', e).color, 13);
       extend_box(this.box, ...place);
     }
     this.show_zone(trace.items('zone', e));
@@ -99,8 +100,9 @@ class EventMarks {
     const there = (key) => key === 'caller' ? this.trace.count > 0 && this.trace.caller(e).length > 0 :
       [this.fills, this.lines, this.dots].some((group) => group[key]?.count > 0);
     return Object.entries(kMarks).filter(([key]) => this.on[key] && there(key))
-      .map(([, mark]) => mark);
+      .map(([key]) => this.mark(key, e));
   }
+  mark(key, e) { return key === 'point' && this.trace.refused(e) ? kRefusedPoint : kMarks[key]; }
 
   // Whether so little changes that it can be pointed at.
   is_small(e) {

@@ -33,6 +33,7 @@ function tour_stops(trace) {
     ? trace.size('cone', e) + trace.size('star', e) : none);
   const worst = heaviest(trace, (e) => limit && because(e) === limit && trace.stage(e) === 2 ? value(e) : none);
   const last = trace.count - 1;
+  const farthest = trace.arrays.event_worst?.[last];
   const live = trace.begin('added', trace.count) - trace.begin('removed', trace.count);
   const stop = (title, event, text, missing, whole = false) =>
     ({ title, event, text: event < 0 ? missing : text(event), whole });
@@ -62,7 +63,9 @@ function tour_stops(trace) {
     stop('Done', last, () =>
       `The finished mesh has ${counted(live, 'facet', 'facets')}, after ${counted(trace.count, 'step', 'steps')}` +
       `: ${grouped(trace.inserted[0][trace.count])} points inserted in Recover, ` +
-      `${grouped(trace.inserted[1][trace.count])} in Refine.`, 'The trace has no events.', true),
+      `${grouped(trace.inserted[1][trace.count])} in Refine.` + (farthest >= 0
+        ? ` The largest distance from the surface is ${rounded(farthest)}, of all facets above r_min.` : ''),
+         'The trace has no events.', true),
   ];
 }
 
