@@ -168,6 +168,8 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
     p.triangles.push_back({t[0], t[1], VertexId(p.points.size() - 1)});
     const Verification v = good.verify_parts(p);
     CHECK(v.faults.count(FaultKind::non_manifold_edges) == 1);
+    CHECK(v.faults.count(FaultKind::holes) == 2);
+    CHECK(v.faults.count(FaultKind::vertices_off_surface) == 1);
     CHECK(v.faults.count(FaultKind::duplicate_triangles) == 0);
     CHECK(v.faults.count(FaultKind::self_intersections) == 0);
   }
