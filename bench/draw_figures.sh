@@ -175,7 +175,7 @@ panel_of TOOTH tooth.ply
 figure 08-tooth TOOTH '--view 30,25' --size 1200x960 --edges on --clip x:0.5 <<'END'
 
 The half towards the eye is taken away. The pulp chamber is seen from within the tooth's substance
-(orange) and, through the cut, from within the chamber (blue); in this crop it opens at the root, so
+(orange) and, through the cut, from within the chamber (blue). In this crop it opens at the root, so
 that it is one component with the outer surface. The bumps of the root are in the data.
 END
 

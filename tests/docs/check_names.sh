@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What pages and comments name is there: links and headings, files, functions, names of the code in
-# backticks, options, make's targets; the guide has every room of the trees, the README every command.
+# backticks, options, make's targets. The guide has every room of the trees, the README every command.
 # Usage: check_names.sh SOURCE PROGRAM
 set -eu
 cd "$1"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every chapter of the guide that has exercises has three, each with a worked answer, and each
+# Every chapter of the guide that has exercises has three, each with a worked answer. Each is
 # answered by a test case that is there under the name that the chapter gives. docs/proof.md names a
 # test case for each of C1 to C4.
 # Usage: exercises.sh SOURCE

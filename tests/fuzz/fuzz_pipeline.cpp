@@ -2,8 +2,8 @@
 // The whole way from samples to a checked mesh, on volumes of up to 12 x 12 x 12. The first bytes
 // say size, sample type, spacing, isovalue and options, the rest are samples: taken as they are, or
 // as the parameters of smooth noise. Whatever they say, the mesh is a manifold that ends on the box
-// only (by the paper's way, where nothing is left unresolved), and by the certified way its
-// topology is exact unless a counter says otherwise.
+// only (by the paper's way, where nothing is left unresolved). By the certified way its topology is
+// exact unless a counter says otherwise.
 //
 // With DELISO_FUZZ_WRITE=FILE.nrrd in the environment the volume is written there and the command
 // line that does the same is printed.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Runs the fuzz targets one after the other, each for FUZZ_SECONDS (60), on a corpus that is kept
-# between runs; goes on after a finding, and exits 1 when there was one. A line per target and run
+# between runs. It goes on after a finding, and exits 1 when there was one. A line per target and run
 # is added to CORPUS/runs.tsv: target, executed inputs, processor seconds, inputs kept, findings.
 # Usage: run.sh BUILD_FOLDER CORPUS_FOLDER [TARGET...]
 set -eu

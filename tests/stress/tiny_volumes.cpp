@@ -3,9 +3,9 @@
 //   tiny_volumes [--first-seed N] [--count M] [--recover certified|paper]
 //                [--rmin SHARE] [--embedded] [--matched] [--list]
 //   tiny_volumes --write SEED FILE.nrrd      one of them as a file, and its command line
-// Seeds first-seed .. first-seed + count - 1 (1 .. 210), r_min a quarter of the largest
-// spacing, or SHARE of it. They run in a child
-// process: a crash or more than 60 s of processor time costs that one volume, and the rest goes on.
+// Seeds first-seed .. first-seed + count - 1 (1 .. 210), r_min a quarter of the largest spacing, or
+// SHARE of it. They run in a child process. A crash or more than 60 s of processor time costs that
+// one volume, and the rest goes on.
 // --list names every seed with a fault, and those that took more than 2 s to mesh.
 //
 // Columns: volumes; of these crashed; hung; meshed in more than 2 s; with an invalid mesh
@@ -13,8 +13,8 @@
 // with equal ones that verify() cannot match; with uncertified sites; with vertices at one
 // position; with triangles that intersect; pairs of such triangles; volumes with vertices off the
 // surface; triangles. Exit status 1 when a mesh is invalid, a run crashed or hung, or, by the
-// certified way, a topology is not exact; with --embedded also when triangles intersect, with
-// --matched when verify() disputes a component.
+// certified way, a topology is not exact. With --embedded it is 1 also when triangles intersect,
+// with --matched when verify() disputes a component.
 //
 //   cmake --build build --target tiny_volumes
 //   build/tests/tiny_volumes --count 20000 --list

@@ -258,9 +258,8 @@ TEST_CASE("a view that is not given looks into every cut") {
     CAPTURE(normal.y);
     CAPTURE(normal.z);
     const ClipPlane clip{normal, dot(normal, kCenter)};
-    // Of a half sphere, the inside has the share (1 + c) / 2 - (1 - c) / 2 = c of the disk's area
-    // in sight, c the cosine between the view and the normal, and 2 c / (1 + c) of all that is
-    // seen.
+    // c is the cosine between the view and the normal. Of a half sphere, the inside has the share
+    // (1 + c) / 2 - (1 - c) / 2 = c of the disk's area, and 2 c / (1 + c) of all that is seen.
     const Tally seen = tally(render(mesh, options, clip));
     CHECK(seen.inside > 2 * 0.5 / 1.5 * 0.95 * (seen.inside + seen.outside));
     // So it does where only one of two panels is cut.
