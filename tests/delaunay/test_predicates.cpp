@@ -227,8 +227,9 @@ TEST_CASE("signs are exact at both ends of the guaranteed range") {
   }
 }
 
-TEST_CASE("orient3d: a walk over the nextafter grid around a coplanar point, all even orders") {
-  // After the best test of Shewchuk's ports: 64 x 64 neighboring doubles, every order of points.
+TEST_CASE("orient3d: a walk over the nextafter grid around a coplanar point, in four even orders") {
+  // After the best test of Shewchuk's ports: 64 x 64 neighboring doubles, in four even orders of
+  // the points and an odd one.
   const Vec3 a{12, 12, 12}, b{24, 24, 24.5}, c{0.5, 0.5, 1}, base{0.5, 0.5, 0.75};
   int zeros = 0;
   double x = base.x;
