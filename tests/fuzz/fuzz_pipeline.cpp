@@ -210,7 +210,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   Report report;
   TriMesh mesh;
   try {
-    mesh = (by_cubes ? mesh_by_cubes : mesh_isosurface)(volume, isovalue, options, report);
+    mesh = by_cubes ? mesh_by_cubes(volume, isovalue, options, report)
+                    : mesh_isosurface(volume, isovalue, options, report);
   } catch (const InputError& error) {
     check_message(error);
     require(options.max_vertices < 1u << 20, "refused without --max-vertices");
