@@ -32,8 +32,11 @@ void require_limits(const Options& o, const Volume& volume) {
         "single_stage (--single-stage) needs the paper's Recover (--recover paper): the certified "
         "way leaves all refinement to Stage 2");
   }
+  if (!(volume.box().smallest_side() > 0)) {
+    throw InputError("a volume needs two or more samples along each axis");
+  }
   const double r_min_voxels = o.r_min.in(volume) / volume.voxel();
-  if (volume.box().smallest_side() > 0 && !(r_min_voxels >= kSmallestRMin)) {
+  if (!(r_min_voxels >= kSmallestRMin)) {
     throw InputError(text("r_min (--rmin) is ", r_min_voxels, " voxels, and must be at least ",
                           kSmallestRMin, ": at creases refinement would hardly end"));
   }

@@ -40,8 +40,7 @@ constexpr double kAuxiliaryDiagonals = 16;
 // `ids`.
 Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<SiteId>& ids) {
   const Vec3 center = 0.5 * (box.lo + box.hi);
-  const double diagonal = length(box.size());  // 0 of a single sample
-  const double d = kAuxiliaryDiagonals * (diagonal > 0 ? diagonal : 1);
+  const double d = kAuxiliaryDiagonals * length(box.size());
   for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
     points.push_back(center + d * corner);
   }

@@ -265,17 +265,12 @@ TEST_CASE("a flat surface, with all points in one plane, ends on the box") {
   }
 }
 
-TEST_CASE("a volume without a voxel has an empty mesh, by both ways") {
+TEST_CASE("a volume without a voxel is refused") {
   for (const Index3 dims : {Index3{1, 1, 1}, Index3{1, 1, 5}, Index3{3, 1, 2}}) {
     const std::vector<float> samples(static_cast<std::size_t>(dims.i * dims.j * dims.k), 1);
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
-    for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
-      Options options;
-      options.recover = way;
-      const Run out = run(volume, 0.5, options);
-      CHECK(out.mesh.faces.empty());
-      CHECK(out.mesh.points.empty());
-    }
+    CHECK_THROWS_WITH_AS(run(volume, 0.5, {}), "a volume needs two or more samples along each axis",
+                         InputError);
   }
 }
 
