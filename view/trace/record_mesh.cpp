@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "refine/refinement.h"
 #include "surface/criteria.h"
@@ -18,21 +19,26 @@ void TraceRecorder::number_mesh(const std::vector<Triangle>& facets, VertexId ne
   }
 }
 
-void TraceRecorder::add_distance(FaceId f) {
-  const Triangle& v = mesh_->mesh.faces[f].v;
-  const Dual& dual = mesh_->duals[f];
-  const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
-  if (f >= distance_.size()) distance_.resize(f + 1);
-  const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
-  const bool is_small = shape.r <= report_.r_min;
-  distance_[f] = is_small ? 0 : dual.on_surface ? shape.h : shape.r;
-  distances_.insert(distance_[f]);
+void TraceRecorder::update_worst(const std::vector<FaceId>& gone, const std::vector<FaceId>& come) {
+  for (const FaceId f : gone) distances_.erase(distances_.find(distance_[f]));
+  distance_.resize(mesh_->mesh.faces.size());
+  for (const FaceId f : come) {
+    const Triangle& v = mesh_->mesh.faces[f].v;
+    const Dual& dual = mesh_->duals[f];
+    const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
+    const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
+    const bool is_small = shape.r <= report_.r_min;
+    distance_[f] = is_small ? 0 : dual.on_surface ? shape.h : shape.r;
+    distances_.insert(distance_[f]);
+  }
+  if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
 }
 
 void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
   mesh_ = &s;
-  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) add_distance(f);
-  if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
+  std::vector<FaceId> all(s.mesh.faces.size());
+  std::iota(all.begin(), all.end(), FaceId(0));
+  update_worst({}, all);
   trace_.switch_to(s.mesh);
 }
 
@@ -65,11 +71,7 @@ void TraceRecorder::operation_tried(Operation operation, const Change& change,
       number_mesh(change.in.facets, kNoId, event.added);
     }
   }
-  if (!refusal) {
-    for (const FaceId f : change.cavity) remove_distance(f);
-    for (const FaceId f : change.created) add_distance(f);
-    if (!distances_.empty()) trace_.set_worst(*distances_.rbegin());
-  }
+  if (!refusal) update_worst(change.cavity, change.created);
   event.routine = trace_code(operation);
   trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,
                report_.searches_recover.computations + report_.searches_refine.computations);

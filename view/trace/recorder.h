@@ -84,9 +84,8 @@ class TraceRecorder : public Observer {
   // Ends the event.
   void record(TraceOutcome outcome);
   void show(RecordId r);
-  // Keep the distances of a facet that came, and of one that went.
-  void add_distance(FaceId f);
-  void remove_distance(FaceId f) { distances_.erase(distances_.find(distance_[f])); }
+  // Facets of the mesh went, others came: the trace gets the worst distance of those there.
+  void update_worst(const std::vector<FaceId>& gone, const std::vector<FaceId>& come);
   void tell_facet(RecordId r, TraceEvent& event) const;
 
   Trace& trace_;

@@ -258,7 +258,7 @@ test('the curves have the vertices of the surface at every step, and the worst d
     const trace = new Trace({ header: {}, arrays });
     const live = states.slice(1).map((state) => new Set(state.flat()).size);
     assert.deepEqual(Array.from(live_vertices(trace)), live);
-    const { worst, vertices } = curves_of(trace, events / 2);
+    const { worst, vertices } = curves_of(trace, live, events / 2);
     assert.deepEqual(Array.from(vertices), live.filter((_, e) => e % 2 === 1));
     assert.deepEqual(Array.from(worst), Array.from(worst, (_, n) => n < 5 ? NaN : events - 2 * n));
   }

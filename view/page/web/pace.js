@@ -39,10 +39,9 @@ function live_vertices(trace) {
 }
 
 // Per column of the timeline: the mesh's worst distance, from the switch on, and the vertices of the
-// surface.
-function curves_of(trace, columns) {
+// surface, `live` after every event.
+function curves_of(trace, live, columns) {
   const worst = new Float64Array(columns).fill(NaN), vertices = new Float64Array(columns).fill(NaN);
-  const live = live_vertices(trace);
   for (let e = 0; e < trace.count; ++e) {
     const column = Math.floor(e / trace.count * columns);
     vertices[column] = live[e];

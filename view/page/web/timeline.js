@@ -22,6 +22,7 @@ class Timeline {
     this.playing = false;
     this.speed = 0;       // events per second; 0: as long as the event is rare
     this.seconds = seconds_of_events(trace);
+    this.live = live_vertices(trace);
     this.kind = 'routine';
     this.canvas = element('canvas', { class: 'lanes', tabindex: 0, role: 'slider',
                                       'aria-label': 'Event', 'aria-valuemin': 1,
@@ -195,12 +196,12 @@ class Timeline {
       context.textBaseline = 'middle';
       context.fillText(label, 2, y + kLane / 2 + 0.5, labels - 10);
     });
-    const curves = curves_of(trace, columns);
+    const curves = curves_of(trace, this.live, columns);
     const orange = css_color(style_color('--accent')), blue = css_color(style_color('--focus'));
     draw_curve(context, curves.worst, labels, kHead, kCurves - 4, orange, []);
     draw_curve(context, curves.vertices, labels, kHead, kCurves - 4, blue, [5, 3]);
     context.fillStyle = orange;
-    context.fillText('\u2014 worst distance', 2, kHead + 12, labels - 10);
+    if (curves.worst.some(Number.isFinite)) context.fillText('\u2014 worst distance', 2, kHead + 12, labels - 10);
     context.fillStyle = blue;
     context.fillText('- - vertices', 2, kHead + 28, labels - 10);
     const bottom = this.top + this.lanes.length * kLane;
