@@ -101,11 +101,9 @@ TriMesh marching_cubes(const Volume& volume, double kappa) {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   TableSink sink(volume, points, triangles);
-  volume.visit([&](const auto* samples) {
-    ContourStream walk(volume, samples, kappa, sink);
-    sink.expect(walk.estimate_crossings());
-    walk.run();
-  });
+  ContourStream walk(volume, kappa, sink);
+  sink.expect(walk.estimate_crossings());
+  walk.run();
   return make_tri_mesh(std::move(points), triangles);
 }
 

@@ -57,15 +57,13 @@ StreamResult stream(const Volume& volume, double kappa, const std::vector<Slab>&
                     std::vector<Sink>& sinks, int threads) {
   std::vector<SlabWalk> walks(slabs.size());
   std::vector<std::size_t> vertices(slabs.size());
-  volume.visit([&](const auto* samples) {
-    for_each_task(threads, slabs.size(), [&](std::size_t n) {
-      ContourStream walk(volume, samples, kappa, sinks[n], slabs[n]);
-      sinks[n].expect(walk.estimate_crossings());
-      walk.run();
-      walks[n] = std::move(walk.found());
-      sinks[n].replace_boundary(walks[n].boundary);
-      vertices[n] = sinks[n].vertices();
-    });
+  for_each_task(threads, slabs.size(), [&](std::size_t n) {
+    ContourStream walk(volume, kappa, sinks[n], slabs[n]);
+    sinks[n].expect(walk.estimate_crossings());
+    walk.run();
+    walks[n] = std::move(walk.found());
+    sinks[n].replace_boundary(walks[n].boundary);
+    vertices[n] = sinks[n].vertices();
   });
   StreamResult result;
   result.numbers = weld(walks, vertices);

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "contour/components.h"
@@ -41,12 +42,17 @@ class LayerBits {
   int words() const { return words_; }
   const std::uint64_t* row(int j) const { return bits_.data() + std::size_t(stride_) * size_t(j); }
 
-  template <class T>
-  void load_row(int j, const T* samples, T threshold) {
+  // Sets row j to the bits of row (j, k) of the volume.
+  void load_row(const Volume& volume, int j, int k, double kappa) {
     // First bytes, in a loop that vectorizes; then eight bytes at a time into bits.
     std::uint8_t* inside = buffer_.data();
-    const int n = nx_;
-    for (int i = 0; i < n; ++i) inside[i] = samples[i] >= threshold;
+    volume.visit([&](const auto* samples) {
+      using T = std::remove_cvref_t<decltype(*samples)>;
+      const std::optional<T> threshold = inside_threshold<T>(kappa);
+      const T* row = samples + volume.index(0, j, k);
+      const int n = threshold ? nx_ : 0;  // without one all samples are outside
+      for (int i = 0; i < n; ++i) inside[i] = row[i] >= *threshold;
+    });
     const std::uint8_t* next = inside;
     std::uint64_t* out = bits_.data() + std::size_t(stride_) * size_t(j);
     for (int w = 0; w < words_; ++w) {
@@ -122,13 +128,14 @@ struct SlabWalk {
   std::vector<SharedCrossing> below, above;
 };
 
-template <class T, ContourSink Sink>
+template <ContourSink Sink>
 class ContourStream {
  public:
-  ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink)
-      : ContourStream(volume, samples, kappa, sink, {0, volume.dims().k}) {}
-  ContourStream(const Volume& volume, const T* samples, double kappa, Sink& sink, Slab slab)
-      : samples_(samples),
+  ContourStream(const Volume& volume, double kappa, Sink& sink)
+      : ContourStream(volume, kappa, sink, {0, volume.dims().k}) {}
+  // `volume` and `sink` must outlive the walk.
+  ContourStream(const Volume& volume, double kappa, Sink& sink, Slab slab)
+      : volume_(volume),
         kappa_(kappa),
         sink_(sink),
         slab_(slab),
@@ -137,20 +144,19 @@ class ContourStream {
         layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
 
   void run() {
-    const std::optional<T> threshold = inside_threshold<T>(kappa_);
-    if (!threshold || dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
+    if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     for (auto& slots : slots_) slots.resize(layer_size_);
     if (slab_.begin > 0) {
       for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, slab_.begin - 1, *threshold);
+        load_row(j, slab_.begin - 1);
         cross_row_in_layer(j, slab_.begin - 1);
       }
     }
     for (int k = slab_.begin; k < slab_.end; ++k) {
       aim_slots(k - 1);
       for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k, *threshold);
+        load_row(j, k);
         if (k > 0) {
           for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
         }
@@ -166,15 +172,13 @@ class ContourStream {
   // layers.
   std::size_t estimate_crossings() {
     constexpr int kLayerStride = 16;
-    const std::optional<T> threshold = inside_threshold<T>(kappa_);
-    if (!threshold) return 0;
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     std::size_t crossings = 0;
     const auto count = [&](int) { ++crossings; };
     for (int k = slab_.begin + kLayerStride / 2; k + 1 < slab_.end; k += kLayerStride) {
       for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k, *threshold);
-        load_row(j, k + 1, *threshold);
+        load_row(j, k);
+        load_row(j, k + 1);
         for_each_edge_along_x(j, k, count);
         if (j > 0) for_each_edge_along_y(j - 1, k, count);
         for_each_edge_along_z(j, k, count);
@@ -193,13 +197,9 @@ class ContourStream {
 
   const LayerBits& layer(int k) const { return *layers_[k & 1]; }
   std::size_t in_layer(int i, int j) const { return row_stride_ * size_t(j) + size_t(i); }
-  double value(int i, int j, int k) const {
-    return static_cast<double>(samples_[layer_size_ * size_t(k) + in_layer(i, j)]) - kappa_;
-  }
+  double value(Index3 at) const { return volume_.sample(at.i, at.j, at.k) - kappa_; }
 
-  void load_row(int j, int k, T threshold) {
-    layers_[k & 1]->load_row(j, samples_ + layer_size_ * size_t(k) + in_layer(0, j), threshold);
-  }
+  void load_row(int j, int k) { layers_[k & 1]->load_row(volume_, j, k, kappa_); }
 
   // Calls visit(i) for every bit set in bits(w), below `limit`.
   template <class Bits, class Visit>
@@ -226,8 +226,7 @@ class ContourStream {
       if (sample[other] == dims_[other] - 1) faces |= 2 << (2 * other);
     }
     const VertexId vertex =
-        sink_.crossing(axis, sample, value(sample.i, sample.j, sample.k),
-                       value(end.i, end.j, end.k), static_cast<std::uint8_t>(faces));
+        sink_.crossing(axis, sample, value(sample), value(end), static_cast<std::uint8_t>(faces));
     slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
   }
 
@@ -330,14 +329,7 @@ class ContourStream {
   }
 
   void walk_voxel(Index3 voxel, int mask) {
-    const T* s = samples_ + layer_size_ * size_t(voxel.k) + in_layer(voxel.i, voxel.j);
-    Corners corners;
-    for (int m = 0; m < 8; ++m) {
-      const std::size_t at =
-          size_t(m & 1) + row_stride_ * size_t(m >> 1 & 1) + layer_size_ * size_t(m >> 2);
-      corners[m] = static_cast<double>(s[at]);
-    }
-    const VoxelValues values(corners, kappa_);
+    const VoxelValues values(volume_.corners(voxel), kappa_);
     ++found_.active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, values, scratch);
@@ -410,7 +402,7 @@ class ContourStream {
 
   using size_t = std::size_t;
 
-  const T* samples_;
+  const Volume& volume_;
   double kappa_;
   Sink& sink_;
   Slab slab_;
