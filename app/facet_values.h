@@ -19,8 +19,8 @@ struct FacetComponents {
 };
 FacetComponents facet_components(const TriMesh& mesh);
 
-// Marks the facets of the largest components that together have 99 % of the mesh's area. So specks
-// far away do not shrink its picture.
+// Marks the facets of the largest components that together have 99 % of the mesh's area. So small
+// ones far away do not shrink its picture.
 std::vector<std::uint8_t> facets_of_most_area(const TriMesh& mesh,
                                               const FacetComponents& components);
 

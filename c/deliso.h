@@ -20,6 +20,7 @@
  *
  * Errors: a function that can fail returns a status, and deliso_last_error() has one line about it.
  * No exception leaves the library. Where a function fails, what it should have made is unchanged.
+ * A pointer must not be null unless its comment allows that.
  *
  * Threads: calls in different threads do not disturb each other, on the same volume or mesh too. A
  * call itself works in as many threads as the option "threads" says. */
@@ -122,8 +123,8 @@ DELISO_API const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* co
 DELISO_API const char* deliso_mesh_report(const deliso_mesh* mesh);
 DELISO_API const char* deliso_mesh_warnings(const deliso_mesh* mesh);
 
-/* Writes the mesh as .ply, .off, .obj, .stl or .vtp, by the path's ending. The file appears whole
- * or not at all. */
+/* Writes the mesh as .ply, .off, .obj, .stl, .vtp, .glb, .3mf, .smesh or .poly, by the path's
+ * ending. The file appears whole or not at all. */
 DELISO_API deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path);
 
 /* Compares a mesh with the exact surface, as the program's check command does, with the options of

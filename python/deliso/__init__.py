@@ -235,7 +235,8 @@ class Mesh:
         return view
 
     def save(self, path):
-        """Writes .ply, .off, .obj, .stl or .vtp, by the path's ending, whole or not at all."""
+        """Writes the file whole or not at all. Its ending says the format: .ply, .off, .obj, .stl,
+        .vtp, .glb, .3mf, .smesh or .poly."""
         _ok(_library.deliso_mesh_save(self._handle, os.fsencode(path)))
 
     def __repr__(self):

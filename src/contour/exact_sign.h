@@ -9,7 +9,7 @@
 //
 // Guarantee for polynomials of degree 4 at most. The sign is exact if the highest and the lowest
 // nonzero bits of the values and kappa are less than 500 binary places apart. That holds for all
-// integer and float32 samples, if kappa is not below 2^-300, and for float64 samples over 150
+// integer and float32 samples, if kappa is not below 2^-300, and for float64 samples over 130
 // decimal magnitudes. Beyond that, signs may be wrong, but the same values give the same sign.
 #pragma once
 

@@ -9,7 +9,7 @@
 namespace deliso {
 namespace {
 
-// True if v is a vertex of Stage 1 that its chain does not need.
+// True if v was there when this refinement began and its chain does not need it.
 bool may_remove(const Refinement& r, VertexId v) {
   if (v >= r.removable) return false;
   const BoundaryChain& chain = r.s.chain;

@@ -8,7 +8,8 @@ namespace deliso {
 namespace {
 
 // Least distance, in r_min, from a new vertex to a vertex of its cavity. A nearer one would make
-// needles. By packing, it also bounds the number of insertions.
+// needles. In practice it also ends insertion. That is not proven: other vertices are not tested,
+// and moves may bring vertices together (docs/proof.md, Statement 5.1).
 constexpr double kMinSpacingRMins = 0.25;
 
 // Sets the cavity E: the facets, connected to `start`, whose surface balls hold p.

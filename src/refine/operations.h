@@ -31,12 +31,12 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 
 // Collapses the shortest edge of f if the r/l of f is over its limit and the edge is shorter than
 // r_min. The worst r/l there must not rise. Stage 1 can leave vertices very close to each
-// other, and no insertion removes a short edge. Only vertices of Stage 1 are removed, so collapses
-// end.
+// other, and no insertion removes a short edge. Only vertices before Refinement::removable are
+// removed, so collapses end.
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f);
 
 // Proposes to merge `from`, a corner of f, into its neighbor `to`: sets r.change. Refused if `from`
-// is not a vertex of Stage 1 or its chain needs it.
+// may not be removed or its chain needs it.
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine = kSharpestFold);
 

@@ -96,10 +96,11 @@ class Refinement {
   Report& report;
   Observer* const observer;  // null unless it follows insertions
   const Region region;
-  const std::size_t removable;  // only vertices before this one may be removed: those of Stage 1
+  // Only vertices before this one may be removed: those of the mesh when this refinement began.
+  const std::size_t removable;
   SurfacePointFinder finder;
   Change change;                         // the last one proposed
-  std::vector<std::uint8_t> move_tries;  // per vertex; grows on demand
+  std::vector<std::uint8_t> move_tries;  // per vertex, in this refinement; grows on demand
 
   // Clears `change` and returns it.
   Change& begin_change(double least_cosine = -1);

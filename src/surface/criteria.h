@@ -84,7 +84,7 @@ struct Criteria {
     none[Criterion::r_over_l] = row_of(Criterion::r_over_l).usual;
     return none;
   }();
-  double r_min = 0;        // smaller facets are refined for shape only
+  double r_min = 0;        // up to it a facet can violate criteria of shape only
   double shape_floor = 0;  // smaller ones are not refined for shape either
 
   double& operator[](Criterion c) { return limits[c]; }

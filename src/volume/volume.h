@@ -195,8 +195,8 @@ std::optional<T> inside_threshold(double kappa) {
 // Returns the kappa that the geometry uses; inside is f >= kappa. Where samples equal kappa, the
 // surface would touch itself at samples and along plateaus. There kappa is lowered by about 1e-9 of
 // the data's range, and by less than the gap to the next lower sample. Returns kappa if no sample
-// equals it. A block has isovalue_of_blocks() whatever its samples. pre: no sample is NaN or
-// infinite.
+// equals it, or if that sample is the adjacent double. A block has isovalue_of_blocks() whatever
+// its samples. pre: no sample is NaN or infinite.
 double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
 
 // The lowered kappa, whether a sample equals kappa or not. It is kappa itself if no sample is
