@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The glossary holds for README, docs and guide:
+# The glossary holds for README, docs and guide, and its words for the pages of view/ too:
 #   words    no page uses a word that the glossary replaces;
 #   links    what a page links as a term has an entry, each entry is there once, and every chapter
 #            with exercises links one;
@@ -105,6 +105,10 @@ must_find "$(names_of "$work/page" | wc -l)" 2 names
 {
   uniq -d "$work/ids" | sed 's/^/FAULT: docs\/glossary.md: twice: /'
   names_of docs/glossary.md
+  # Hands have fingers there.
+  pattern=$(sed '/^finger$/d;s/$/s?/' "$work/words" | paste -sd'|' -)
+  for page in docs/figures/README.md view/page/web/* view/trace/*; do words_of "$page"; done
+  pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
   for page in README.md docs/*.md docs/guide/*.md; do
     # What make tables writes is made of docs/results-notes.md and output.
     [ "$page" = docs/results.md ] && continue

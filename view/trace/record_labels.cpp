@@ -19,9 +19,9 @@ Routine routine_of(Reason reason) {
     case Reason::protrusion:
       return Routine::find_protrusions;
     case Reason::crossing:
-      return Routine::part_crossings;
+      return Routine::resolve_crossings;
     case Reason::reversed:
-      return Routine::turn_out;
+      return Routine::correct_reversed;
     default:
       return Routine::certify;
   }

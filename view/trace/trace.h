@@ -41,8 +41,8 @@ enum class Routine : std::uint8_t {
   approximate_geom,
   certify,  // this and the next three: the certified way
   find_protrusions,
-  part_crossings,
-  turn_out,
+  resolve_crossings,
+  correct_reversed,
   build_tri_mesh,  // the switch
   count_           // then the operations of Stage 2
 };

@@ -27,8 +27,9 @@ RoutineName name_of(Routine routine) {
       {"find_protrusions", "", 1,
        "a vertex of T that is too far from the facets at its site is inserted: a thin branch "
        "within one region is a disk too"},
-      {"part_crossings", "", 1, "where two facets of K cross, a vertex of T between is inserted"},
-      {"turn_out", "", 1, "a component of K that is inside out gets one vertex of T more"},
+      {"resolve_crossings", "", 1,
+       "where two facets of K cross, a vertex of T between is inserted"},
+      {"correct_reversed", "", 1, "a reversed component of K gets one vertex of T more"},
       {"build_tri_mesh", "4", 2,
        "BuildTriMesh: the switch. The tetrahedra are left behind, a plain mesh of triangles takes "
        "the place of the facets"}};
@@ -48,7 +49,7 @@ RoutineName routine_of(Operation operation) {
       {"another point of the surface near the facet is inserted"},
       {"an edge on the box is split at the middle of its arc", "9"},
       {"an edge gives way to the other diagonal of its two facets"},
-      {"a short edge is collapsed, or a corner merged into a neighbor"},
+      {"a short edge is collapsed"},
       {"a vertex moves along the surface"},
       {"a point of the surface that is too far from the mesh is inserted"},
   }};
@@ -83,7 +84,7 @@ ReasonName name_of(Reason reason) {
        "a vertex of T is too far from the facets at its site; value: distance of the vertex "
        "inserted from its site"},
       {"crossing", "facets of K cross; value: distance of the vertex inserted from its site"},
-      {"inside out",
+      {"reversed",
        "a component bounds what is outside; value: distance of the vertex inserted from its site"},
       {"not Delaunay", "a vertex is in the facet's surface ball; value: circumradius"},
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
@@ -104,9 +105,9 @@ std::string_view text_of(Refusal refusal) {
       "E or what takes its place is no disk (G1)",
       "E has a vertex inside, which would go (G1)",
       "a new facet's dual line misses the surface (G3)",
-      "the point is too near to a vertex of the rim",
+      "the point is too near to a vertex of E",
       "a boundary edge encroached upon that cannot be split",
-      "an edge would be too sharp, or a component inside out (G2)",
+      "an edge would be too sharp, or a component reversed (G2)",
       "nothing would be better (G4)",
       "a vertex would go that is too far from the new facets (G4)",
       "a new facet would cross another (G5)",

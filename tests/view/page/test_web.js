@@ -355,9 +355,9 @@ test('an event is told with who asked for it, why and what came of it', () => {
   assert.equal(told[1].where, 'Stage 2, Figure 9');
 });
 
-test('the rim of a disk is what one triangle alone has', () => {
-  const rim = rim_of([0, 1, 2, 0, 2, 3]).map((edge) => edge.join(' ')).sort();
-  assert.deepEqual(rim, ['0 1', '1 2', '2 3', '3 0']);
+test('the boundary of a disk is what one triangle alone has', () => {
+  const boundary = boundary_of([0, 1, 2, 0, 2, 3]).map((edge) => edge.join(' ')).sort();
+  assert.deepEqual(boundary, ['0 1', '1 2', '2 3', '3 0']);
 });
 
 test('triangles that name points beyond the last are left out', () => {

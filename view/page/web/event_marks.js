@@ -9,7 +9,7 @@ const kMarks = {
   edge: { label: 'Voronoi edge and its hits', color: 0x0b90b1 },
   ball: { label: 'Surface ball', color: 0x1f4e8c },
   zone: { label: 'Conflict zone', color: 0x7b9fd6 },
-  star: { label: 'Disk looked at (D_q or E), its rim', color: 0x5a2d00 },
+  star: { label: 'Disk looked at (D_q or E), its boundary', color: 0x5a2d00 },
   cone: { label: 'Cone D that was refused', color: 0x4361ee, dash: 'dashed' },
   came: { label: 'Facets that come', color: 0x1d74d8 },
   went: { label: 'Facets that go', color: 0xf08a24, dash: 'dashed' },
@@ -18,7 +18,7 @@ const kMarks = {
 const kRefusedPoint = { label: 'Point that was refused', color: kMarks.went.color };
 
 // The edges that one of these triangles alone has: pairs of vertices.
-function rim_of(triangles) {
+function boundary_of(triangles) {
   const edges = new Map();
   for (let n = 0; n < triangles.length; n += 3) {
     for (let i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ class EventMarks {
     this.show_facets('star', star, point, 0);
     // In Stage 2 the disk E of a point that came is what went.
     const went = trace.stage(e) === 2 && this.is_small(e) ? trace.items('removed', e) : [];
-    for (const [a, b] of rim_of(star.length > 0 ? star : went)) {
+    for (const [a, b] of boundary_of(star.length > 0 ? star : went)) {
       this.lines.star.add(point(a), point(b), kMarks.star.color, 3);
     }
     this.show_facets('cone', trace.items('cone', e), point, 1.5);

@@ -29,7 +29,7 @@ function measure_triangles(points, triangles) {
   return { angle, r_over_l, radius, area };
 }
 
-// The triangles of the largest components that together have 99 % of the area, so that specks far
+// The triangles of the largest components that together have 99 % of the area, so that small ones far
 // away do not shrink the picture.
 function triangles_of_most_area(area, component, triangles) {
   const areas = [];

@@ -189,7 +189,7 @@ void main() {
   float alpha = u_opacity * clamp(v_radius + 0.5 - off, 0.0, 1.0);
   if (alpha < 0.01) discard;
   vec3 color = vec3(v_color >> 16 & 255u, v_color >> 8 & 255u, v_color & 255u) / 255.0;
-  float rim = v_radius > 3.0 ? clamp(off - v_radius + 1.9, 0.0, 1.0) : 0.0;
+  float ring = v_radius > 3.0 ? clamp(off - v_radius + 1.9, 0.0, 1.0) : 0.0;
   float light = 1.0 + 0.25 * (0.3 - length(v_at / max(v_radius, 1.0) - vec2(-0.35, 0.35)));
-  o_color = vec4(mix(min(color * light, 1.0), u_edge_color, 0.8 * rim) * alpha, alpha);
+  o_color = vec4(mix(min(color * light, 1.0), u_edge_color, 0.8 * ring) * alpha, alpha);
 }`;
