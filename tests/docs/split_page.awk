@@ -3,9 +3,11 @@
 # Usage: awk -v out=FOLDER -f split_page.awk PAGE.md
 #
 # Writes FOLDER/N.body for block N, FOLDER/prose (all outside blocks and comments, on one line), and to
-# standard output one line for each block, `shows` marker and fault, in their order:
+# standard output one line for each block, `shows` marker, fault, and number of four digits or more in a
+# sentence (written as 1,234), in their order:
 #   N <tab> LINE <tab> KIND <tab> MARKER
-# KIND is the block's info string, `shows` or `fault`; MARKER is the comment above the block, or `-`.
+# KIND is the block's info string, `shows`, `fault` or `number`; MARKER is the comment above the block, the
+# number, or `-`.
 
 function emit(kind, text) { printf "%d\t%d\t%s\t%s\n", blocks, NR, kind, text }
 
@@ -60,6 +62,11 @@ inside {
   }
   blank = 0
   prose = prose " " $0
+  text = /^\|/ ? "" : $0
+  while (match(text, /[0-9]+(,[0-9][0-9][0-9])+/)) {
+    emit("number", substr(text, RSTART, RLENGTH))
+    text = substr(text, RSTART + RLENGTH)
+  }
 }
 END {
   if (inside) emit("fault", "a block without end")
