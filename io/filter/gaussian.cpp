@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "io/files/input_file.h"
 #include "io/filter/reflect.h"
@@ -24,7 +25,7 @@ std::vector<double> half_kernel(double sigma) {
   std::vector<double> weights{1};
   double sum = 1;
   for (int d = 1; d <= gaussian_radius(sigma); ++d) {
-    weights.push_back(std::exp(-0.5 * d * d / (sigma * sigma)));
+    weights.push_back(exponential(-0.5 * d * d / (sigma * sigma)));
     sum += 2 * weights.back();
   }
   for (double& w : weights) w /= sum;

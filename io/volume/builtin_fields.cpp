@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/random.h"
 
 namespace deliso {
@@ -57,32 +58,33 @@ double five_spheres(const Vec3& p, double) {
 // Two periods of Schoen's gyroid along each axis.
 double gyroid(const Vec3& p, double) {
   const double x = 2 * kPi * p.x, y = 2 * kPi * p.y, z = 2 * kPi * p.z;
-  return std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x);
+  return sine(x) * cosine(y) + sine(y) * cosine(z) + sine(z) * cosine(x);
 }
 
 // Density of the hydrogen atom's 3d(z^2) state, 1 at most: two lobes and a ring.
 double orbital(const Vec3& p, double) {
   const Vec3 q = 18 * p;  // in Bohr radii
   const double r2 = length2(q);
-  const double peak = 4 * 1296 * std::exp(-4.0);  // on the z axis at z = 6
-  return square(3 * q.z * q.z - r2) * std::exp(-2.0 / 3.0 * std::sqrt(r2)) / peak;
+  const double peak = 4 * 1296 * exponential(-4.0);  // on the z axis at z = 6
+  return square(3 * q.z * q.z - r2) * exponential(-2.0 / 3.0 * std::sqrt(r2)) / peak;
 }
 
 // A plume that enters through the face x = -1, a ring around it on three spokes, two droplets.
 double fuel(const Vec3& p, double) {
   const double rho = std::sqrt(square(p.y) + square(p.z));
   const double height = p.x + 0.1 - 0.1 * p.y - 0.05 * p.z;  // over the tilted plane of the ring
-  double value = std::exp(-square(rho / 0.24)) / (1 + std::exp(16 * (p.x - 0.35)));
-  value += std::exp(-(square((rho - 0.62) / 0.12) + square(height / 0.12)));
+  double value = exponential(-square(rho / 0.24)) / (1 + exponential(16 * (p.x - 0.35)));
+  value += exponential(-(square((rho - 0.62) / 0.12) + square(height / 0.12)));
   constexpr std::array<std::array<double, 2>, 3> spokes = {
       {{1, 0}, {-0.5, 0.8660254037844386}, {-0.5, -0.8660254037844386}}};
   for (const auto& [c, s] : spokes) {
     const double along = c * p.y + s * p.z, across = c * p.z - s * p.y;
     const double outside = std::max(0.0, std::max(-along, along - 0.62));
-    value += 0.8 * std::exp(-(square(across) + square(height) + square(outside)) / square(0.15));
+    value += 0.8 * exponential(-(square(across) + square(height) + square(outside)) / square(0.15));
   }
-  value += std::exp(-(square(p.x - 0.75) + square(p.y - 0.3) + square(p.z + 0.2)) / square(0.16));
-  value += std::exp(-(square(p.x - 0.6) + square(p.y + 0.45) + square(p.z - 0.3)) / square(0.2));
+  value +=
+      exponential(-(square(p.x - 0.75) + square(p.y - 0.3) + square(p.z + 0.2)) / square(0.16));
+  value += exponential(-(square(p.x - 0.6) + square(p.y + 0.45) + square(p.z - 0.3)) / square(0.2));
   return value;
 }
 
@@ -91,8 +93,8 @@ double fuel(const Vec3& p, double) {
 double marschner_lobb(const Vec3& p, double) {
   constexpr double frequency = 6, alpha = 0.25;
   const double r = std::sqrt(square(p.x) + square(p.y));
-  const double rings = std::cos(2 * kPi * frequency * std::cos(kPi * r / 2));
-  return (1 - std::sin(kPi * p.z / 2) + alpha * (1 + rings)) / (2 * (1 + alpha));
+  const double rings = cosine(2 * kPi * frequency * cosine(kPi * r / 2));
+  return (1 - sine(kPi * p.z / 2) + alpha * (1 + rings)) / (2 * (1 + alpha));
 }
 
 // A block with a bore, four bolt holes, a cross hole into the bore and a cavity; its boundary is

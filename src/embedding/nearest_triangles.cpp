@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 
 namespace deliso {
@@ -28,7 +29,7 @@ Cubes sort_into_cubes(std::span<const Vec3> points) {
   const double longest = std::max({size.x, size.y, size.z});
   const auto n = static_cast<double>(points.size());
   const double side =
-      std::max({std::cbrt(size.x * size.y * size.z / n), std::sqrt(area / n), longest / n});
+      std::max({cube_root(size.x * size.y * size.z / n), std::sqrt(area / n), longest / n});
   const auto cell = [&](const Vec3& p, int axis) {
     return side > 0 ? static_cast<std::size_t>((p[axis] - box.lo[axis]) / side) : 0;
   };

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "base/triangle.h"
 #include "refine/operations.h"
@@ -13,8 +12,20 @@ namespace {
 // Lengths of moves, in r_min. A shorter one is tried only if no longer one helps: that saves 2 % of
 // a run and leaves as many bad facets.
 constexpr std::array kStepRMins{0.5, 0.2, 0.08};
-// Directions of moves. 6 leave 14 % more bad facets, 4 leave 38 % more.
-constexpr int kDirections = 8;
+// Directions of moves: cosine and sine of n pi/4, in double precision. They are numbers because the
+// system library's functions differ in their last bits between processors. 6 directions leave 14 %
+// more bad facets, 4 leave 38 % more.
+struct Direction {
+  double cosine, sine;
+};
+constexpr std::array<Direction, 8> kDirections{{{1, 0},
+                                                {0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bccp-1},
+                                                {0x1.1a62633145c07p-54, 1},
+                                                {-0x1.6a09e667f3bccp-1, 0x1.6a09e667f3bcdp-1},
+                                                {-1, 0x1.1a62633145c07p-53},
+                                                {-0x1.6a09e667f3bcep-1, -0x1.6a09e667f3bccp-1},
+                                                {-0x1.a79394c9e8a0ap-53, -1},
+                                                {0x1.6a09e667f3bcbp-1, -0x1.6a09e667f3bcep-1}}};
 
 // Least relative decrease of the cost around a vertex by a move, so that moves end.
 constexpr double kMinFall = 0.05;
@@ -83,9 +94,9 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   for (const double step : kStepRMins) {
     if (best) break;
     const double reach = step * r.parameters.r_min;
-    for (int d = 0; d < kDirections && least > 0; ++d) {
-      const double angle = 2 * std::numbers::pi * d / kDirections;
-      const Vec3 to = from + (reach * std::cos(angle)) * u + (reach * std::sin(angle)) * w;
+    for (const auto& [cosine, sine] : kDirections) {
+      if (!(least > 0)) break;
+      const Vec3 to = from + (reach * cosine) * u + (reach * sine) * w;
       const auto foot = r.finder.foot(to, normal, reach, searches);
       if (!foot) continue;
       c.place = *foot;

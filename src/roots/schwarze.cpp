@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
+
 namespace deliso {
 namespace {
 
@@ -18,6 +20,14 @@ Roots quadratic_roots(double c0, double c1, double c2) {
   return roots;
 }
 
+// Returns cos(acos(x) / 3) for x in [0, 1]: where 4 c^3 - 3 c = x. Three Newton steps from the
+// chord, which is within 0.01. The system library's cos and acos differ between processors.
+double cosine_of_third(double x) {
+  double c = 0.5 * std::numbers::sqrt3 + (1 - 0.5 * std::numbers::sqrt3) * x;
+  for (int step = 0; step < 3; ++step) c -= (c * (4 * c * c - 3) - x) / (12 * c * c - 3);
+  return std::min(c, 1.0);
+}
+
 // Returns the real roots of y^3 + 3 p y + 2 q = 0.
 Roots depressed_roots(double p, double q) {
   Roots roots;
@@ -25,18 +35,20 @@ Roots depressed_roots(double p, double q) {
   if (discriminant > 0) {
     const double root = std::sqrt(discriminant);
     // First the summand without cancellation, then the other from u v = -p.
-    const double u = -std::copysign(std::cbrt(std::abs(q) + root), q);
+    const double u = -std::copysign(cube_root(std::abs(q) + root), q);
     roots.push(u - p / u);
   } else if (discriminant < 0) {
-    const double phi = std::acos(std::clamp(-q / std::sqrt(-cube), -1.0, 1.0)) / 3;
-    const double scale = 2 * std::sqrt(-p);
-    roots.push(scale * std::cos(phi));
-    roots.push(-scale * std::cos(phi + std::numbers::pi / 3));
-    roots.push(-scale * std::cos(phi - std::numbers::pi / 3));
+    // Schwarze has y = scale cos(phi), with cos(3 phi) = -q / sqrt(-p^3), and phi + 2 n pi / 3.
+    const double scale = std::copysign(2 * std::sqrt(-p), -q);
+    const double c = cosine_of_third(std::min(std::abs(q) / std::sqrt(-cube), 1.0));
+    const double half = 0.5 * c, rest = 0.5 * std::numbers::sqrt3 * std::sqrt(1 - c * c);
+    roots.push(scale * c);
+    roots.push(scale * (rest - half));
+    roots.push(-scale * (rest + half));
   } else if (q == 0) {
     roots.push(0);
   } else {
-    const double u = std::cbrt(-q);
+    const double u = cube_root(-q);
     roots.push(2 * u);
     roots.push(-u);
   }
