@@ -212,7 +212,8 @@ std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec
     const auto x = finder_.nearest(line.at, line.direction / size, limit, report_.searches_refine);
     if (x && faces_near(*x) == 0) found.push_back(*x);
   }
-  std::sort(found.begin(), found.end(), [&](const Vec3& p, const Vec3& q) {
+  // Stable: points at one distance are common in symmetric fields.
+  std::stable_sort(found.begin(), found.end(), [&](const Vec3& p, const Vec3& q) {
     return distance2(p, middle) < distance2(q, middle);
   });
   return found;

@@ -2,6 +2,7 @@
 // The layers behind the filters of predicates.h: double-doubles, then expansions.
 #include "delaunay/predicates.h"
 
+#include <cfloat>
 #include <initializer_list>
 
 #include "delaunay/double_double.h"
@@ -9,6 +10,8 @@
 
 namespace deliso {
 namespace {
+
+static_assert(FLT_EVAL_METHOD == 0, "every operation on doubles must round to a double");
 
 using predicates::largest;
 

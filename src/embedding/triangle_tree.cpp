@@ -73,6 +73,8 @@ void TriangleTree::build(const Subtree& part, std::span<Item> items) {
   if (part.is_leaf()) {
     const std::size_t begin = part.begin * kLeafTriangles,
                       end = std::min(begin + kLeafTriangles, items.size());
+    // nth_element leaves an order of its own in every standard library.
+    std::ranges::sort(items.subspan(begin, end - begin), {}, &Item::triangle);
     for (std::size_t n = begin; n < end; ++n) {
       order_[n] = items[n].triangle;
       const Triangle& t = triangles_[order_[n]];

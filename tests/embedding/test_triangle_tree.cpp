@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The tree over triangles: the same on every machine, and the nearest triangle by brute force.
+#include "embedding/triangle_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/random.h"
+
+using namespace deliso;
+
+namespace {
+
+// Triangles at the nodes of a grid: many have their middles at one coordinate.
+struct Grid {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+
+  explicit Grid(int side) {
+    Random random(1);
+    for (int n = 0; n < 4 * side * side; ++n) {
+      const Vec3 at{1.0 * random.below(static_cast<std::uint32_t>(side)),
+                    1.0 * random.below(static_cast<std::uint32_t>(side)), 0};
+      const VertexId first(points.size());
+      points.insert(points.end(), {at, at + Vec3{1, 0, 0}, at + Vec3{0, 1, 0}});
+      triangles.push_back({first, VertexId(first + 1), VertexId(first + 2)});
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a leaf has its triangles in the order of their numbers") {
+  const Grid grid(20);
+  for (const int threads : {1, 2}) {
+    const TriangleTree tree(grid.points, grid.triangles, threads);
+    std::vector<FaceId> all;
+    for (std::size_t n = 0; n < tree.leaf_count(); ++n) {
+      CHECK(std::ranges::is_sorted(tree.leaf(n)));
+      all.insert(all.end(), tree.leaf(n).begin(), tree.leaf(n).end());
+    }
+    std::ranges::sort(all);
+    REQUIRE(all.size() == grid.triangles.size());
+    for (FaceId f = 0; f < all.size(); ++f) CHECK(all[f] == f);
+  }
+}
+
+TEST_CASE("the nearest triangle is as near as any") {
+  const Grid grid(8);
+  const TriangleTree tree(grid.points, grid.triangles);
+  Random random(2);
+  for (int n = 0; n < 500; ++n) {
+    const Vec3 p{random.uniform(-2, 10), random.uniform(-2, 10), random.uniform(-2, 2)};
+    double least = tree.distance2(0, p);
+    for (FaceId f = 1; f < grid.triangles.size(); ++f)
+      least = std::min(least, tree.distance2(f, p));
+    const NearestTriangle nearest = tree.nearest(p);
+    CHECK(nearest.distance2 == least);
+    CHECK(tree.distance2(nearest.triangle, p) == least);
+  }
+}
