@@ -13,7 +13,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kRows = 10;
+constexpr std::size_t kClassesShown = 10;
 constexpr std::size_t kListed = 100;  // in JSON
 
 // The components whose longest side has lo to 2 lo - 1 voxels.
@@ -61,7 +61,7 @@ std::string components_text(const ContourSummary& surface) {
   const std::vector<ContourComponent> sorted = largest_first(surface);
   const std::uint64_t whole = crossings_of(sorted);
   std::string text = "largest   share      voxels             Euler number  boundary loops\n";
-  const std::size_t rows = std::min(kRows, sorted.size());
+  const std::size_t rows = std::min(kClassesShown, sorted.size());
   for (std::size_t n = 0; n < rows; ++n) {
     const ContourComponent& c = sorted[n];
     const Index3 e = extent(c);

@@ -14,7 +14,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kSamples = std::size_t{1} << 22;
+constexpr std::size_t kSamplesCounted = std::size_t{1} << 22;
 constexpr int kSlices = 32;
 
 // Vertices per voxel squared of surface. One number is for topology and shape. Three are added for
@@ -32,7 +32,7 @@ constexpr double kCreaseDensity = 0.03;
 // bound, and topology alone needs more. Fitted to four noisy fields and ten clean ones.
 constexpr double kThinBase = 11.5, kThinDistance = 0.6;
 
-struct Crossings {
+struct CrossingCounts {
   std::array<double, 3> along{};  // grid edges along x, y and z
   double in_pairs = 0;            // along x and y, where the next edge is crossed too
 };
@@ -63,7 +63,7 @@ std::size_t count_spikes(const Sample* before, const Sample* samples, const Samp
 // Counts crossings in every `stride`th slice and between it and the next, times the number of
 // slices that it represents.
 template <class Sample>
-Crossings count_crossings(const Sample* samples, Index3 dims, double kappa, int stride) {
+CrossingCounts count_crossings(const Sample* samples, Index3 dims, double kappa, int stride) {
   const std::optional<Sample> threshold = inside_threshold<Sample>(kappa);
   if (!threshold) return {};
   const auto nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
@@ -116,7 +116,7 @@ double density(const Options& options, const Volume& volume, double thin) {
 
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
   const Index3 dims = volume.dims();
-  const auto wanted = static_cast<int>(volume.sample_count() / kSamples);
+  const auto wanted = static_cast<int>(volume.sample_count() / kSamplesCounted);
   // Odd, as some scanners make every second slice alike: ENGINE's fourths are a third too large.
   const int stride = std::max(1, std::min(wanted, dims.k / kSlices)) | 1;
   const auto [crossings, in_pairs] = volume.visit(

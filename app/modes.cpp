@@ -15,7 +15,7 @@
 namespace deliso {
 namespace {
 
-constexpr int kBins = 4096;
+constexpr int kFineBins = 4096;
 constexpr double kSpikeShare = 0.01, kGapShare = 1.0 / 32, kTailShare = 1e-3;  // M1
 constexpr std::size_t kMaxSpikes = 3;                                          // at either end
 // Up to this number of values they are labels: none is padding or noise around a mode.
@@ -73,7 +73,7 @@ Span span_of(const Histogram& h, double share) {
 // have only outliers.
 Histogram fine_histogram(const Volume& volume, ValueRange range, double outliers) {
   for (;;) {
-    Histogram h = make_histogram(volume, range, kBins);
+    Histogram h = make_histogram(volume, range, kFineBins);
     const Span span = span_of(h, outliers);
     const std::size_t kept = span.last - span.first + 1;
     if (2 * kept >= h.counts.size() || !(h.width > 0)) return h;
@@ -240,13 +240,13 @@ void drop_bumps(std::vector<Extreme>& extremes) {
 }
 
 // The floor of a valley, in bins.
-struct Floor {
+struct ValleyFloor {
   double middle;
   std::size_t lowest;
   double depth;
 };
 
-Floor floor_of(const std::vector<double>& heights, const std::vector<Extreme>& extremes,
+ValleyFloor floor_of(const std::vector<double>& heights, const std::vector<Extreme>& extremes,
                std::size_t valley) {
   std::size_t first = extremes[valley].bin, last = first;
   const double rim = extremes[valley].height + 1;
@@ -256,7 +256,7 @@ Floor floor_of(const std::vector<double>& heights, const std::vector<Extreme>& e
 }
 
 // Adds the valleys of one kernel, if no known valley lies between the same modes.
-void add_floors(const Histogram& h, double sigma, std::vector<Floor>& floors) {
+void add_floors(const Histogram& h, double sigma, std::vector<ValleyFloor>& floors) {
   // A kernel estimate has the deviation of this number of samples.
   const double counted = 2 * std::sqrt(std::numbers::pi) * sigma / kAlikeSamples;
   std::vector<double> heights = smoothed(h, sigma);
@@ -265,7 +265,7 @@ void add_floors(const Histogram& h, double sigma, std::vector<Floor>& floors) {
   drop_bumps(extremes);
   const std::size_t before = floors.size();
   for (std::size_t n = 1; n + 1 < extremes.size(); n += 2) {
-    const auto is_between = [&](const Floor& floor) {
+    const auto is_between = [&](const ValleyFloor& floor) {
       return extremes[n - 1].bin < floor.lowest && floor.lowest < extremes[n + 1].bin;
     };
     const auto known = floors.begin() + static_cast<std::ptrdiff_t>(before);
@@ -312,9 +312,9 @@ Modes find_modes(const Volume& volume, const ValueRange& all, std::size_t most) 
   const Histogram h = fine_histogram(volume, range, kOutlierShare);
   if (!(h.width > 0) || !std::isfinite(h.width)) return modes;
   const double sigma = kernel_of(h);
-  std::vector<Floor> floors;
+  std::vector<ValleyFloor> floors;
   for (int n = 0; n < kKernels; ++n) add_floors(h, std::ldexp(sigma, n), floors);
-  std::ranges::sort(floors, {}, &Floor::lowest);
+  std::ranges::sort(floors, {}, &ValleyFloor::lowest);
 
   // The middle of a bin or, for an integer type, of its values.
   const double middle = is_integer(volume.type()) ? 0.5 * (h.width - 1) : 0.5 * h.width;

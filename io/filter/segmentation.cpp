@@ -19,7 +19,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kSlicesOfTask = 8;
+constexpr std::size_t kSlicesOfCount = 8;
 constexpr double kLargestLabel = 0x1p53;  // beyond it doubles skip whole numbers
 constexpr std::size_t kLabelsNamed = 12;  // in a message
 
@@ -125,9 +125,9 @@ void count_points(const Volume& volume, double greatest, int k, Counts& counts) 
 std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads) {
   const Index3 dims = volume.dims();
   const auto slices = static_cast<std::size_t>(dims.k);
-  std::vector<Found> found(runs_of(slices, kSlicesOfTask));
+  std::vector<Found> found(runs_of(slices, kSlicesOfCount));
   volume.visit([&](const auto* samples) {
-    for_each_run(threads, slices, kSlicesOfTask,
+    for_each_run(threads, slices, kSlicesOfCount,
                  [&](std::size_t task, std::size_t begin, std::size_t end) {
                    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
                      for (int j = 0; j < dims.j; ++j) {
@@ -202,8 +202,8 @@ IndicatorLevel find_level(const Volume& indicator, double target, int threads) {
   const double greatest = value_range(indicator, "indicator", threads).max;
   if (!(greatest > 0)) return {0, 0.5};
   const auto slices = static_cast<std::size_t>(std::max(0, indicator.voxels().k));
-  std::vector<Counts> parts(runs_of(slices, kSlicesOfTask));
-  for_each_run(threads, slices, kSlicesOfTask,
+  std::vector<Counts> parts(runs_of(slices, kSlicesOfCount));
+  for_each_run(threads, slices, kSlicesOfCount,
                [&](std::size_t task, std::size_t begin, std::size_t end) {
                  for (std::size_t k = begin; k < end; ++k) {
                    count_points(indicator, greatest, static_cast<int>(k), parts[task]);

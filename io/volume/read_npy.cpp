@@ -61,16 +61,16 @@ std::vector<std::int64_t> shape_of(const VolumeInput& input, std::string_view he
 }
 
 // How the samples are stored. Integers of 64 bits become float64.
-struct Samples {
+struct NpySamples {
   SampleType type = SampleType::u8;
   std::endian byte_order = std::endian::little;
   char wide = 0;  // 'i' or 'u' for 64-bit integers
 };
 
-Samples samples_of(const VolumeInput& input, std::string_view header) {
+NpySamples samples_of(const VolumeInput& input, std::string_view header) {
   const std::string_view descr =
       between(input, value_of(input, header, "descr"), '\'', '\'', "a plain type");
-  Samples samples;
+  NpySamples samples;
   if (descr.starts_with('>')) samples.byte_order = std::endian::big;
   const std::string_view kind = descr.substr(std::min<std::size_t>(1, descr.size()));
   constexpr std::pair<std::string_view, SampleType> kKinds[] = {
@@ -89,7 +89,7 @@ Samples samples_of(const VolumeInput& input, std::string_view header) {
 }
 
 // Returns the 64-bit integers of `data` as float64, in native order.
-Bytes to_doubles(const Bytes& data, const Samples& samples) {
+Bytes widened(const Bytes& data, const NpySamples& samples) {
   const std::size_t count = data.size() / 8;
   Buffer buffer(8 * count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -127,7 +127,7 @@ Volume read_npy(const VolumeInput& input) {
   const std::string_view header = bytes.text().substr(begin, length);
 
   const std::vector<std::int64_t> shape = shape_of(input, header);
-  const Samples samples = samples_of(input, header);
+  const NpySamples samples = samples_of(input, header);
   const std::string_view order = value_of(input, header, "fortran_order");
   const bool is_fortran = order.starts_with("True");
   if (!is_fortran && !order.starts_with("False")) {
@@ -145,7 +145,7 @@ Volume read_npy(const VolumeInput& input) {
   if (data.size() != data_size(grid)) return volume_from_raw(grid, data);  // refuses the size
   grid.byte_order = std::endian::native;
   input.note("64-bit integers are read as float64");
-  return volume_from_raw(grid, to_doubles(data, samples));
+  return volume_from_raw(grid, widened(data, samples));
 }
 
 }  // namespace deliso

@@ -30,7 +30,7 @@ constexpr std::pair<std::uint64_t, std::uint64_t TiffPage::*> kNumbers[] = {
     {317, &TiffPage::predictor},      {322, &TiffPage::tile_width},
     {323, &TiffPage::tile_height},    {339, &TiffPage::sample_format}};
 // The offsets and sizes of strips, and those of tiles.
-constexpr std::pair<std::uint64_t, TiffField TiffPage::*> kFields[] = {
+constexpr std::pair<std::uint64_t, TiffField TiffPage::*> kTiffFields[] = {
     {270, &TiffPage::description},  {273, &TiffPage::offsets},      {279, &TiffPage::sizes},
     {282, &TiffPage::x_resolution}, {283, &TiffPage::y_resolution}, {324, &TiffPage::offsets},
     {325, &TiffPage::sizes}};
@@ -170,7 +170,7 @@ void TiffFile::keep(TiffPage& page, std::uint64_t tag, const TiffField& field) c
   for (const auto& [known, member] : kNumbers) {
     if (tag == known) page.*member = value(field, 0);
   }
-  for (const auto& [known, member] : kFields) {
+  for (const auto& [known, member] : kTiffFields) {
     if (tag == known) page.*member = field;
   }
 }

@@ -12,8 +12,7 @@
 namespace deliso {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kCellsAtOnce = 1u << 13, kTrianglesAtOnce = 1u << 11;
+constexpr std::size_t kCellsAtOnce = 1u << 13, kFacetsAtOnce = 1u << 11;
 
 // Appends the corners of a regular tetrahedron around the box, 16 of its diagonals away.
 void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
@@ -24,12 +23,13 @@ void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   }
 }
 
-// Returns the parameter of the point of Sigma on a dual line nearest to the circumcenter.
+// Returns the parameter of the point of Sigma on a dual line nearest to the circumcenter; infinity
+// without one.
 double nearest_crossing(const FacetLine& line, const Isosurface& surface,
                         SearchCounters& counters) {
   const auto hit =
       surface.nearest(line.center, line.normal, kBallLimitRadii * line.radius, counters);
-  return hit ? hit->t : kInfinity;
+  return hit ? hit->t : std::numeric_limits<double>::infinity();
 }
 
 FacetLine line_of(const CleanMesh& mesh, const Triangle& t) {
@@ -144,7 +144,7 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
 
 std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& surface, int threads) {
   std::vector<double> heights(mesh.triangles.size());
-  for_each_run(threads, heights.size(), kTrianglesAtOnce, [&](std::size_t begin, std::size_t end) {
+  for_each_run(threads, heights.size(), kFacetsAtOnce, [&](std::size_t begin, std::size_t end) {
     SearchCounters counters;
     for (std::size_t n = begin; n < end; ++n) {
       heights[n] = std::fabs(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));

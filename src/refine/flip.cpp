@@ -8,7 +8,7 @@ namespace deliso {
 namespace {
 
 // Least relative decrease of the sum of radii by a flip: more than rounding.
-constexpr double kMinFall = 1e-9;
+constexpr double kMinRadiusFall = 1e-9;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
     if (!c.has_duals()) return true;
     const Dual &x = c.duals[0], &y = c.duals[1];
     return x.on_surface && y.on_surface && !x.holds(r.point(q.c)) && !y.holds(r.point(q.b)) &&
-           std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinFall) * radii;
+           std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinRadiusFall) * radii;
   };
   auto refusal = r.open_cavity(c);
   if (!refusal) refusal = r.replace(c, is_delaunay);

@@ -40,7 +40,7 @@ constexpr double kFinerRatio = 1.5;
 constexpr double kFirstDistanceVoxels = 0.4, kLastDistanceVoxels = 2e-3, kDistanceRatio = 0.7;
 
 // The violation of a facet that meets the criteria and is not Delaunay: the last in the queue.
-constexpr double kNotDelaunay = 1.0001;
+constexpr double kLastInQueue = 1.0001;
 
 // Larger facets are refined if they are not Delaunay; of smaller ones only corners are moved.
 // Between sheets that nearly touch, insertions would not end.
@@ -259,7 +259,7 @@ void RefineGeom::make_delaunay() {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (!is_live(f) || is_done_[f]) continue;
     if (fault(f)) {
-      enqueue(f, kNotDelaunay);
+      enqueue(f, kLastInQueue);
     } else {
       is_done_[f] = 1;
     }
