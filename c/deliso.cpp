@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -157,6 +158,24 @@ const Number* numbers_of(const std::vector<T>& values, size_t* count) {
   return reinterpret_cast<const Number*>(values.data());
 }
 
+const deliso_mesh& mesh_or_empty(const deliso_mesh* mesh) {
+  static const deliso_mesh empty;
+  return mesh ? *mesh : empty;
+}
+
+std::vector<Vec3> read_vectors(const double* numbers, std::size_t count) {
+  std::vector<Vec3> vectors;
+  vectors.reserve(count);
+  for (const double* at = numbers; vectors.size() < count; at += 3) {
+    vectors.push_back({at[0], at[1], at[2]});
+  }
+  return vectors;
+}
+
+std::string text_or_empty(const char* text) {
+  return text ? text : "";
+}
+
 }  // namespace
 
 const char* deliso_version() {
@@ -224,22 +243,61 @@ deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
 deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
                                  const uint32_t* triangles, size_t triangle_count,
                                  deliso_mesh** mesh) {
+  deliso_mesh_data data{};
+  data.vertices = vertices;
+  data.vertex_count = vertex_count;
+  data.triangles = triangles;
+  data.triangle_count = triangle_count;
+  data.first_cap = SIZE_MAX;
+  return deliso_mesh_from_data(&data, mesh);
+}
+
+deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* data) {
   return guarded(nullptr, [&] {
-    if (vertex_count > 0) require(vertices, "vertices");
-    if (triangle_count > 0) require(triangles, "triangles");
+    require(mesh, "mesh");
+    require(data, "data");
+    data->vertices = deliso_mesh_vertices(mesh, &data->vertex_count);
+    data->triangles = deliso_mesh_triangles(mesh, &data->triangle_count);
+    data->normals = mesh->normals.empty() ? nullptr : deliso_mesh_normals(mesh, nullptr);
+    data->report = deliso_mesh_report(mesh);
+    data->warnings = deliso_mesh_warnings(mesh);
+    data->comment = mesh->write.comment.c_str();
+    data->first_cap = mesh->write.first_cap.value_or(SIZE_MAX);
+    data->single_precision = mesh->write.single_precision;
+    return true;
+  });
+}
+
+deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** mesh) {
+  return guarded(nullptr, [&] {
+    require(data, "data");
+    if (data->vertex_count > 0) require(data->vertices, "vertices");
+    if (data->triangle_count > 0) require(data->triangles, "triangles");
     require(mesh, "mesh");
     auto made = std::make_unique<deliso_mesh>();
-    for (std::size_t n = 0; n < vertex_count; ++n) {
-      const Vec3 p{vertices[3 * n], vertices[3 * n + 1], vertices[3 * n + 2]};
-      if (!in_range(p)) throw InputError(text("vertex ", n, " is not finite, or too far away"));
-      made->mesh.points.push_back(p);
+    made->mesh.points = read_vectors(data->vertices, data->vertex_count);
+    const auto beyond = std::ranges::find_if_not(made->mesh.points, in_range);
+    if (beyond != made->mesh.points.end()) {
+      throw InputError(
+          text("vertex ", beyond - made->mesh.points.begin(), " is not finite, or too far away"));
     }
-    for (std::size_t n = 0; n < triangle_count; ++n) {
-      const uint32_t* const t = triangles + 3 * n;
-      if (std::max({t[0], t[1], t[2]}) >= vertex_count) {
+    for (std::size_t n = 0; n < data->triangle_count; ++n) {
+      const uint32_t* const t = data->triangles + 3 * n;
+      if (std::max({t[0], t[1], t[2]}) >= data->vertex_count) {
         throw InputError(text("triangle ", n, " has a vertex beyond the last"));
       }
       made->mesh.triangles.push_back(triangle_of(t[0], t[1], t[2]));
+    }
+    if (data->normals) made->normals = read_vectors(data->normals, data->vertex_count);
+    made->report = text_or_empty(data->report);
+    made->warnings = text_or_empty(data->warnings);
+    made->write.comment = text_or_empty(data->comment);
+    made->write.single_precision = data->single_precision != 0;
+    if (data->first_cap != SIZE_MAX) {
+      if (data->first_cap > data->triangle_count) {
+        throw InputError("first_cap is beyond the last triangle");
+      }
+      made->write.first_cap = data->first_cap;
     }
     *mesh = made.release();
     return true;
@@ -251,23 +309,23 @@ void deliso_mesh_free(deliso_mesh* mesh) {
 }
 
 const double* deliso_mesh_vertices(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh->mesh.points, count);
+  return numbers_of<double>(mesh_or_empty(mesh).mesh.points, count);
 }
 
 const uint32_t* deliso_mesh_triangles(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<uint32_t>(mesh->mesh.triangles, count);
+  return numbers_of<uint32_t>(mesh_or_empty(mesh).mesh.triangles, count);
 }
 
 const double* deliso_mesh_normals(const deliso_mesh* mesh, size_t* count) {
-  return numbers_of<double>(mesh->normals, count);
+  return numbers_of<double>(mesh_or_empty(mesh).normals, count);
 }
 
 const char* deliso_mesh_report(const deliso_mesh* mesh) {
-  return mesh->report.c_str();
+  return mesh_or_empty(mesh).report.c_str();
 }
 
 const char* deliso_mesh_warnings(const deliso_mesh* mesh) {
-  return mesh->warnings.c_str();
+  return mesh_or_empty(mesh).warnings.c_str();
 }
 
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {

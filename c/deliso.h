@@ -20,7 +20,7 @@
  *
  * Errors: a function that can fail returns a status, and deliso_last_error() has one line about it.
  * No exception leaves the library. Where a function fails, what it should have made is unchanged.
- * A pointer must not be null unless its comment allows that.
+ * Null, where nothing says that it is allowed, is DELISO_BAD_INPUT.
  *
  * Threads: calls in different threads do not disturb each other, on the same volume or mesh too. A
  * call itself works in as many threads as the option "threads" says. */
@@ -109,7 +109,30 @@ DELISO_API deliso_status deliso_mesh_import(const double* vertices, size_t verte
                                             deliso_mesh** mesh);
 DELISO_API void deliso_mesh_free(deliso_mesh* mesh); /* null is allowed */
 
-/* Arrays and texts of the mesh, which owns them; `count` may be null.
+/* All that a mesh holds, so that a program can store it or send it to another process. A text may
+ * be null, which stands for an empty one. An array without an entry may be null. */
+typedef struct deliso_mesh_data {
+  const double* vertices; /* the arrays, report and warnings: as the functions below return them */
+  size_t vertex_count;
+  const uint32_t* triangles;
+  size_t triangle_count;
+  const double* normals; /* one for each vertex; null if the mesh has none */
+  const char* report;
+  const char* warnings;
+  const char* comment;  /* of the mesh's files: the criteria, which a check reads */
+  size_t first_cap;     /* triangles from this one on are caps; SIZE_MAX without the option "cap" */
+  int single_precision; /* 1 with the option "float", else 0 */
+} deliso_mesh_data;
+
+/* Fills in `data`. The mesh owns the arrays and texts. */
+DELISO_API deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* data);
+
+/* Makes a mesh of copies of the data. It is saved with the same bytes as the mesh that the data was
+ * taken from. */
+DELISO_API deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** mesh);
+
+/* Arrays and texts of the mesh, which owns them. `count` may be null. A null mesh has no vertex,
+ * triangle or normal, and its texts are empty.
  *   vertices   x, y, z of each
  *   triangles  three numbers of vertices each, counterclockwise seen from the smaller samples
  *   normals    a unit vector at each vertex, towards the smaller samples, against the gradient of

@@ -44,6 +44,21 @@ class _Watch(ctypes.Structure):
     ]
 
 
+class _MeshData(ctypes.Structure):
+    _fields_ = [
+        ("vertices", ctypes.c_void_p),
+        ("vertex_count", ctypes.c_size_t),
+        ("triangles", ctypes.c_void_p),
+        ("triangle_count", ctypes.c_size_t),
+        ("normals", ctypes.c_void_p),
+        ("report", ctypes.c_char_p),
+        ("warnings", ctypes.c_char_p),
+        ("comment", ctypes.c_char_p),
+        ("first_cap", ctypes.c_ssize_t),  # -1, the largest size_t, without caps
+        ("single_precision", ctypes.c_int),
+    ]
+
+
 def _load():
     here = pathlib.Path(__file__).parent
     # In a wheel the library is beside this file; `make install` puts it two folders up.
@@ -54,20 +69,16 @@ def _load():
         break
     else:
         raise ImportError(f"libdeliso_c is not beside {here}, nor named by DELISO_LIBRARY")
-    pointer, size, text = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_char_p
+    pointer, text = ctypes.c_void_p, ctypes.c_char_p
     for name, result, *arguments in [
         ("version", text),
         ("last_error", text),
         ("volume_create", int, pointer, int, pointer, int, pointer, pointer, pointer),
         ("volume_free", None, pointer),
         ("mesh_create", int, pointer, ctypes.c_double, pointer, pointer, pointer),
-        ("mesh_import", int, pointer, size, pointer, size, pointer),
+        ("mesh_from_data", int, pointer, pointer),
+        ("mesh_get_data", int, pointer, pointer),
         ("mesh_free", None, pointer),
-        ("mesh_vertices", pointer, pointer, pointer),
-        ("mesh_triangles", pointer, pointer, pointer),
-        ("mesh_normals", pointer, pointer, pointer),
-        ("mesh_report", text, pointer),
-        ("mesh_warnings", text, pointer),
         ("mesh_save", int, pointer, text),
         ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("text_free", None, pointer),
@@ -110,6 +121,25 @@ def _options(options):
     return (ctypes.c_char_p * (len(words) + 1))(*words, None)
 
 
+class _Handle(ctypes.c_void_p):
+    """Owns an object of the library. A copy would free it a second time: there is none."""
+
+    def __del__(self):
+        if self:
+            self._free(self)
+
+    def __reduce__(self):
+        raise TypeError(f"a {type(self).__name__} cannot be copied")
+
+
+class _VolumeHandle(_Handle):
+    _free = _library.deliso_volume_free
+
+
+class _MeshHandle(_Handle):
+    _free = _library.deliso_mesh_free
+
+
 class _Volume:
     """The library's view of an array, which this keeps alive."""
 
@@ -128,7 +158,7 @@ class _Volume:
         # As numpy.save has it: in Fortran order if that is the array's only one.
         fortran = array.flags.f_contiguous and not array.flags.c_contiguous
         self.array = numpy.require(array, "=" + kind, ["F" if fortran else "C", "A"])
-        self.handle = ctypes.c_void_p()
+        self.handle = _VolumeHandle()
         vector = ctypes.c_double * 3
         _ok(
             _library.deliso_volume_create(
@@ -141,10 +171,6 @@ class _Volume:
                 ctypes.byref(self.handle),
             )
         )
-
-    def __del__(self, free=_library.deliso_volume_free):
-        if getattr(self, "handle", None):
-            free(self.handle)
 
 
 def _three(name, numbers):
@@ -211,44 +237,52 @@ class Mesh:
     report     what the program writes with --json, as a dict
     sound      False if the mesh breaks a rule or a check that was asked for (exit status 1)
 
-    Arrays are read-only views of the library's memory, which they keep.
+    Arrays are read-only views of the library's memory, which they keep. A Mesh can be copied,
+    pickled, and returned by another process; it is saved with the same bytes there.
     """
 
     def __init__(self, handle, sound=True):
         self._handle = handle
+        self._data = _MeshData()
+        _ok(_library.deliso_mesh_get_data(handle, ctypes.byref(self._data)))
         self.sound = sound
-        self.vertices = self._view("vertices", ctypes.c_double)
-        self.triangles = self._view("triangles", ctypes.c_uint32)
-        self.normals = self._view("normals", ctypes.c_double)
-        text = _library.deliso_mesh_report(handle)
-        self.report = json.loads(text) if text else {}
+        self.vertices, self.triangles, self.normals = self._views()
+        self.report = json.loads(self._data.report or "{}")
 
-    def _view(self, name, kind):
-        count = ctypes.c_size_t()
-        at = getattr(_library, "deliso_mesh_" + name)(self._handle, ctypes.byref(count))
-        if not count.value:
-            return numpy.empty((0, 3), kind)
-        memory = (kind * (3 * count.value)).from_address(at)
-        memory.owner = self._handle
-        view = numpy.frombuffer(memory, kind).reshape(-1, 3)
+    def _views(self):
+        data = self._data
+        vertices = self._view(data.vertices, data.vertex_count, ctypes.c_double)
+        triangles = self._view(data.triangles, data.triangle_count, ctypes.c_uint32)
+        normals = self._view(data.normals, data.vertex_count, ctypes.c_double)
+        return vertices, triangles, normals
+
+    def _view(self, address, count, kind):
+        view = numpy.empty((0, 3), kind)
+        if address and count:
+            memory = (kind * (3 * count)).from_address(address)
+            memory.owner = self._handle
+            view = numpy.frombuffer(memory, kind).reshape(-1, 3)
         view.flags.writeable = False
         return view
 
+    def __copy__(self):
+        other = object.__new__(type(self))
+        vars(other).update(vars(self))
+        return other
+
+    def __reduce__(self):
+        others = ("report", "warnings", "comment", "first_cap", "single_precision")
+        remade = ("_handle", "_data", "vertices", "triangles", "normals")
+        state = {name: value for name, value in vars(self).items() if name not in remade}
+        return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
+
     def save(self, path):
-        """Writes the file whole or not at all. Its ending says the format: .ply, .off, .obj, .stl,
-        .vtp, .glb, .3mf, .smesh or .poly."""
+        """Writes any of the program's formats, by the path's ending, whole or not at all: .ply,
+        .off, .obj, .stl, .vtp, .glb, .3mf, .smesh, .poly."""
         _ok(_library.deliso_mesh_save(self._handle, os.fsencode(path)))
 
     def __repr__(self):
         return f"<deliso.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
-
-
-class _MeshHandle(ctypes.c_void_p):
-    """Frees the library's mesh with the last array or Mesh that uses it."""
-
-    def __del__(self, free=_library.deliso_mesh_free):
-        if self:
-            free(self)
 
 
 def _level(isovalue):
@@ -280,9 +314,10 @@ def mesh(array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=
         ),
         progress,
     )
-    for line in _library.deliso_mesh_warnings(handle).decode().splitlines():
+    made = Mesh(handle, status == _OK)
+    for line in made._data.warnings.decode().splitlines():
         warnings.warn(line, stacklevel=2)
-    return Mesh(handle, status == _OK)
+    return made
 
 
 def check(
@@ -313,22 +348,28 @@ def check(
 
 
 def _imported(vertices, triangles):
-    vertices = numpy.ascontiguousarray(vertices, "f8")
     numbers = numpy.asarray(triangles)
-    triangles = numpy.ascontiguousarray(numbers, "u4")
-    for array in (vertices, triangles):
-        if array.ndim != 2 or array.shape[1] != 3:
-            raise Error("a mesh is two arrays of three columns: vertices and triangles")
-    if (numbers != triangles).any():
+    if (numbers != numbers.astype("u4")).any():
         raise Error("a triangle has three numbers of vertices, from 0 on")
-    handle = _MeshHandle()
-    _ok(
-        _library.deliso_mesh_import(
-            vertices.ctypes.data,
-            len(vertices),
-            triangles.ctypes.data,
-            len(triangles),
-            ctypes.byref(handle),
-        )
+    return _from_data((vertices, numbers, numpy.empty((0, 3))), {"first_cap": -1})
+
+
+def _from_data(arrays, others):
+    """Returns a Mesh of copies: of vertices, triangles, normals or none, and the other data."""
+    arrays = [numpy.ascontiguousarray(a, kind) for a, kind in zip(arrays, ("f8", "u4", "f8"))]
+    if any(a.ndim != 2 or a.shape[1] != 3 for a in arrays):
+        raise Error("vertices, triangles and normals of a mesh are arrays of three columns")
+    vertices, triangles, normals = arrays
+    if len(normals) not in (0, len(vertices)):
+        raise Error("a mesh has a normal for each vertex, or none")
+    data = _MeshData(
+        vertices=vertices.ctypes.data,
+        vertex_count=len(vertices),
+        triangles=triangles.ctypes.data,
+        triangle_count=len(triangles),
+        normals=normals.ctypes.data if len(normals) else None,
+        **others,
     )
+    handle = _MeshHandle()
+    _ok(_library.deliso_mesh_from_data(ctypes.byref(data), ctypes.byref(handle)))
     return Mesh(handle)

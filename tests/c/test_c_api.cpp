@@ -98,7 +98,7 @@ TEST_CASE("the same bytes as the program") {
     MeshHandle mesh;
     REQUIRE(mesh_ball(volume, mesh, {"max-distance=0.2vox", "cap", "seed=3"}, 1.5) == DELISO_OK);
     const std::string ours = npy + ".", theirs = npy + "-program.";
-    for (const char* ending : {"ply", "off", "obj", "stl", "vtp"}) {
+    for (const char* ending : {"ply", "off", "obj", "stl", "vtp", "glb", "3mf", "smesh", "poly"}) {
       CAPTURE(ending);
       REQUIRE(deliso_mesh_save(mesh.get, (ours + ending).c_str()) == DELISO_OK);
       const std::string output = theirs + ending;
@@ -222,6 +222,106 @@ TEST_CASE("a check of the mesh, and of one that misses a triangle") {
   CHECK(deliso_check(torn.get, volume.get, 2.5, nullptr, nullptr, nullptr) == DELISO_FAULT);
   const char* const options[] = {"seed=3", nullptr};
   CHECK(deliso_check(mesh.get, volume.get, 2.5, options, nullptr, nullptr) == DELISO_BAD_INPUT);
+}
+
+TEST_CASE("a mesh made of another's data is the same") {
+  const test::TemporaryFolder folder;
+  const std::vector<float> samples = ball();
+  const VolumeHandle volume(samples);
+  const std::string here = folder.write("unused", "");
+  const auto saved = [&](const deliso_mesh* mesh) {
+    std::string files;
+    for (const char* ending :
+         {".ply", ".off", ".obj", ".stl", ".vtp", ".glb", ".3mf", ".smesh", ".poly"}) {
+      REQUIRE(deliso_mesh_save(mesh, (here + ending).c_str()) == DELISO_OK);
+      files += bytes_of(here + ending);
+    }
+    return files;
+  };
+  // The last leaves the box, and has caps.
+  const std::pair<OptionList, double> kinds[] = {
+      {{}, 2.5}, {{"float"}, 2.5}, {{"cap"}, 1.5}, {{"cap", "float"}, -2.5}};
+  for (const auto& [options, isovalue] : kinds) {
+    CAPTURE(isovalue);
+    MeshHandle mesh, copy;
+    REQUIRE(mesh_ball(volume, mesh, options, isovalue) == DELISO_OK);
+    deliso_mesh_data data;
+    REQUIRE(deliso_mesh_get_data(mesh.get, &data) == DELISO_OK);
+    CHECK(data.vertices == deliso_mesh_vertices(mesh.get, nullptr));
+    CHECK(data.triangles == deliso_mesh_triangles(mesh.get, nullptr));
+    REQUIRE(deliso_mesh_from_data(&data, &copy.get) == DELISO_OK);
+    const std::string expected = saved(mesh.get), report = deliso_mesh_report(mesh.get),
+                      warnings = deliso_mesh_warnings(mesh.get);
+    std::size_t count = 0;
+    const double* const normals = deliso_mesh_normals(mesh.get, &count);
+    const std::vector<double> expected_normals(normals, normals + 3 * count);
+    deliso_mesh_free(std::exchange(mesh.get, nullptr));
+    CHECK(saved(copy.get) == expected);
+    CHECK(deliso_mesh_report(copy.get) == report);
+    CHECK(deliso_mesh_warnings(copy.get) == warnings);
+    REQUIRE(deliso_mesh_get_data(copy.get, &data) == DELISO_OK);
+    CHECK(std::equal(expected_normals.begin(), expected_normals.end(), data.normals,
+                     data.normals + 3 * data.vertex_count));
+    if (isovalue < 0) CHECK(data.first_cap < data.triangle_count);
+  }
+}
+
+TEST_CASE("data that is no mesh is refused, and one without normals has none") {
+  const double corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::uint32_t triangle[] = {0, 1, 2};
+  deliso_mesh_data sound{};
+  sound.vertices = corners;
+  sound.vertex_count = 3;
+  sound.triangles = triangle;
+  sound.triangle_count = 1;
+  sound.first_cap = SIZE_MAX;
+  MeshHandle mesh;
+  REQUIRE(deliso_mesh_from_data(&sound, &mesh.get) == DELISO_OK);
+  deliso_mesh_data got;
+  REQUIRE(deliso_mesh_get_data(mesh.get, &got) == DELISO_OK);
+  CHECK(got.normals == nullptr);
+  CHECK(std::string(got.report) + got.warnings + got.comment == "");
+  CHECK(got.first_cap == SIZE_MAX);
+
+  const auto refusal_of = [&](auto spoil) {
+    deliso_mesh_data data = sound;
+    spoil(data);
+    MeshHandle none;
+    CHECK(deliso_mesh_from_data(&data, &none.get) == DELISO_BAD_INPUT);
+    CHECK(none.get == nullptr);
+    return std::string(deliso_last_error());
+  };
+  CHECK(refusal_of([](deliso_mesh_data& d) { d.vertices = nullptr; }) == "vertices is null");
+  CHECK(refusal_of([](deliso_mesh_data& d) { d.triangles = nullptr; }) == "triangles is null");
+  CHECK(refusal_of([](deliso_mesh_data& d) { d.vertex_count = 2; }) ==
+        "triangle 0 has a vertex beyond the last");
+  CHECK(refusal_of([](deliso_mesh_data& d) { d.first_cap = 2; }) ==
+        "first_cap is beyond the last triangle");
+  const double far[] = {0, 0, 0, 1, 0, 0, 0, 1, std::numeric_limits<double>::quiet_NaN()};
+  CHECK(refusal_of([&](deliso_mesh_data& d) { d.vertices = far; }) ==
+        "vertex 2 is not finite, or too far away");
+  CHECK(deliso_mesh_from_data(nullptr, &mesh.get) == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_get_data(nullptr, &got) == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_get_data(mesh.get, nullptr) == DELISO_BAD_INPUT);
+}
+
+TEST_CASE("null is a mesh without vertices, triangles and texts") {
+  std::size_t count = 7;
+  CHECK(deliso_mesh_vertices(nullptr, &count) == nullptr);
+  CHECK(count == 0);
+  count = 7;
+  CHECK(deliso_mesh_triangles(nullptr, &count) == nullptr);
+  CHECK(count == 0);
+  count = 7;
+  CHECK(deliso_mesh_normals(nullptr, &count) == nullptr);
+  CHECK(count == 0);
+  CHECK(deliso_mesh_vertices(nullptr, nullptr) == nullptr);
+  CHECK(std::string(deliso_mesh_report(nullptr)).empty());
+  CHECK(std::string(deliso_mesh_warnings(nullptr)).empty());
+  CHECK(deliso_mesh_save(nullptr, "mesh.ply") == DELISO_BAD_INPUT);
+  deliso_mesh_free(nullptr);
+  deliso_volume_free(nullptr);
+  deliso_text_free(nullptr);
 }
 
 TEST_CASE("two meshes at once are the same as alone") {

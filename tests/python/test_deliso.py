@@ -2,8 +2,13 @@
 """The Python package beside the program. Usage: test_deliso.py PROGRAM, with the package's folder in
 PYTHONPATH and the library in DELISO_LIBRARY."""
 
+import concurrent.futures
+import copy
+import gc
+import multiprocessing
 import os
 import pathlib
+import pickle
 import signal
 import subprocess
 import sys
@@ -16,8 +21,8 @@ import numpy
 
 import deliso
 
-PROGRAM = sys.argv.pop()
-ENDINGS = ["ply", "off", "obj", "stl", "vtp"]
+PROGRAM = sys.argv[-1]
+ENDINGS = ["ply", "off", "obj", "stl", "vtp", "glb", "3mf", "smesh", "poly"]
 
 
 def field(nz=20, ny=24, nx=28):
@@ -31,12 +36,17 @@ def noise(size):
     return numpy.random.default_rng(7).random((size, size, size))
 
 
+def capped(isovalue):
+    """For processes of a pool, which find functions by their names."""
+    return deliso.mesh(field(), isovalue, cap=True, spacing=(1, 1, 2.5))
+
+
 def resident_bytes():
     pages = int(pathlib.Path("/proc/self/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE")
 
 
-class TestMesh(unittest.TestCase):
+class TestCase(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -44,6 +54,16 @@ class TestMesh(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
+    def saved(self, m):
+        """The bytes of the mesh's file in each format."""
+        files = []
+        for ending in ENDINGS:
+            m.save(self.path("saved." + ending))
+            files.append(pathlib.Path(self.path("saved." + ending)).read_bytes())
+        return files
+
+
+class TestMesh(TestCase):
     def program(self, array, *arguments):
         numpy.save(self.path("v.npy"), array)
         command = [PROGRAM, self.path("v.npy"), "-k", "10.25", *arguments]
@@ -241,5 +261,125 @@ class TestMesh(unittest.TestCase):
         self.assertLess(resident_bytes() - before, 4 << 20)
 
 
+class TestCopies(TestCase):
+    def assert_same(self, m, other):
+        for name in ("vertices", "triangles", "normals"):
+            a, b = getattr(m, name), getattr(other, name)
+            self.assertEqual((a.dtype, a.shape), (b.dtype, b.shape))
+            self.assertEqual(a.tobytes(), b.tobytes())
+            self.assertFalse(b.flags.writeable)
+        self.assertEqual(m.report, other.report)
+        self.assertEqual(m.sound, other.sound)
+        self.assertEqual(self.saved(m), self.saved(other))
+
+    def test_copies_are_whole_and_outlive_the_mesh(self):
+        ways = {
+            "copy": copy.copy,
+            "deepcopy": copy.deepcopy,
+            "pickle": lambda m: pickle.loads(pickle.dumps(m)),
+            "pickle, first protocol": lambda m: pickle.loads(pickle.dumps(m, 0)),
+            "a copy of a copy": lambda m: copy.deepcopy(pickle.loads(pickle.dumps(m))),
+        }
+        meshes = {
+            "closed": lambda: deliso.mesh(field(), 10.25, largest=1),
+            "capped": lambda: capped(10.25),
+            "float": lambda: deliso.mesh(field(), 10.25, float=True),
+            "empty": lambda: deliso.mesh(field(), 1e9, allow_empty=True),
+        }
+        for kind, make in meshes.items():
+            for way, copied in ways.items():
+                with self.subTest(kind + " by " + way):
+                    m = make()
+                    other = copied(m)
+                    self.assert_same(m, other)
+                    expected = self.saved(m)
+                    del m
+                    gc.collect()
+                    deliso.mesh(noise(12), 0.5)  # takes memory that was freed
+                    self.assertEqual(self.saved(other), expected)
+                    del other
+                    gc.collect()
+
+    def test_a_deep_copy_shares_nothing(self):
+        m = deliso.mesh(field(), 10.25)
+        m.note, m.sound = ["mine"], False
+        shallow, deep = copy.copy(m), copy.deepcopy(m)
+        self.assertIs(shallow.report, m.report)
+        self.assertTrue(numpy.shares_memory(shallow.vertices, m.vertices))
+        self.assertFalse(numpy.shares_memory(deep.vertices, m.vertices))
+        deep.report["mesh"]["triangles"] = -1
+        self.assertEqual(m.report["mesh"]["triangles"], len(m.triangles))
+        self.assertEqual((deep.note, deep.sound), (["mine"], False))
+        self.assertIsNot(deep.note, m.note)
+
+    def test_a_copy_can_be_checked(self):
+        m = deliso.mesh(field(), 10.25)
+        theirs, ours = (deliso.check(k, field(), 10.25) for k in (copy.deepcopy(m), m))
+        self.assertTrue(ours["criteria_of_file"])
+        for report in (theirs, ours):
+            del report["check"]["seconds"]
+        self.assertEqual(theirs["check"], ours["check"])
+
+    def test_a_file_goes_to_another_process(self):
+        m = capped(10.25)
+        with open(self.path("mesh.pickle"), "wb") as file:
+            pickle.dump(m, file)
+        code = (
+            "import pickle, sys\n"
+            "m = pickle.load(open('mesh.pickle', 'rb'))\n"
+            "for ending in sys.argv[1:]: m.save('theirs.' + ending)\n"
+            "pickle.dump(m, open('again.pickle', 'wb'))"
+        )
+        subprocess.run([sys.executable, "-c", code, *ENDINGS], cwd=self.folder.name, check=True)
+        for ending, ours in zip(ENDINGS, self.saved(m)):
+            self.assertEqual(pathlib.Path(self.path("theirs." + ending)).read_bytes(), ours)
+        with open(self.path("again.pickle"), "rb") as file:
+            self.assert_same(m, pickle.load(file))
+
+    def test_pools_of_processes_return_meshes(self):
+        levels = [8.5, 10.25, 12.75]
+        alone = [capped(level) for level in levels]
+
+        def assert_same_all(meshes):
+            for m, other in zip(alone, meshes):
+                self.assertEqual(m.vertices.tobytes(), other.vertices.tobytes())
+                self.assertEqual(m.triangles.tobytes(), other.triangles.tobytes())
+                self.assertEqual(self.saved(m), self.saved(other))
+
+        for way in ("fork", "spawn"):
+            with self.subTest(way):
+                context = multiprocessing.get_context(way)
+                with context.Pool(2) as pool:
+                    assert_same_all(pool.map(capped, levels))
+                with concurrent.futures.ProcessPoolExecutor(2, context) as pool:
+                    assert_same_all(pool.map(capped, levels))
+                    # There and back.
+                    assert_same_all(pool.map(copy.copy, alone))
+                    with self.assertRaises(deliso.Error):
+                        pool.submit(capped, 1e9).result()
+
+    def test_handles_of_the_library_are_not_copied(self):
+        volume = deliso._Volume(field(), (1, 1, 1), (0, 0, 0))
+        m = deliso.mesh(field(), 10.25)
+        for held in (m._handle, volume.handle, volume):
+            for copied in (copy.deepcopy, pickle.dumps):
+                with self.assertRaises(TypeError):
+                    copied(held)
+
+    def test_bad_data_is_refused(self):
+        make, (arrays, others) = deliso.mesh(field(), 10.25).__reduce__()[:2]
+        vertices, triangles, normals = arrays
+        for bad in [
+            (vertices[:100], triangles, normals[:100]),
+            (vertices, triangles, normals[:-1]),
+            (vertices[:, :2], triangles, normals),
+            (numpy.full_like(vertices, numpy.inf), triangles, normals),
+        ]:
+            with self.assertRaises(deliso.Error):
+                make(bad, others)
+        with self.assertRaises(deliso.Error):
+            make(arrays, {**others, "first_cap": len(triangles) + 1})
+
+
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(argv=sys.argv[:-1])
