@@ -63,14 +63,11 @@ void draw_color_bar(Image& image, const Layout& layout, const ColorBar& bar, Rgb
 
   const double begin = left + text_width(bar.title, height) + kBeside * height;
   const double length = kLong * height;
+  // At least a pixel wide.
   const auto fill = [&](double x0, double x1, double y0, double y1, auto color_at) {
-    const auto pixel = [](double at, int size) {
-      return std::clamp(static_cast<int>(std::lround(at)), 0, size);
-    };
-    const int from = pixel(x0, image.width), to = std::max(from + 1, pixel(x1, image.width));
-    for (int y = pixel(y0, image.height); y < pixel(y1, image.height); ++y) {
-      for (int x = from; x < std::min(to, image.width); ++x) image.at(x, y) = color_at(x);
-    }
+    const double from = std::round(x0), to = std::max(from + 1, std::round(x1));
+    image.for_pixels(from, std::round(y0), to, std::round(y1),
+                     [&](int x, int, Rgb& pixel) { pixel = color_at(x); });
   };
   fill(begin, begin + length, top, top + kThick * height,
        [&](int x) { return sequential_color((x + 0.5 - begin) / length); });

@@ -193,26 +193,18 @@ double distance_to(const Line& line, const Vec2& p) {
 
 // The share of a pixel that the pen covers is about how far its middle is within the stroke.
 void draw_glyph(Image& image, const Glyph& glyph, double left, double baseline, double unit,
-                Rgb color) {
+                Rgb color, double strength) {
   const std::vector<Line> lines = lines_of(glyph);
   const double reach = 0.5 * std::max(kThinnest, kPen * unit);
-  const auto clipped = [](double at, int size) {
-    return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(size)));
-  };
   const double margin = reach + 2;
-  const int x0 = clipped(left - margin, image.width);
-  const int x1 = clipped(left + glyph.width * unit + margin, image.width);
-  const int y0 = clipped(baseline - 11 * unit - margin, image.height);
-  const int y1 = clipped(baseline + kBaseline * unit + margin, image.height);
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      const Vec2 p{(x + 0.5 - left) / unit, (baseline - y - 0.5) / unit + kBaseline};
-      double nearest = margin / unit;
-      for (const Line& line : lines) nearest = std::min(nearest, distance_to(line, p));
-      const double share = std::clamp(0.5 + reach - nearest * unit, 0.0, 1.0);
-      image.at(x, y) = mixed(image.at(x, y), color, share);
-    }
-  }
+  const auto draw = [&](int x, int y, Rgb& pixel) {
+    const Vec2 p{(x + 0.5 - left) / unit, (baseline - y - 0.5) / unit + kBaseline};
+    double nearest = margin / unit;
+    for (const Line& line : lines) nearest = std::min(nearest, distance_to(line, p));
+    pixel = mixed(pixel, color, strength * std::clamp(0.5 + reach - nearest * unit, 0.0, 1.0));
+  };
+  image.for_pixels(left - margin, baseline - 11 * unit - margin, left + glyph.width * unit + margin,
+                   baseline + kBaseline * unit + margin, draw);
 }
 
 }  // namespace
@@ -229,11 +221,11 @@ double text_width(std::string_view text, double height) {
 }
 
 void draw_text(Image& image, std::string_view text, double left, double baseline, double height,
-               Rgb color) {
+               Rgb color, double strength) {
   DELISO_CHECK(is_drawable(text));
   const double unit = height / kCapitals;
   for (const char c : text) {
-    draw_glyph(image, glyph_of(c), left, baseline, unit, color);
+    draw_glyph(image, glyph_of(c), left, baseline, unit, color, strength);
     left += (glyph_of(c).width + kGap) * unit;
   }
 }

@@ -20,8 +20,8 @@ bool is_drawable(std::string_view text);
 double text_width(std::string_view text, double height);
 
 // Draws the text over the image, on the line y = baseline, from x = left on. Parts beside the image
-// are left out. pre: is_drawable(text).
+// are left out. `strength`: share of the color; 1 hides the image below. pre: is_drawable(text).
 void draw_text(Image& image, std::string_view text, double left, double baseline, double height,
-               Rgb color);
+               Rgb color, double strength = 1);
 
 }  // namespace deliso

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A picture: rows from the top, pixels from the left, three bytes each (sRGB red, green, blue).
+//
+//   M1  Captions, bars, axes and other decorations may lie beside a small picture. They reach its
+//       pixels by for_pixels() alone, which cuts them to it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,10 +35,26 @@ struct Image {
         height(rows),
         pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), color) {}
 
+  // pre: 0 <= x < width, 0 <= y < height.
   const Rgb& at(int x, int y) const { return pixels[index(x, y)]; }
   Rgb& at(int x, int y) { return pixels[index(x, y)]; }
 
+  // Calls f(x, y, pixel) for the pixels of the image in the rectangle, whose sides are rounded down
+  // to whole pixels. It may be anywhere, and of any size.
+  template <class F>
+  void for_pixels(double left, double top, double right, double bottom, F f) {
+    const int x_begin = clipped(left, width), x_end = clipped(right, width);
+    const int y_begin = clipped(top, height), y_end = clipped(bottom, height);
+    for (int y = y_begin; y < y_end; ++y) {
+      for (int x = x_begin; x < x_end; ++x) f(x, y, at(x, y));
+    }
+  }
+
  private:
+  static int clipped(double place, int size) {
+    // Written so that a NaN is 0.
+    return place > 0 ? static_cast<int>(std::min(std::floor(place), static_cast<double>(size))) : 0;
+  }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);

@@ -64,9 +64,8 @@ void draw_caption(Image& image, const Layout& layout, std::size_t panel_number,
 void draw_rules(Image& image, const Layout& layout, std::size_t panels, Rgb color) {
   for (std::size_t n = 1; n < panels; ++n) {
     const int right = layout.left(n);
-    for (int y = 0; y < layout.picture.height - layout.bar; ++y) {
-      for (int x = right - layout.rule; x < right; ++x) image.at(x, y) = color;
-    }
+    image.for_pixels(right - layout.rule, 0, right, layout.picture.height - layout.bar,
+                     [&](int, int, Rgb& pixel) { pixel = color; });
   }
 }
 

@@ -16,25 +16,21 @@ namespace {
 constexpr double kMargin = 1.5, kThick = 0.22, kGap = 0.5, kTick = 0.8, kAxis = 3.2, kName = 0.9;
 constexpr double kLongest = 0.25;  // of the panel's width
 
-// A line with round ends, over the image.
-void draw_line(Image& image, const Vec2& a, const Vec2& b, double width, Rgb color) {
-  const auto pixel = [](double at, int size) {
-    return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(size)));
-  };
+// A line with round ends, over the image. `strength`: share of the ink, 1 hides what is below.
+void draw_line(Image& image, const Vec2& a, const Vec2& b, double width, Rgb color,
+               double strength = 1) {
   const double margin = width + 1;
   const Vec2 d = b - a;
   const double size2 = dot(d, d);
-  for (int y = pixel(std::min(a.y, b.y) - margin, image.height);
-       y < pixel(std::max(a.y, b.y) + margin + 1, image.height); ++y) {
-    for (int x = pixel(std::min(a.x, b.x) - margin, image.width);
-         x < pixel(std::max(a.x, b.x) + margin + 1, image.width); ++x) {
-      const Vec2 p{x + 0.5, y + 0.5};
-      const double t = size2 > 0 ? std::clamp(dot(p - a, d) / size2, 0.0, 1.0) : 0;
-      const Vec2 off = p - (a + t * d);
-      const double share = std::clamp(0.5 + 0.5 * width - std::sqrt(dot(off, off)), 0.0, 1.0);
-      image.at(x, y) = mixed(image.at(x, y), color, share);
-    }
-  }
+  const auto draw = [&](int x, int y, Rgb& pixel) {
+    const Vec2 p{x + 0.5, y + 0.5};
+    const double t = size2 > 0 ? std::clamp(dot(p - a, d) / size2, 0.0, 1.0) : 0;
+    const Vec2 off = p - (a + t * d);
+    const double share = std::clamp(0.5 + 0.5 * width - std::sqrt(dot(off, off)), 0.0, 1.0);
+    pixel = mixed(pixel, color, strength * share);
+  };
+  image.for_pixels(std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin,
+                   std::max(a.x, b.x) + margin + 1, std::max(a.y, b.y) + margin + 1, draw);
 }
 
 double foot_of(const Layout& layout) {
@@ -72,15 +68,14 @@ void draw_axes(Image& image, const Layout& layout, const Camera& camera,
   const double h = layout.text, size = kAxis * h;
   const Vec2 origin{layout.panel.width - size - 2 * kMargin * h,
                     foot_of(layout) - size - kMargin * h};
-  const Rgb paper = image.at(static_cast<int>(origin.x), static_cast<int>(origin.y));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int i = static_cast<int>(axis);
     const Vec2 direction{camera.right[i], -camera.up[i]};
-    const Rgb color = camera.back[i] < 0 ? mixed(paper, ink, 0.5) : ink;
-    draw_line(image, origin, origin + size * direction, kThick * h, color);
+    const double strength = camera.back[i] < 0 ? 0.5 : 1;
+    draw_line(image, origin, origin + size * direction, kThick * h, ink, strength);
     const Vec2 at = origin + (size + kName * h) * direction;
-    draw_text(image, names[axis], at.x - 0.5 * text_width(names[axis], h), at.y + 0.5 * h, h,
-              color);
+    draw_text(image, names[axis], at.x - 0.5 * text_width(names[axis], h), at.y + 0.5 * h, h, ink,
+              strength);
   }
 }
 
