@@ -71,8 +71,6 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
 // of the run. Throws InputError.
 void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run);
 
-std::uint64_t peak_memory_bytes();  // of the process
-
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);
 

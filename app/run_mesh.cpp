@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The mesh command: volume and isovalue in, mesh and report out.
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -15,6 +13,7 @@
 #include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
+#include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/signals.h"
@@ -170,12 +169,6 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
 }
 
 }  // namespace
-
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;

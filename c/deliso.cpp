@@ -19,6 +19,7 @@
 #include "app/command_line.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
+#include "app/peak_memory.h"
 #include "app/progress.h"
 #include "app/text.h"
 #include "base/cancel.h"
