@@ -124,7 +124,8 @@ void append_counters(std::string& text, const Report& report) {
   if (text.size() == before) text += "counters  nothing refused or unresolved\n";
 }
 
-// Returns what holds of the mesh, and how many triangles and points miss a limit.
+// Returns what holds of the mesh, and a line for each counter of what does not (the README's "What
+// is not guaranteed"), with its name in the JSON.
 std::string verdict_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;
@@ -141,15 +142,18 @@ std::string verdict_text(const MeshRun& run) {
     text += options.recover == RecoverWay::certified ? ", no crossings"
                                                      : "; crossings are not looked for";
   }
+  text += "\n";
+  const auto add = [&](Counter counter, const std::string& what) {
+    if (report[counter] == 0) return;
+    text.append("          ").append(what).append(" (").append(name_of(counter)).append(")\n");
+  };
   const std::uint64_t over = report[Counter::unrefined_facets], far = report[Counter::points_far];
-  if (over > 0) {
-    text += "; " + grouped(over) + " of " + counted(run.triangles, "triangle", "triangles") +
-            " over a limit";
-  }
-  if (far > 0) {
-    text += "; " + counted(far, "point", "points") + " of the surface further than 2 D";
-  }
-  return text + "\n";
+  add(Counter::unrefined_facets,
+      grouped(over) + " of " + counted(run.triangles, "triangle", "triangles") + " over a limit");
+  add(Counter::points_far, counted(far, "point", "points") + " of the surface further than 2 D");
+  add(Counter::uncertified_sites, counted(report[Counter::uncertified_sites], "place", "places") +
+                                      " where the proof of the topology fails");
+  return text;
 }
 
 }  // namespace
@@ -209,11 +213,8 @@ std::string report_text(const MeshRun& run) {
     text += distance_text(options, report, run.input.volume().voxel(), verbose);
   }
   if (run.verification) text += verification_text(*run.verification, run.input.volume());
-  if (verbose) {
-    append_counters(text, report);
-  } else if (run.line.method == Method::delaunay && run.triangles > 0) {
-    text += verdict_text(run);
-  }
+  if (verbose) append_counters(text, report);
+  if (run.line.method == Method::delaunay && run.triangles > 0) text += verdict_text(run);
   append_format(text, "cost      %.2f seconds, %.1f MiB at most\n", run.seconds_total,
                 static_cast<double>(run.peak_bytes) / 0x1p20);
   return text;

@@ -3,13 +3,19 @@
 // reports is explained in docs/guide/report.md.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/command_line.h"
 #include "app/json_schema.h"
+#include "app/mesh_run.h"
+#include "app/progress.h"
 #include "app/run.h"
 #include "check/faults.h"
 #include "surface/report.h"
@@ -115,6 +121,26 @@ const std::vector<json::Value>& reports() {
   return all;
 }
 
+// What the report of a mesh says, line by line, but for the cost. `counters` overwrites those of
+// the run.
+std::vector<std::string> lines_of_run(std::vector<std::string_view> arguments,
+                                      const std::vector<std::pair<Counter, int>>& counters = {}) {
+  const CommandLine line = parse_command_line(arguments);
+  const Input input = read_input(line);
+  MeshRun run(line, input);
+  ProgressBar progress(mesh_stages(line), false);
+  mesh_input(run, progress, [](const std::string&) {});
+  for (const auto& [counter, value] : counters) {
+    run.report[counter] = static_cast<std::uint64_t>(value);
+  }
+  std::vector<std::string> lines;
+  std::istringstream text(report_text(run));
+  for (std::string word; std::getline(text, word);) {
+    if (!word.starts_with("cost ")) lines.push_back(word);
+  }
+  return lines;
+}
+
 // Every key that stands anywhere in a value.
 void collect_keys(const json::Value& value, std::set<std::string>& keys) {
   for (const auto& [key, member] : value.members) {
@@ -211,6 +237,52 @@ TEST_CASE("the schema refuses an added key, a missing key and another type anywh
   CHECK_THROWS(json::parse("{\"a\": 1, \"a\": 2}"));
   CHECK_THROWS(json::parse("{\"a\": 1"));
   CHECK_THROWS(json::parse("[1, 2] 3"));
+}
+
+TEST_CASE("--verbose adds lines to the report, and leaves none out") {
+  const std::vector<std::string_view> runs[] = {{"builtin:noise:16"},
+                                                {"builtin:torus", "--cap", "--check"},
+                                                {"builtin:fuel:24", "--vertices", "300"},
+                                                {"builtin:torus", "--paper"},
+                                                {"builtin:torus", "--method", "marching-cubes"}};
+  for (const std::vector<std::string_view>& arguments : runs) {
+    std::vector<std::string_view> more = arguments;
+    more.push_back("--verbose");
+    const std::vector<std::string> lines = lines_of_run(arguments), all = lines_of_run(more);
+    CHECK(all.size() > lines.size());
+    auto at = all.begin();
+    for (const std::string& line : lines) {
+      CAPTURE(line);
+      at = std::find(at, all.end(), line);
+      REQUIRE(at != all.end());
+      ++at;
+    }
+  }
+}
+
+TEST_CASE("what is not guaranteed is in the default report, by the names of the JSON") {
+  const auto has = [](const std::vector<std::string>& lines, std::string_view line) {
+    return std::ranges::find(lines, line) != lines.end();
+  };
+  const std::vector<std::string> sound =
+      lines_of_run({"builtin:torus"}, {{Counter::unrefined_facets, 0}, {Counter::points_far, 0}});
+  CHECK(sound.back() == "verdict   exact topology, no crossings");
+  const std::vector<std::string> lines = lines_of_run(
+      {"builtin:torus"},
+      {{Counter::unrefined_facets, 3}, {Counter::points_far, 1}, {Counter::uncertified_sites, 2}});
+  CHECK(has(lines, "verdict   exact topology, no crossings"));
+  CHECK(has(lines, "          1 point of the surface further than 2 D (points_far)"));
+  CHECK(has(lines, "          2 places where the proof of the topology fails (uncertified_sites)"));
+  CHECK(std::ranges::any_of(lines, [](const std::string& line) {
+    return line.starts_with("          3 of ") &&
+           line.ends_with(" triangles over a limit (unrefined_facets)");
+  }));
+  // The README names them, so that its reader finds them in the report.
+  const std::string readme = content(docs().parent_path() / "README.md");
+  for (const Counter c :
+       {Counter::unrefined_facets, Counter::points_far, Counter::uncertified_sites}) {
+    CHECK(readme.find("`" + std::string(name_of(c)) + "`") != std::string::npos);
+  }
 }
 
 TEST_CASE("every word of the reports is explained in the guide, once") {
