@@ -17,8 +17,8 @@ using namespace deliso;
 
 namespace {
 
-struct Field {
-  explicit Field(const std::string& name)
+struct MeshedField {
+  explicit MeshedField(const std::string& name)
       : volume(make_builtin_volume("builtin:" + name)),
         kappa(find_builtin_field("builtin:" + name)->isovalue) {}
   Volume volume;
@@ -50,7 +50,7 @@ TEST_CASE("if every sample is read, the crossings are those of T") {
   for (const std::string name :
        {"sphere", "gyroid", "fuel", "noise", "marschner_lobb", "machine"}) {
     CAPTURE(name);
-    const Field field(name);
+    const MeshedField field(name);
     std::uint64_t crossings = 0;
     for (const auto& c : summarize_contour(field.volume, field.kappa).components) {
       crossings += c.crossings;
@@ -78,7 +78,7 @@ TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
   int cases = 0;
   for (const std::string name :
        {"sphere", "torus", "linked_tori", "five_spheres", "gyroid", "orbital", "fuel", "machine"}) {
-    const Field field(name);
+    const MeshedField field(name);
     for (const double d : {1.0, 0.3, 0.1, 0.03}) {
       for (const double r_min : {0.5, 1.0}) {
         CAPTURE(name);
@@ -101,7 +101,7 @@ TEST_CASE("by distance the estimate is within a factor of 3 of the mesh") {
 }
 
 TEST_CASE("for noise the estimate is within 30 % of the mesh") {
-  const Field field("noise:32");
+  const MeshedField field("noise:32");
   for (const double d : {1.0, 0.3, 0.1}) {
     CAPTURE(d);
     Options options;
@@ -134,7 +134,7 @@ TEST_CASE("no mesh has fewer vertices than its components need") {
 }
 
 TEST_CASE("what each criterion and limit does to the estimate") {
-  const Field field("fuel");
+  const MeshedField field("fuel");
   const auto expected = [&](const Options& options) {
     return expected_vertices(field.volume, field.kappa, options);
   };

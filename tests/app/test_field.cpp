@@ -25,10 +25,6 @@ using namespace deliso;
 
 namespace {
 
-CommandLine parse(const std::vector<std::string_view>& arguments) {
-  return parse_command_line(arguments);
-}
-
 bool same_samples(const Volume& a, const Volume& b) {
   if (a.dims() != b.dims() || a.type() != b.type()) return false;
   for (int k = 0; k < a.dims().k; ++k) {
@@ -70,7 +66,7 @@ struct Balls {
   CommandLine line(const std::vector<std::string>& more) const {
     std::vector<std::string> all{file("balls.raw"), "--dims", "58x36x30", "--type", "uint8", "-q"};
     all.insert(all.end(), more.begin(), more.end());
-    return parse({all.begin(), all.end()});
+    return parse_command_line(std::vector<std::string_view>(all.begin(), all.end()));
   }
 
   Volume volume = Volume::from_samples({2, 2, 2}, {1, 1, 1}, std::vector<float>(8, 0));

@@ -63,7 +63,7 @@ std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> rim_in_face(int ma
   return segments;
 }
 
-Volume noise(std::uint64_t seed, Index3 dims) {
+Volume noisy_volume(std::uint64_t seed, Index3 dims) {
   Random random(seed);
   std::vector<double> samples;
   for (int n = 0; n < dims.i * dims.j * dims.k; ++n) samples.push_back(random.uniform(-1, 1));
@@ -131,7 +131,7 @@ TEST_CASE("cases that can be neighbors have the same boundary in their common fa
 TEST_CASE("noise of every seed gives a manifold that is open at the box only") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
-    const Volume volume = noise(seed, {9, 8, 10});
+    const Volume volume = noisy_volume(seed, {9, 8, 10});
     const TriMesh mesh = marching_cubes(volume, 0.1);
     REQUIRE(mesh.faces.size() > 300);
     CHECK(check_mesh(mesh) == "");
@@ -169,6 +169,6 @@ TEST_CASE("a sphere has one component, Euler number 2, its area, and normals tha
 }
 
 TEST_CASE("a volume without voxels, and an isovalue without a surface, give an empty mesh") {
-  CHECK(marching_cubes(noise(1, {5, 1, 5}), 0).faces.empty());
-  CHECK(marching_cubes(noise(1, {5, 5, 5}), 2).faces.empty());
+  CHECK(marching_cubes(noisy_volume(1, {5, 1, 5}), 0).faces.empty());
+  CHECK(marching_cubes(noisy_volume(1, {5, 5, 5}), 2).faces.empty());
 }

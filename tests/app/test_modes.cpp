@@ -19,13 +19,13 @@ using namespace deliso;
 namespace {
 
 template <class T>
-Volume volume_of(const std::vector<T>& samples) {
+Volume row_of(const std::vector<T>& samples) {
   return Volume::from_samples({static_cast<int>(samples.size()), 1, 1}, {1, 1, 1}, samples);
 }
 
 template <class T>
 Modes modes_of(const std::vector<T>& samples, std::size_t most = 9) {
-  const Volume volume = volume_of(samples);
+  const Volume volume = row_of(samples);
   return find_modes(volume, value_range(volume), most);
 }
 

@@ -49,7 +49,7 @@ Outcome of_process(Work work) {
   close(ends[1]);
   Outcome outcome;
   char byte;
-  while (read(ends[0], &byte, 1) == 1) outcome.said += byte;
+  while (::read(ends[0], &byte, 1) == 1) outcome.said += byte;
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);

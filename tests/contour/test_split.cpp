@@ -145,7 +145,7 @@ void check_split(Random& random, const Volume& volume, double kappa, Tally& tall
   for (const auto& component : plain.summary.components) tally.tubes += component.tubes;
 }
 
-Volume sampled_field(Index3 dims, const std::function<double(double, double, double)>& field) {
+Volume double_field(Index3 dims, const std::function<double(double, double, double)>& field) {
   std::vector<double> samples;
   for (int k = 0; k < dims.k; ++k) {
     for (int j = 0; j < dims.j; ++j) {
@@ -211,7 +211,7 @@ TEST_CASE("single voxels, some with tubes, keep their topology when split") {
 TEST_CASE("triangles face outwards and come closer to the surface as cells get smaller") {
   const double radius = 6.3;
   const Vec3 center{9.1, 8.9, 9.2};
-  const Volume volume = sampled_field({19, 19, 19}, [&](double x, double y, double z) {
+  const Volume volume = double_field({19, 19, 19}, [&](double x, double y, double z) {
     const Vec3 d = Vec3{x, y, z} - center;
     return radius - length(d);
   });

@@ -32,13 +32,13 @@ std::size_t boundary_vertices(const Stage& stage) {
   return n;
 }
 
-struct Tally {
+struct CollapseTally {
   int collapsed = 0, refused = 0, on_boundary = 0;
 };
 
 // The vertex that is gone, and what must hold then.
 void check_collapsed(Stage& stage, const Stage::Snapshot& before, std::size_t vertices,
-                     std::size_t on_boundary, std::span<const FaceId> created, Tally& tally) {
+                     std::size_t on_boundary, std::span<const FaceId> created, CollapseTally& tally) {
   REQUIRE(stage.fault() == "");
   REQUIRE(stage.fault_of(created) == "");
   REQUIRE(used_vertices(stage.mesh) == vertices - 1);
@@ -62,7 +62,7 @@ void check_covered(const Stage& stage, const Stage::Snapshot& before) {
   }
 }
 
-void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
+void collapse_at_random(int n, double lambda, double r_min, CollapseTally& tally) {
   CAPTURE(n);
   CAPTURE(lambda);
   const Scene scene = some_scene(n);
@@ -110,7 +110,7 @@ void collapse_at_random(int n, double lambda, double r_min, Tally& tally) {
 }  // namespace
 
 TEST_CASE("every collapse removes one vertex of Stage 1 and keeps the mesh valid") {
-  Tally tally;
+  CollapseTally tally;
   for (int n = 0; n < kScenes; ++n) {
     collapse_at_random(n, 0.6, 3, tally);
     collapse_at_random(n, 1.2, 1, tally);

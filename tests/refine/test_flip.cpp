@@ -27,11 +27,11 @@ Corners4 corners_at(const TriMesh& mesh, FaceId f, int i) {
           mesh.faces[g].v[neighbor_index(mesh.faces[g], f)]};
 }
 
-struct Tally {
+struct FlipTally {
   int flipped = 0, refused = 0, delaunay = 0;
 };
 
-void flip_once(Stage& stage, FaceId f, int i, Tally& tally) {
+void flip_once(Stage& stage, FaceId f, int i, FlipTally& tally) {
   const Stage::Snapshot before = stage.snapshot();
   if (stage.mesh.faces[f].n[i] == kNoId) {
     CHECK(flip_if_not_delaunay(stage.r, f, i));
@@ -100,7 +100,7 @@ int flip_all(Stage& stage) {
 
 TEST_CASE(
     "only edges that are not Delaunay are flipped; flips lower the radii, the mesh stays valid") {
-  Tally tally;
+  FlipTally tally;
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);
     const Scene scene = some_scene(n);

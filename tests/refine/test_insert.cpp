@@ -55,13 +55,13 @@ void check_inserted(Stage& stage, const Stage::Snapshot& before, std::span<const
   }
 }
 
-struct Tally {
+struct InsertTally {
   int inserted = 0, refused = 0, splits = 0, splits_refused = 0;
   std::size_t refusals[kRefusals] = {};
 };
 
 // `tries` insertions and splits at random.
-void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
+void insert_at_random(int n, int tries, const Options& options, InsertTally& tally) {
   CAPTURE(n);
   const Scene scene = some_scene(n);
   Stage stage(scene, options);
@@ -121,7 +121,7 @@ void insert_at_random(int n, int tries, const Options& options, Tally& tally) {
 }  // namespace
 
 TEST_CASE("every insertion keeps the mesh valid; a refused one changes nothing") {
-  Tally tally;
+  InsertTally tally;
   Options options;
   options.r_min = {0.1, Length::Unit::voxel};
   for (int n = 0; n < kScenes; ++n) insert_at_random(n, 160, options, tally);
@@ -137,7 +137,7 @@ TEST_CASE("every insertion keeps the mesh valid; a refused one changes nothing")
 
 // With a large r_min the gates before the exact one let nearly everything pass.
 TEST_CASE("insertions keep the mesh valid where no facet is large enough to need a surface point") {
-  Tally tally;
+  InsertTally tally;
   Options options;
   for (int n = 0; n < kScenes; ++n) {
     options.r_min = {n % 2 == 0 ? 0.6 : 3.0, Length::Unit::voxel};

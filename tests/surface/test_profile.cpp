@@ -18,8 +18,6 @@ using namespace deliso;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 struct Run {
   TriMesh mesh;
   Report report;
@@ -90,7 +88,7 @@ TEST_CASE("insertions are counted in the right bins of the histograms") {
 TEST_CASE("without ApproximateGeom Stage 1 hands over fewer points") {
   Options options = Options::paper();
   const Run stated = mesh_builtin("builtin:orbital:64", options);
-  options.epsilon = kInfinity;
+  options.epsilon = std::numeric_limits<double>::infinity();
   const Run none = mesh_builtin("builtin:orbital:64", options);
   CHECK(none.report.points_recovered < stated.report.points_recovered);
   CHECK(check_mesh(none.mesh).empty());

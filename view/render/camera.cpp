@@ -12,7 +12,7 @@
 namespace deliso {
 namespace {
 
-constexpr double kMargin = 0.03;  // of the picture, on each side
+constexpr double kViewMargin = 0.03;  // of the picture, on each side
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -82,7 +82,7 @@ Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim
   }
   const Vec3 middle = 0.5 * (box.lo + box.hi), sides = box.size();
   camera.center = middle.x * camera.right + middle.y * camera.up + middle.z * camera.back;
-  const double room = 1 - 2 * kMargin;
+  const double room = 1 - 2 * kViewMargin;
   const double units_per_pixel =
       std::max(sides.x / (room * size.width), sides.y / (room * size.height));
   camera.scale = units_per_pixel > 0 ? aim.zoom / units_per_pixel : aim.zoom;

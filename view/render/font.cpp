@@ -22,7 +22,7 @@ struct Glyph {
   std::string_view strokes;
 };
 constexpr double kBaseline = 3, kCapitals = 9;  // units
-constexpr double kPen = 1.15, kGap = 3.2;       // its width, and between glyphs; units
+constexpr double kPen = 1.15, kGlyphGap = 3.2;  // its width, and between glyphs; units
 constexpr double kThinnest = 0.9;               // pixels
 
 constexpr std::array kGlyphs = std::to_array<Glyph>({
@@ -216,8 +216,8 @@ bool is_drawable(std::string_view text) {
 
 double text_width(std::string_view text, double height) {
   double units = 0;
-  for (const char c : text) units += glyph_of(c).width + kGap;
-  return text.empty() ? 0 : (units - kGap) * height / kCapitals;
+  for (const char c : text) units += glyph_of(c).width + kGlyphGap;
+  return text.empty() ? 0 : (units - kGlyphGap) * height / kCapitals;
 }
 
 void draw_text(Image& image, std::string_view text, double left, double baseline, double height,
@@ -226,7 +226,7 @@ void draw_text(Image& image, std::string_view text, double left, double baseline
   const double unit = height / kCapitals;
   for (const char c : text) {
     draw_glyph(image, glyph_of(c), left, baseline, unit, color, strength);
-    left += (glyph_of(c).width + kGap) * unit;
+    left += (glyph_of(c).width + kGlyphGap) * unit;
   }
 }
 

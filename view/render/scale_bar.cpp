@@ -13,7 +13,8 @@ namespace deliso {
 namespace {
 
 // In heights of capital letters.
-constexpr double kMargin = 1.5, kThick = 0.22, kGap = 0.5, kTick = 0.8, kAxis = 3.2, kName = 0.9;
+constexpr double kMargin = 1.5, kScaleThick = 0.22, kScaleGap = 0.5, kScaleTick = 0.8, kAxis = 3.2,
+                 kName = 0.9;
 constexpr double kLongest = 0.25;  // of the panel's width
 
 // A line with round ends, over the image. `strength`: share of the ink, 1 hides what is below.
@@ -54,13 +55,14 @@ void draw_scale_bar(Image& image, const Layout& layout, const Camera& camera, st
                     Rgb ink) {
   const double length = round_length(kLongest * layout.panel.width / camera.scale);
   const double h = layout.text, left = kMargin * h, right = left + length * camera.scale;
-  const double y = foot_of(layout), tick = 0.5 * kTick * h;
-  draw_line(image, {left, y}, {right, y}, kThick * h, ink);
+  const double y = foot_of(layout), tick = 0.5 * kScaleTick * h;
+  draw_line(image, {left, y}, {right, y}, kScaleThick * h, ink);
   for (const double x : {left, right}) {
-    draw_line(image, {x, y - tick}, {x, y + tick}, kThick * h, ink);
+    draw_line(image, {x, y - tick}, {x, y + tick}, kScaleThick * h, ink);
   }
   const std::string label = text(length, unit.empty() ? "" : " ", unit);
-  draw_text(image, label, 0.5 * (left + right - text_width(label, h)), y - tick - kGap * h, h, ink);
+  draw_text(image, label, 0.5 * (left + right - text_width(label, h)), y - tick - kScaleGap * h, h,
+            ink);
 }
 
 void draw_axes(Image& image, const Layout& layout, const Camera& camera,
@@ -72,7 +74,7 @@ void draw_axes(Image& image, const Layout& layout, const Camera& camera,
     const int i = static_cast<int>(axis);
     const Vec2 direction{camera.right[i], -camera.up[i]};
     const double strength = camera.back[i] < 0 ? 0.5 : 1;
-    draw_line(image, origin, origin + size * direction, kThick * h, ink, strength);
+    draw_line(image, origin, origin + size * direction, kScaleThick * h, ink, strength);
     const Vec2 at = origin + (size + kName * h) * direction;
     draw_text(image, names[axis], at.x - 0.5 * text_width(names[axis], h), at.y + 0.5 * h, h, ink,
               strength);

@@ -30,6 +30,13 @@ class TemporaryFolder {
 
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   const std::filesystem::path& path() const { return path_; }
+  std::string path(const std::string& name) const { return *this / name; }
+  // Replaces the file instead of overwriting it: somebody may have the old one mapped.
+  std::string write(const std::string& name, const std::string& content) const {
+    std::filesystem::remove(path_ / name);
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return path(name);
+  }
   std::size_t file_count() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
                                                   std::filesystem::directory_iterator()));

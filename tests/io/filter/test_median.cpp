@@ -12,7 +12,7 @@ using namespace deliso;
 
 namespace {
 
-int walked(int i, int n) {
+int mirrored(int i, int n) {
   while (i < 0 || i >= n) i = i < 0 ? -1 - i : 2 * n - 1 - i;
   return i;
 }
@@ -24,7 +24,7 @@ T oracle(const std::vector<T>& samples, Index3 n, Index3 at, int radius) {
     for (int j = at.j - radius; j <= at.j + radius; ++j) {
       for (int i = at.i - radius; i <= at.i + radius; ++i) {
         box.push_back(samples[static_cast<std::size_t>(
-            walked(i, n.i) + n.i * (walked(j, n.j) + n.j * walked(k, n.k)))]);
+            mirrored(i, n.i) + n.i * (mirrored(j, n.j) + n.j * mirrored(k, n.k)))]);
       }
     }
   }

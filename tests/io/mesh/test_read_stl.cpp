@@ -20,7 +20,7 @@ TriMesh read(const std::string& bytes, std::vector<std::string>* comments = null
   return parse_mesh(bytes, MeshFormat::stl, "in", comments);
 }
 
-std::string error_of(const std::string& bytes) {
+std::string stl_error(const std::string& bytes) {
   try {
     read(bytes);
   } catch (const InputError& error) {
@@ -132,27 +132,27 @@ TEST_CASE("comments: the writer's by itself, and what others have in the header"
 TEST_CASE("each fault of an STL file has its message") {
   const TriMesh mesh = mesh_of(tetrahedron());
   const std::string bytes = binary_stl(mesh);
-  CHECK(error_of("") == "'in': is no STL file: it ends within the header");
-  CHECK(error_of(bytes.substr(0, 83)) == "'in': is no STL file: it ends within the header");
-  CHECK(error_of(bytes.substr(0, 200)) ==
+  CHECK(stl_error("") == "'in': is no STL file: it ends within the header");
+  CHECK(stl_error(bytes.substr(0, 83)) == "'in': is no STL file: it ends within the header");
+  CHECK(stl_error(bytes.substr(0, 200)) ==
         "'in': binary STL of 4 facets needs 200 bytes behind its header, found 116");
-  CHECK(error_of(bytes + "x") ==
+  CHECK(stl_error(bytes + "x") ==
         "'in': binary STL of 4 facets needs 200 bytes behind its header, found 201");
   std::string many = bytes;
   many.replace(80, 4, "\xff\xff\xff\xff");
-  CHECK(error_of(many) == "'in': 4294967295 facets are too many");
+  CHECK(stl_error(many) == "'in': 4294967295 facets are too many");
   many.replace(80, 4, "\xff\xff\xff\x4f");
-  CHECK(error_of(many).starts_with("'in': binary STL of 1342177279 facets needs"));
+  CHECK(stl_error(many).starts_with("'in': binary STL of 1342177279 facets needs"));
   std::string infinite = bytes;
   infinite.replace(84 + 12, 4, std::string("\0\0\x80\x7f", 4));
-  CHECK(error_of(infinite) ==
+  CHECK(stl_error(infinite) ==
         "'in': coordinate x of vertex 0 is inf, not a number up to 1e+30 in size");
 
   const std::string words = stl_text(mesh);
   const auto broken = [&](const std::string& old, const std::string& now) {
     std::string file = words;
     file.replace(file.find(old), old.size(), now);
-    return error_of(file);
+    return stl_error(file);
   };
   CHECK(broken("facet", "face") == "'in' line 2: there is 'face' in place of 'facet'");
   CHECK(broken("vertex", "vertax") == "'in' line 4: there is 'vertax' in place of 'vertex'");
@@ -160,5 +160,5 @@ TEST_CASE("each fault of an STL file has its message") {
   CHECK(broken("vertex 0", "vertex 1e39") ==
         "'in': coordinate x of vertex 0 is inf, not a number up to 1e+30 in size");
   CHECK(broken("endsolid made by hand", "") == "'in' line 30: the file ends before 'endsolid'");
-  CHECK(error_of(words + "more") == "'in' line 31: there is 'more' behind 'endsolid'");
+  CHECK(stl_error(words + "more") == "'in' line 31: there is 'more' behind 'endsolid'");
 }

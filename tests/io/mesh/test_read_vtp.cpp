@@ -17,7 +17,7 @@ const std::vector<Vec3> kPoints{{0, 0, -1}, {1, 0, -1}, {1, 1.5, -1}, {0, 1, -1}
 const std::vector<std::vector<VertexId>> kPolygons{{0, 1, 2, 3}, {2, 4, 3}};
 const Triangles kTriangles{{0, 1, 2}, {0, 2, 3}, {2, 4, 3}};
 
-std::string error_of(const std::string& bytes) {
+std::string vtp_error(const std::string& bytes) {
   try {
     parse_mesh(bytes, MeshFormat::vtp, "in");
   } catch (const InputError& error) {
@@ -69,10 +69,10 @@ TEST_CASE("each fault of a VTP file has its message") {
   const std::string words = vtp(kPoints, kPolygons, {.format = "ascii"}, true);
   const std::string raw = vtp(kPoints, kPolygons, {}, true);
   const auto text_with = [&](const std::string& old, const std::string& now) {
-    return error_of(replaced(words, old, now));
+    return vtp_error(replaced(words, old, now));
   };
-  CHECK(error_of(words) == "no error");
-  CHECK(error_of("") == "'in': is no VTK XML file");
+  CHECK(vtp_error(words) == "no error");
+  CHECK(vtp_error("") == "'in': is no VTK XML file");
   CHECK(text_with("PolyData", "ImageData") ==
         "'in': is a VTK file of type 'ImageData': only PolyData holds a mesh");
   CHECK(text_with("</Piece>", "</Piece><Piece>") ==
@@ -97,13 +97,13 @@ TEST_CASE("each fault of a VTP file has its message") {
   CHECK(text_with("Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">\n4",
                   "Name=\"onsets\" NumberOfComponents=\"1\" format=\"ascii\">\n4") ==
         "'in': has no array for the offsets of 2 polygons");
-  CHECK(error_of(replaced(raw, "NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"")) ==
+  CHECK(vtp_error(replaced(raw, "NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"")) ==
         "'in': the coordinates of 6 points need 144 bytes, the array holds 120");
-  CHECK(error_of(
+  CHECK(vtp_error(
             replaced(raw, "type=\"Float64\" Name=\"Points\"", "type=\"String\" Name=\"Points\"")) ==
         "'in': type 'String' of the coordinates of 5 points is not supported");
-  CHECK(error_of(replaced(raw, "<AppendedData", "<Nothing")) == "'in': has no AppendedData");
-  CHECK(error_of(raw.substr(0, raw.size() - 60))
+  CHECK(vtp_error(replaced(raw, "<AppendedData", "<Nothing")) == "'in': has no AppendedData");
+  CHECK(vtp_error(raw.substr(0, raw.size() - 60))
             .starts_with("'in': data is too short: the corners of 2 polygons need 56 bytes"));
   CHECK(text_with("</PolyData>", "") == "'in': ends before </PolyData>");
 }

@@ -36,7 +36,7 @@ std::size_t attribute(const std::string& text, const std::string& key, std::size
   return std::stoull(text.substr(at + key.size() + 2));
 }
 
-std::string error_of(const std::string& path) {
+std::string write_error(const std::string& path) {
   try {
     write_mesh(triangle(), path);
   } catch (const InputError& error) {
@@ -413,7 +413,7 @@ TEST_CASE("the ending decides the format") {
   CHECK(mesh_format_of("a.poly") == MeshFormat::poly);
   const TemporaryFolder folder;
   for (const std::string name : {"mesh.plyx", "mesh", "ply", ".ply", "mesh.gz", ""}) {
-    CHECK(error_of(name) ==
+    CHECK(write_error(name) ==
           "'" + name +
               "' has no mesh format's ending (.ply, .off, .obj, .stl, .vtp, .glb, .3mf, "
               ".smesh, .poly)");
@@ -426,13 +426,13 @@ TEST_CASE(
   const std::string endings[] = {".ply", ".off", ".obj",   ".stl", ".vtp",
                                  ".glb", ".3mf", ".smesh", ".poly"};
   for (const std::string& ending : endings) {
-    CHECK(error_of(folder / ("absent/mesh" + ending)) ==
+    CHECK(write_error(folder / ("absent/mesh" + ending)) ==
           "cannot write '" + (folder / ("absent/mesh" + ending)) + "': No such file or directory");
     std::filesystem::create_directory(folder / ("folder" + ending));
-    CHECK(error_of(folder / ("folder" + ending)) ==
+    CHECK(write_error(folder / ("folder" + ending)) ==
           "cannot write '" + (folder / ("folder" + ending)) + "': Is a directory");
     std::filesystem::create_symlink("/dev/full", folder / ("full" + ending));
-    CHECK(error_of(folder / ("full" + ending)) ==
+    CHECK(write_error(folder / ("full" + ending)) ==
           "cannot write '" + (folder / ("full" + ending)) + "': No space left on device");
   }
   CHECK(folder.file_count() == 2 * std::size(endings));

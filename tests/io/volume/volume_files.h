@@ -3,8 +3,6 @@
 // descriptions. Tests compare the volume that is read with the written one.
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -19,41 +17,11 @@
 
 #include "base/random.h"
 #include "io/files/deflate_writer.h"
+#include "io/files/temporary_folder.h"
 #include "io/files/vtk_array.h"
 #include "io/volume/read_volume.h"
 
 namespace deliso::test {
-
-// A folder that is gone when the test is over.
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("deliso-test-" + std::to_string(::getpid()) + "-" + std::to_string(count()++))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-  // Replaces the file instead of overwriting it: somebody may have the old one mapped.
-  std::string write(const std::string& name, const std::string& content) const {
-    std::filesystem::remove(path_ / name);
-    std::ofstream(path_ / name, std::ios::binary) << content;
-    return path(name);
-  }
-
- private:
-  static int& count() {
-    static int folders = 0;
-    return folders;
-  }
-  std::filesystem::path path_;
-};
 
 struct NamedFile {
   std::string name, content;

@@ -12,7 +12,7 @@ using namespace deliso;
 
 namespace {
 
-constexpr Rgb kPaper{255, 255, 255}, kInk{0, 0, 0};
+constexpr Rgb kFontPaper{255, 255, 255}, kFontInk{0, 0, 0};
 
 struct Drawn {
   double ink = 0;  // pixels
@@ -22,8 +22,8 @@ struct Drawn {
 
 // With the baseline at row 60, the left edge at column 40.
 Drawn drawn(std::string_view text, double height) {
-  Image image(400, 100, kPaper);
-  draw_text(image, text, 40, 60, height, kInk);
+  Image image(400, 100, kFontPaper);
+  draw_text(image, text, 40, 60, height, kFontInk);
   Drawn result;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -92,9 +92,9 @@ TEST_CASE("twice the size is four times the ink") {
 }
 
 TEST_CASE("what is beside the image is left out") {
-  Image image(10, 10, kPaper);
+  Image image(10, 10, kFontPaper);
   for (const double x : {-1e6, -5.0, 5.0, 1e6}) {
-    for (const double y : {-1e6, 0.0, 15.0, 1e6}) draw_text(image, "Wg@", x, y, 12, kInk);
+    for (const double y : {-1e6, 0.0, 15.0, 1e6}) draw_text(image, "Wg@", x, y, 12, kFontInk);
   }
   CHECK(image.pixels.size() == 100);
 }
