@@ -26,12 +26,14 @@ run() {
   echo "| $1 | $(($(date +%s) - started)) |" >"$work/$1.time"
 }
 programs='table1_datasets table2_speedup table3_insertion table4_cpi
-  study_recover study_scaling study_switch study_counts'
+  study_recover study_scaling study_switch study_counts
+  study_oversampled'
 for program in table2_speedup table3_insertion study_recover study_scaling study_switch; do
   run $program
 done
-run study_counts &
+run study_oversampled &
 counting=$!
+run study_counts
 run table1_datasets
 run table4_cpi
 wait $counting
@@ -46,6 +48,7 @@ title_of() {
     study_scaling) echo 'Time against the size of the output' ;;
     study_switch) echo 'How early can one switch?' ;;
     study_counts) echo "Which reading gives the paper's counts?" ;;
+    study_oversampled) echo 'The topology, counted from outside' ;;
   esac
 }
 figures_of() {
