@@ -11,6 +11,7 @@
 #include "base/sorted_list.h"
 #include "base/text.h"
 #include "base/triangle.h"
+#include "check/boundary_orientation.h"
 #include "contour/bounded_volume.h"
 #include "embedding/triangle_tree.h"
 
@@ -176,31 +177,11 @@ std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& voters,
   return most_frequent(!sure.empty() ? sure : !facing.empty() ? facing : votes);
 }
 
-// Returns for each selected component whether most of its area has normals along the gradient of g.
-// The gradient is evaluated at the corners: the middle of a triangle may lie behind the next sheet.
-std::vector<std::uint8_t> faces_inside(const CleanMesh& mesh, const Volume& volume,
-                                       const std::vector<std::uint8_t>& selected) {
-  std::vector<double> along(selected.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    if (!selected[mesh.component[t[0]]]) continue;
-    const Vec3 normal = area_normal(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-    for (const VertexId v : t) {
-      const Vec3 gradient = volume.gradient(mesh.points[v]);
-      const double size = length(gradient);
-      if (size > 0) along[mesh.component[v]] += dot(normal, gradient) / size;
-    }
-  }
-  std::vector<std::uint8_t> result;
-  result.reserve(selected.size());
-  for (const double sum : along) result.push_back(sum > 0);
-  return result;
-}
-
 }  // namespace
 
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
                                       const Volume& volume, const ComponentChoice& choice,
-                                      int threads, Faults& faults) {
+                                      double tolerance, int threads, Faults& faults) {
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
@@ -243,13 +224,11 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
   const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
   const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
   std::vector<std::optional<Vec3>> origins_in_mesh(count);
-  std::vector<std::uint8_t> without_origin(count, 0);
   for (std::uint32_t m = 0; m < count; ++m) {
-    if (stands_for[m] == kNoId) continue;
-    origins_in_mesh[m] = origins[stands_for[m]];
-    without_origin[m] = !origins_in_mesh[m];
+    if (stands_for[m] != kNoId) origins_in_mesh[m] = origins[stands_for[m]];
   }
-  const std::vector<std::uint8_t> faces_in = faces_inside(mesh, volume, without_origin);
+  const std::vector<double> by_boundary =
+      boundary_orientations(mesh, stands_for, contour, volume, tolerance);
   const std::vector<double> exactly_bounded =
       bounded_volumes(contour.points, contour.triangles, contour.component, origins);
   const std::vector<double> bounded =
@@ -281,9 +260,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                       topology_text(c.euler(), c.boundary_loops)),
                  middle_of(box));
     }
-    // The volume that a component bounds gives its orientation; the gradients of a thin component
-    // do not. A component in a face of the box bounds none, and faces both ways.
-    if (origins[e] ? bounded[m] * exactly_bounded[e] < 0 : faces_in[m] != 0) {
+    if (by_boundary[m] != 0 ? by_boundary[m] < 0 : bounded[m] * exactly_bounded[e] < 0) {
       faults.add(FaultKind::turned_components,
                  text(name, " has its normals turned to the side of the greater values"),
                  middle_of(box));

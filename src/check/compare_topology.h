@@ -27,11 +27,11 @@ struct ComparedComponents {
 // them must be within a voxel's diagonal of T. If several components match the same one, that with
 // most triangles counts and the others are extra.
 //
-// Components that are not chosen may be missing. A
-// component is reversed by the sign of the volume that it bounds (contour/bounded_volume.h). If it
-// meets opposite faces of the box, most of its area decides.
+// Components that are not chosen may be missing. A component is reversed by its boundary
+// (check/boundary_orientation.h). If that does not tell, by the sign of the volume that it bounds
+// (contour/bounded_volume.h). `tolerance`: of vertices on the box.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
                                       const Volume& volume, const ComponentChoice& choice,
-                                      int threads, Faults& faults);
+                                      double tolerance, int threads, Faults& faults);
 
 }  // namespace deliso

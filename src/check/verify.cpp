@@ -93,7 +93,8 @@ void compare_topology(const CleanMesh& mesh, const ContourMesh& contour, const I
                       const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
   const ComparedComponents compared =
-      compare_components(mesh, contour, volume, options.components, options.threads, result.faults);
+      compare_components(mesh, contour, volume, options.components, options.position_error,
+                         options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = compared.left_out;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A coarse mesh is not called reversed, and a reversed one is, whatever faces of the box it meets.
+#include "check/boundary_orientation.h"
+
+#include <doctest/doctest.h>
+
+#include <utility>
+#include <vector>
+
+#include "check/verify.h"
+#include "deliso/deliso.h"
+#include "stress/tiny_volume.h"
+
+namespace deliso {
+namespace {
+
+std::size_t reversed_components(const TriMesh& mesh, const Volume& volume, double kappa) {
+  return verify(mesh, volume, kappa, {}).faults.count(FaultKind::turned_components);
+}
+
+TriMesh reversed(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (const Face& face : mesh.faces) triangles.push_back({face.v[1], face.v[0], face.v[2]});
+  return make_tri_mesh(mesh.points, triangles);
+}
+
+}  // namespace
+
+// As few vertices as the topology allows: facets stand across the gradient, or lie in a face of the
+// box. They bound no volume if they meet opposite faces.
+TEST_CASE("the coarsest meshes of random volumes have the orientation of Sigma") {
+  std::size_t components = 0, found = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    CAPTURE(seed);
+    const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
+    Options options;
+    options.target_vertices = 4;
+    Report report;
+    const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
+    if (mesh.faces.empty()) continue;
+    CHECK(reversed_components(mesh, tiny.volume, report.kappa_effective) == 0);
+    components += report.exact.components;
+    found += reversed_components(reversed(mesh), tiny.volume, report.kappa_effective);
+  }
+  // Components that lie in a face of the box face both ways.
+  CHECK(components > 300);
+  CHECK(found > 0.95 * static_cast<double>(components));
+}
+
+}  // namespace deliso
