@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "base/sorted_list.h"
 #include "refine/operations.h"
+#include "refine/orientation.h"
 
 namespace deliso {
 namespace {
@@ -43,6 +45,7 @@ class Coarsening {
  public:
   explicit Coarsening(Refinement& refinement)
       : r_(refinement),
+        orientation_(refinement),
         quadrics_(r_.mesh.points.size()),
         facet_(r_.mesh.points.size(), kNoId),
         version_(r_.mesh.points.size(), 0) {
@@ -132,7 +135,11 @@ class Coarsening {
              worst_ratio(c.in.facets) <=
                  std::max(r_.parameters.refinement[Criterion::r_over_l], worst_ratio(c.was.facets));
     };
-    if (r_.done(Operation::collapse, merge_vertex(r_, e.from, is_shaped))) return false;
+    const std::optional<Refusal> refusal = orientation_.reverses(e.from)
+                                               ? std::optional(Refusal::turned)
+                                               : merge_vertex(r_, e.from, is_shaped);
+    if (r_.done(Operation::collapse, refusal)) return false;
+    orientation_.merged();
     quadrics_[e.to].add(quadrics_[e.from]);
     facet_[e.from] = kNoId;
     std::vector<VertexId> changed;
@@ -164,6 +171,7 @@ class Coarsening {
   enum class Ask : std::uint8_t { shape, surface_points, topology };
 
   Refinement& r_;
+  Orientation orientation_;
   Ask ask_ = Ask::shape;
   IdArray<VertexId, Quadric> quadrics_;
   IdArray<VertexId, FaceId> facet_;  // one at the vertex; kNoId once it is gone

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "refine/orientation.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/triangle.h"
+
+namespace deliso {
+
+Orientation::Orientation(const Refinement& r) : r_(r) {
+  DisjointSets sets(r.mesh.points.size());
+  for (const Face& face : r.mesh.faces) {
+    if (is_dead(face)) continue;
+    sets.unite(face.v[0], face.v[1]);
+    sets.unite(face.v[0], face.v[2]);
+  }
+  component_ = sets.take_numbers();
+  components_.resize(component_.empty() ? 0 : 1 + *std::ranges::max_element(component_));
+  for (VertexId v = 0; v < component_.size(); ++v) components_[component_[v]].origin = r.point(v);
+  for (const Face& face : r.mesh.faces) {
+    if (is_dead(face)) continue;
+    Component& c = components_[component_[face.v[0]]];
+    c.is_closed &= std::ranges::find(face.n, FaceId(kNoId)) == face.n.end();
+    c.volume += volume_from(c.origin, face.v);
+  }
+  std::vector<std::uint8_t> is_added;
+  for (VertexId v = 0; v < r.s.chain.vertex_capacity(); ++v) {
+    if (!r.s.chain.is_boundary(v)) continue;
+    const std::uint32_t number = r.s.chain.place(v).loop;
+    loops_.resize(std::max<std::size_t>(loops_.size(), number + 1));
+    is_added.resize(loops_.size(), 0);
+    if (!std::exchange(is_added[number], 1)) add_loop(v);
+  }
+}
+
+double Orientation::volume_from(const Vec3& origin, const Triangle& v) const {
+  return dot(r_.point(v[0]) - origin, cross(r_.point(v[1]) - origin, r_.point(v[2]) - origin));
+}
+
+void Orientation::add_loop(VertexId start) {
+  const BoundaryChain& chain = r_.s.chain;
+  const Box3 box = r_.surface.volume().box();
+  Loop& loop = loops_[chain.place(start).loop];
+  const unsigned face = box_faces_at(r_.point(start), box);
+  if (!std::has_single_bit(face)) return;
+  const int axis = std::countr_zero(face) / 2;
+  VertexId v = start;
+  do {
+    const VertexId next = chain.next(v);
+    if (box_faces_at(r_.point(next), box) != face) return;
+    loop.area += cross(r_.point(v) - r_.point(start), r_.point(next) - r_.point(start))[axis];
+    v = next;
+  } while (v != start);
+  loop.axis = axis;
+}
+
+bool Orientation::reverses(VertexId from) {
+  const BoundaryChain& chain = r_.s.chain;
+  sum_ = nullptr;
+  change_ = 0;
+  if (chain.is_boundary(from)) {
+    Loop& loop = loops_[chain.place(from).loop];
+    if (loop.axis < 0) return false;
+    const VertexId before = chain.previous(from), next = chain.next(from);
+    sum_ = &loop.area;
+    change_ = -r_.normal({before, from, next})[loop.axis];
+  } else {
+    Component& c = components_[component_[from]];
+    if (!c.is_closed) return false;
+    sum_ = &c.volume;
+    for (const Triangle& v : r_.change.in.facets) change_ += volume_from(c.origin, v);
+    for (const Triangle& v : r_.change.was.facets) change_ -= volume_from(c.origin, v);
+  }
+  return *sum_ != 0 && !(*sum_ * (*sum_ + change_) > 0);
+}
+
+}  // namespace deliso

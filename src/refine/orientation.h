@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Keeps the orientation of components while vertices are merged. Gate G2 tests components of few
+// facets only (refine/refinement.h), and a mesh may be coarsened to its last vertices.
+//
+// Two quantities keep their signs: the volume that a closed component bounds, and the area that a
+// boundary loop encloses if it lies within one face of the box. Each is a sum over facets or edges,
+// so a merge changes it by what it replaces. A loop that passes from one face of the box to another
+// needs no test: its vertices on the edges of the box stay, and with them the side of the loop
+// (docs/proof.md, 4.4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "refine/refinement.h"
+
+namespace deliso {
+
+class Orientation {
+ public:
+  explicit Orientation(const Refinement& r);
+
+  // True if the merge of `from` that r.change proposes changes a sign.
+  bool reverses(VertexId from);
+  // Adds what the last proposed merge changes. pre: the merge was done.
+  void merged() {
+    if (sum_) *sum_ += change_;
+  }
+
+ private:
+  struct Loop {
+    int axis = -1;    // normal to the face of the box; -1 if the loop passes an edge of the box
+    double area = 0;  // twice
+  };
+  struct Component {
+    bool is_closed = true;
+    Vec3 origin;        // one of its points, for accuracy
+    double volume = 0;  // six times
+  };
+
+  void add_loop(VertexId start);
+  double volume_from(const Vec3& origin, const Triangle& v) const;
+
+  const Refinement& r_;
+  std::vector<Loop> loops_;               // by CurvePlace::loop
+  std::vector<std::uint32_t> component_;  // per vertex
+  std::vector<Component> components_;
+  double* sum_ = nullptr;  // the volume or area that the proposed merge changes; null if none
+  double change_ = 0;
+};
+
+}  // namespace deliso
