@@ -83,9 +83,9 @@ struct CommandLine {
   bool verbose = false;
 };
 
-// True if a number of vertices is required instead of a bound on the distance.
+// True if a number of vertices or triangles is required instead of a bound on the distance.
 inline bool by_count(const Options& options) {
-  return options.target_vertices != std::numeric_limits<std::size_t>::max();
+  return options.has_target();
 }
 
 // Parses `arguments`, which are without the program's name. Throws an InputError of one line on the

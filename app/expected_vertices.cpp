@@ -98,7 +98,7 @@ double density(const Options& options, const Volume& volume, double thin) {
   const auto squared = [](double x) { return x * x; };
   const double h_over_r = options.limits[Criterion::h_over_r].value;
   const double r_over_pole = options.limits[Criterion::r_over_pole].value;
-  // With --vertices the number decides.
+  // With --vertices and --triangles the number decides.
   const double asked =
       by_count(options)
           ? Options::kNone
@@ -134,21 +134,9 @@ SurfaceEstimate estimate_surface(const Volume& volume, double kappa) {
 double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options) {
   const double vertices = surface.area * density(options, volume, surface.thin);
-  const std::size_t most = options.keep_partial
-                               ? std::min(options.max_vertices, options.target_vertices)
-                               : options.target_vertices;
+  const std::size_t asked = std::min(options.target_vertices, options.target_triangles / 2);
+  const std::size_t most = options.keep_partial ? std::min(options.max_vertices, asked) : asked;
   return std::min(vertices, static_cast<double>(most));
-}
-
-std::uint64_t fewest_vertices(std::vector<ContourComponent> components, std::size_t count) {
-  std::ranges::stable_sort(components, std::ranges::greater(), &ContourComponent::crossings);
-  std::uint64_t fewest = 0;
-  for (const ContourComponent& c :
-       std::span(components).first(std::min(count, components.size()))) {
-    const double closed = std::ceil((7 + std::sqrt(49 - 24 * static_cast<double>(c.euler))) / 2);
-    fewest += c.boundary_loops > 0 ? 3 : static_cast<std::uint64_t>(closed);
-  }
-  return fewest;
 }
 
 }  // namespace deliso

@@ -35,8 +35,4 @@ inline double expected_vertices(const Volume& volume, double kappa, const Option
   return expected_vertices(estimate_surface(volume, kappa), volume, options);
 }
 
-// The fewest vertices that a mesh of the largest `count` of these components can have: for closed
-// ones Heawood's bound (1890), for others those of one facet.
-std::uint64_t fewest_vertices(std::vector<ContourComponent> components, std::size_t count);
-
 }  // namespace deliso

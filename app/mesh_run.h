@@ -31,10 +31,11 @@ struct MeshRun {
   Report report;
   std::size_t vertices = 0, triangles = 0;
   TopologyCounts mesh;
-  std::string fault;        // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
-  MeshQuality quality;      // of the surface
-  MeshQuality cap_quality;  // with --cap
-  double volume = 0;        // if has_volume(): inside mesh and caps, in world units
+  std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
+  MeshQuality quality;         // of the surface
+  MeshQuality cap_quality;     // with --cap
+  double max_off_surface = 0;  // of vertices that --cap put off the surface; scaled frame
+  double volume = 0;           // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
   // and if coordinates are rounded to float.
   PlaceFaults written, in_double;

@@ -180,8 +180,8 @@ constexpr OptionSpec kRest[] = {
      "the best mesh of N vertices, in place of --max-distance: refined beyond N, then coarsened; "
      "topology is kept",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
-    {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles",
-     [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 8) / 2; }},
+    {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles; --cap adds those of the caps",
+     [](Line& l, Text o, Text v) { l.options.target_triangles = parse_count(o, v, 4); }},
     {"--paper", 0, "", kAllMeshing,
      "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
      "--max-distance",

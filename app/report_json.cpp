@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/check_report.h"
+#include "app/count_stop.h"
 #include "app/json.h"
 #include "app/mesh_run.h"
 #include "app/solid.h"
@@ -43,7 +44,12 @@ void add_options(JsonWriter& json, const CommandLine& line) {
   }
   add_length(json, "rmin", options.r_min);
   json.add("method", line.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
-  if (by_count(options)) json.add("vertices", options.target_vertices);
+  if (options.target_vertices != Options::kNoTarget) {
+    json.add("vertices", options.target_vertices);
+  }
+  if (options.target_triangles != Options::kNoTarget) {
+    json.add("triangles", options.target_triangles);
+  }
   json.add("seed", options.seed);
   json.add("samples", options.samples);
   json.add("min_component", options.components.min_voxels);
@@ -142,6 +148,10 @@ std::string report_json(const MeshRun& run) {
   json.add("output", run.line.output);
   json.add("vertices", run.vertices);
   json.add("triangles", run.triangles);
+  if (by_count(run.line.options)) json.add("count_stop", name_of(count_stop(run)));
+  if (report[Counter::cap_lifts_off_surface] > 0) {
+    json.add("max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel());
+  }
   json.add("stopped_at_max_vertices", report.stopped_at_max_vertices);
   json.add("fault", run.fault);
   add_topology(json, "topology", run.mesh);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/check_report.h"
+#include "app/count_stop.h"
 #include "app/mesh_run.h"
 #include "app/solid.h"
 #include "app/text.h"
@@ -176,6 +177,7 @@ std::string report_text(const MeshRun& run) {
   if (!run.line.output.empty()) text += " -> " + run.line.output;
   if (report.stopped_at_max_vertices) text += " (stopped at --max-vertices)";
   text += "\n          " + topology_text(run.mesh) + "\n";
+  if (count_stop(run) != CountStop::none) text += "count     " + count_text(run) + "\n";
   text +=
       "exact     " +
       (run.mesh == run.report.exact ? std::string("the same") : topology_text(run.report.exact)) +
@@ -189,6 +191,12 @@ std::string report_text(const MeshRun& run) {
             counted(run.written.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
   } else if (run.line.options.cap) {
     text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
+  }
+  const std::uint64_t off_surface = report[Counter::cap_lifts_off_surface];
+  if (off_surface > 0) {
+    text += "off       " + counted(off_surface, "vertex", "vertices") + " up to " +
+            rounded(run.max_off_surface / run.input.volume().voxel()) +
+            " voxels off the surface, to keep edges out of the faces of the box\n";
   }
   if (run.input.field.label && run.has_volume()) {
     append_format(text, "volume    %s in the mesh, %.2f %% off that of the voxels\n",

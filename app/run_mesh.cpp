@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/check_report.h"
+#include "app/count_stop.h"
 #include "app/criteria_note.h"
 #include "app/expected_vertices.h"
 #include "app/marching_cubes.h"
@@ -23,10 +24,13 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "blocks/seam.h"
+#include "check/distances.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "io/mesh/write_mesh.h"
 #include "io/parts/part_note.h"
+#include "isosurface/isosurface.h"
+#include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 
@@ -60,27 +64,24 @@ void warn_of_size(double vertices, const Warn& warn) {
   warn(words);
 }
 
-// Warns beforehand if the components need more vertices than asked for.
-void warn_of_components(const Volume& volume, double isovalue, const Options& options,
-                        const Warn& warn) {
-  const ContourSummary summary = summarize_settled_contour(volume, isovalue, options.threads);
-  const std::vector<std::uint8_t> chosen = chosen_components(summary, options.components);
-  std::vector<ContourComponent> components;
-  for (std::size_t c = 0; c < chosen.size(); ++c) {
-    if (chosen[c]) components.push_back(summary.components[c]);
-  }
-  const std::uint64_t fewest = fewest_vertices(components, components.size());
-  if (options.target_vertices >= fewest) return;
-  warn("asked for " + grouped(options.target_vertices) +
-       " vertices: " + counted(components.size(), "component", "components") + " need at least " +
-       grouped(fewest) + "; --largest 1 needs " + grouped(fewest_vertices(components, 1)));
-}
-
 // Returns the facets from `begin` to `end`, with the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
   std::vector<Triangle> triangles;
   for (FaceId f(begin); f < end; ++f) triangles.push_back(mesh.faces[f].v);
   return make_tri_mesh(mesh.points, triangles);
+}
+
+// Returns the largest distance from the surface of a vertex that is not only in caps. Four voxels
+// stand for any larger one.
+double max_off_surface(const Volume& volume, const TriMesh& mesh, const Report& report) {
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, report.kappa_effective);
+  double largest = 0;
+  for (VertexId v = 0; v < report.cap.surface_vertices; ++v) {
+    largest =
+        std::max(largest, distance_off_surface(mesh.points[v], surface, 0, 4 * volume.voxel()));
+  }
+  return largest;
 }
 
 // Checks and measures the mesh for the report, in threads.
@@ -104,6 +105,9 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       run.cap_quality = measure_quality(caps, options.limits[Criterion::r_over_l].value, 0);
       run.volume = world_volume(enclosed_volume(mesh), volume.frame());
     });
+  }
+  if (reported && run.report[Counter::cap_lifts_off_surface] > 0) {
+    looks.emplace_back([&] { run.max_off_surface = max_off_surface(volume, mesh, run.report); });
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
   if (run.fault.empty()) run.fault = boundary_fault;
@@ -201,19 +205,10 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
   warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
                warn);
-  if (by_count(line.options) && !line.quiet) {
-    warn_of_components(volume, isovalue, line.options, warn);
-  }
 
   Options options = line.options;
   options.observer = &progress;
   TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
-  if (by_count(options) && run.report.max_distance < kNotAsked &&
-      static_cast<double>(mesh.points.size()) <
-          0.98 * static_cast<double>(options.target_vertices)) {
-    warn(grouped(mesh.points.size()) + " of " + grouped(options.target_vertices) +
-         " vertices: triangles as small as --rmin are not refined");
-  }
   if (mesh.faces.empty() && !may_be_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");
@@ -229,6 +224,7 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const TriMesh& surface = line.options.cap ? without_caps : mesh;
   const bool reported = !line.quiet || line.check || !line.json.empty();
   examine(volume, mesh, surface, reported, run);
+  if (!line.quiet && count_stop(run) != CountStop::none) warn(count_text(run));
   run.rounded = find_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();

@@ -68,22 +68,29 @@ class Coarsening {
     }
   }
 
-  std::size_t run(std::size_t target) {
+  std::size_t run(std::size_t vertices, std::size_t triangles) {
     auto left = static_cast<std::size_t>(
         std::ranges::count_if(facet_, [](FaceId f) { return f != kNoId; }));
+    auto triangles_left = static_cast<std::size_t>(
+        std::ranges::count_if(r_.mesh.faces, [](const Face& face) { return !is_dead(face); }));
+    const auto beyond = [&] {
+      return std::max(left - std::min(left, vertices),
+                      triangles_left - std::min(triangles_left, triangles));
+    };
     Steps steps(r_.parameters.observer);
     for (const Ask ask : {Ask::shape, Ask::surface_points, Ask::topology}) {
       ask_ = ask;
       for (VertexId v = 0; v < facet_.size(); ++v) {
         if (facet_[v] != kNoId) queue(v, 0);
       }
-      while (left > target && !queue_.empty()) {
+      while (beyond() > 0 && !queue_.empty()) {
         const Entry e = queue_.top();
         queue_.pop();
         if (version_[e.from] != e.version || facet_[e.from] == kNoId) continue;
-        steps.step(left - target);
+        steps.step(beyond());
         if (merge(e)) {
           --left;
+          triangles_left -= r_.change.was.facets.size() - r_.change.in.facets.size();
         } else {
           queue(e.from, e.rank + 1);
         }
@@ -182,8 +189,8 @@ class Coarsening {
 
 }  // namespace
 
-std::size_t coarsen(Refinement& r, std::size_t target) {
-  return Coarsening(r).run(target);
+std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) {
+  return Coarsening(r).run(vertices, triangles);
 }
 
 }  // namespace deliso

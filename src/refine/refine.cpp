@@ -24,15 +24,13 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
-
 // Largest distance from a reference sample to the mesh, in bounds on h. With 1, meshes have 40 %
 // more vertices (docs/decisions.md).
 constexpr double kCoverageDistances = 2;
 
-// A mesh of target_vertices is coarsened from one of this many times as many vertices. From 1.2
-// times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8 times the
-// time (ENGINE and LEG, 20,000 to 100,000 vertices).
+// A mesh of a desired size is coarsened from one of this many times as many vertices or triangles.
+// From 1.2 times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8
+// times the time (ENGINE and LEG, 20,000 to 100,000 vertices).
 constexpr double kFinerRatio = 1.5;
 
 // The first and the last bound on the distance for such a mesh, and the ratio of each to the one
@@ -370,13 +368,18 @@ void refine_to_limits(SurfaceMesh& mesh, const Isosurface& surface, const Bounda
     }
     samples = std::move(left);
   }
-  if (parameters.target_vertices == kNoTarget) begin_stage(parameters.observer, "refine");
+  if (!parameters.has_target()) begin_stage(parameters.observer, "refine");
   Refinement whole(mesh, surface, curves, parameters, report);
   RefineGeom(whole, samples, far).run(std::move(is_done));
   count_unrefined(whole);
 }
 
-// Refines to more vertices than parameters.target_vertices, by bounds on the distance that shrink,
+std::size_t live_facets(const TriMesh& mesh) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(mesh.faces, [](const Face& face) { return !is_dead(face); }));
+}
+
+// Refines to more vertices or triangles than are desired, by bounds on the distance that shrink,
 // and coarsens. Only an observer that follows insertions is told of the stages in between.
 void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
                      std::span<const Vec3> samples, const Parameters& given, Report& report,
@@ -384,26 +387,29 @@ void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const Boundar
   begin_stage(given.observer, "refine");
   Parameters parameters = given;
   parameters.observer = follower(given.observer);
-  parameters.max_vertices = kNoTarget;
-  const auto wanted =
-      static_cast<std::size_t>(kFinerRatio * static_cast<double>(given.target_vertices));
+  parameters.max_vertices = Parameters::kNoTarget;
+  const bool by_triangles = given.target_triangles != Parameters::kNoTarget;
+  const std::size_t target = by_triangles ? given.target_triangles : given.target_vertices;
+  const auto wanted = static_cast<std::size_t>(kFinerRatio * static_cast<double>(target));
+  const auto count_now = [&] {
+    return by_triangles ? live_facets(mesh.mesh) : mesh.mesh.points.size();
+  };
   double& bound = parameters.refinement[Criterion::distance];
   bound = kFirstDistanceVoxels * given.voxel;
-  std::size_t vertices = 0;
-  for (; bound > kLastDistanceVoxels * given.voxel && vertices < wanted; bound *= kDistanceRatio) {
+  std::size_t count = 0;
+  for (; bound > kLastDistanceVoxels * given.voxel && count < wanted; bound *= kDistanceRatio) {
     refine_to_limits(mesh, surface, curves, {samples.begin(), samples.end()}, parameters, report,
                      largest_region);
     if (may_be_cut(parameters)) remove_dead(mesh);
-    if (mesh.mesh.points.size() > std::exchange(vertices, mesh.mesh.points.size()) &&
-        given.observer) {
-      given.observer->steps_done(vertices, wanted - std::min(wanted, vertices));
+    if (count_now() > std::exchange(count, count_now()) && given.observer) {
+      given.observer->steps_done(count, wanted - std::min(wanted, count));
     }
   }
   bound = kNotAsked;
   begin_stage(given.observer, "coarsen");
   parameters.observer = given.observer;
   Refinement whole(mesh, surface, curves, parameters, report);
-  coarsen(whole, given.target_vertices);
+  coarsen(whole, given.target_vertices, given.target_triangles);
   count_unrefined(whole);
   report.max_distance = furthest_sample(whole, samples);
 }
@@ -414,12 +420,14 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
             std::vector<Vec3> samples, const Parameters& parameters, Report& report,
             std::size_t largest_region) {
   const StepTimer timer(report.seconds_refine);
-  if (parameters.target_vertices == kNoTarget) {
+  if (!parameters.has_target()) {
     refine_to_limits(mesh, surface, curves, std::move(samples), parameters, report, largest_region);
   } else {
     refine_to_count(mesh, surface, curves, samples, parameters, report, largest_region);
   }
   remove_dead(mesh);
+  report.vertices_refined = mesh.mesh.points.size();
+  report.triangles_refined = mesh.mesh.faces.size();
 }
 
 }  // namespace deliso

@@ -6,7 +6,8 @@
 // For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
 // inserts another point of Sigma near it. Then it inserts reference samples that are too far from
 // the mesh. Last it makes facets Delaunay and moves corners. Facets that stay bad are counted. For
-// a number of vertices it refines until there are more, and coarsens (refine/coarsen.h).
+// a number of vertices or triangles it refines until there are more, and coarsens
+// (refine/coarsen.h).
 //
 // Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
 // topology, embedded, with its vertices on Sigma.

@@ -23,13 +23,17 @@ struct RunSettings {
   ComponentChoice components;
   // The mesh is the same with any number.
   int threads = hardware_threads();
-  // The desired number of vertices. If given, the bound on the distance follows from it.
-  std::size_t target_vertices = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kNoTarget = std::numeric_limits<std::size_t>::max();
+  // The desired numbers of vertices and triangles, caps left out: no more than these. If one is
+  // given, the bound on the distance follows from it.
+  std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   // At max_vertices, end with the mesh as it is; otherwise throw an InputError.
   bool keep_partial = false;
   // A progress bar, a trace or a profile (surface/observer.h); may be null.
   Observer* observer = nullptr;
+
+  bool has_target() const { return target_vertices != kNoTarget || target_triangles != kNoTarget; }
 };
 
 struct Parameters : RunSettings {

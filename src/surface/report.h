@@ -134,7 +134,8 @@ struct Report {
   std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
   SearchCounters searches_recover, searches_refine;
   std::size_t insertions_refine = 0;
-  TopologyCounts exact;        // of the exact contour, whole
+  std::size_t vertices_refined = 0, triangles_refined = 0;  // when Stage 2 ends
+  TopologyCounts exact;                                     // of the exact contour, whole
   double kappa_effective = 0;  // lowered where samples or saddles equal the isovalue
   double r_min = 0;            // scaled frame, as all lengths here
   double largest_h = 0;        // of facets above r_min, when Stage 2 ended

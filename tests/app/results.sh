@@ -60,7 +60,8 @@ holds "--vertices tells how far the surface is" \
   grep -q '^distance  the surface lies within [0-9.e-]* voxels ([0-9.e-]* in world units) of' report
 holds "a check of few vertices finds no fault" "$deliso" check count.off builtin:fuel
 "$deliso" builtin:fuel --triangles 6000 --json - -q >json
-holds "--triangles counts half as many vertices" grep -q '"vertices": 3000,$' json
+holds "--triangles counts triangles" grep -q '"triangles": 6000,$' json
+holds "and says what stopped the number" grep -q '"count_stop": "none",$' json
 holds "the JSON has the distance" grep -q '^  "max_distance": [0-9.e-]*,$' json
 
 # The criteria go with the mesh, whatever its format, and a check judges by them.

@@ -263,10 +263,10 @@ TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
 
 TEST_CASE("--vertices and --triangles are parsed, and options that exclude them are refused") {
   CHECK(parse({"a", "--iso", "1", "--vertices", "1000"}).options.target_vertices == 1000);
-  CHECK(parse({"a", "--iso", "1", "--triangles", "1000"}).options.target_vertices == 500);
+  CHECK(parse({"a", "--iso", "1", "--triangles", "1000"}).options.target_triangles == 1000);
   CHECK(by_count(parse({"a", "--iso", "1", "--vertices", "4"}).options));
   CHECK(refusal({"a", "--iso", "1", "--vertices", "3"}).starts_with("--vertices wants"));
-  CHECK(refusal({"a", "--iso", "1", "--triangles", "7"}).starts_with("--triangles wants"));
+  CHECK(refusal({"a", "--iso", "1", "--triangles", "3"}).starts_with("--triangles wants"));
   CHECK(refusal({"a", "--iso", "1", "--vertices", "1000", "--triangles", "2000"}) ==
         "--vertices and --triangles exclude each other");
   for (const std::string_view count : {"--vertices", "--triangles"}) {

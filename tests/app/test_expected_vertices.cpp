@@ -114,25 +114,6 @@ TEST_CASE("for noise the estimate is within 30 % of the mesh") {
   }
 }
 
-TEST_CASE("no mesh has fewer vertices than its components need") {
-  const auto component = [](std::int64_t euler, std::uint64_t crossings, std::uint64_t loops) {
-    ContourComponent c;
-    c.euler = euler;
-    c.crossings = crossings;
-    c.boundary_loops = loops;
-    return c;
-  };
-  const ContourComponent sphere = component(2, 9, 0), torus = component(0, 20, 0);
-  const ContourComponent triple = component(-4, 5, 0), disk = component(1, 2, 1);
-  CHECK(fewest_vertices({sphere}, 1) == 4);
-  CHECK(fewest_vertices({torus}, 1) == 7);
-  CHECK(fewest_vertices({triple}, 1) == 10);
-  CHECK(fewest_vertices({disk}, 1) == 3);
-  CHECK(fewest_vertices({disk, sphere, torus, triple}, 9) == 24);
-  CHECK(fewest_vertices({disk, sphere, torus, triple}, 2) == 11);  // torus and sphere
-  CHECK(fewest_vertices({}, 3) == 0);
-}
-
 TEST_CASE("what each criterion and limit does to the estimate") {
   const MeshedField field("fuel");
   const auto expected = [&](const Options& options) {
@@ -153,6 +134,9 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   Options counted = plain;
   counted.target_vertices = 1000;
   CHECK(expected(counted) == 1000);
+  counted.target_triangles = 1000;
+  CHECK(expected(counted) == 500);
+  counted.target_triangles = Options::kNoTarget;
   counted.target_vertices = 1000000000;  // more than r_min has room for
   CHECK(expected(counted) < 1e6);
   Options kept = plain;

@@ -303,7 +303,7 @@ TEST_CASE("every word of the reports is explained in the guide, once") {
         "refused",  "kd-tree",    "exact contour", "initial",  "recover",  "poles",   "refine",
         "cap",      "check",      "exact",         "solid",    "distance", "quality", "delaunay",
         "mesh->",   "->mesh",     "criteria",      "boundary", "padding",  "try",     "filter",
-        "label",    "volume",     "largest",       "sizes"}) {
+        "label",    "volume",     "largest",       "sizes",    "count",    "off"}) {
     check_row(word);
   }
 }

@@ -382,6 +382,24 @@ TEST_CASE("target_vertices below what the topology needs: as few as can be, and 
   }
 }
 
+// An open mesh has fewer than two triangles per vertex. A removal takes one or two triangles away.
+TEST_CASE("target_triangles gives a mesh of that many, or of one fewer") {
+  for (const auto& [name, size] : {std::pair{"linked_tori", 24}, {"gyroid", 16}, {"noise", 16}}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, size);
+    for (const std::size_t target : {900u, 1301u, 2000u}) {
+      CAPTURE(target);
+      Options options;
+      options.target_triangles = target;
+      const Run out = run(scene.volume, scene.surface.kappa(), options);
+      check_sound(out, scene.volume);
+      check_topology(out.mesh, scene.contour.summary);
+      CHECK(out.mesh.faces.size() <= target);
+      CHECK(out.mesh.faces.size() >= target - 1);
+    }
+  }
+}
+
 TEST_CASE("target_vertices gives a mesh of that many, nearer to the surface the more there are") {
   const Scene scene = builtin_scene("linked_tori", 32);
   double before = std::numeric_limits<double>::infinity();
