@@ -34,7 +34,7 @@ struct MeshRun {
   std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
   MeshQuality quality;         // of the surface
   MeshQuality cap_quality;     // with --cap
-  double max_off_surface = 0;  // of vertices that --cap put off the surface; scaled frame
+  double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
   double volume = 0;           // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,
   // and if coordinates are rounded to float.

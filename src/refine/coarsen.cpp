@@ -137,14 +137,16 @@ class Coarsening {
     if (propose_merge(r_, facet_[e.from], e.from, e.to)) return false;
     Change& c = r_.change;
     c.topology_only = ask_ == Ask::topology;
-    const auto is_shaped = [&] {
-      return ask_ != Ask::shape || c.has_duals() ||
-             worst_ratio(c.in.facets) <=
-                 std::max(r_.parameters.refinement[Criterion::r_over_l], worst_ratio(c.was.facets));
+    const auto is_accepted = [&] {
+      if (!c.duals.empty()) return true;  // tested before
+      return (ask_ != Ask::shape ||
+              worst_ratio(c.in.facets) <= std::max(r_.parameters.refinement[Criterion::r_over_l],
+                                                   worst_ratio(c.was.facets))) &&
+             !orientation_.passes_component(e.from, e.to);
     };
     const std::optional<Refusal> refusal = orientation_.reverses(e.from)
                                                ? std::optional(Refusal::turned)
-                                               : merge_vertex(r_, e.from, is_shaped);
+                                               : merge_vertex(r_, e.from, is_accepted);
     if (r_.done(Operation::collapse, refusal)) return false;
     orientation_.merged();
     quadrics_[e.to].add(quadrics_[e.from]);

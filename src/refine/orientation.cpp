@@ -2,6 +2,7 @@
 #include "refine/orientation.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -9,6 +10,22 @@
 #include "base/triangle.h"
 
 namespace deliso {
+namespace {
+
+// True if q lies in the tetrahedron or on it.
+bool is_in_tetrahedron(const std::array<Vec3, 4>& corners, const Vec3& q) {
+  bool positive = false, negative = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::array<Vec3, 4> p = corners;
+    p[i] = q;
+    const double volume = dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]));
+    positive |= volume > 0;
+    negative |= volume < 0;
+  }
+  return !(positive && negative);
+}
+
+}  // namespace
 
 Orientation::Orientation(const Refinement& r) : r_(r) {
   DisjointSets sets(r.mesh.points.size());
@@ -55,6 +72,20 @@ void Orientation::add_loop(VertexId start) {
     v = next;
   } while (v != start);
   loop.axis = axis;
+}
+
+// The facets at `from` that do not have `to`, each with `to`, are tetrahedra that cover what is
+// swept.
+bool Orientation::passes_component(VertexId from, VertexId to) const {
+  if (components_.size() < 2) return false;
+  return std::ranges::any_of(r_.change.was.facets, [&](const Triangle& v) {
+    if (has_corner(v, to)) return false;
+    const std::array<Vec3, 4> corners{r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), r_.point(to)};
+    return r_.facets().any(r_.facets().box_of(corners), [&](FaceId f, const BoxGrid::Box&) {
+      const VertexId q = r_.mesh.faces[f].v[0];
+      return component_[q] != component_[from] && is_in_tetrahedron(corners, r_.point(q));
+    });
+  });
 }
 
 bool Orientation::reverses(VertexId from) {

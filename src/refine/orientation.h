@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keeps the orientation of components while vertices are merged. Gate G2 tests components of few
+// Keeps the orientation of components, and the side on which each lies of every other, while
+// vertices are merged. Gate G2 tests components of few
 // facets only (refine/refinement.h), and a mesh may be coarsened to its last vertices.
 //
 // Two quantities keep their signs: the volume that a closed component bounds, and the area that a
@@ -7,6 +8,9 @@
 // so a merge changes it by what it replaces. A loop that passes from one face of the box to another
 // needs no test: its vertices on the edges of the box stay, and with them the side of the loop
 // (docs/proof.md, 4.4).
+//
+// A merge sweeps from the old facets to the new ones. Gate G5 looks at the new ones alone, which
+// may lie behind a small component as a whole. No vertex of another component is swept over.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +26,8 @@ class Orientation {
 
   // True if the merge of `from` that r.change proposes changes a sign.
   bool reverses(VertexId from);
+  // True if the merge of `from` into `to` that r.change proposes sweeps over another component.
+  bool passes_component(VertexId from, VertexId to) const;
   // Adds what the last proposed merge changes. pre: the merge was done.
   void merged() {
     if (sum_) *sum_ += change_;

@@ -10,6 +10,7 @@
 
 #include "cap/solids.h"
 #include "deliso/fields.h"
+#include "stress/tiny_volume.h"
 
 using namespace deliso;
 
@@ -28,6 +29,21 @@ TEST_CASE("tiny volumes of noise become closed solids, also over edges and corne
     capped += solid.mesh.faces.size() > solid.report.cap.surface_triangles;
   }
   CHECK(capped > 200);
+}
+
+// A component that was swept over lay on the other side of its neighbor, and its boundary loop no
+// longer parted inside from outside.
+TEST_CASE("the coarsest meshes of noise become closed solids") {
+  for (std::uint64_t seed = 200; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    const stress::TinyVolume tiny = stress::make_tiny_volume(stress::kTinyKinds * seed);
+    Options options;
+    options.cap = true;
+    options.target_triangles = 4;
+    Report report;
+    mesh_isosurface(tiny.volume, tiny.isovalue, options, report);
+    CHECK(report.cap.failure == "");
+  }
 }
 
 // Vertices lifted off the box, and edges flipped for it, without a test for crossings, once made
