@@ -18,12 +18,7 @@
 //
 //   cmake --build build --target tiny_volumes
 //   build/tests/tiny_volumes --count 20000 --list
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -32,6 +27,7 @@
 #include <string_view>
 
 #include "base/check.h"
+#include "stress/in_child.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
 
@@ -86,30 +82,6 @@ Verdict run(std::uint64_t seed, const Arguments& arguments) {
   return verdict;
 }
 
-// Runs seeds from `first` to `end` until one of them ends the process; writes a verdict for each.
-void run_child(std::uint64_t first, std::uint64_t end, const Arguments& arguments, int to) {
-  for (std::uint64_t seed = first; seed < end; ++seed) {
-    rusage used{};
-    getrusage(RUSAGE_SELF, &used);
-    const auto limit = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 61);
-    const rlimit cpu{limit, RLIM_INFINITY};
-    setrlimit(RLIMIT_CPU, &cpu);
-    const Verdict verdict = run(seed, arguments);
-    if (write(to, &verdict, sizeof verdict) != static_cast<ssize_t>(sizeof verdict)) _exit(1);
-  }
-  _exit(0);
-}
-
-bool read_verdict(int from, Verdict& verdict) {
-  char* to = reinterpret_cast<char*>(&verdict);
-  for (std::size_t done = 0; done < sizeof verdict;) {
-    const ssize_t n = read(from, to + done, sizeof verdict - done);
-    if (n <= 0) return false;
-    done += static_cast<std::size_t>(n);
-  }
-  return true;
-}
-
 // What a tiny volume may take, in seconds of processor time.
 bool is_slow(const Verdict& verdict) {
   return verdict.seconds_mesh > 2;
@@ -149,36 +121,25 @@ void print_row(std::string_view name, const Row& r) {
 
 int run_all(const Arguments& arguments) {
   Row rows[kTinyKinds];
-  const std::uint64_t end = arguments.first_seed + arguments.count;
-  std::uint64_t seed = arguments.first_seed;
-  while (seed < end) {
-    int ends[2];
-    if (pipe(ends) != 0) return 2;
-    std::fflush(stdout);
-    const pid_t child = fork();
-    if (child < 0) return 2;
-    if (child == 0) {
-      close(ends[0]);
-      run_child(seed, end, arguments, ends[1]);
-    }
-    close(ends[1]);
-    for (Verdict verdict; seed < end && read_verdict(ends[0], verdict); ++seed) {
-      add(rows[static_cast<std::size_t>(kind_of(seed))], verdict);
-      const bool faulty = verdict.invalid || !verdict.topology_exact || verdict.fault[0] != 0;
-      if (arguments.list && faulty) list(seed, verdict.fault);
-      if (arguments.list && is_slow(verdict)) list(seed, "slow");
-    }
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (seed == end) break;
-    Row& row = rows[static_cast<std::size_t>(kind_of(seed))];
-    const bool hang = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
-    ++row.volumes;
-    ++(hang ? row.hangs : row.crashes);
-    list(seed, hang ? "hang" : "crash");
-    ++seed;
-  }
+  const auto row_of = [&](std::uint64_t seed) -> Row& {
+    return rows[static_cast<std::size_t>(kind_of(seed))];
+  };
+  const bool forked = run_in_children<Verdict>(
+      arguments.first_seed, arguments.first_seed + arguments.count, 60,
+      [&](std::uint64_t seed) { return run(seed, arguments); },
+      [&](std::uint64_t seed, const Verdict& verdict) {
+        add(row_of(seed), verdict);
+        const bool faulty = verdict.invalid || !verdict.topology_exact || verdict.fault[0] != 0;
+        if (arguments.list && faulty) list(seed, verdict.fault);
+        if (arguments.list && is_slow(verdict)) list(seed, "slow");
+      },
+      [&](std::uint64_t seed, bool hang) {
+        Row& row = row_of(seed);
+        ++row.volumes;
+        ++(hang ? row.hangs : row.crashes);
+        list(seed, hang ? "hang" : "crash");
+      });
+  if (!forked) return 2;
 
   std::printf("%-12s", "kind");
   for (const char* column :
