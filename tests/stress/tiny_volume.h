@@ -158,6 +158,15 @@ Volume volume_of(const Recipe& r) {
                               std::vector<T>(r.samples.begin(), r.samples.end()));
 }
 
+// Returns the samples in a type that the generator draws.
+inline TinyVolume of_some_type(const Recipe& r, Random& random) {
+  const std::uint32_t type = random.below(4);
+  if (r.real) return {type % 2 ? volume_of<double>(r) : volume_of<float>(r), r.isovalue};
+  if (type == 0) return {volume_of<std::int16_t>(r), r.isovalue};
+  if (type == 1) return {volume_of<float>(r), r.isovalue};
+  return {volume_of<std::uint8_t>(r), r.isovalue};
+}
+
 }  // namespace tiny
 
 inline TinyKind kind_of(std::uint64_t seed) {
@@ -170,12 +179,7 @@ inline TinyVolume make_tiny_volume(std::uint64_t seed, int least = 2, int most =
   const auto sizes = static_cast<std::uint32_t>(most - least + 1);
   for (int axis = 0; axis < 3; ++axis) r.dims[axis] = least + static_cast<int>(random.below(sizes));
   tiny::make(r, kind_of(seed), random);
-  const std::uint32_t type = random.below(4);
-  if (r.real)
-    return {type % 2 ? tiny::volume_of<double>(r) : tiny::volume_of<float>(r), r.isovalue};
-  if (type == 0) return {tiny::volume_of<std::int16_t>(r), r.isovalue};
-  if (type == 1) return {tiny::volume_of<float>(r), r.isovalue};
-  return {tiny::volume_of<std::uint8_t>(r), r.isovalue};
+  return tiny::of_some_type(r, random);
 }
 
 // As a file that the program reads.

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "stress/drawn_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/option_table.h"
+#include "base/text.h"
+
+namespace deliso::stress {
+namespace {
+
+// Returns a number in between, more often a small one.
+std::string number(Random& random, double lo, double hi) {
+  const double u = random.uniform();
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", lo + (hi - lo) * u * u * u);
+  return digits;
+}
+
+// The same for a count: every third is below lo + (hi - lo) / 200.
+std::string whole(Random& random, double lo, double hi) {
+  const double u = random.uniform();
+  return text(std::floor(lo + (hi - lo) * u * u * u * u * u));
+}
+
+Words roi(Random& random, const OptionVolume& v) {
+  std::string box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = v.tiny.volume.dims()[axis];
+    const int first = static_cast<int>(random.below(static_cast<std::uint32_t>(n - 1)));
+    const int last = first + 2 + static_cast<int>(random.below(static_cast<std::uint32_t>(n)));
+    box += text(box.empty() ? "" : ",", first, ":", std::min(last, n));
+  }
+  return {"--roi=" + box};
+}
+
+Words block(Random& random, const OptionVolume& v) {
+  std::string which, of;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int most = std::min(3, v.tiny.volume.voxels()[axis]);
+    const std::uint32_t n = 1 + random.below(static_cast<std::uint32_t>(most));
+    which += text(axis == 0 ? "" : ",", random.below(n));
+    of += text(axis == 0 ? "/" : ",", n);
+  }
+  return {"--block=" + which + of};
+}
+
+// A count may be missed, but not silently.
+std::string count_differs(double asked, std::size_t came, const Outcome& with) {
+  const auto n = static_cast<double>(came);
+  const bool met = n <= asked && n >= 0.98 * asked;
+  if (met || !with.warnings.empty()) return {};
+  return text("asked for ", asked, ", ", came, " came, and no warning");
+}
+
+std::string components_differ(double, const Outcome& with, const Outcome&) {
+  const std::uint64_t came = with.verification.mesh.components;
+  if (with.capped ? came <= with.chosen_components : came == with.chosen_components) return {};
+  return text(came, " components, chosen were ", with.chosen_components);
+}
+
+bool is_same_mesh(const TriMesh& a, const TriMesh& b) {
+  return std::ranges::equal(a.points, b.points) &&
+         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
+}
+
+constexpr unsigned kCoarser = kLongerEdges | kLargerDistances;
+// The paper's way need not end: docs/guide/recover-paper.md.
+constexpr const char* kPapersEnd = "--max-vertices=10000";
+constexpr unsigned kPapers = kCoarser | kMoreVertices | kNoPromise | kAlways;
+
+constexpr DrawnOption kDrawn[] = {
+    {"--label",
+     [](Random& r, const OptionVolume& v) {
+       return v.labels > 0 ? Words{text("--label=", 1 + r.below(v.labels))} : Words{};
+     },
+     kOtherField | kUsual},
+    {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
+     kOtherField},
+    {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
+     kOtherField},
+    {"--roi", roi},
+    {"--block", block, kCoarser},  // a seam is not refined
+    {"--largest", [](Random& r, auto&) { return Words{text("--largest=", 1 + r.below(5))}; }, 0,
+     components_differ},
+    {"--min-component",
+     [](Random& r, auto&) { return Words{"--min-component=" + number(r, 0.5, 12)}; }, 0,
+     components_differ},
+    {"--cap", [](Random&, auto&) { return Words{"--cap"}; }},
+    {"--vertices", [](Random& r, auto&) { return Words{"--vertices=" + whole(r, 4, 2000)}; },
+     kCoarser | kMoreVertices | kAlways,
+     [](double asked, const Outcome& with, auto&) {
+       return count_differs(asked, with.vertices, with);
+     }},
+    {"--triangles", [](Random& r, auto&) { return Words{"--triangles=" + whole(r, 8, 4000)}; },
+     kCoarser | kMoreVertices | kAlways,
+     [](double asked, const Outcome& with, auto&) {
+       return count_differs(asked, with.triangles, with);
+     }},
+    {"--max-vertices",
+     [](Random& r, auto&) {
+       return Words{"--max-vertices=" + whole(r, 20, 4000), "--keep-partial"};
+     },
+     kCoarser | kAlways,
+     [](double asked, const Outcome& with, auto&) {
+       return static_cast<double>(with.vertices) > asked ? text(with.vertices, " vertices")
+                                                         : std::string();
+     }},
+    {"--max-distance",
+     [](Random& r, auto&) { return Words{"--max-distance=" + number(r, 0.02, 2) + "vox"}; },
+     kCoarser | kMoreVertices},
+    {"--lambda", [](Random& r, auto&) { return Words{"--lambda=" + number(r, 1, 5)}; },
+     kMoreVertices},
+    {"--eps1", [](Random& r, auto&) { return Words{"--eps1=" + number(r, 0.05, 1)}; },
+     kCoarser | kMoreVertices},
+    {"--eps2", [](Random& r, auto&) { return Words{"--eps2=" + number(r, 0.1, 1)}; },
+     kCoarser | kMoreVertices},
+    {"--max-radius",
+     [](Random& r, auto&) { return Words{"--max-radius=" + number(r, 0.3, 4) + "vox"}; },
+     kMoreVertices},
+    {"--rmin", [](Random& r, auto&) { return Words{"--rmin=" + number(r, 0.1, 40) + "vox"}; },
+     kCoarser | kMoreVertices},
+    {"--paper",
+     [](Random& r, auto&) {
+       return Words{"--paper", "--rmin=" + number(r, 0.2, 1) + "vox", kPapersEnd};
+     },
+     kPapers},
+    {"--recover",
+     [](Random&, auto&) {
+       return Words{"--recover=paper", kPapersEnd};
+     },
+     kPapers},
+    {"--eps",
+     [](Random& r, auto&) {
+       return Words{"--eps=" + number(r, 0.05, 1), "--recover=paper", kPapersEnd};
+     },
+     kPapers},
+    {"--single-stage",
+     [](Random&, auto&) {
+       return Words{"--single-stage", "--recover=paper", kPapersEnd};
+     },
+     kPapers},
+    {"--method", [](Random&, auto&) { return Words{"--method=marching-cubes"}; }, kPapers},
+    {"--stop-after", [](Random&, auto&) { return Words{"--stop-after=recover"}; },
+     kCoarser | kAlways},
+    {"--fingers", [](Random& r, auto&) { return Words{"--fingers=" + number(r, 0.05, 2) + "vox"}; },
+     kMoreVertices},
+    {"--samples", [](Random& r, auto&) { return Words{"--samples=" + whole(r, 1, 2000)}; },
+     kMoreVertices},
+    {"--seed", [](Random& r, auto&) { return Words{text("--seed=", r.below(1000))}; }},
+    {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
+    {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
+     [](double, const Outcome& with, const Outcome& without) {
+       const bool same = !without.refusal.empty() || is_same_mesh(with.mesh, without.mesh);
+       return std::string(same ? "" : "another mesh");
+     }},
+};
+
+// Options about files, formats and reports; --iso is always given, and --keep-partial comes with
+// --max-vertices.
+constexpr std::string_view kNotDrawn[] = {
+    "--iso",         "--output", "--format",       "--ply-ascii", "--float", "--double",
+    "--attributes",  "--json",   "--quiet",        "--verbose",   "--check", "--restricted",
+    "--allow-empty", "--array",  "--keep-partial", "--dims",      "--type",  "--spacing",
+    "--endian",      "--skip",   "--help",         "--version"};
+
+}  // namespace
+
+double Outcome::distance() const {
+  return std::max(verification.to_surface.max, verification.from_surface.max) / voxel;
+}
+
+std::span<const DrawnOption> drawn_options() {
+  return kDrawn;
+}
+
+std::string_view undrawn_option() {
+  for (const OptionSpec& spec : option_table()) {
+    if ((spec.commands & flag_of(Command::mesh)) == 0) continue;
+    const bool is_drawn =
+        std::ranges::find(kDrawn, spec.name, &DrawnOption::name) != std::ranges::end(kDrawn);
+    if (!is_drawn && std::ranges::find(kNotDrawn, spec.name) == std::ranges::end(kNotDrawn)) {
+      return spec.name;
+    }
+  }
+  return {};
+}
+
+}  // namespace deliso::stress

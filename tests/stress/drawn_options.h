@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The table of the storm of options: every option of the mesh command that changes the mesh, how
+// its value is drawn, and what may differ from a run without it. A new option needs one row.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/random.h"
+#include "check/verify.h"
+#include "mesh/quality.h"
+#include "mesh/tri_mesh.h"
+#include "stress/option_volume.h"
+
+namespace deliso::stress {
+
+using Words = std::vector<std::string>;  // of a command line
+
+// A run of the mesh command, and what check finds in its mesh.
+struct Outcome {
+  std::string refusal;  // an InputError's line; empty: all below is known
+  Words warnings;
+  std::string fault;  // of the mesh's invariants
+  TriMesh mesh;
+  std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
+  std::size_t chosen_components = 0;        // of the exact contour
+  bool capped = false;
+  MeshQuality quality;  // of the surface
+  Verification verification;
+  double voxel = 0;
+  double seconds = 0;  // of processor time, without the check
+
+  // The largest distance between mesh and isosurface, in voxels.
+  double distance() const;
+};
+
+// What a row exempts from the comparison with the run without its option.
+enum Exemption : unsigned {
+  kLongerEdges = 1,
+  kLargerDistances = 2,
+  kMoreVertices = 4,  // so seconds are compared per vertex
+  kNoPromise = 8,     // a method for comparison, whose meshes are not judged
+  kOtherField = 16,   // another volume is meshed: nothing is compared
+  kAlways = 32,  // exempts runs that have the option among others, and so does their comparison
+  kUsual = 64,   // no exemption: drawn for most volumes that it means something for
+};
+
+struct DrawnOption {
+  std::string_view name;
+  // Returns the option with its value, as --name=value, and others that it needs; empty if it means
+  // nothing for the volume.
+  Words (*draw)(Random& random, const OptionVolume& volume);
+  unsigned exempt = 0;
+  // Returns what differs between what was asked and what came, or an empty text.
+  std::string (*differs)(double asked, const Outcome& with, const Outcome& without) = nullptr;
+};
+
+std::span<const DrawnOption> drawn_options();
+
+// Returns the first option of the mesh command that is neither a row nor on the list of those that
+// do not change the mesh; empty if there is none.
+std::string_view undrawn_option();
+
+}  // namespace deliso::stress

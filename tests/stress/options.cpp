@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+// A storm of options: random volumes (option_volume.h) are meshed with random options
+// (drawn_options.h), by way of the command line, and each mesh is held against one without the
+// first of these options.
+//   stress_options [--first-seed N] [--count M] [--list]
+//   stress_options --write SEED FILE.nrrd      one of the volumes as a file, and its command lines
+// Seeds first-seed .. first-seed + count - 1 (1 .. 100) run in a child process. A crash, or more
+// than 60 s of processor time, costs that one seed. --list names every seed with a fault.
+//
+// A row of the table has the seeds whose first option it is: drawn; refused (by an InputError);
+// crashed; hung; and of the meshes
+//   broken   no oriented manifold that ends on the box only
+//   turned   a component or cap with its normals to the wrong side
+//   check    with another fault that the check command finds
+//   spike    an edge longer than twice the longest without the option
+//   far      a distance between mesh and isosurface larger than twice that without the option
+//   slow     more than ten times the seconds without the option, and more than a second
+//   asked    another number of vertices, triangles or components than asked for, without a word
+// A fault of the first three kinds that the mesh without the option has too is the other options'
+// fault, and is listed so. Exit status 1 when anything but refusals was found, or too little
+// tested.
+//
+//   cmake --build build --target stress_options
+//   build/tests/stress_options --count 3000 --list
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/check_report.h"
+#include "app/command_line.h"
+#include "app/criteria_note.h"
+#include "app/input.h"
+#include "app/mesh_run.h"
+#include "app/progress.h"
+#include "base/check.h"
+#include "base/text.h"
+#include "contour/contour.h"
+#include "stress/drawn_options.h"
+#include "stress/in_child.h"
+#include "stress/option_volume.h"
+
+using namespace deliso;
+using namespace deliso::stress;
+
+namespace {
+
+enum Kind : std::size_t { broken, turned, check, spike, far, slow, asked, kinds_ };
+constexpr std::array<std::string_view, kinds_> kKindNames{"broken", "turned", "check", "spike",
+                                                          "far",    "slow",   "asked"};
+
+// What was found, by kind; an empty text is no fault.
+using Findings = std::array<std::string, kinds_>;
+
+// The first option of a seed and its others.
+struct Draw {
+  const DrawnOption* first;
+  Words first_words, other_words;
+  unsigned exempt = 0;
+};
+
+Draw draw_options(std::uint64_t seed, const OptionVolume& volume) {
+  Random random(seed * 104729);
+  const auto table = drawn_options();
+  Draw draw{};
+  std::vector<const DrawnOption*> drawn;
+  const auto add = [&](const DrawnOption& option) {
+    if (std::ranges::find(drawn, &option) != drawn.end()) return;
+    const Words words = option.draw(random, volume);
+    if (words.empty()) return;
+    const bool is_first = drawn.empty();
+    drawn.push_back(&option);
+    Words& to = is_first ? draw.first_words : draw.other_words;
+    to.insert(to.end(), words.begin(), words.end());
+    if (is_first || (option.exempt & kAlways) != 0) draw.exempt |= option.exempt;
+  };
+  const std::size_t wanted = 1 + random.below(4);
+  while (drawn.size() < wanted) add(table[random.below(static_cast<std::uint32_t>(table.size()))]);
+  for (const DrawnOption& option : table) {
+    if ((option.exempt & kUsual) != 0 && random.below(4) > 0) add(option);
+  }
+  draw.first = drawn.front();
+  return draw;
+}
+
+// Returns the command line, without the program's name.
+Words command_words(const std::string& file, double isovalue, const Words& options) {
+  const bool is_label =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--label"); });
+  const bool has_threads =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--threads"); });
+  Words words{file};
+  if (!is_label) words.push_back(text("--iso=", isovalue));
+  if (!has_threads) words.emplace_back("--threads=1");
+  words.insert(words.end(), options.begin(), options.end());
+  return words;
+}
+
+// Verifies the mesh as the check command does when it reads the mesh's file.
+Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
+  CommandLine line = run.line;
+  line.command = Command::check;
+  line.given = {};
+  const Volume& volume = run.input.volume();
+  const std::vector<std::string> comments{criteria_note(run.line, volume)};
+  return verify(mesh, volume, run.report.kappa_effective,
+                verify_options(line, volume, noted_criteria(comments)));
+}
+
+Outcome mesh_once(const Words& words) {
+  Outcome outcome;
+  const std::vector<std::string_view> arguments(words.begin(), words.end());
+  try {
+    const CommandLine line = parse_command_line(arguments);
+    const Input input = read_input(line);
+    MeshRun run(line, input);
+    ProgressBar none(mesh_stages(line), false);
+    const std::clock_t start = std::clock();
+    outcome.mesh = mesh_input(
+        run, none, [&](const std::string& warning) { outcome.warnings.push_back(warning); });
+    outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const CapReport& cap = run.report.cap;
+    outcome.fault = run.fault.empty() ? cap.failure : run.fault;
+    outcome.capped = line.options.cap;
+    outcome.vertices = outcome.capped ? cap.surface_vertices : outcome.mesh.points.size();
+    outcome.triangles = outcome.capped ? cap.surface_triangles : outcome.mesh.faces.size();
+    outcome.quality = run.quality;
+    outcome.voxel = input.volume().voxel();
+    outcome.verification = verify_as_file(outcome.mesh, run);
+    const auto chosen = chosen_components(
+        summarize_contour(input.volume(), run.report.kappa_effective), line.options.components);
+    outcome.chosen_components =
+        static_cast<std::size_t>(std::ranges::count_if(chosen, [](auto c) { return c != 0; }));
+  } catch (const InputError& error) {
+    outcome.refusal = error.what();
+  }
+  return outcome;
+}
+
+std::string first_of(const Faults& faults, std::initializer_list<FaultKind> kinds) {
+  for (const FaultKind kind : kinds) {
+    if (faults.count(kind) == 0) continue;
+    const std::string& what = faults.first(kind).empty() ? "" : faults.first(kind).front().what;
+    return text(name_of(kind), " ", faults.count(kind), ", ", what);
+  }
+  return {};
+}
+
+// Finds what is wrong with a mesh by itself.
+Findings judge_alone(const Outcome& run, unsigned exempt) {
+  using enum FaultKind;
+  Findings found;
+  if ((exempt & kNoPromise) != 0) return found;
+  const Faults& faults = run.verification.faults;
+  found[broken] = run.fault;
+  if (found[broken].empty()) {
+    found[broken] = first_of(faults, {not_finite, duplicate_vertices, unused_vertices,
+                                      degenerate_triangles, duplicate_triangles, non_manifold_edges,
+                                      orientation, non_manifold_vertices, holes});
+  }
+  found[turned] = first_of(faults, {turned_components, turned_caps, no_volume});
+  // Triangles over a limit are no fault here: noise has many, as documented.
+  found[check] = first_of(faults, {self_intersections, vertices_off_surface, missing_components,
+                                   extra_components, different_components, too_far, not_measured});
+  return found;
+}
+
+// Adds what the mesh without the option shows.
+void compare(const Outcome& with, const Outcome& without, unsigned exempt, Findings& found) {
+  const double edge = with.quality.max_edge, usual_edge = without.quality.max_edge;
+  if ((exempt & kLongerEdges) == 0 && edge > 2 * usual_edge) {
+    found[spike] =
+        text("longest edge ", edge / with.voxel, " voxels, without ", usual_edge / without.voxel);
+  }
+  constexpr double kNearVoxels = 0.2;
+  if ((exempt & kLargerDistances) == 0 && with.distance() > 2 * without.distance() + kNearVoxels) {
+    found[far] = text("distance ", with.distance(), " voxels, without ", without.distance());
+  }
+  double usual_seconds = without.seconds;
+  if ((exempt & kMoreVertices) != 0) {
+    usual_seconds *=
+        std::max(1.0, static_cast<double>(with.vertices) / static_cast<double>(without.vertices));
+  }
+  if (with.seconds > std::max(1.0, 10 * usual_seconds)) {
+    found[slow] = text(with.seconds, " s, without ", without.seconds);
+  }
+}
+
+// POD, so that it can go through a pipe.
+struct Verdict {
+  bool refused = false;
+  std::array<bool, kinds_> found{}, by_others{};
+  char what[400] = "";
+  double seconds = 0;
+};
+
+Verdict run_seed(std::uint64_t seed, const std::string& file) {
+  const OptionVolume volume = make_option_volume(seed);
+  const Draw draw = draw_options(seed, volume);
+  write_nrrd(volume.tiny.volume, file);
+  const std::clock_t start = std::clock();
+  Words all = draw.first_words;
+  all.insert(all.end(), draw.other_words.begin(), draw.other_words.end());
+  const double isovalue = volume.tiny.isovalue;
+  const Outcome with = mesh_once(command_words(file, isovalue, all));
+  Verdict verdict;
+  std::string words = with.refusal;
+  verdict.refused = !with.refusal.empty();
+  if (!verdict.refused) {
+    const Outcome without = mesh_once(command_words(file, isovalue, draw.other_words));
+    Findings found = judge_alone(with, draw.exempt), others;
+    if (without.refusal.empty()) {
+      others = judge_alone(without, draw.exempt);
+      if ((draw.exempt & kOtherField) == 0) compare(with, without, draw.exempt, found);
+    }
+    if (draw.first->differs && (draw.exempt & kNoPromise) == 0) {
+      const std::string& word = draw.first_words.front();
+      const double value = std::strtod(word.c_str() + word.find('=') + 1, nullptr);
+      found[asked] = draw.first->differs(value, with, without);
+    }
+    for (std::size_t n = 0; n < kinds_; ++n) {
+      if (found[n].empty()) continue;
+      (others[n].empty() ? verdict.found : verdict.by_others)[n] = true;
+      words += text(words.empty() ? "" : "; ", kKindNames[n],
+                    others[n].empty() ? ": " : " (without it too): ", found[n]);
+    }
+  }
+  words.copy(verdict.what, sizeof verdict.what - 1);
+  verdict.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return verdict;
+}
+
+// Returns "deliso FILE --iso=.. and so on", in which the first option comes last.
+std::string command_text(std::uint64_t seed, const std::string& file, bool with_first) {
+  const OptionVolume volume = make_option_volume(seed);
+  const Draw draw = draw_options(seed, volume);
+  Words words = draw.other_words;
+  if (with_first) words.insert(words.end(), draw.first_words.begin(), draw.first_words.end());
+  std::string line = "deliso";
+  for (const std::string& word : command_words(file, volume.tiny.isovalue, words))
+    line += " " + word;
+  return line;
+}
+
+void list(std::uint64_t seed, const std::string& what) {
+  const OptionVolume volume = make_option_volume(seed);
+  const Index3 n = volume.tiny.volume.dims();
+  const Vec3 s = volume.tiny.volume.spacing();
+  const std::string head = text("seed ", seed, " ", volume.kind, " ", n.i, "x", n.j, "x", n.k, " ",
+                                s.x, ":", s.y, ":", s.z, ": ", what);
+  std::printf("%s\n  %s\n", head.c_str(), command_text(seed, "v.nrrd", true).c_str());
+  std::fflush(stdout);
+}
+
+struct Row {
+  std::uint64_t drawn = 0, refused = 0, crashed = 0, hung = 0;
+  std::array<std::uint64_t, kinds_> found{};
+  double seconds = 0;
+
+  void operator+=(const Row& b) {
+    drawn += b.drawn;
+    refused += b.refused;
+    crashed += b.crashed;
+    hung += b.hung;
+    for (std::size_t n = 0; n < kinds_; ++n) found[n] += b.found[n];
+    seconds += b.seconds;
+  }
+  std::uint64_t faults() const {
+    std::uint64_t sum = crashed + hung;
+    for (const std::uint64_t n : found) sum += n;
+    return sum;
+  }
+};
+
+void print_row(std::string_view name, const Row& r) {
+  std::printf("%-16s", std::string(name).c_str());
+  for (const std::uint64_t count : {r.drawn, r.refused, r.crashed, r.hung}) {
+    std::printf(" %7llu", static_cast<unsigned long long>(count));
+  }
+  for (const std::uint64_t count : r.found) {
+    std::printf(" %7llu", static_cast<unsigned long long>(count));
+  }
+  std::printf(" %7.1f\n", r.seconds);
+}
+
+int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
+  std::map<const DrawnOption*, Row> rows;
+  Row others;
+  const auto row_of = [&](std::uint64_t seed) -> Row& {
+    Row& row = rows[draw_options(seed, make_option_volume(seed)).first];
+    ++row.drawn;
+    return row;
+  };
+  const std::string file =
+      (std::filesystem::temp_directory_path() / text("stress_options-", getpid(), ".nrrd"))
+          .string();
+  const bool forked = run_in_children<Verdict>(
+      first, first + count, 60, [&](std::uint64_t seed) { return run_seed(seed, file); },
+      [&](std::uint64_t seed, const Verdict& verdict) {
+        Row& row = row_of(seed);
+        row.refused += verdict.refused;
+        row.seconds += verdict.seconds;
+        for (std::size_t n = 0; n < kinds_; ++n) {
+          row.found[n] += verdict.found[n];
+          others.found[n] += verdict.by_others[n];
+        }
+        if (listed && !verdict.refused && verdict.what[0] != 0) list(seed, verdict.what);
+      },
+      [&](std::uint64_t seed, bool hung) {
+        Row& row = row_of(seed);
+        ++(hung ? row.hung : row.crashed);
+        list(seed, hung ? "hung" : "crashed");
+      });
+  std::filesystem::remove(file);
+  if (!forked) return 2;
+
+  std::printf("%-16s", "first option");
+  for (const char* column : {"drawn", "refused", "crashed", "hung"}) std::printf(" %7s", column);
+  for (const std::string_view column : kKindNames) std::printf(" %7s", std::string(column).c_str());
+  std::printf(" %7s\n", "CPU s");
+  Row all = others;
+  for (const DrawnOption& option : drawn_options()) {
+    print_row(option.name, rows[&option]);
+    all += rows[&option];
+  }
+  print_row("(by others)", others);
+  print_row("all", all);
+  return all.faults() > 0 || 2 * all.refused > all.drawn;
+}
+
+int write_one(std::uint64_t seed, const std::string& path) {
+  write_nrrd(make_option_volume(seed).tiny.volume, path);
+  for (const bool with_first : {true, false}) {
+    std::printf("%s\n", command_text(seed, path, with_first).c_str());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const std::string_view name = undrawn_option(); !name.empty()) {
+    std::fprintf(stderr, "stress_options: %s has no row in drawn_options.cpp\n",
+                 std::string(name).c_str());
+    return 1;
+  }
+  std::uint64_t first = 1, count = 100;
+  bool listed = false;
+  for (int n = 1; n < argc; ++n) {
+    const std::string_view option = argv[n];
+    const auto value = [&] { return n + 1 < argc ? std::strtoull(argv[++n], nullptr, 10) : 0; };
+    if (option == "--first-seed") {
+      first = value();
+    } else if (option == "--count") {
+      count = value();
+    } else if (option == "--list") {
+      listed = true;
+    } else if (option == "--write" && n + 2 < argc) {
+      return write_one(std::strtoull(argv[n + 1], nullptr, 10), argv[n + 2]);
+    } else {
+      std::fprintf(stderr, "stress_options: what is '%s'? (its source's head says)\n", argv[n]);
+      return 2;
+    }
+  }
+  return run_all(first, count, listed);
+}
