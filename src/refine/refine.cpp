@@ -133,6 +133,7 @@ void RefineGeom::drain(bool with_moves) {
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       const auto reason = is_dead(mesh_.faces[f]) ? std::nullopt : fault(f);
       if (!reason) continue;  // removed, or good since an operation near it
+      if (must_stop()) return;
       ask(f, *reason);
       if (refine(f) || (with_moves && move(f))) {
         any = true;
@@ -142,7 +143,6 @@ void RefineGeom::drain(bool with_moves) {
         if (met_frozen_) deferred_.push_back(f);
       }
       steps_.step(queue_.size());
-      if (must_stop()) return;
     }
     // An edge between a new facet and an old one need not be Delaunay.
     flip_changed();
@@ -247,6 +247,7 @@ bool RefineGeom::insert_far_samples() {
   bool any = false;
   for (const FarSample& at : far) {
     if (!is_live(at.facet)) continue;  // an earlier insertion may have removed it
+    if (must_stop()) break;
     ask(at.facet, Reason::far_point);
     any |= accept(insert_point(r_, Operation::far_point, at.facet, samples_[at.sample]));
   }

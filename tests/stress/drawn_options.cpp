@@ -147,8 +147,9 @@ constexpr DrawnOption kDrawn[] = {
      kCoarser | kAlways},
     {"--fingers", [](Random& r, auto&) { return Words{"--fingers=" + number(r, 0.05, 2) + "vox"}; },
      kMoreVertices},
+    // Without the 50 points that are usual, flat places have longer edges.
     {"--samples", [](Random& r, auto&) { return Words{"--samples=" + whole(r, 1, 2000)}; },
-     kMoreVertices},
+     kLongerEdges | kMoreVertices},
     {"--seed", [](Random& r, auto&) { return Words{text("--seed=", r.below(1000))}; }},
     {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
