@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The mesh command: volume and isovalue in, mesh and report out.
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <optional>
