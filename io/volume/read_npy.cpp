@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionEnd = 8;
+constexpr std::size_t kMostAxes = 64;  // of NumPy 2; NumPy 1 has 32
 
 // Returns the text behind 'key': in the header, without leading blanks.
 std::string_view value_of(const VolumeInput& input, std::string_view header, std::string_view key) {
@@ -50,8 +51,10 @@ std::vector<std::int64_t> shape_of(const VolumeInput& input, std::string_view he
   std::ranges::replace(lengths, ',', ' ');
   std::optional<std::vector<std::int64_t>> shape = to_ints(lengths);
   if (!shape) fail(input.name(), text("the shape (", lengths, ") is not of integers"));
-  for (std::size_t n = shape->size(); n-- > 0 && shape->size() > 3;) {
-    if ((*shape)[n] == 1) shape->erase(shape->begin() + static_cast<std::ptrdiff_t>(n));
+  if (shape->size() <= kMostAxes) {  // each removal costs the length of the shape
+    for (std::size_t n = shape->size(); n-- > 0 && shape->size() > 3;) {
+      if ((*shape)[n] == 1) shape->erase(shape->begin() + static_cast<std::ptrdiff_t>(n));
+    }
   }
   if (shape->size() != 3) {
     fail(input.name(), "is an array of " + std::to_string(shape->size()) +

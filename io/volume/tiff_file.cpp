@@ -153,6 +153,9 @@ std::uint64_t TiffFile::parse_page(std::uint64_t at) {
   const std::uint64_t value_size = is_big_ ? 8 : 4;
   const std::uint64_t count = number(at, count_size);
   if (count > bytes_.size() / entry_size) fail_damaged(at);
+  // Directories that share their bytes could have any number of entries.
+  entries_ += count;
+  if (entries_ > bytes_.size() / entry_size) fail(bytes_.name, "its directories overlap");
   TiffPage page;
   for (std::uint64_t n = 0; n < count; ++n) {
     const std::uint64_t entry = at + count_size + n * entry_size;

@@ -74,6 +74,7 @@ class TiffFile {
   std::endian order_;
   bool is_big_;
   std::vector<TiffPage> pages_;
+  std::uint64_t entries_ = 0;  // of all directories so far
 };
 
 }  // namespace deliso

@@ -308,9 +308,15 @@ TEST_CASE("NumPy's integers of 64 bits become float64, and its booleans bytes") 
   CHECK(mask.sample(1, 0, 0) == 0);
 }
 
+// A shape of half a million axes once took 11 s before it was refused.
 TEST_CASE("NumPy arrays that cannot be meshed are refused by name") {
   const TemporaryFolder folder;
   const std::string eight(8, '\0');
+  const auto ones_of = [](int axes) {
+    std::string shape;
+    while (axes-- > 0) shape += "1, ";
+    return shape;
+  };
   const std::pair<std::string, std::string> files[] = {
       {npy("<f4", false, "2, 2, 2", eight), "need 32 bytes, found 8"},
       {npy("<i8", false, "2, 2, 2", eight), "need 64 bytes, found 8"},
@@ -318,6 +324,8 @@ TEST_CASE("NumPy arrays that cannot be meshed are refused by name") {
       {npy("<c8", false, "2, 2, 2", eight), "'<c8' are not supported"},
       {npy("|u1", false, "2, 4", eight), "of 2 dimensions"},
       {npy("|u1", false, "2, 2, 2, 2", eight), "of 4 dimensions"},
+      {npy("|u1", false, ones_of(61) + "2, 2, 2", eight), ""},
+      {npy("|u1", false, ones_of(62) + "2, 2, 2", eight), "of 65 dimensions"},
       {npy("|u1", false, "2, x, 2", eight), "not of integers"},
       {npy("|u1", false, "2, 2, 2", eight, 4), "version 4"},
       {npy("|u1", false, "2, 2, 2", eight).substr(0, 30), "ends in the header"},
@@ -326,7 +334,7 @@ TEST_CASE("NumPy arrays that cannot be meshed are refused by name") {
     CAPTURE(file.second);
     try {
       read_volume(folder.write("v.npy", file.first));
-      FAIL("accepted");
+      CHECK(file.second.empty());
     } catch (const InputError& error) {
       CHECK(std::string(error.what()).find(file.second) != std::string::npos);
       CHECK(std::string(error.what()).find("v.npy: ") != std::string::npos);
