@@ -118,16 +118,25 @@ std::optional<Vec3> boundary_midpoint(const Volume& volume, double kappa, BoxFac
   middle[v] = 0.5 * (a[v] + b[v]);
   normal[u] = -dv;
   normal[v] = du;
-  const auto search = [&](const Vec3& direction) {
-    const double limit = clip(middle, direction, {0, 0.5}, box).hi;
-    return FaceLine(volume, kappa, face, middle, direction).first_root(limit);
+  const auto clamped = [&](Vec3 p) {
+    p[across] = middle[across];
+    for (const int axis : {u, v}) p[axis] = std::clamp(p[axis], box.lo[axis], box.hi[axis]);
+    return p;
+  };
+  // Meshes from files may have edges far off the box: the line is searched within the box alone.
+  const auto search = [&](const Vec3& direction) -> std::optional<double> {
+    const Range inside = clip(middle, direction, {0, 0.5}, box);
+    if (inside.empty()) return std::nullopt;
+    const Vec3 from = clamped(middle + inside.lo * direction);
+    const FaceLine line(volume, kappa, face, from, direction);
+    const std::optional<double> root = line.first_root(inside.hi - inside.lo);
+    if (!root) return std::nullopt;
+    return inside.lo + *root;
   };
   const std::optional<double> ahead = search(normal), behind = search(-normal);
   if (!ahead && !behind) return std::nullopt;
-  Vec3 p = middle + (!behind || (ahead && *ahead <= *behind) ? *ahead * normal : -*behind * normal);
-  p[across] = middle[across];
-  for (const int axis : {u, v}) p[axis] = std::clamp(p[axis], box.lo[axis], box.hi[axis]);
-  return p;
+  return clamped(middle +
+                 (!behind || (ahead && *ahead <= *behind) ? *ahead * normal : -*behind * normal));
 }
 
 }  // namespace deliso

@@ -120,3 +120,63 @@ TEST_CASE("between points several pixels apart it is the nearest hit of the chor
   CHECK(hits > 500);
   CHECK(misses > 20);
 }
+
+// An edge of a mesh from a file, 1e29 long in the plane of a face: every grid line on the way was
+// visited, without end where a double has no room for the next one.
+TEST_CASE("edges far off the box cost no more than the box has grid lines") {
+  Random random(23);
+  int hits = 0, misses = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    CAPTURE(trial);
+    const Volume volume = random_volume(random, 1000);
+    const double kappa = random.uniform(200, 800);
+    const auto face = static_cast<BoxFace>(random.below(6));
+    const double far = std::pow(10, random.uniform(1, 29));
+    Vec3 a, b;
+    for (int axis = 0; axis < 3; ++axis) {
+      a[axis] = random.uniform(-far, far);
+      b[axis] = random.below(3) == 0 ? a[axis] : random.uniform(-far, far);
+    }
+    a[axis_of(face)] = b[axis_of(face)] = face_coordinate(volume, face);
+    const auto p = boundary_midpoint(volume, kappa, face, a, b);
+    (p ? hits : misses)++;
+    if (p) CHECK(volume.box().contains(*p));
+  }
+  CHECK(misses > 200);
+
+  // The line enters the box from outside, and its first hit inside is found.
+  hits = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    CAPTURE(trial);
+    const Volume volume = random_volume(random, 1000);
+    const double kappa = random.uniform(200, 800);
+    const Box3 box = volume.box();
+    const auto face = static_cast<BoxFace>(random.below(6));
+    const int u = (axis_of(face) + 1) % 3, v = (axis_of(face) + 2) % 3;
+    const double far = random.uniform(1, 1000);
+    Vec3 a, b;
+    a[axis_of(face)] = b[axis_of(face)] = face_coordinate(volume, face);
+    a[u] = b[u] = box.lo[u] - far;
+    a[v] = random.uniform(box.lo[v], box.hi[v]) + far + 100;
+    b[v] = 2 * random.uniform(box.lo[v], box.hi[v]) - a[v];
+    const auto p = boundary_midpoint(volume, kappa, face, a, b);
+    Vec3 at = 0.5 * (a + b);
+    std::optional<double> found;
+    bool inside = false;
+    constexpr int kSteps = 5000;
+    for (int s = 0; s <= kSteps && !found; ++s) {
+      at[u] = box.lo[u] + (box.hi[u] - box.lo[u]) * s / kSteps;
+      const bool now = volume.value(at) >= kappa;
+      if (s > 0 && now != inside) found = at[u];
+      inside = now;
+    }
+    if (found) {
+      REQUIRE(p);
+      ++hits;
+      CHECK(std::abs(volume.value(*p) - kappa) <= 1e-6);
+      CHECK((*p)[u] <= *found + 1e-9);
+      CHECK(std::abs((*p)[v] - at[v]) <= 1e-9);
+    }
+  }
+  CHECK(hits > 200);
+}
