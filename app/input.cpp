@@ -74,8 +74,8 @@ std::string input_text(const Input& input) {
   const auto sample_text = [&](double sample) {
     return is_integer(volume.type()) ? number_text(sample) : rounded(sample, 7);
   };
-  std::string text = "volume    " + input.name + "\n          " + std::to_string(dims.i) + " x " +
-                     std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
+  std::string text = "volume    " + one_line(input.name) + "\n          " + std::to_string(dims.i) +
+                     " x " + std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
                      std::string(name_of(volume.type())) + ", spacing " +
                      text_of(volume.spacing()) + ", samples " + sample_text(input.range.min) +
                      " to " + sample_text(input.range.max) + "\n";

@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("deliso: out of memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "deliso: %s\n", error.what());
+    std::fprintf(stderr, "deliso: %s\n", one_line(error.what()).c_str());
   }
   return kBadUsage;
 }

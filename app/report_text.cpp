@@ -8,6 +8,7 @@
 #include "app/mesh_run.h"
 #include "app/solid.h"
 #include "app/text.h"
+#include "base/check.h"
 #include "base/text.h"
 #include "io/files/append_format.h"
 
@@ -174,7 +175,7 @@ std::string report_text(const MeshRun& run) {
 
   text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
           counted(run.triangles, "triangle", "triangles");
-  if (!run.line.output.empty()) text += " -> " + run.line.output;
+  if (!run.line.output.empty()) text += " -> " + one_line(run.line.output);
   if (report.stopped_at_max_vertices) text += " (stopped at --max-vertices)";
   text += "\n          " + topology_text(run.mesh) + "\n";
   if (count_stop(run) != CountStop::none) text += "count     " + count_text(run) + "\n";

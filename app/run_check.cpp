@@ -10,6 +10,7 @@
 #include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
+#include "base/check.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/mesh/read_mesh.h"
@@ -48,16 +49,18 @@ int run_check(const CommandLine& line) {
   const std::string asked = field_note(line.field, input.volume());
   const auto made = noted_field(comments);
   if (made && *made != asked && !line.quiet) {
-    std::fprintf(stderr, "deliso: warning: %s is of another field: its file says%s, this check%s\n",
-                 line.meshes.front().c_str(), made->empty() ? " no filter" : made->c_str(),
-                 asked.empty() ? " has no filter" : (" says" + asked).c_str());
+    const std::string warning =
+        one_line(line.meshes.front() + " is of another field: its file says" +
+                 (made->empty() ? " no filter" : *made) + ", this check" +
+                 (asked.empty() ? " has no filter" : " says" + asked));
+    std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
   }
   const CheckRun run = check_mesh_in_world(std::move(mesh), comments, line, input);
   const Verification& result = run.verification;
   if (!line.json.empty()) write_text(line.json, run.json);
   if (!line.quiet && line.json != "-") {
     const char* judged = run.by_comments ? ", judged by the criteria in its comment\n" : "\n";
-    std::string text = "mesh      " + line.meshes.front() + judged + input_text(input) +
+    std::string text = "mesh      " + one_line(line.meshes.front()) + judged + input_text(input) +
                        verification_text(result, input.volume());
     if (run.is_single && result.faults.count(FaultKind::self_intersections) > 0) {
       text += std::string(

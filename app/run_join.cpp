@@ -6,6 +6,7 @@
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/text.h"
+#include "base/check.h"
 #include "io/parts/join.h"
 
 namespace deliso {
@@ -16,7 +17,7 @@ int run_join(const CommandLine& line) {
   const Joined joined =
       join_parts(line.meshes, line.output, line.write.single_precision, line.write.ascii);
   if (!line.quiet && line.output != "-") {
-    print("joined    " + counted(joined.parts, "part", "parts") + " to " + line.output +
+    print("joined    " + counted(joined.parts, "part", "parts") + " to " + one_line(line.output) +
           "\nmesh      " + counted(joined.vertices, "vertex", "vertices") + ", " +
           counted(joined.triangles, "triangle", "triangles") + "\nseams     " +
           counted(joined.seam_vertices, "vertex", "vertices") + ", " +

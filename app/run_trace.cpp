@@ -64,8 +64,8 @@ int run_trace(const CommandLine& line) {
   }
   if (!line.quiet && line.output != "-") {
     print(counted(trace.size(), "event", "events") + ", " +
-          counted(mesh.faces.size(), "triangle", "triangles") + " in the end, in " + line.output +
-          "\n");
+          counted(mesh.faces.size(), "triangle", "triangles") + " in the end, in " +
+          one_line(line.output) + "\n");
   }
   return kExitSuccess;
 }

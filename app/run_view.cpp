@@ -18,6 +18,7 @@
 #include "app/signals.h"
 #include "app/text.h"
 #include "base/box3.h"
+#include "base/check.h"
 #include "base/text.h"
 #include "io/mesh/read_mesh.h"
 #include "view/page/page.h"
@@ -106,7 +107,7 @@ int run_view(const CommandLine& line) {
     const DeferSignals defer;
     write_page(line.output, title, header.finish(), data);
   }
-  if (!line.quiet && line.output != "-") print(sizes + " in " + line.output + "\n");
+  if (!line.quiet && line.output != "-") print(sizes + " in " + one_line(line.output) + "\n");
   return kExitSuccess;
 }
 

@@ -6,6 +6,7 @@
 // description; else samples are one apart, or as the option says. ImageJ also writes a stack of
 // over 4 GB as one page, with the others behind it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -105,6 +106,41 @@ class Description {
   bool is_imagej_ = false, is_ome_ = false;
 };
 
+// Units of length as OME and ImageJ spell them, each a power of ten of a meter.
+struct Unit {
+  std::string_view name;
+  int power;
+};
+constexpr Unit kUnits[] = {{"km", 3},       {"m", 0},        {"dm", -1},      {"cm", -2},
+                           {"mm", -3},      {"\u00b5m", -6}, {"\u03bcm", -6}, {"\\u00B5m", -6},
+                           {"um", -6},      {"micron", -6},  {"microns", -6}, {"nm", -9},
+                           {"\u00c5", -10}, {"pm", -12},     {"fm", -15}};
+
+// Returns lengths along x, y and z, each with its own unit, all in the unit of x. Refuses units
+// that differ where one is not known. `names`: the keys of the units.
+Vec3 in_unit_of_x(const VolumeInput& input, Vec3 lengths,
+                  const std::array<std::string_view, 3>& units,
+                  const std::array<std::string_view, 3>& names) {
+  if (units[1] == units[0] && units[2] == units[0]) return lengths;
+  std::array<int, 3> powers{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto known = std::ranges::find(kUnits, units[axis], &Unit::name);
+    if (known == std::end(kUnits)) {
+      fail(input.name(), text("its axes have different units, and ", names[axis], " is ",
+                              quote(units[axis]), ": --spacing X,Y,Z gives the distances"));
+    }
+    powers[axis] = known->power;
+  }
+  for (int axis = 1; axis < 3; ++axis) {
+    const int power = powers[static_cast<std::size_t>(axis)] - powers[0];
+    // Powers of ten up to 22 are doubles: each step rounds once.
+    double scale = 1;
+    for (int n = 0; n < std::abs(power); ++n) scale *= 10;
+    lengths[axis] = power < 0 ? lengths[axis] / scale : lengths[axis] * scale;
+  }
+  return lengths;
+}
+
 // Returns the distance of samples along x, y and z.
 Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Description& description) {
   if (input.options.spacing) return *input.options.spacing;
@@ -115,9 +151,16 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
     const Vec3 sizes{description.number("PhysicalSizeX"), description.number("PhysicalSizeY"),
                      description.number("PhysicalSizeZ")};
     if (!(sizes.x > 0 && sizes.y > 0 && sizes.z > 0)) return {1, 1, 1};
-    const std::string_view unit = description("PhysicalSizeXUnit");
-    input.note(text("the spacing is in ", unit.empty() ? "\u00b5m"sv : unit, ", as OME has it"));
-    return sizes;
+    constexpr std::array kNames{"PhysicalSizeXUnit"sv, "PhysicalSizeYUnit"sv,
+                                "PhysicalSizeZUnit"sv};
+    std::array<std::string_view, 3> units;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      units[axis] = description(kNames[axis]);
+      if (units[axis].empty()) units[axis] = "\u00b5m";
+    }
+    const Vec3 spacing = in_unit_of_x(input, sizes, units, kNames);
+    input.note(text("the spacing is in ", quote(units[0]), ", as OME has it"));
+    return spacing;
   }
   if (description.is_imagej()) {
     const std::string_view unit = description("unit");
@@ -127,7 +170,12 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
       spacing.x = 1 / per_unit[0];
       spacing.y = 1 / per_unit[1];
     }
-    if (!unit.empty()) input.note(text("the spacing is in ", quote(unit), ", as ImageJ has it"));
+    if (unit.empty()) return spacing;
+    constexpr std::array kNames{"unit"sv, "yunit"sv, "zunit"sv};
+    std::array units{unit, description("yunit"), description("zunit")};  // if they are unlike x's
+    for (std::string_view& own : units) own = own.empty() ? unit : own;
+    spacing = in_unit_of_x(input, spacing, units, kNames);
+    input.note(text("the spacing is in ", quote(unit), ", as ImageJ has it"));
     return spacing;
   }
   if (has_resolution && page.resolution_unit != 1) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/check.h"
 #include "io/files/input_file.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
@@ -23,7 +24,7 @@ struct VolumeInput {
   ReadLog& log;
 
   const std::string& name() const { return bytes.name; }
-  void note(const std::string& text) const { log.notes.push_back(name() + ": " + text); }
+  void note(const std::string& text) const { log.notes.push_back(one_line(name() + ": " + text)); }
 };
 
 // With its name and region filled in.

@@ -369,6 +369,27 @@ holds "the whole as --roi gives the file's mesh" cmp -s file.ply roi.ply
 holds "pictures get the volume of their colors from a file or from standard input" \
   cmp -s far.png far2.png
 
+# Control characters of names and of a file's text do not reach the terminal.
+evil=$(printf 'a\033[31m\nEVIL')
+printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 0 0 0 0 0 0 9\n' \
+  >"$evil.nrrd"
+mkdir evil
+{
+  "$deliso" info "$evil.nrrd"
+  "$deliso" "$evil.nrrd" --iso 5 -o "$evil.ply" --ply-ascii
+  sed "s/^comment deliso/& smooth=1$(printf '\033')/" "$evil.ply" >"$evil.2.ply"
+  "$deliso" check "$evil.2.ply" "$evil.nrrd" --iso 5
+  "$deliso" "$evil.nrrd" --iso 5 --block 0,0,0/1,1,1 -o "$evil.part.ply"
+  "$deliso" join "$evil.part.ply" -o "evil/$evil.ply"
+  "$deliso" trace "$evil.nrrd" --iso 5 -o "evil/$evil.html"
+  "$deliso" view "$evil.ply" -o "evil/$evil.2.html"
+  "$deliso" render "$evil.ply" -o "evil/$evil.png"
+  "$deliso" info "evil/$evil.nrrd" || :
+} >said 2>&1
+holds "every name is said" [ "$(grep -c 'a?\[31m?EVIL' said)" -ge 10 ]
+holds "no escape is" [ "$(tr -d '\n' <said | grep -c '[[:cntrl:]]')" -eq 0 ]
+holds "no line of its own" [ "$(grep -c '^EVIL' said)" -eq 0 ]
+
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-all_hold 133
+all_hold 136

@@ -98,11 +98,40 @@ TEST_CASE("ImageJ's spacing, unit and signed samples") {
   CHECK(read("unit=micron\nspacing=2.5\n", true, log).spacing() == Vec3{0.25, 2, 2.5});
   REQUIRE(log.notes.size() == 1);
   CHECK(log.notes[0].ends_with("the spacing is in 'micron', as ImageJ has it"));
+  CHECK(read("unit=micron\nyunit=nm\nspacing=2.5\nzunit=mm\n", true, log).spacing() ==
+        Vec3{0.25, 0.002, 2500});
+  CHECK_THROWS_WITH_AS(read("unit=micron\nzunit=plane\n", true, log),
+                       (folder.path("v.tif") + ": its axes have different units, and zunit is "
+                                               "'plane': --spacing X,Y,Z gives the distances")
+                           .c_str(),
+                       InputError);
   CHECK(bytes_of_samples(read("", true, log)) == truth.bytes);
   const Volume is_signed = read("cf=0\nc0=-32768.0\nc1=1.0\nvunit=Gray Value\n", false, log);
   const Volume plain = read("cf=20\n", false, log);
   CHECK(is_signed.type() == SampleType::f32);
   CHECK(is_signed.sample(2, 3, 1) == plain.sample(2, 3, 1) - 32768);
+}
+
+// A file's text went to the terminal with its control characters, 3,000 characters of it and more.
+TEST_CASE("a note is one line of bounded length") {
+  const TemporaryFolder folder;
+  const std::string unit = "\x1b[31m\a\r\nEVIL" + std::string(3000, 'x');
+  for (const std::string& description :
+       {"ImageJ=1.53t\nimages=3\nunit=" + unit + "\n",
+        "<OME><Pixels PhysicalSizeX=\"1\" PhysicalSizeY=\"1\" PhysicalSizeZ=\"1\" "
+        "PhysicalSizeXUnit=\"" +
+            unit + "\" PhysicalSizeYUnit=\"" + unit + "\" PhysicalSizeZUnit=\"" + unit +
+            "\"/></OME>"}) {
+    std::vector<TiffPage> pages = pages_of(small_truth());
+    pages[0].tags[270] = tiff_text(description);
+    ReadLog log;
+    read_volume(folder.write("v\x1b\n.tif", tiff_file({}, pages)), {}, &log);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].find("?[31m?") != std::string::npos);
+    CHECK(log.notes[0].find("v??.tif: ") != std::string::npos);
+    CHECK(log.notes[0].size() < 600);
+    CHECK(std::ranges::none_of(log.notes[0], [](char c) { return c >= 0 && c < ' '; }));
+  }
 }
 
 TEST_CASE("ImageJ's pages behind the first") {
@@ -149,11 +178,38 @@ TEST_CASE("OME's spacing and channels") {
   CHECK(read_volume(file("SizeC=\"1\" " + sizes + "PhysicalSizeZ=\"2\"")).spacing() ==
         Vec3{0.5, 0.25, 2});
   CHECK(read_volume(file(sizes)).spacing() == Vec3{1, 1, 1});
+
+  // A unit for each axis was read as if it were that of x.
+  const auto with_units = [&](const std::string& x, const std::string& y, const std::string& z) {
+    const auto unit = [](const std::string& axis, const std::string& name) {
+      return name.empty() ? "" : " PhysicalSize" + axis + "Unit=\"" + name + "\"";
+    };
+    return file("PhysicalSizeX=\"700\" PhysicalSizeY=\".9\" PhysicalSizeZ=\".0013\"" +
+                unit("X", x) + unit("Y", y) + unit("Z", z));
+  };
+  const auto near = [](const Vec3& a, const Vec3& b) {
+    return distance(a, b) <= 1e-15 * length(b);
+  };
+  ReadLog log;
+  CHECK(near(read_volume(with_units("nm", "\u00b5m", "mm"), {}, &log).spacing(), {700, 900, 1300}));
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].ends_with("the spacing is in 'nm', as OME has it"));
+  CHECK(near(read_volume(with_units("nm", "", "mm")).spacing(), {700, 900, 1300}));
+  CHECK(near(read_volume(with_units("", "", "m")).spacing(), {700, 0.9, 1300}));
+  CHECK(read_volume(with_units("ell", "ell", "ell")).spacing() == Vec3{700, 0.9, 0.0013});
+  CHECK(
+      fault(with_units("nm", "pixel", "mm")) ==
+      "its axes have different units, and PhysicalSizeYUnit is 'pixel': --spacing X,Y,Z gives the "
+      "distances");
+  CHECK(fault(with_units("ell", "", ""))
+            .starts_with("its axes have different units, and "
+                         "PhysicalSizeXUnit is 'ell'"));
   CHECK(fault(file("SizeC=\"3\" SizeT=\"1\"")).starts_with("has SizeC = 3: only a stack"));
   CHECK(fault(file("SizeT=\"3\"")).starts_with("has SizeT = 3: only a stack"));
   ReadOptions options;
   options.spacing = Vec3{3, 2, 1};
   CHECK(read_volume(file(sizes + "PhysicalSizeZ=\"2\""), options).spacing() == Vec3{3, 2, 1});
+  CHECK(read_volume(with_units("ell", "nm", "nm"), options).spacing() == Vec3{3, 2, 1});
 }
 
 TEST_CASE("a resolution without the distance of pages is noted, and white zeros") {
