@@ -8,6 +8,7 @@
 #include "app/component_table.h"
 #include "app/expected_vertices.h"
 #include "app/json.h"
+#include "app/looks_like_labels.h"
 #include "app/text.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
@@ -37,6 +38,24 @@ std::string percent(double share) {
   return rounded(100 * share, 3) + " %";
 }
 
+// Proposes the largest label but 0, and all of them where there are several.
+std::string labels_text(const std::vector<LabelSamples>& labels) {
+  if (labels.empty()) return "";
+  const LabelSamples* largest = nullptr;
+  for (const LabelSamples& one : labels) {
+    if (one.label != 0 && (!largest || one.samples > largest->samples)) largest = &one;
+  }
+  std::string text = "labels    the samples look like a segmentation: " + grouped(labels.size()) +
+                     " whole numbers in flat pieces\n";
+  append_format(text, "try       --label %-8s  %s\n", std::to_string(largest->label).c_str(),
+                counted(largest->samples, "sample", "samples").c_str());
+  if (labels.size() > 2) {
+    append_format(
+        text, "          --label %-8s  a mesh for each label but 0, with -o part-%%d.ply\n", "all");
+  }
+  return text;
+}
+
 // Returns "about 71,000 vertices, 24 components" or the like; two digits are enough for an
 // estimate.
 std::string size_text(const Suggestion& s) {
@@ -53,7 +72,8 @@ std::string suggestions_text(const Info& info) {
     text += (text.empty() ? "padding   " : "          ") + number_text(p.value) + ", " +
             percent(p.share) + " of the samples: left out of what follows\n";
   }
-  const char* heading = "try     ";
+  text += labels_text(info.labels);
+  const char* heading = info.labels.empty() ? "try     " : "or      ";
   for (const Suggestion& s : info.suggestions) {
     const Valley& v = s.valley;
     append_format(text, "%s  --iso %-10s  %s\n", heading, number_text(v.isovalue).c_str(),
@@ -73,8 +93,11 @@ std::string suggestions_text(const Info& info) {
 
 Info find_info(const Input& input, const CommandLine& line) {
   const Volume& volume = input.volume();
-  Info info{input, make_histogram(volume, input.range, kBins), {}, {}, false, 0, {}, 0, {}, 0};
+  Info info{input, make_histogram(volume, input.range, kBins), {}, {}, {}, false, 0, {}, 0, {}, 0};
   const Stopwatch to_suggest;
+  if (!input.field.is_filtered() && !volume.is_block() && looks_like_labels(volume)) {
+    info.labels = find_labels(volume, input.name, line.options.threads);
+  }
   // A label's isovalue is known.
   const Modes modes = input.field.label ? Modes{} : find_modes(volume, input.range, kSuggestions);
   info.padding = modes.padding;
@@ -126,6 +149,7 @@ std::string info_json(const Info& info) {
     json.close();
   }
   json.close();
+  json.add("looks_like_labels", !info.labels.empty());
   json.open_list("suggestions");
   for (const Suggestion& s : info.suggestions) {
     json.open_item();

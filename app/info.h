@@ -12,6 +12,7 @@
 #include "app/input.h"
 #include "app/modes.h"
 #include "contour/contour.h"
+#include "io/filter/segmentation.h"
 
 namespace deliso {
 
@@ -25,6 +26,7 @@ struct Info {
   const Input& input;
   Histogram histogram;
   std::vector<Padding> padding;
+  std::vector<LabelSamples> labels;     // of samples that look like labels
   std::vector<Suggestion> suggestions;  // best first
   bool one_mode = false;                // the suggestion is Otsu's
   double seconds_suggestions = 0;

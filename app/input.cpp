@@ -2,9 +2,12 @@
 #include "app/input.h"
 
 #include <array>
+#include <cstdio>
 #include <utility>
 
 #include "app/histogram.h"
+#include "app/looks_like_labels.h"
+#include "app/modes.h"
 #include "app/output.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -34,7 +37,22 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
   json.add(key, {v.x, v.y, v.z});
 }
 
+// Returns a warning if the user wants labels of a volume that looks like a gray image.
+std::string gray_image_warning(const CommandLine& line, const Volume& volume,
+                               const ValueRange& range) {
+  if (!line.field.of_labels() || looks_like_labels(volume)) return "";
+  std::string warning = line.input + " looks like a gray image, not like labels";
+  const Modes modes = find_modes(volume, range, 1);
+  if (!modes.valleys.empty()) warning += ": try --iso " + number_text(modes.valleys[0].isovalue);
+  return one_line(warning);
+}
+
 }  // namespace
+
+void print_warning(const std::string& warning, const CommandLine& line) {
+  if (warning.empty() || line.quiet) return;
+  std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
+}
 
 Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
@@ -46,7 +64,9 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const ValueRange range = value_range(volume, line.input, line.options.threads);
   std::vector<LabelSamples> labels;
   if (line.field.of_labels()) labels = find_labels(volume, line.input, line.options.threads);
-  return {std::move(volume), range, std::move(labels), std::move(log), watch.seconds()};
+  std::string warning = gray_image_warning(line, volume, range);
+  return {std::move(volume), range,           std::move(labels),
+          std::move(log),    watch.seconds(), std::move(warning)};
 }
 
 Input input_of(const Source& source, const CommandLine& line) {
@@ -54,7 +74,8 @@ Input input_of(const Source& source, const CommandLine& line) {
   Field field = make_field(source.volume, line.field, source.labels, line.input, threads);
   const ValueRange range =
       field.is_filtered() ? value_range(field.volume, line.input, threads) : source.range;
-  Input input{line.input, std::move(field), range, source.log, source.seconds, line.isovalue};
+  Input input{line.input,     std::move(field), range,         source.log,
+              source.seconds, line.isovalue,    source.warning};
   if (input.field.label) input.isovalue = input.field.label->isovalue;
   return input;
 }

@@ -20,6 +20,7 @@ struct Input {
   ReadLog log;
   double seconds = 0;                // for reading, and for one pass over the samples
   std::optional<double> isovalue{};  // the user's, or the label's
+  std::string warning{};             // one line for standard error, or none
 
   const Volume& volume() const { return field.volume; }
 };
@@ -36,9 +37,13 @@ struct Source {
   std::vector<LabelSamples> labels;  // only if the command line asks for any
   ReadLog log;
   double seconds = 0;
+  std::string warning{};  // as in Input
 };
 Source read_source(const CommandLine& line, std::vector<std::string> others = {});
 Input input_of(const Source& source, const CommandLine& line);
+
+// Writes the warning, if there is one, unless the command is to be quiet.
+void print_warning(const std::string& warning, const CommandLine& line);
 
 // Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);

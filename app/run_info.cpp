@@ -9,6 +9,7 @@ namespace deliso {
 
 int run_info(const CommandLine& line) {
   const Input input = read_input(line);
+  print_warning(input.warning, line);
   const Info info = find_info(input, line);
   if (!line.json.empty()) write_text(line.json, info_json(info));
   if (!line.quiet && line.json != "-") print(info_text(info));

@@ -72,6 +72,7 @@ int run_labels(const CommandLine& line) {
   reading.show("reading", 0);
   const Source source = read_source(line);
   reading.clear();
+  print_warning(source.warning, line);
   std::string table;
   append_format(table, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8s\n", "label", "voxels",
                 "isovalue", "vertices", "voxel volume", "mesh volume", "difference", "components",

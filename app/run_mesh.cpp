@@ -260,6 +260,7 @@ int run_mesh(const CommandLine& line) {
   progress.show("reading", 0);
   const Input input = read_input(line);
   progress.clear();
+  print_warning(input.warning, line);
   MeshRun run(line, input);
   mesh_to_files(total, progress, run);
   if (!line.quiet) {

@@ -390,6 +390,31 @@ holds "every name is said" [ "$(grep -c 'a?\[31m?EVIL' said)" -ge 10 ]
 holds "no escape is" [ "$(tr -d '\n' <said | grep -c '[[:cntrl:]]')" -eq 0 ]
 holds "no line of its own" [ "$(grep -c '^EVIL' said)" -eq 0 ]
 
+# Labels and gray images are told from each other, by one rule.
+printf '\0\0\0\0\377\377\377\377' >mask8.raw
+cat mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw mask8.raw >mask64.raw
+cat mask64.raw mask64.raw mask64.raw mask64.raw mask64.raw mask64.raw mask64.raw mask64.raw >mask.raw
+set -- mask.raw --dims 8x8x8 --type uint8
+"$deliso" info "$@" --json info.json >report
+holds "info proposes the label of a mask" grep -q '^try       --label 255       256 samples$' report
+holds "then its isovalue" grep -q '^or        --iso ' report
+holds "the JSON says so" grep -q '^  "looks_like_labels": true,$' info.json
+"$deliso" "$@" --label 255 -o mask.ply >stdout 2>stderr
+holds "and --label is as it was" empty stderr
+"$deliso" info builtin:fuel --json info.json >report
+holds "info proposes isovalues of a gray image" grep -q '^try       --iso ' report
+holds "and no label" [ "$(grep -c -e '--label' report)" -eq 0 ]
+holds "the JSON says this too" grep -q '^  "looks_like_labels": false,$' info.json
+head -c 13824 "$deliso" >gray.raw
+for label in 0 all; do
+  "$deliso" gray.raw --dims 24x24x24 --type uint8 --label $label -o gray-%d.ply >stdout 2>stderr || :
+  holds "--label of a gray image warns once" [ "$(grep -c . stderr)" -eq 1 ]
+  holds "with the isovalue" \
+    grep -q '^deliso: warning: gray.raw looks like a gray image, not like labels: try --iso ' stderr
+done
+"$deliso" gray.raw --dims 24x24x24 --type uint8 --label 0 -o gray.ply -q 2>stderr || :
+holds "unless it is quiet" empty stderr
+
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-all_hold 136
+all_hold 148

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "app/looks_like_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <type_traits>
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kMostValues = 4096, kFewValues = 16;  // L1, L3
+constexpr double kFlatNeighbors = 0.5, kFlatValues = 0.5;   // L2
+constexpr double kMostSteps = 0.75;                         // L3
+constexpr double kLargestLabel = 0x1p53;                    // beyond it doubles skip whole numbers
+constexpr std::size_t kSamplesSeen = std::size_t{1} << 22;
+
+// The neighbors of one value's samples.
+struct Neighbors {
+  std::uint64_t all = 0, equal = 0;
+};
+
+class Tally {
+ public:
+  // Adds a row of samples. False if the samples are no labels, whatever follows.
+  template <class T>
+  bool add_row(const Volume& volume, const T* samples, int j, int k) {
+    const Index3 dims = volume.dims();
+    Neighbors* of_value = nullptr;
+    for (int i = 0; i < dims.i; ++i) {
+      const std::size_t at = volume.index(i, j, k);
+      const T value = samples[at];
+      if (!is_label(value)) return false;
+      if (i == 0 || value != samples[at - 1]) {
+        of_value = &values_[static_cast<std::int64_t>(value)];
+        if (values_.size() > kMostValues) return false;
+      }
+      const Index3 here{i, j, k};
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const int side : {-1, 1}) {
+          Index3 next = here;
+          next[axis] += side;
+          if (next[axis] < 0 || next[axis] >= dims[axis]) continue;
+          const T other = samples[volume.index(next.i, next.j, next.k)];
+          ++of_value->all;
+          of_value->equal += other == value;
+          differing_ += other != value;
+          by_one_ += std::abs(static_cast<double>(other) - static_cast<double>(value)) == 1;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool looks_like_labels() const {
+    if (values_.size() < 2) return false;
+    const auto flat = std::ranges::count_if(values_, [](const auto& value) {
+      const auto& [all, equal] = value.second;
+      return static_cast<double>(equal) >= kFlatNeighbors * static_cast<double>(all);
+    });
+    if (static_cast<double>(flat) < kFlatValues * static_cast<double>(values_.size())) return false;
+    return values_.size() <= kFewValues ||
+           static_cast<double>(by_one_) <= kMostSteps * static_cast<double>(differing_);
+  }
+
+ private:
+  template <class T>
+  static bool is_label(T value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return std::fabs(value) <= kLargestLabel && std::floor(value) == value;
+    }
+    return true;
+  }
+
+  std::map<std::int64_t, Neighbors> values_;
+  std::uint64_t differing_ = 0, by_one_ = 0;  // neighbors that differ
+};
+
+}  // namespace
+
+bool looks_like_labels(const Volume& volume) {
+  const Index3 dims = volume.dims();
+  const std::size_t rows = static_cast<std::size_t>(dims.j) * static_cast<std::size_t>(dims.k);
+  const std::size_t step = 1 + volume.sample_count() / kSamplesSeen;
+  return volume.visit([&](const auto* samples) {
+    Tally tally;
+    for (std::size_t row = 0; row < rows; row += step) {
+      const int j = static_cast<int>(row % static_cast<std::size_t>(dims.j));
+      const int k = static_cast<int>(row / static_cast<std::size_t>(dims.j));
+      if (!tally.add_row(volume, samples, j, k)) return false;
+    }
+    return tally.looks_like_labels();
+  });
+}
+
+}  // namespace deliso
