@@ -34,9 +34,10 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kSeries = 0x0020000e, kPos
                         kBitsAllocated = 0x00280100, kBitsStored = 0x00280101,
                         kHighBit = 0x00280102, kSigned = 0x00280103, kIntercept = 0x00281052,
                         kSlope = 0x00281053, kDistance = 0x00180088, kFrameOffsets = 0x3004000c,
-                        kDoseScaling = 0x3004000e, kSharedGroups = 0x52009229,
-                        kFrameGroups = 0x52009230, kPixelData = 0x7fe00010, kItem = 0xfffee000,
-                        kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
+                        kDoseScaling = 0x3004000e, kDetectors = 0x00540022,
+                        kSharedGroups = 0x52009229, kFrameGroups = 0x52009230,
+                        kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
+                        kSequenceEnd = 0xfffee0dd;
 
 // The sequences of a functional group that hold a plane: Plane Position, Plane Orientation, Pixel
 // Measures, Pixel Value Transformation.
@@ -83,6 +84,7 @@ class DicomParser {
     choose_syntax();
     read_elements(bytes_.size(), &file_.common, 0);
     if (!has_pixels_) return std::nullopt;
+    place_by_detectors();
     check_image();
     return std::move(file_);
   }
@@ -162,7 +164,8 @@ class DicomParser {
         return;
       }
       const bool has_planes = depth == 0
-                                  ? element.tag == kSharedGroups || element.tag == kFrameGroups
+                                  ? element.tag == kSharedGroups || element.tag == kFrameGroups ||
+                                        element.tag == kDetectors
                                   : plane && std::ranges::count(kPlaneSequences, element.tag) > 0;
       if (element.undefined || has_planes) {
         read_items(element, end, has_planes ? plane : nullptr, depth);
@@ -191,6 +194,7 @@ class DicomParser {
         continue;
       }
       if (sequence.tag == kFrameGroups && plane) plane = &file_.planes.emplace_back();
+      if (sequence.tag == kDetectors && plane) plane = &detectors_.emplace_back();
       read_elements(item_end, plane, depth + 1);
       if (!item.undefined) at_ = item_end;
     }
@@ -308,6 +312,22 @@ class DicomParser {
     }
   }
 
+  // Nuclear medicine has the place of its frames in that of the detector (PS3.3, C.8.4.11). Which
+  // frame is of which detector is not read, so they must agree.
+  void place_by_detectors() {
+    const auto agree = [&](auto place) {
+      return std::ranges::all_of(detectors_, [&](const DicomPlane& detector) {
+        return detector.*place == detectors_[0].*place;
+      });
+    };
+    if (detectors_.empty() || !agree(&DicomPlane::position) || !agree(&DicomPlane::directions)) {
+      return;
+    }
+    DicomPlane& common = file_.common;
+    if (!common.position) common.position = detectors_[0].position;
+    if (!common.directions) common.directions = detectors_[0].directions;
+  }
+
   void check_image() {
     const std::string& name = bytes_.name;
     // Old files do not tell that they are gray.
@@ -360,6 +380,7 @@ class DicomParser {
   std::endian order_ = std::endian::little;
   bool has_pixels_ = false, is_word_data_ = false;
   std::string syntax_;
+  std::vector<DicomPlane> detectors_;
   DicomFile file_;
 };
 

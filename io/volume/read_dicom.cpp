@@ -183,7 +183,14 @@ Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>&
   }
   grid.steps[2] = step_between(slices);
   grid.origin = slices[0].position;
-  if (slices[0].plane().directions) grid.space = AnatomicalSpace::lps;
+  const DicomPlane given = slices[0].plane();
+  if (given.directions) grid.space = AnatomicalSpace::lps;
+  if (!given.position || !given.directions) {
+    const char* missing = given.position     ? "orientation"
+                          : given.directions ? "position"
+                                             : "position and orientation";
+    input.note(text("does not tell its ", missing, ": world coordinates are not the patient's"));
+  }
   if (first.photometric == "MONOCHROME1") {
     input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
   }

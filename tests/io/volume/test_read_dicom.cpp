@@ -263,6 +263,53 @@ TEST_CASE("transfer syntaxes that are not read are named") {
   }
 }
 
+// The place of its frames was 0 0 0, without a word.
+TEST_CASE("nuclear medicine has the place of its frames in the detector's sequence") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u16);
+  for (const DicomForm& form :
+       {DicomForm{.place = DicomForm::Place::stack},
+        DicomForm{.is_explicit = false, .has_lengths = false, .place = DicomForm::Place::stack}}) {
+    const DicomElements plain = dicom_image(truth, form, 0, kSlices);
+    const DicomElement position = plain.at(0x00200032), directions = plain.at(0x00200037);
+    const auto read = [&](const std::vector<DicomElements>& detectors, ReadLog& log) {
+      DicomElements elements = plain;
+      elements.erase(0x00200032);
+      elements.erase(0x00200037);
+      elements[0x00540022] = dicom_sequence(form, detectors);
+      return read_volume(folder.write("v.dcm", dicom_file(form, elements)), {}, &log);
+    };
+    const auto is_in_place = [&](const Volume& volume) {
+      return distance(volume.frame().origin, truth.origin) < 1e-12 &&
+             distance(volume.frame().axes[0], truth.axes[0]) < 1e-12 &&
+             distance(volume.frame().axes[2], truth.axes[2]) < 1e-12 &&
+             volume.frame().space == AnatomicalSpace::lps;
+    };
+    const DicomElements detector{{0x00200032, position}, {0x00200037, directions}};
+    ReadLog log;
+    CHECK(is_in_place(read({detector}, log)));
+    CHECK(is_in_place(read({detector, detector}, log)));
+    CHECK(log.notes.empty());
+    DicomElements other = detector;
+    other[0x00200032] = dicom_vector({1, 2, 3});
+    const Volume unknown = read({detector, other}, log);
+    CHECK(unknown.frame().origin == Vec3{0, 0, 0});
+    CHECK(unknown.frame().space == AnatomicalSpace::unknown);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(
+        log.notes[0].ends_with("v.dcm: does not tell its position and orientation: world "
+                               "coordinates are not the patient's"));
+    read({{{0x00200037, directions}}}, log);
+    CHECK(log.notes.back().find("does not tell its position: world") != std::string::npos);
+    read({{{0x00200032, position}}}, log);
+    CHECK(log.notes.back().find("does not tell its orientation: world") != std::string::npos);
+    // What the file says of the whole goes before.
+    DicomElements elements = plain;
+    elements[0x00540022] = dicom_sequence(form, {other});
+    CHECK(is_in_place(read_volume(folder.write("v.dcm", dicom_file(form, elements)))));
+  }
+}
+
 TEST_CASE("a file of several frames says where they are") {
   const TemporaryFolder folder;
   const Truth truth = oblique_truth(SampleType::u8);
