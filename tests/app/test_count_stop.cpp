@@ -16,19 +16,19 @@
 namespace deliso {
 namespace {
 
-struct Outcome {
+struct CountRun {
   CountStop stop = CountStop::none;
   std::size_t vertices = 0, triangles = 0;  // without caps
   std::vector<std::string> warnings;
   std::string report;
 };
 
-Outcome outcome_of(std::vector<std::string_view> arguments) {
+CountRun outcome_of(std::vector<std::string_view> arguments) {
   const CommandLine line = parse_command_line(arguments);
   const Input input = read_input(line);
   MeshRun run(line, input);
   ProgressBar progress(mesh_stages(line), false);
-  Outcome out;
+  CountRun out;
   mesh_input(run, progress, [&](const std::string& warning) { out.warnings.push_back(warning); });
   out.stop = count_stop(run);
   out.vertices = line.options.cap ? run.report.cap.surface_vertices : run.vertices;
@@ -38,7 +38,7 @@ Outcome outcome_of(std::vector<std::string_view> arguments) {
 }
 
 // The warning and the report's line are the same, and begin with the number.
-void check_said(const Outcome& out, const std::string& beginning) {
+void check_said(const CountRun& out, const std::string& beginning) {
   REQUIRE(out.warnings.size() == 1);
   CHECK(out.warnings[0].starts_with(beginning));
   CHECK(out.report.find("\ncount     " + out.warnings[0] + "\n") != std::string::npos);
@@ -49,12 +49,12 @@ void check_said(const Outcome& out, const std::string& beginning) {
 TEST_CASE("a number that is reached needs no word") {
   for (const std::string_view field : {"builtin:torus:16", "builtin:gyroid:16"}) {
     CAPTURE(field);
-    const Outcome vertices = outcome_of({field, "--vertices", "500"});
+    const CountRun vertices = outcome_of({field, "--vertices", "500"});
     CHECK(vertices.vertices == 500);
-    const Outcome triangles = outcome_of({field, "--triangles", "501"});
+    const CountRun triangles = outcome_of({field, "--triangles", "501"});
     CHECK(triangles.triangles <= 501);
     CHECK(triangles.triangles >= 500);
-    for (const Outcome& out : {vertices, triangles}) {
+    for (const CountRun& out : {vertices, triangles}) {
       CHECK(out.stop == CountStop::none);
       CHECK(out.warnings.empty());
       CHECK(out.report.find("\ncount ") == std::string::npos);
@@ -63,25 +63,25 @@ TEST_CASE("a number that is reached needs no word") {
 }
 
 TEST_CASE("what the topology needs is said with its features") {
-  const Outcome vertices = outcome_of({"builtin:gyroid:16", "--vertices", "10"});
+  const CountRun vertices = outcome_of({"builtin:gyroid:16", "--vertices", "10"});
   CHECK(vertices.stop == CountStop::topology);
   check_said(vertices, std::to_string(vertices.vertices) + " vertices, 10 asked for: ");
   CHECK(vertices.warnings[0].find(" handles, ") != std::string::npos);
-  const Outcome triangles = outcome_of({"builtin:five_spheres:16", "--triangles", "10"});
+  const CountRun triangles = outcome_of({"builtin:five_spheres:16", "--triangles", "10"});
   CHECK(triangles.stop == CountStop::topology);
   check_said(triangles, "20 triangles, 10 asked for: ");
   CHECK(triangles.warnings[0].find("(5 components)") != std::string::npos);
 }
 
 TEST_CASE("what is not refined is said") {
-  const Outcome out = outcome_of({"builtin:torus:16", "--vertices", "100000", "--rmin", "2vox"});
+  const CountRun out = outcome_of({"builtin:torus:16", "--vertices", "100000", "--rmin", "2vox"});
   CHECK(out.stop == CountStop::refinement);
   check_said(out, std::to_string(out.vertices));
   CHECK(out.warnings[0].find("--rmin") != std::string::npos);
 }
 
 TEST_CASE("caps do not count") {
-  const Outcome out = outcome_of({"builtin:gyroid:16", "--triangles", "800", "--cap"});
+  const CountRun out = outcome_of({"builtin:gyroid:16", "--triangles", "800", "--cap"});
   CHECK((out.stop == CountStop::none) == (out.triangles <= 800 && out.triangles >= 784));
   CHECK(out.triangles < 820);
   CHECK(out.warnings.size() == (out.stop == CountStop::none ? 0 : 1));

@@ -28,7 +28,8 @@ Volume made(int side, F value) {
   std::vector<T> samples;
   for (int k = 0; k < side; ++k) {
     for (int j = 0; j < side; ++j) {
-      for (int i = 0; i < side; ++i) samples.push_back(static_cast<T>(value(Vec3(i, j, k))));
+      for (int i = 0; i < side; ++i)
+        samples.push_back(static_cast<T>(value(Vec3{double(i), double(j), double(k)})));
     }
   }
   return Volume::from_samples({side, side, side}, {1, 1, 1}, samples);
@@ -99,8 +100,9 @@ Volume levels(std::uint64_t seed, double sigma, F level) {
 TEST_CASE("random segmentations look like labels, of every type") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
-    for (const auto& [count, least, most] :
+    for (const auto& [number, least, most] :
          {std::tuple{1, 10.0, 10.0}, {10, 2.0, 5.0}, {20, 1.0, 3.0}, {60, 1.5, 2.5}}) {
+      const int count = number;
       CAPTURE(count);
       CHECK(
           looks_like_labels(balls<std::uint8_t>(seed, count, least, most, [](int) { return 1; })));

@@ -241,7 +241,8 @@ TEST_CASE("a mesh made of another's data is the same") {
   // The last leaves the box, and has caps.
   const std::pair<OptionList, double> kinds[] = {
       {{}, 2.5}, {{"float"}, 2.5}, {{"cap"}, 1.5}, {{"cap", "float"}, -2.5}};
-  for (const auto& [options, isovalue] : kinds) {
+  for (const auto& [options, value] : kinds) {
+    const double isovalue = value;
     CAPTURE(isovalue);
     MeshHandle mesh, copy;
     REQUIRE(mesh_ball(volume, mesh, options, isovalue) == DELISO_OK);

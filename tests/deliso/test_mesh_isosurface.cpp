@@ -401,7 +401,8 @@ TEST_CASE("target_vertices below what the topology needs: as few as can be, and 
 
 // An open mesh has fewer than two triangles per vertex. A removal takes one or two triangles away.
 TEST_CASE("target_triangles gives a mesh of that many, or of one fewer") {
-  for (const auto& [name, size] : {std::pair{"linked_tori", 24}, {"gyroid", 16}, {"noise", 16}}) {
+  for (const auto& [field, size] : {std::pair{"linked_tori", 24}, {"gyroid", 16}, {"noise", 16}}) {
+    const std::string name = field;
     CAPTURE(name);
     const Scene scene = builtin_scene(name, size);
     for (const std::size_t target : {900u, 1301u, 2000u}) {

@@ -44,15 +44,8 @@ std::string write_series(const TemporaryFolder& folder, const Truth& truth,
   return write_series(folder, truth, form, [](int, DicomElements&) {});
 }
 
-std::string bytes_of_samples(const Volume& volume) {
-  return volume.visit([&](const auto* samples) {
-    return std::string(reinterpret_cast<const char*>(samples),
-                       volume.sample_count() * sizeof *samples);
-  });
-}
-
 // Returns the message without the names of the folders above the series; "" if all is well.
-std::string fault(const std::string& series, const ReadOptions& options = {}) {
+std::string dicom_fault(const std::string& series, const ReadOptions& options = {}) {
   try {
     read_volume(series, options);
   } catch (const InputError& error) {
@@ -172,7 +165,7 @@ TEST_CASE("files of the folder that are no images are passed over, and told") {
   CHECK(log.notes[0].ends_with("passed over '.note' and 2 more: no DICOM images"));
   CHECK(log.files.size() == kSlices);
   for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
-  CHECK(fault(series).find("is a folder without slices") != std::string::npos);
+  CHECK(dicom_fault(series).find("is a folder without slices") != std::string::npos);
 }
 
 TEST_CASE("each fault of a series has its message, with the file") {
@@ -180,7 +173,7 @@ TEST_CASE("each fault of a series has its message, with the file") {
   const Truth truth = oblique_truth(SampleType::u16);
   // Slice 3 is the file 'a', the first that is read, and slice 2 is 'e.dcm', the last.
   const auto with = [&](std::uint32_t tag, const DicomElement& element) {
-    return fault(write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+    return dicom_fault(write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
       if (k == 2) elements[tag] = element;
     }));
   };
@@ -225,27 +218,27 @@ TEST_CASE("each fault of a series has its message, with the file") {
   CHECK(with(0x7fe00010, {"OW", "abc"}).starts_with("series/e.dcm: has 4 bytes of samples"));
 
   std::string series = write_series(folder, truth);
-  CHECK(fault(series + "/a") == "a: is one slice: give the folder that holds the series");
+  CHECK(dicom_fault(series + "/a") == "a: is one slice: give the folder that holds the series");
   ReadOptions options;
   options.spacing = Vec3{1, 1, 1};
-  CHECK(fault(series, options).find("has a spacing of its own") != std::string::npos);
+  CHECK(dicom_fault(series, options).find("has a spacing of its own") != std::string::npos);
   options = {};
   options.array = "x";
-  CHECK(fault(series, options).find("has no named arrays") != std::string::npos);
+  CHECK(dicom_fault(series, options).find("has no named arrays") != std::string::npos);
   options = {};
   options.roi = Roi{{0, 0, 0}, {4, 3, 6}};
-  CHECK(fault(series, options).starts_with("series: region 0:6 along z"));
+  CHECK(dicom_fault(series, options).starts_with("series: region 0:6 along z"));
 
   // The places of a tilted gantry do not follow the normal.
   series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
     elements[0x00200032] = dicom_vector(truth.origin + k * (truth.step(2) + 0.2 * truth.step(1)));
   });
-  CHECK(fault(series).starts_with("series: sheared grid: its axes y and z"));
+  CHECK(dicom_fault(series).starts_with("series: sheared grid: its axes y and z"));
 
   const std::string whole = dicom_file({}, dicom_image(truth, {}, 2, 1));
   for (std::size_t size = 140; size < whole.size(); size += 7) {
     folder.write("series/e.dcm", whole.substr(0, size));
-    CHECK(fault(series) != "");
+    CHECK(dicom_fault(series) != "");
   }
 }
 
@@ -259,7 +252,7 @@ TEST_CASE("transfer syntaxes that are not read are named") {
   for (const auto& [uid, message] : syntaxes) {
     const std::string file = std::string(128, '\0') + "DICM" +
                              dicom_elements({}, {{0x00020010, {"UI", uid}}}) + "damaged data set";
-    CHECK(fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
+    CHECK(dicom_fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
   }
 }
 
@@ -318,7 +311,7 @@ TEST_CASE("a file of several frames says where they are") {
     const DicomForm form{.place = place};
     DicomElements elements = dicom_image(truth, form, 0, kSlices);
     elements[tag] = element;
-    return fault(folder.write("v.dcm", dicom_file(form, elements)));
+    return dicom_fault(folder.write("v.dcm", dicom_file(form, elements)));
   };
   CHECK(with(Place::stack, 0x00180088, {"DS", "3"}) == "");
   CHECK(with(Place::stack, 0x00180088, {"DS", ""}) ==
@@ -355,6 +348,6 @@ TEST_CASE("a file of several frames says where they are") {
   for (int n = 0; n < 100; ++n) nested = dicom_sequence(form, {{{0x00081140, nested}}});
   elements = dicom_image(truth, form, 0, kSlices);
   elements[0x00081140] = nested;
-  CHECK(fault(folder.write("v.dcm", dicom_file(form, elements))).find("is damaged") !=
+  CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))).find("is damaged") !=
         std::string::npos);
 }

@@ -72,13 +72,14 @@ TEST_CASE("data files that are devices or pipes are refused") {
   REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
   const std::pair<const char*, const char*> others[] = {{"/dev/zero", "is a device"},
                                                         {"pipe", "is no regular file"}};
-  for (const auto& [file, fault] : others) {
+  for (const auto& [other, fault] : others) {
+    const std::string file = other;
     CAPTURE(file);
     CHECK(fault_of(folder, "v.nhdr", nrrd_with("data file", file, 0)).find(fault) !=
           std::string::npos);
     CHECK(fault_of(folder, "v.mhd",
                    "NDims = 3\nDimSize = 2 3 4\nElementType = MET_UCHAR\nElementDataFile = " +
-                       std::string(file) + "\n")
+                       file + "\n")
               .find(fault) != std::string::npos);
   }
 }

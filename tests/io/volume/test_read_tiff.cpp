@@ -14,7 +14,7 @@ using namespace deliso::test;
 
 namespace {
 
-Truth small_truth(SampleType type = SampleType::u8) {
+Truth tiff_truth(SampleType type = SampleType::u8) {
   return random_truth(type, {5, 4, 3}, 5);
 }
 
@@ -25,7 +25,7 @@ std::vector<TiffPage> pages_of(const Truth& truth, const TiffForm& form = {}) {
 }
 
 // Returns the message behind the file's name; "" if all is well.
-std::string fault(const std::string& path, const ReadOptions& options = {}) {
+std::string tiff_fault(const std::string& path, const ReadOptions& options = {}) {
   try {
     read_volume(path, options);
   } catch (const InputError& error) {
@@ -34,13 +34,6 @@ std::string fault(const std::string& path, const ReadOptions& options = {}) {
     return message.substr(path.size() + 2);
   }
   return "";
-}
-
-std::string bytes_of_samples(const Volume& volume) {
-  return volume.visit([&](const auto* samples) {
-    return std::string(reinterpret_cast<const char*>(samples),
-                       volume.sample_count() * sizeof *samples);
-  });
 }
 
 template <class Unpack>
@@ -78,7 +71,7 @@ TEST_CASE("LZW and PackBits give back what was packed, and nothing beyond") {
 
 TEST_CASE("ImageJ's spacing, unit and signed samples") {
   const TemporaryFolder folder;
-  const Truth truth = small_truth(SampleType::u16);
+  const Truth truth = tiff_truth(SampleType::u16);
   const TiffForm form{.order = std::endian::big, .rows_per_strip = 4};
   const auto read = [&](const std::string& lines, bool has_resolution, ReadLog& log) {
     std::vector<TiffPage> pages = pages_of(truth, form);
@@ -122,7 +115,7 @@ TEST_CASE("a note is one line of bounded length") {
         "PhysicalSizeXUnit=\"" +
             unit + "\" PhysicalSizeYUnit=\"" + unit + "\" PhysicalSizeZUnit=\"" + unit +
             "\"/></OME>"}) {
-    std::vector<TiffPage> pages = pages_of(small_truth());
+    std::vector<TiffPage> pages = pages_of(tiff_truth());
     pages[0].tags[270] = tiff_text(description);
     ReadLog log;
     read_volume(folder.write("v\x1b\n.tif", tiff_file({}, pages)), {}, &log);
@@ -136,7 +129,7 @@ TEST_CASE("a note is one line of bounded length") {
 
 TEST_CASE("ImageJ's pages behind the first") {
   const TemporaryFolder folder;
-  const Truth truth = small_truth(SampleType::i16);
+  const Truth truth = tiff_truth(SampleType::i16);
   const TiffForm form{.order = std::endian::big, .rows_per_strip = 4};
   // One page; its only strip goes on with the samples of the others.
   const auto file = [&](const std::string& images, const std::string& samples) {
@@ -150,24 +143,24 @@ TEST_CASE("ImageJ's pages behind the first") {
   const Volume volume = read_volume(file("3", samples));
   REQUIRE(volume.dims() == truth.dims);
   CHECK(bytes_of_samples(volume) == truth.bytes);
-  CHECK(fault(file("1", samples)) ==
+  CHECK(tiff_fault(file("1", samples)) ==
         "has one page: give the folder of the slices, if each has a file");
-  CHECK(fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
-  CHECK(fault(file("99999999999", samples)).find("are too many") != std::string::npos);
-  CHECK(fault(file("3\nchannels=3", samples)) ==
+  CHECK(tiff_fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
+  CHECK(tiff_fault(file("99999999999", samples)).find("are too many") != std::string::npos);
+  CHECK(tiff_fault(file("3\nchannels=3", samples)) ==
         "has channels = 3: only a stack of one channel and one time can be meshed");
-  CHECK(fault(file("3\nframes=3", samples)).starts_with("has frames = 3"));
+  CHECK(tiff_fault(file("3\nframes=3", samples)).starts_with("has frames = 3"));
   TiffForm packed = form;
   packed.compression = 32773;
   TiffPage page = tiff_page(truth, packed, 0);
   page.tags[270] = tiff_text("ImageJ=1.53t\nimages=3\n");
-  CHECK(fault(folder.write("v.tif", tiff_file(packed, {page}))) ==
+  CHECK(tiff_fault(folder.write("v.tif", tiff_file(packed, {page}))) ==
         "has one page, and ImageJ's others are not behind it");
 }
 
 TEST_CASE("OME's spacing and channels") {
   const TemporaryFolder folder;
-  const Truth truth = small_truth();
+  const Truth truth = tiff_truth();
   const auto file = [&](const std::string& attributes) {
     std::vector<TiffPage> pages = pages_of(truth);
     pages[0].tags[270] = tiff_text("<?xml version=\"1.0\"?><OME><Image><Pixels ID=\"1\" " +
@@ -198,14 +191,14 @@ TEST_CASE("OME's spacing and channels") {
   CHECK(near(read_volume(with_units("", "", "m")).spacing(), {700, 0.9, 1300}));
   CHECK(read_volume(with_units("ell", "ell", "ell")).spacing() == Vec3{700, 0.9, 0.0013});
   CHECK(
-      fault(with_units("nm", "pixel", "mm")) ==
+      tiff_fault(with_units("nm", "pixel", "mm")) ==
       "its axes have different units, and PhysicalSizeYUnit is 'pixel': --spacing X,Y,Z gives the "
       "distances");
-  CHECK(fault(with_units("ell", "", ""))
+  CHECK(tiff_fault(with_units("ell", "", ""))
             .starts_with("its axes have different units, and "
                          "PhysicalSizeXUnit is 'ell'"));
-  CHECK(fault(file("SizeC=\"3\" SizeT=\"1\"")).starts_with("has SizeC = 3: only a stack"));
-  CHECK(fault(file("SizeT=\"3\"")).starts_with("has SizeT = 3: only a stack"));
+  CHECK(tiff_fault(file("SizeC=\"3\" SizeT=\"1\"")).starts_with("has SizeC = 3: only a stack"));
+  CHECK(tiff_fault(file("SizeT=\"3\"")).starts_with("has SizeT = 3: only a stack"));
   ReadOptions options;
   options.spacing = Vec3{3, 2, 1};
   CHECK(read_volume(file(sizes + "PhysicalSizeZ=\"2\""), options).spacing() == Vec3{3, 2, 1});
@@ -214,7 +207,7 @@ TEST_CASE("OME's spacing and channels") {
 
 TEST_CASE("a resolution without the distance of pages is noted, and white zeros") {
   const TemporaryFolder folder;
-  std::vector<TiffPage> pages = pages_of(small_truth());
+  std::vector<TiffPage> pages = pages_of(tiff_truth());
   pages[0].tags[282] = pages[0].tags[283] = tiff_ratio({}, 300, 1);
   ReadLog log;
   CHECK(read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log).spacing() ==
@@ -223,13 +216,13 @@ TEST_CASE("a resolution without the distance of pages is noted, and white zeros"
   CHECK(log.notes[0].find("--spacing gives another distance") != std::string::npos);
   for (TiffPage& page : pages) page.tags[262] = tiff_value({}, 0, 3);
   const Volume volume = read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log);
-  CHECK(bytes_of_samples(volume) == small_truth().bytes);
+  CHECK(bytes_of_samples(volume) == tiff_truth().bytes);
   CHECK(log.notes.back().find("(WhiteIsZero)") != std::string::npos);
 }
 
 TEST_CASE("reduced pictures and masks are no slices") {
   const TemporaryFolder folder;
-  const Truth truth = small_truth(), reduced = random_truth(SampleType::u8, {2, 2, 3}, 6);
+  const Truth truth = tiff_truth(), reduced = random_truth(SampleType::u8, {2, 2, 3}, 6);
   std::vector<TiffPage> pages;
   for (int k = 0; k < 3; ++k) {
     pages.push_back(tiff_page(truth, {}, k));
@@ -288,12 +281,12 @@ TEST_CASE("a folder of TIFF files is a stack, in the order of the numbers in the
             .starts_with("is damaged, or ends too early"));
   CHECK(fault_of_slice(whole) == "");
   for (int k = 1; k < truth.dims.k; ++k) std::filesystem::remove(folder.path(name(k)));
-  CHECK(fault(slices) == "has one slice only");
+  CHECK(tiff_fault(slices) == "has one slice only");
 }
 
 TEST_CASE("samples in one piece are mapped, not copied") {
   const TemporaryFolder folder;
-  const std::string path = folder.write("v.tif", tiff(small_truth(), {}));
+  const std::string path = folder.write("v.tif", tiff(tiff_truth(), {}));
   const Volume volume = read_volume(path);
   const double before = volume.sample(0, 0, 0);
   {
@@ -306,14 +299,14 @@ TEST_CASE("samples in one piece are mapped, not copied") {
 
 TEST_CASE("each fault of a TIFF file has its message") {
   const TemporaryFolder folder;
-  const Truth truth = small_truth();
+  const Truth truth = tiff_truth();
   // Page 2 of three with another value of a tag.
   const auto with = [&](int tag, std::uint64_t value, const TiffForm& form = {}, int page = 1) {
     std::vector<TiffPage> pages = pages_of(truth, form);
     for (int k = page; k < (page == 0 ? 3 : page + 1); ++k) {
       pages[static_cast<std::size_t>(k)].tags[tag] = tiff_value(form, value);
     }
-    return fault(folder.write("v.tif", tiff_file(form, pages)));
+    return tiff_fault(folder.write("v.tif", tiff_file(form, pages)));
   };
   CHECK(with(256, 5) == "");
   CHECK(with(256, 6) == "page 2 has 6 x 4 samples, and page 1 5 x 4");
@@ -354,12 +347,12 @@ TEST_CASE("each fault of a TIFF file has its message") {
     pages[n].tags[273] = tiff_value(form, 8);
     pages[n].tags[279] = tiff_value(form, size);
   }
-  CHECK(fault(folder.write("v.tif", tiff_file(form, pages))) == "its strips or tiles overlap");
+  CHECK(tiff_fault(folder.write("v.tif", tiff_file(form, pages))) == "its strips or tiles overlap");
 
   std::string circle = tiff(truth, {});
   circle.replace(circle.size() - 4, 4, circle.substr(4, 4));
-  CHECK(fault(folder.write("v.tif", circle)) == "its pages follow each other in a circle");
-  CHECK(fault(folder.write("v.tif", std::string("II*\0\0\0\0\0", 8))) == "has no pages");
+  CHECK(tiff_fault(folder.write("v.tif", circle)) == "its pages follow each other in a circle");
+  CHECK(tiff_fault(folder.write("v.tif", std::string("II*\0\0\0\0\0", 8))) == "has no pages");
 
   // Directories of 65,535 entries at every 16th byte of 2 MB once took 22 s.
   constexpr std::size_t kEntries = 100, kStep = 16, kDirectories = 200;
@@ -371,5 +364,5 @@ TEST_CASE("each fault of a TIFF file has its message") {
     const std::size_t next = n + 1 < kDirectories ? 8 + (n + 1) * kStep : 0;
     overlap.replace(8 + n * kStep + kLink, 4, little(next, 4));
   }
-  CHECK(fault(folder.write("v.tif", overlap)) == "its directories overlap");
+  CHECK(tiff_fault(folder.write("v.tif", overlap)) == "its directories overlap");
 }

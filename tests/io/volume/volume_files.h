@@ -23,6 +23,13 @@
 
 namespace deliso::test {
 
+inline std::string bytes_of_samples(const Volume& volume) {
+  return volume.visit([&](const auto* samples) {
+    return std::string(reinterpret_cast<const char*>(samples),
+                       volume.sample_count() * sizeof *samples);
+  });
+}
+
 struct NamedFile {
   std::string name, content;
 };
