@@ -47,8 +47,7 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
   Triangulation triangulation;
   std::vector<SiteId> ids;
   DELISO_CHECK(triangulation.build(places, ids));
-  const std::vector<std::uint8_t> kept(contour_.summary.components.size(), 1);
-  const Labels labels(contour_, triangulation, kept, 1);
+  const Labels labels(contour_, triangulation, 1);
   Regions out;
   for (const VertexId v : lower_) {
     const auto site = std::find(ids.begin(), ids.end(), labels.label(v)) - ids.begin();

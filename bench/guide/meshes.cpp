@@ -100,8 +100,7 @@ void draw_certified(const std::string& folder) {
   };
   // T in the colors of its labels: a triangle of one label has that one's, others are white.
   const auto labeled = [&](const Triangulation& sites, std::size_t count) {
-    const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
-    const Labels labels(contour, sites, kept, 1);
+    const Labels labels(contour, sites, 1);
     Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
     Certificate certificate(labels);
     Certificate::Scratch scratch;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "deliso/deliso.h"
 
+#include <algorithm>
+
 #include "blocks/choose_seam.h"
 #include "blocks/clear_seam.h"
 #include "contour/contour.h"
+#include "contour/keep_components.h"
 #include "paper/recover.h"
 #include "recover/recover.h"
 #include "refine/refine.h"
@@ -18,6 +21,11 @@ DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, con
                            const Parameters& parameters, Report& report) {
   const bool is_certified = options.recover == RecoverWay::certified;
   if (is_certified) make_fine(contour, surface, parameters, report);
+  const std::vector<std::uint8_t> kept =
+      parameters.kept.empty() ? chosen_components(contour.summary, parameters.components)
+                              : parameters.kept;
+  report[Counter::components_skipped] = static_cast<std::uint64_t>(std::ranges::count(kept, 0));
+  keep_components(contour, kept);
   BoundaryCurves curves = boundary_curves(surface, contour, parameters);
 
   FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);

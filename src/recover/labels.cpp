@@ -73,8 +73,7 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
   });
 }
 
-Labels::Labels(const ContourMesh& contour, const Triangulation& t,
-               std::span<const std::uint8_t> kept, int threads)
+Labels::Labels(const ContourMesh& contour, const Triangulation& t, int threads)
     : contour_(contour),
       triangulation_(t),
       graph_(contour, threads),
@@ -86,7 +85,6 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
   for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
     SiteId site = 1;
     for (VertexId v(begin); v < end; ++v) {
-      if (!kept[contour.component[v]]) continue;
       const Vec3& p = contour.points[v];
       double best2 = distance2(p, t.point(site));
       for (SiteId from = kNoId; from != site;) {
@@ -103,10 +101,8 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t,
     }
   });
   for (VertexId v = 0; v < label_.size(); ++v) {
-    const SiteId s = label_[v];
-    if (s == kNoId) continue;
-    regions_[s].push_back(v);
-    radius2_[s] = std::max(radius2_[s], distance2_[v]);
+    regions_[label_[v]].push_back(v);
+    radius2_[label_[v]] = std::max(radius2_[label_[v]], distance2_[v]);
   }
 }
 

@@ -32,12 +32,10 @@ class ContourGraph {
 
 class Labels {
  public:
-  // Labels every vertex of T with its nearest site, a finite vertex of `triangulation`. Vertices of
-  // components with kept[c] == 0 get no label. Keeps references to T and the triangulation. A walk
-  // over Delaunay neighbors begins at the label of the previous vertex. It is fast if neighbors are
-  // close in T's order (contour/block_order.h).
-  Labels(const ContourMesh& contour, const Triangulation& triangulation,
-         std::span<const std::uint8_t> kept, int threads);
+  // Labels every vertex of T with its nearest site, a finite vertex of `triangulation`. Keeps
+  // references to T and the triangulation. A walk over Delaunay neighbors begins at the label of
+  // the previous vertex. It is fast if neighbors are close in T's order (contour/block_order.h).
+  Labels(const ContourMesh& contour, const Triangulation& triangulation, int threads);
 
   const ContourMesh& contour() const { return contour_; }
   // Returns ContourGraph::ring(v).
@@ -46,7 +44,7 @@ class Labels {
   SiteId label(VertexId v) const { return label_[v]; }
   const IdArray<VertexId, SiteId>& all() const { return label_; }
   double distance2_to_site(VertexId v) const { return distance2_[v]; }
-  bool is_site(VertexId v) const { return label_[v] != kNoId && distance2_[v] == 0; }
+  bool is_site(VertexId v) const { return distance2_[v] == 0; }
   // Returns the vertex that is further from its site; of two equally far the smaller id. `v` is
   // ignored if it is a site, `best` if it is kNoId.
   VertexId further(VertexId best, VertexId v) const {

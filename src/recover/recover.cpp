@@ -42,7 +42,7 @@ class CertifiedRecovery {
         triangulation_(std::move(first.triangulation)),
         chain_(std::move(first.chain)),
         sites_(triangulation_.vertex_capacity()),
-        labels_(contour, triangulation_, first.kept, parameters.threads),
+        labels_(contour, triangulation_, parameters.threads),
         certificate_(labels_),
         origins_(component_origins(contour, surface.volume().box())),
         wanted_volumes_(bounded_volumes(contour.points, contour.triangles, contour.component,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "stage1/first_sample.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -68,29 +67,18 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   const StepTimer timer(report.seconds_init);
   begin_stage(parameters.observer, "initial");
   FirstSample out;
-  out.kept = parameters.kept.empty() ? chosen_components(contour.summary, parameters.components)
-                                     : parameters.kept;
-  const std::vector<std::uint8_t>& kept = out.kept;
-  report[Counter::components_skipped] =
-      static_cast<std::uint64_t>(std::count(kept.begin(), kept.end(), 0));
-
   std::vector<VertexId> seeds;  // vertices of the chains first, loop by loop
   std::vector<std::vector<CurvePlace>> chains;
   for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
-    if (!kept[contour.boundary.component[loop]]) continue;
     chains.push_back(curves.coarse_chain(loop, kChainSagitta));
     for (const CurvePlace place : chains.back()) {
       seeds.push_back(contour.boundary.chain(loop)[static_cast<std::size_t>(place.s)]);
     }
   }
-  // Inner vertices only: on the box the chain has its own.
-  const auto wanted = [&](VertexId v) {
-    return kept[contour.component[v]] && !contour.on_boundary(v);
-  };
   std::set<Block> seen;
   Block last{kNoId};
   for (VertexId v = 0; v < contour.points.size(); ++v) {
-    if (!wanted(v)) continue;
+    if (contour.on_boundary(v)) continue;  // there the chain has its own
     const Block block = block_of(v, contour, volume);
     // Neighbors in T mostly share a block.
     if (block != last && seen.insert(block).second) seeds.push_back(v);
@@ -99,7 +87,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   Random random(parameters.seed);
   for (std::size_t i = 0; i < parameters.samples && !contour.points.empty(); ++i) {
     const VertexId v(random.below(static_cast<std::uint32_t>(contour.points.size())));
-    if (wanted(v)) seeds.push_back(v);
+    if (!contour.on_boundary(v)) seeds.push_back(v);
   }
 
   std::vector<Vec3> points;

@@ -29,10 +29,9 @@ void require_room(const Triangulation& triangulation, const Parameters& paramete
 
 struct FirstSample {
   Triangulation triangulation;
-  SiteChain chain;                 // coarse
-  std::vector<std::uint8_t> kept;  // per component of T, nonzero if it is to be meshed
+  SiteChain chain;  // coarse
 };
-// Returns the first sample. Writes its size and the skipped components to the report.
+// Returns the first sample. Writes its size to the report.
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
                                const Volume& volume, const Parameters& parameters, Report& report);
 

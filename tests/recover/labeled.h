@@ -81,7 +81,7 @@ class Labeled {
       : letters_(shape.letters),
         contour_(contour_of(shape)),
         triangulation_(first_sites()),
-        labels_(contour_, triangulation_, std::vector<std::uint8_t>{1}, 1),
+        labels_(contour_, triangulation_, 1),
         certificate_(labels_) {
     for (VertexId v = 0; v < letters_.size(); ++v) {
       REQUIRE(vertex_[labels_.label(v)] == shape.site(v));

@@ -61,8 +61,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
                                            resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
-    const std::vector<std::uint8_t> kept(scene.contour.summary.components.size(), 1);
-    Labels labels(scene.contour, t, kept, 1);
+    Labels labels(scene.contour, t, 1);
     check_nearest(scene.contour, labels, t);
     Random random(seed);
     ConflictZone zone;
@@ -94,8 +93,7 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Triangulation t;
     std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
-    const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
-    const Labels labels(contour, t, kept, 1);
+    const Labels labels(contour, t, 1);
     Certificate certificate(labels);
     Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
@@ -121,8 +119,7 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Triangulation t;
   std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
-  const std::vector<std::uint8_t> kept(1, 1);
-  const Labels labels(scene.contour, t, kept, 1);
+  const Labels labels(scene.contour, t, 1);
   Certificate certificate(labels);
   Certificate::Scratch scratch;
   std::vector<DualFacet> facets;

@@ -82,8 +82,7 @@ TEST_CASE("labels and rings are the same with any number of threads, and rings a
   Report report;
   const FirstSample sites =
       init_triangulation(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);
-  const std::vector<std::uint8_t> kept(contour.summary.components.size(), 1);
-  const Labels one(contour, sites.triangulation, kept, 1);
+  const Labels one(contour, sites.triangulation, 1);
   const ContourGraph graph(contour, 1);
 
   std::vector<Triangle> round;
@@ -114,7 +113,7 @@ TEST_CASE("labels and rings are the same with any number of threads, and rings a
 
   for (const int threads : {2, 3, 8}) {
     CAPTURE(threads);
-    const Labels several(contour, sites.triangulation, kept, threads);
+    const Labels several(contour, sites.triangulation, threads);
     CHECK(std::ranges::equal(several.all(), one.all()));
     const ContourGraph rings(contour, threads);
     for (VertexId v = 0; v < contour.points.size(); ++v) {

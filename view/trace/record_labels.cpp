@@ -10,8 +10,7 @@ namespace {
 
 // Three regions meet there.
 bool is_dual(const SiteTriangle& labels) {
-  return labels[0] != kNoId && labels[0] != labels[1] && labels[1] != labels[2] &&
-         labels[2] != labels[0];
+  return labels[0] != labels[1] && labels[1] != labels[2] && labels[2] != labels[0];
 }
 
 Routine routine_of(Reason reason) {
