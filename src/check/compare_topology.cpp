@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -41,147 +43,100 @@ Vec3 middle_of(const Box3& box) {
   return 0.5 * (box.lo + box.hi);
 }
 
-// The component of T in voxels that hold pieces of only one.
-class LoneComponents {
- public:
-  LoneComponents(const ContourMesh& contour, std::span<const Triangle> triangles,
-                 const Volume& volume)
-      : volume_(volume) {
-    for (const Triangle& t : triangles) {
-      const Vec3 middle = (contour.points[t[0]] + contour.points[t[1]] + contour.points[t[2]]) / 3;
-      const std::uint64_t voxel = voxel_number(volume.dims(), volume.voxel_at(middle));
-      entries_.emplace_back(voxel, contour.component[t[0]]);
-    }
-    sort_unique(entries_);
-  }
-
-  // Returns kNoId also near the voxel's faces, where p could be a neighbor's.
-  std::uint32_t at(const Vec3& p) const {
-    constexpr double kMargin = 1e-6;
-    const Index3 voxel = volume_.voxel_at(p);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double u = volume_.in_samples(p, axis) - voxel[axis];
-      if (!(u > kMargin && u < 1 - kMargin)) return kNoId;
-    }
-    const std::uint64_t number = voxel_number(volume_.dims(), voxel);
-    const auto first =
-        std::lower_bound(entries_.begin(), entries_.end(), std::pair(number, std::uint32_t{0}));
-    if (first == entries_.end() || first->first != number) return kNoId;
-    return first + 1 != entries_.end() && (first + 1)->first == number ? kNoId : first->second;
-  }
-
- private:
-  const Volume& volume_;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_;  // voxel, component
-};
-
-std::uint32_t most_frequent(std::vector<std::uint32_t>& votes) {
-  std::sort(votes.begin(), votes.end());
+// Returns the most frequent of `votes`, of several the least; kNoId if there are none.
+std::uint32_t most_frequent(std::vector<std::uint32_t> votes) {
+  std::ranges::sort(votes);
   std::uint32_t winner = kNoId;
-  std::size_t most = 0;
-  for (std::size_t i = 0, j = 0; i < votes.size(); i = j) {
-    while (j < votes.size() && votes[j] == votes[i]) ++j;
-    if (j - i <= most) continue;
-    most = j - i;
-    winner = votes[i];
+  std::ptrdiff_t most = 0;
+  for (auto first = votes.begin(), end = first; first != votes.end(); first = end) {
+    end = std::upper_bound(first, votes.end(), *first);
+    if (end - first <= most) continue;
+    most = end - first;
+    winner = *first;
   }
   return winner;
 }
 
-// True if p is a corner, up to rounding, which may be that of a file.
-bool is_corner(const ContourMesh& contour, const Triangle& t, const Vec3& p, double voxel) {
-  constexpr double kRounding = 1e-6;
-  return std::any_of(t.begin(), t.end(), [&](VertexId v) {
-    return distance2(p, contour.points[v]) <= kRounding * kRounding * voxel * voxel;
-  });
-}
-
-// Returns up to kMaxVoters vertices of every component of the mesh, evenly spread.
-std::vector<std::vector<VertexId>> voters_of(const std::vector<std::vector<VertexId>>& vertices) {
-  std::vector<std::vector<VertexId>> voters(vertices.size());
-  for (std::size_t m = 0; m < vertices.size(); ++m) {
-    const std::size_t asked = std::min(kMaxVoters, vertices[m].size());
-    for (std::size_t n = 0; n < asked; ++n) {
-      voters[m].push_back(vertices[m][n * vertices[m].size() / asked]);
-    }
+// Returns up to kMaxVoters of a component's vertices, evenly spread.
+std::vector<Vec3> voters_of(const std::vector<VertexId>& vertices, const CleanMesh& mesh) {
+  const std::size_t asked = std::min(kMaxVoters, vertices.size());
+  std::vector<Vec3> voters;
+  for (std::size_t n = 0; n < asked; ++n) {
+    voters.push_back(mesh.points[vertices[n * vertices.size() / asked]]);
   }
   return voters;
 }
 
-// Returns the triangles of T within `within`, a voxel's diagonal, of a voter, and some more. A
-// triangle counts if it begins in a cube of two diagonals that has a voter, or next to one.
-std::vector<Triangle> triangles_near(const CleanMesh& mesh,
-                                     const std::vector<std::vector<VertexId>>& voters,
-                                     const ContourMesh& contour, const Box3& box, double within) {
-  const auto cell = [&](const Vec3& p, int axis) {
-    const double size = box.size()[axis] / (2 * within);
-    return static_cast<std::size_t>(1 +
-                                    std::clamp((p[axis] - box.lo[axis]) / (2 * within), 0.0, size));
-  };
-  const std::size_t columns = cell(box.hi, 0) + 2, rows = cell(box.hi, 1) + 2;
-  const auto cube = [&](const Vec3& p) {
-    return cell(p, 0) + columns * (cell(p, 1) + rows * cell(p, 2));
-  };
-  std::vector<bool> is_near(columns * rows * (cell(box.hi, 2) + 2), false);
-  for (const std::vector<VertexId>& component : voters) {
-    for (const VertexId v : component) {
-      const std::size_t middle = cube(mesh.points[v]);
-      for (std::size_t k = 0; k < 27; ++k) {
-        is_near[middle + k % 3 + columns * (k / 3 % 3 + rows * (k / 9)) - 1 - columns -
-                columns * rows] = true;
-      }
-    }
+// Returns the component of T that most voters are on whose voxel holds one; if there are no such
+// voters, all components in their voxels. A voter off Sigma, with none in its own voxel, asks those
+// around. Returns none if most voters have none near.
+std::vector<std::uint32_t> candidates(const std::vector<Vec3>& voters,
+                                      const VoxelComponents& voxels) {
+  std::vector<std::uint32_t> sure, all;
+  std::size_t near = 0;
+  for (const Vec3& p : voters) {
+    std::vector<std::uint32_t> here = voxels.at(p);
+    if (here.empty()) here = voxels.around(p);
+    near += !here.empty();
+    std::ranges::copy(here, std::back_inserter(here.size() == 1 ? sure : all));
   }
-  std::vector<Triangle> triangles;
-  for (const Triangle& t : contour.triangles) {
-    if (is_near[cube(contour.points[t[0]])]) triangles.push_back(t);
-  }
-  return triangles;
+  if (2 * near <= voters.size()) return {};
+  if (!sure.empty()) return {most_frequent(std::move(sure))};
+  sort_unique(all);
+  return all;
 }
 
-// T near the voters.
-struct NearContour {
-  const ContourMesh& contour;
-  std::vector<Triangle> triangles;
-  TriangleTree tree;
-  LoneComponents lone;
-
-  NearContour(const ContourMesh& t, std::vector<Triangle> near, const Volume& volume)
-      : contour(t),
-        triangles(std::move(near)),
-        tree(t.points, triangles),
-        lone(t, triangles, volume) {}
-};
-
-// Returns the component of T that the voters are nearest to; kNoId if most are near none. Where
-// sheets lie closer than T is fine, the nearest component may be wrong. Voters at vertices of T, or
-// in voxels of one component, are sure and decide first. Then decide those whose nearest triangle
-// has Sigma's orientation.
-std::uint32_t vote(const CleanMesh& mesh, const std::vector<VertexId>& voters,
-                   const NearContour& near, const Volume& volume, double within) {
-  const ContourMesh& contour = near.contour;
-  std::vector<std::uint32_t> votes, facing, sure;
-  for (const VertexId v : voters) {
-    const Vec3& p = mesh.points[v];
-    const FaceId nearest = near.tree.nearest(p, within * within).triangle;
-    if (nearest == kNoId) continue;
-    const Triangle& t = near.triangles[nearest];
-    votes.push_back(contour.component[t[0]]);
-    const Vec3 normal =
-        area_normal(contour.points[t[0]], contour.points[t[1]], contour.points[t[2]]);
-    if (dot(normal, volume.gradient(p)) < 0) facing.push_back(votes.back());
-    const std::uint32_t only = is_corner(contour, t, p, within) ? votes.back() : near.lone.at(p);
-    if (only != kNoId) sure.push_back(only);
+// Returns for each component of the mesh the one of T that it stands for; kNoId if it is near none.
+std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
+                                            const std::vector<std::vector<VertexId>>& vertices,
+                                            const ContourMesh& contour,
+                                            const VoxelComponents& voxels, const Volume& volume,
+                                            int threads) {
+  std::vector<std::vector<std::uint32_t>> named(vertices.size());
+  for_each_task(threads, named.size(), [&](std::size_t m) {
+    named[m] = candidates(voters_of(vertices[m], mesh), voxels);
+  });
+  std::vector<std::uint8_t> is_tied(contour.summary.components.size(), 0);
+  for (const auto& components : named) {
+    for (const std::uint32_t c : components) is_tied[c] |= components.size() > 1;
   }
-  if (2 * votes.size() <= voters.size()) return kNoId;
-  return most_frequent(!sure.empty() ? sure : !facing.empty() ? facing : votes);
+  // Of several, the nearest decides, in voxels along each axis: spacings may be very unequal.
+  const auto in_voxels = [&](const Vec3& p) {
+    return Vec3{volume.in_samples(p, 0), volume.in_samples(p, 1), volume.in_samples(p, 2)};
+  };
+  std::vector<Triangle> triangles;
+  std::ranges::copy_if(contour.triangles, std::back_inserter(triangles),
+                       [&](const Triangle& t) { return is_tied[contour.component[t[0]]] != 0; });
+  std::vector<Vec3> points;
+  if (!triangles.empty())
+    std::ranges::transform(contour.points, std::back_inserter(points), in_voxels);
+  const TriangleTree tree(points, triangles, threads);
+  std::vector<std::uint32_t> match(named.size(), kNoId);
+  for_each_task(threads, match.size(), [&](std::size_t m) {
+    if (named[m].size() > 1) {
+      std::vector<std::uint32_t> facing, others;
+      for (const Vec3& p : voters_of(vertices[m], mesh)) {
+        const FaceId nearest = tree.nearest(in_voxels(p)).triangle;
+        if (nearest == kNoId) continue;
+        const Triangle& t = triangles[nearest];
+        const Vec3 n = area_normal(points[t[0]], points[t[1]], points[t[2]]);
+        const Vec3 g = volume.gradient(p), s = volume.spacing();
+        const bool is_facing = n.x * g.x * s.x + n.y * g.y * s.y + n.z * g.z * s.z < 0;
+        (is_facing ? facing : others).push_back(contour.component[t[0]]);
+      }
+      named[m] = {most_frequent(facing.empty() ? others : facing)};
+    }
+    if (!named[m].empty()) match[m] = named[m][0];
+  });
+  return match;
 }
 
 }  // namespace
 
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const Volume& volume, const ComponentChoice& choice,
-                                      double tolerance, int threads, Faults& faults) {
+                                      const VoxelComponents& voxels, const Volume& volume,
+                                      double tolerance, const ComponentChoice& choice, int threads,
+                                      Faults& faults) {
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
@@ -191,14 +146,9 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
   }
 
   const std::vector<ContourComponent>& exact = contour.summary.components;
-  const double diagonal = length(spacing);
-  const std::vector<std::vector<VertexId>> voters = voters_of(vertices);
-  const NearContour near(contour, triangles_near(mesh, voters, contour, volume.box(), diagonal),
-                         volume);
-  std::vector<std::uint32_t> stands_for(count), stand_in(exact.size(), kNoId);
-  for_each_task(threads, count, [&](std::size_t m) {
-    stands_for[m] = vote(mesh, voters[m], near, volume, diagonal);
-  });
+  const std::vector<std::uint32_t> stands_for =
+      match_components(mesh, vertices, contour, voxels, volume, threads);
+  std::vector<std::uint32_t> stand_in(exact.size(), kNoId);
   for (std::uint32_t m = 0; m < count; ++m) {
     if (stands_for[m] == kNoId) continue;
     std::uint32_t& best = stand_in[stands_for[m]];
@@ -206,10 +156,10 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
   }
 
   ComparedComponents result;
-  result.extra.assign(count, 0);
+  result.match = stands_for;
   for (std::uint32_t m = 0; m < count; ++m) {
     if (stands_for[m] != kNoId && stand_in[stands_for[m]] == m) continue;
-    result.extra[m] = 1;
+    result.match[m] = kNoId;
     // A piece that only faulty edges separate from its component is no further fault.
     if (mesh.broken[m]) continue;
     const ComponentTopology& c = topology.components[m];
@@ -221,7 +171,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                                     : text(") is a further one on component ", stands_for[m])),
         middle_of(c.box));
   }
-  const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
+  result.kept = chosen_components(contour.summary, choice);
   const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
   std::vector<std::optional<Vec3>> origins_in_mesh(count);
   for (std::uint32_t m = 0; m < count; ++m) {
@@ -240,15 +190,13 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
         text("component ", e, " of the surface (", box_text(box, spacing), ")");
     const std::uint32_t m = stand_in[e];
     if (m == kNoId) {
-      if (!is_chosen[e]) {
-        ++result.left_out;
-        continue;
-      }
+      if (!result.kept[e]) continue;
       const auto loops = x.boundary_loops;
       faults.add(FaultKind::missing_components,
                  text(name, " is missing: ", topology_text(x.euler, loops)), middle_of(box));
       continue;
     }
+    result.kept[e] = 1;
     if (mesh.broken[m]) continue;
     const ComponentTopology& c = topology.components[m];
     if (c.euler() == x.euler && c.boundary_loops == x.boundary_loops) {

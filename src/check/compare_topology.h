@@ -8,30 +8,34 @@
 
 #include "check/faults.h"
 #include "check/validity.h"
+#include "check/voxel_components.h"
 #include "contour/contour.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
 struct ComparedComponents {
-  std::vector<std::uint8_t> extra;  // per component of the mesh
-  std::uint64_t equal = 0;          // pairs with equal Euler number and boundary loops
-  std::uint64_t left_out = 0;       // missing, and not chosen
+  std::vector<std::uint32_t> match;  // of T, per component of the mesh; kNoId if it is extra
+  std::vector<std::uint8_t> kept;    // per component of T: chosen, or in the mesh though not chosen
+  std::uint64_t equal = 0;           // pairs with equal Euler number and boundary loops
 };
 
 // Matches the components of the mesh with those of T, and reports missing, extra, different and
 // reversed ones into `faults`.
 //
-// Up to 64 vertices of a component of the mesh, evenly spread, vote for the nearest component of T.
-// Vertices at vertices of T, or in voxels that hold one component, decide if there are any. Most of
-// them must be within a voxel's diagonal of T. If several components match the same one, that with
-// most triangles counts and the others are extra.
+// Up to 64 vertices of a component of the mesh, evenly spread, vote. A vertex lies on Sigma, so it
+// is on the component of T in its voxel if the voxel holds one. These vertices decide. If there are
+// none, the component in these voxels that most vertices are nearest to decides, first by those
+// whose nearest triangle has Sigma's orientation. A vertex off Sigma asks the voxels around if its
+// own holds none. If most find none there, the component is extra. If several match the same one,
+// that with most triangles counts and the others are extra.
 //
 // Components that are not chosen may be missing. A component is reversed by its boundary
 // (check/boundary_orientation.h). If that does not tell, by the sign of the volume that it bounds
-// (contour/bounded_volume.h). `tolerance`: of vertices on the box.
+// (contour/bounded_volume.h). A vertex within `tolerance` of a face of the box is on it.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const Volume& volume, const ComponentChoice& choice,
-                                      double tolerance, int threads, Faults& faults);
+                                      const VoxelComponents& voxels, const Volume& volume,
+                                      double tolerance, const ComponentChoice& choice, int threads,
+                                      Faults& faults);
 
 }  // namespace deliso

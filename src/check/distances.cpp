@@ -130,18 +130,18 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
       [](std::size_t n) { return n / 4; });
 }
 
-Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& mesh,
+Distances distances_from_surface(std::span<const Vec3> samples, const CleanMesh& mesh,
                                  const TriangleTree& tree, const DistanceBound& bound,
                                  int threads) {
   if (mesh.triangles.empty()) return {};
-  const std::vector<NearestTriangle> found = nearest_triangles(contour.points, tree, threads);
+  const std::vector<NearestTriangle> found = nearest_triangles(samples, tree, threads);
   std::vector<double> values;
   values.reserve(found.size());
   for (const NearestTriangle& nearest : found) {
     values.push_back(nearest.distance2 == kGivenUp ? kGivenUp : std::sqrt(nearest.distance2));
   }
   return summarize(
-      std::move(values), mesh, bound, [&](std::size_t n) { return contour.points[n]; },
+      std::move(values), mesh, bound, [&](std::size_t n) { return samples[n]; },
       [&](std::size_t n) { return found[n].triangle; });
 }
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "check/validity.h"
-#include "contour/contour.h"
 #include "embedding/triangle_tree.h"
 #include "isosurface/isosurface.h"
 
@@ -57,9 +57,9 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
                                const DistanceBound& bound, int threads = 1);
 
-// Measures the distance from every vertex of the contour to the nearest triangle of the mesh; empty
-// without triangles. pre: the tree is that of the mesh.
-Distances distances_from_surface(const ContourMesh& contour, const CleanMesh& mesh,
+// Measures the distance from every sample, a point of Sigma, to the nearest triangle of the mesh;
+// empty without triangles. pre: the tree is that of the mesh.
+Distances distances_from_surface(std::span<const Vec3> samples, const CleanMesh& mesh,
                                  const TriangleTree& tree, const DistanceBound& bound,
                                  int threads = 1);
 

@@ -26,6 +26,7 @@ enum class FaultKind : std::uint8_t {
   holes,                  // edges of one triangle that do not lie on the box; of a solid: any
   self_intersections,     // pairs of triangles that meet outside their common vertex or edge
   vertices_off_surface,   // not on Sigma within the tolerance
+  vertices_left_out,      // on a component of Sigma that is neither chosen nor meshed
   missing_components,     // of the exact contour
   extra_components,       // of the mesh, more than one for each of the contour's
   different_components,   // another Euler number or number of boundary loops
@@ -37,7 +38,7 @@ enum class FaultKind : std::uint8_t {
   too_far,                // a distance over the given bound
   not_measured,           // omitted, since it would cost more than n log n
 };
-inline constexpr std::size_t kFaultKinds = 21;
+inline constexpr std::size_t kFaultKinds = 22;
 
 std::string_view name_of(FaultKind kind);  // "duplicate vertices"
 

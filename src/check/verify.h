@@ -42,7 +42,8 @@ struct VerifyOptions {
   // counted. Also counted are points of the mesh further than max_distance from
   // Sigma, and points of Sigma further than twice that from the mesh (as in Stage 2).
   Criteria limits;
-  double most_over_limit = 1;     // the largest share of triangles over a limit that is no fault
+  // The largest share of triangles over a limit that is no fault. Two triangles never are.
+  double most_over_limit = 1;
   bool require_distance = false;  // these points are faults, unless r_min allows them
   int threads = 1;
   std::function<void(double)> progress;  // called with the share done; may be empty
@@ -70,7 +71,7 @@ struct Verification {
   double max_off_surface = 0;          // of the vertices beyond it
   DelaunayShare delaunay;
   Distances to_surface;    // from points of the triangles
-  Distances from_surface;  // from vertices of the exact contour
+  Distances from_surface;  // from vertices of the exact contour, without components left out
   MeshQuality quality;
   Criteria limits;  // as given
   std::size_t triangles_above_r_min = 0;

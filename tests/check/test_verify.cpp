@@ -8,7 +8,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string_view>
 
+#include "base/text.h"
 #include "base/triangle.h"
 #include "check/solid.h"
 #include "contour/voxel_topology.h"
@@ -607,6 +609,128 @@ TEST_CASE("components that nearly touch are matched correctly") {
     const stress::Verdict verdict = stress::judge(tiny.volume, mesh, options, report);
     CHECK(verdict.topology_exact);
     CHECK(!verdict.disputed);
+  }
+}
+
+// With some components chosen, the others are no part of the surface: no vertex may be on them, and
+// no distance is measured from them.
+TEST_CASE("a vertex on a component that is left out is a fault, distances from it are none") {
+  const Scene scene = builtin_scene("five_spheres", 32);
+  const ContourMesh& contour = scene.contour;
+  VerifyOptions options;
+  options.components.largest = 1;
+  const std::vector<std::uint8_t> chosen = chosen_components(contour.summary, options.components);
+  Options of_mesh;
+  of_mesh.components.largest = 1;
+  Report report;
+  Parts p = parts_of(mesh_isosurface(scene.volume, scene.surface.kappa(), of_mesh, report));
+  const auto run = [&] {
+    return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
+                  options);
+  };
+  const Verification sound = run();
+  CHECK_FALSE(sound.faults.any());
+  CHECK(sound.left_out == 4);
+  CHECK(sound.from_surface.max < 0.25 * scene.volume.voxel());
+  std::size_t samples = 0;
+  for (const std::uint32_t c : contour.component) samples += chosen[c];
+  CHECK(sound.from_surface.points == samples);
+
+  // The spike is as short as can be, so that it meets no other triangle.
+  VertexId moved = 0, target = kNoId;
+  for (VertexId v = 0; v < p.points.size(); ++v) {
+    for (VertexId t = 0; t < contour.points.size(); ++t) {
+      if (chosen[contour.component[t]]) continue;
+      if (target != kNoId && distance2(p.points[v], contour.points[t]) >=
+                                 distance2(p.points[moved], contour.points[target])) {
+        continue;
+      }
+      moved = v;
+      target = t;
+    }
+  }
+  p.points[moved] = contour.points[target];
+  const Verification spiked = run();
+  check_only(spiked, FaultKind::vertices_left_out, 1);
+  CHECK(spiked.faults.first(FaultKind::vertices_left_out)[0].what ==
+        text("vertex ", moved, " of the mesh of component ",
+             std::ranges::find(chosen, 1) - chosen.begin(), " is on component ",
+             contour.component[target], ", which is left out"));
+  // Where all are chosen, three are missing at once, and that says enough.
+  options.components = {};
+  CHECK(run().faults.count(FaultKind::missing_components) == 4);
+}
+
+TEST_CASE("two triangles over a limit are no fault, three of a few dozen are") {
+  std::vector<float> samples;  // a ball
+  for (int n = 0; n < 216; ++n) {
+    const Vec3 p{n % 6 - 2.37, n / 6 % 6 - 2.51, n / 36 - 2.68};
+    samples.push_back(static_cast<float>(1.4 - length(p)));
+  }
+  const Volume volume = Volume::from_samples({6, 6, 6}, {1, 1, 1}, samples);
+  Report report;
+  const TriMesh mesh = mesh_isosurface(volume, 0, {}, report);
+  REQUIRE(mesh.faces.size() > 20);
+  REQUIRE(mesh.faces.size() < 100);
+  std::vector<double> ratios;
+  for (const Face& face : mesh.faces) {
+    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
+               &c = mesh.points[face.v[2]];
+    ratios.push_back(distance(circumcenter(a, b, c), a) /
+                     std::min({distance(a, b), distance(b, c), distance(c, a)}));
+  }
+  std::ranges::sort(ratios, std::ranges::greater());
+  for (std::size_t over = 0; over < 6; ++over) {
+    CAPTURE(over);
+    REQUIRE(ratios[over] > ratios[over + 1]);
+    VerifyOptions options;
+    options.most_over_limit = 0.02;
+    options.limits[Criterion::r_over_l] =
+        over == 0 ? 2 * ratios[0] : 0.5 * (ratios[over - 1] + ratios[over]);
+    const Verification v = verify(mesh, volume, report.kappa_effective, options);
+    CHECK(v.over_a_limit == over);
+    check_only(v, FaultKind::over_limits, over > 2 ? 1 : 0);
+  }
+}
+
+// At spacings of 67:1 and 2400:1 the nearest triangle of T is mostly one of another component. Both
+// meshes were said to miss components. In the first every voxel holds several.
+TEST_CASE("components are matched correctly in voxels of very unequal sides") {
+  struct Case {
+    Index3 dims;
+    Vec3 spacing;
+    std::vector<std::uint8_t> samples;
+    double isovalue;
+    std::uint64_t seed;
+    std::size_t vertices;
+  };
+  // Noise of one or two below a checkerboard of 0 and 57.
+  std::vector<std::uint8_t> checker;
+  for (const char c :
+       std::string_view("bBaCbBaCbCaBbCaBaCbBaCaCbBbBbCbBaBbBaCbCaCbCbCbCaBbBbBbCbBaBaCbBaBaCbC"
+                        "bCbBbBaCbBbCbCaBbCaB")) {
+    checker.push_back(c < 'a' ? static_cast<std::uint8_t>(c - 'B' + 56)
+                              : static_cast<std::uint8_t>(c - 'a'));
+  }
+  const std::vector<Case> cases{{{3, 5, 6}, {20, 20, 0.3}, checker, 27.519548972450913, 18, 1000},
+                                {{2, 3, 4},
+                                 {56.7270037107872, 1.033881136336794, 0.023514909521370222},
+                                 {7,  7,  116, 114, 0, 1,  10, 8, 105, 111, 16, 12,
+                                  12, 11, 109, 113, 0, 10, 2,  7, 112, 112, 15, 14},
+                                 11,
+                                 15,
+                                 0}};
+  for (const Case& c : cases) {
+    CAPTURE(c.seed);
+    const Volume volume = Volume::from_samples(c.dims, c.spacing, c.samples);
+    Options options;
+    options.seed = c.seed;
+    if (c.vertices > 0) options.target_vertices = c.vertices;
+    Report report;
+    const TriMesh mesh = mesh_isosurface(volume, c.isovalue, options, report);
+    const Verification v = verify(mesh, volume, report.kappa_effective, {});
+    CHECK(kinds_of(v.faults).empty());
+    CHECK(v.equal_components == v.exact.components);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "check/verify.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "embedding/triangle_tree.h"
@@ -82,6 +83,12 @@ void check_chosen(const Volume& volume, const Options& options) {
   std::size_t elsewhere = 0;
   for (const std::uint32_t c : nearest_components(mesh, contour)) elsewhere += !chosen[c];
   CHECK(elsewhere == 0);
+
+  VerifyOptions checks;
+  checks.components = options.components;
+  const Verification v = verify(mesh, volume, report.kappa_effective, checks);
+  CHECK_FALSE(v.faults.any());
+  CHECK(v.from_surface.max <= 2 * volume.voxel());
 }
 
 }  // namespace
