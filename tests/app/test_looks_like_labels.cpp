@@ -21,7 +21,7 @@ using namespace deliso;
 
 namespace {
 
-constexpr int kSide = 32;
+constexpr int kLabelSide = 32;
 
 template <class T, class F>
 Volume made(int side, F value) {
@@ -38,7 +38,8 @@ Volume made(int side, F value) {
 std::vector<Vec3> random_points(Random& random, int count) {
   std::vector<Vec3> points(static_cast<std::size_t>(count));
   for (Vec3& p : points) {
-    p = {random.uniform(0, kSide), random.uniform(0, kSide), random.uniform(0, kSide)};
+    p = {random.uniform(0, kLabelSide), random.uniform(0, kLabelSide),
+         random.uniform(0, kLabelSide)};
   }
   return points;
 }
@@ -50,7 +51,7 @@ Volume balls(std::uint64_t seed, int count, double least, double most, F label) 
   const std::vector<Vec3> centers = random_points(random, count);
   std::vector<double> radii;
   for (int n = 0; n < count; ++n) radii.push_back(random.uniform(least, most));
-  return made<T>(kSide, [&](const Vec3& p) {
+  return made<T>(kLabelSide, [&](const Vec3& p) {
     for (std::size_t n = 0; n < centers.size(); ++n) {
       if (distance(p, centers[n]) < radii[n]) return label(static_cast<int>(n));
     }
@@ -63,7 +64,7 @@ Volume voronoi(std::uint64_t seed, std::uint32_t cells, std::uint32_t labels) {
   const std::vector<Vec3> sites = random_points(random, static_cast<int>(cells));
   std::vector<std::uint32_t> label_of;
   for (std::uint32_t n = 0; n < cells; ++n) label_of.push_back(labels > 0 ? n % labels : n);
-  return made<std::uint16_t>(kSide, [&](const Vec3& p) {
+  return made<std::uint16_t>(kLabelSide, [&](const Vec3& p) {
     std::size_t nearest = 0;
     for (std::size_t n = 0; n < sites.size(); ++n) {
       if (distance2(p, sites[n]) < distance2(p, sites[nearest])) nearest = n;
@@ -75,14 +76,14 @@ Volume voronoi(std::uint64_t seed, std::uint32_t cells, std::uint32_t labels) {
 // Noise of mean 0 and deviation 1, smoothed by `sigma`.
 Volume smooth_noise(std::uint64_t seed, double sigma) {
   Random random(seed);
-  const Volume noise = made<float>(kSide, [&](const Vec3&) { return random.uniform(-1, 1); });
+  const Volume noise = made<float>(kLabelSide, [&](const Vec3&) { return random.uniform(-1, 1); });
   const Volume smooth = sigma > 0 ? gaussian(noise, {sigma, sigma, sigma}) : noise;
   double sum = 0;
   smooth.visit([&](const auto* s) {
     for (std::size_t n = 0; n < smooth.sample_count(); ++n) sum += s[n] * s[n];
   });
   const double deviation = std::sqrt(sum / static_cast<double>(smooth.sample_count()));
-  return made<float>(kSide, [&](const Vec3& p) {
+  return made<float>(kLabelSide, [&](const Vec3& p) {
     return smooth.sample(int(p.x), int(p.y), int(p.z)) / deviation;
   });
 }
@@ -91,7 +92,7 @@ Volume smooth_noise(std::uint64_t seed, double sigma) {
 template <class T, class F>
 Volume levels(std::uint64_t seed, double sigma, F level) {
   const Volume g = smooth_noise(seed, sigma);
-  return made<T>(kSide,
+  return made<T>(kLabelSide,
                  [&](const Vec3& p) { return level(g.sample(int(p.x), int(p.y), int(p.z))); });
 }
 
