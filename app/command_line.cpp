@@ -287,6 +287,7 @@ void check_counts(const Options& options, Method method, bool paper, const Given
   }
   if (options.single_stage) refuse("--single-stage");
   if (options.stop_after_recover) refuse("--stop-after");
+  if (given("--max-vertices")) refuse("--max-vertices");
 }
 
 // Applies --paper where options are not given. The paper's criteria turn the bound on the distance

@@ -25,7 +25,7 @@ namespace deliso {
 
 // Refines `mesh` in place, in parameters.threads threads. `samples`: the reference samples. A mesh
 // of more than `largest_region` facets is cut; in a smaller region more facets are frozen. Throws
-// InputError at max_vertices unless keep_partial.
+// InputError at max_vertices unless keep_partial; a desired number of vertices takes its place.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
             std::vector<Vec3> samples, const Parameters& parameters, Report& report,
             std::size_t largest_region = 3000);

@@ -275,6 +275,7 @@ TEST_CASE("--vertices and --triangles are parsed, and options that exclude them 
         {{"--paper"}, "--paper"},
         {{"--single-stage"}, "--single-stage"},
         {{"--stop-after", "recover"}, "--stop-after"},
+        {{"--max-vertices", "2000"}, "--max-vertices"},
         {{"--max-distance", "0.2vox"}, "--max-distance"}};
     for (const auto& [other, name] : others) {
       for (const bool before : {false, true}) {
