@@ -28,7 +28,8 @@ struct Outcome {
   std::size_t vertices = 0, triangles = 0;  // of the surface, without caps
   std::size_t chosen_components = 0;        // of the exact contour
   bool capped = false;
-  MeshQuality quality;  // of the surface
+  bool says_off_surface = false;  // the report tells of vertices that --cap put off the surface
+  MeshQuality quality;            // of the surface
   Verification verification;
   double voxel = 0;
   double seconds = 0;  // of processor time, without the check
