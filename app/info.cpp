@@ -45,7 +45,7 @@ std::string labels_text(const std::vector<LabelSamples>& labels) {
   for (const LabelSamples& one : labels) {
     if (one.label != 0 && (!largest || one.samples > largest->samples)) largest = &one;
   }
-  std::string text = "labels    the samples look like a segmentation: " + grouped(labels.size()) +
+  std::string text = "samples   look like a segmentation: " + grouped(labels.size()) +
                      " whole numbers in flat pieces\n";
   append_format(text, "try       --label %-8s  %s\n", std::to_string(largest->label).c_str(),
                 counted(largest->samples, "sample", "samples").c_str());

@@ -41,10 +41,10 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
 std::string gray_image_warning(const CommandLine& line, const Volume& volume,
                                const ValueRange& range) {
   if (!line.field.of_labels() || looks_like_labels(volume)) return "";
-  std::string warning = line.input + " looks like a gray image, not like labels";
   const Modes modes = find_modes(volume, range, 1);
-  if (!modes.valleys.empty()) warning += ": try --iso " + number_text(modes.valleys[0].isovalue);
-  return one_line(warning);
+  if (modes.valleys.empty()) return "";  // all samples are equal
+  return one_line(line.input + " looks like a gray image, not like labels: try --iso " +
+                  number_text(modes.valleys[0].isovalue));
 }
 
 }  // namespace
