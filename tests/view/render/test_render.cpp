@@ -212,7 +212,7 @@ bool draws_edges(std::span<const Subject> subjects) {
 }  // namespace
 
 TEST_CASE("edges are drawn in all panels or in none") {
-  const TriMesh coarse = sphere(3), fine = sphere(7);
+  const TriMesh coarse = sphere(3), fine = sphere(6);
   const Subject with{&coarse, {}}, without{&fine, {}};
   CHECK(draws_edges(std::array{with}));
   CHECK_FALSE(draws_edges(std::array{without}));
@@ -234,7 +234,7 @@ TEST_CASE(
     return sum;
   };
   double least = 1, most = 0;
-  for (const int levels : {5, 6, 7, 8}) {
+  for (const int levels : {4, 5, 6, 7}) {
     const TriMesh mesh = sphere(levels);
     const double left = brightness(mesh, Edges::drawn) / brightness(mesh, Edges::hidden);
     least = std::min(least, left);
