@@ -6,7 +6,7 @@
 namespace deliso {
 
 std::size_t unpack_lzw(std::span<const std::byte> in, std::span<std::byte> out) {
-  constexpr std::size_t kClear = 256, kEnd = 257, kFirst = 258, kLargest = 4096;
+  constexpr std::size_t kClear = 256, kEndOfData = 257, kFirst = 258, kLargest = 4096;
   // A string of the table is one before it and the byte that followed: a piece of the output.
   struct Piece {
     std::size_t at = 0, length = 0;
@@ -23,7 +23,7 @@ std::size_t unpack_lzw(std::span<const std::byte> in, std::span<std::byte> out) 
     if (available < width) return to;
     available -= width;
     const std::size_t code = bits >> available & ((1u << width) - 1);
-    if (code == kEnd) return to;
+    if (code == kEndOfData) return to;
     if (code == kClear) {
       next = kFirst;
       width = 9;

@@ -122,7 +122,6 @@ TEST_CASE("the queue pops by band, then block, then violation, each facet as it 
 
 TEST_CASE("the queue takes any violation and any place") {
   FacetQueue queue(1);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   queue.set(3, 2, {0, 0, 0});
   queue.set(1, kInfinity, {5, -5, 0});
   queue.set(2, 1e300, {0, 1e300, 0});
