@@ -24,6 +24,10 @@ constexpr double shortest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
+constexpr double longest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
+}
+
 // Returns the squared distance from p to the triangle. The nearest point is a corner or lies on an
 // edge or inside, depending on which of the triangle's seven Voronoi regions holds p (Ericson 2005,
 // §5.1.5).

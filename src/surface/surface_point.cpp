@@ -25,8 +25,7 @@ std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const
   if (!(twice_area > 0)) return std::nullopt;
   const Vec3 normal = area / twice_area, center = circumcenter(a, b, c);
   // The circumcenter of a needle is far away, and so would x be: the longest edge is a limit too.
-  const double longest2 = std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
-  const double limit = std::min(distance(center, a), std::sqrt(longest2));
+  const double limit = std::min(distance(center, a), std::sqrt(longest_edge2(a, b, c)));
   const auto x = this->nearest(center, normal, limit, counters);
   if (!x || distance(*x, center) <= kMaxTrustedHOverR * distance(center, a)) return x;
   // Far from the circumcenter x may lie on another sheet that faces as the facet does. Then a sheet

@@ -2,13 +2,16 @@
 // What random volumes broke, each with its story. tests/stress and tests/fuzz find more.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/random.h"
+#include "base/triangle.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
+#include "stress/option_volume.h"
 
 using namespace deliso;
 
@@ -100,5 +103,29 @@ TEST_CASE("samples of any exponent give a valid mesh") {
     const MeshTopology topology = mesh_topology(mesh);
     CHECK(topology.components.size() == exact.components.size());
     CHECK(topology.euler() == exact.euler());
+  }
+}
+
+// The circumcenter of a facet with an angle of nearly 180 degrees is many voxels away. A point of
+// the surface near it was inserted, though it lay on another component: edges of 7 and 9 voxels.
+TEST_CASE("a flat facet gets no vertex near its far circumcenter") {
+  struct Found {
+    std::uint64_t seed;
+    double isovalue, max_radius;
+  };
+  for (const Found& found : {Found{983, 160, 0}, Found{2477, 10, 0.335}}) {
+    CAPTURE(found.seed);
+    const Volume volume = stress::make_option_volume(found.seed).tiny.volume;
+    Options options;
+    if (found.max_radius > 0) {
+      options.limits[Criterion::radius] = {found.max_radius, Length::Unit::voxel};
+    }
+    const TriMesh mesh = mesh_isosurface(volume, found.isovalue, options);
+    double longest2 = 0;
+    for (const Face& f : mesh.faces) {
+      const Vec3 &a = mesh.points[f.v[0]], &b = mesh.points[f.v[1]], &c = mesh.points[f.v[2]];
+      longest2 = std::max(longest2, longest_edge2(a, b, c));
+    }
+    CHECK(longest2 < 4 * 4);
   }
 }
