@@ -150,7 +150,7 @@ TEST_CASE("a threshold and kappa find the same samples inside, at kappa and next
   Random random(3);
   for (int trial = 0; trial < 100'000; ++trial) {
     const double kappa = random.uniform(-130, 130);
-    const auto rounded = static_cast<std::int8_t>(kappa);
+    const int rounded = static_cast<int>(kappa);
     for (int step = -2; step <= 2; ++step) {
       const int v = std::clamp(rounded + step, -128, 127);
       if (kappa <= 127) REQUIRE((v >= inside_threshold<std::int8_t>(kappa)) == (v >= kappa));

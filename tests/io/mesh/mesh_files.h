@@ -77,9 +77,12 @@ inline std::string vtp(const std::vector<Vec3>& points,
                polygons.size(), "\">\n<PointData>\n");
   file += array("Normals", coordinates, true, 3) + "</PointData>\n<CellData/>\n<Points>\n";
   file += array("Points", coordinates, true, 3) + "</Points>\n<Verts>\n";
-  file += array("connectivity", {0}, false, 1) + array("offsets", {1}, false, 1);
+  // One statement each: their data is appended in the order of the calls.
+  file += array("connectivity", {0}, false, 1);
+  file += array("offsets", {1}, false, 1);
   file += "</Verts>\n<Lines/>\n<Strips/>\n<Polys>\n";
-  file += array("connectivity", corners, false, 1) + array("offsets", ends, false, 1);
+  file += array("offsets", ends, false, 1);
+  file += array("connectivity", corners, false, 1);
   file += "</Polys>\n</Piece>\n</PolyData>\n";
   if (form.format == "appended")
     file += "<AppendedData encoding=\"" + form.encoding + "\">\n   _" + appended +
