@@ -247,7 +247,7 @@ struct ValleyFloor {
 };
 
 ValleyFloor floor_of(const std::vector<double>& heights, const std::vector<Extreme>& extremes,
-               std::size_t valley) {
+                     std::size_t valley) {
   std::size_t first = extremes[valley].bin, last = first;
   const double rim = extremes[valley].height + 1;
   while (first > 0 && heights[first - 1] < rim) --first;

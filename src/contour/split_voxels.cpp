@@ -75,9 +75,8 @@ SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
   if (factor == Index3{1, 1, 1}) return SplitVoxels(dims, {});
   const std::vector<Slab> slabs = cut_into_slabs(dims, threads, [](int) { return true; });
   std::vector<SplitChooser> choosers(slabs.size(), SplitChooser(dims, factor));
-  for_each_task(threads, slabs.size(), [&](std::size_t n) {
-    ContourStream(volume, kappa, choosers[n], slabs[n]).run();
-  });
+  for_each_task(threads, slabs.size(),
+                [&](std::size_t n) { ContourStream(volume, kappa, choosers[n], slabs[n]).run(); });
   std::vector<std::uint64_t> numbers;
   for (const SplitChooser& chooser : choosers) {
     numbers.insert(numbers.end(), chooser.numbers.begin(), chooser.numbers.end());

@@ -38,7 +38,8 @@ struct CollapseTally {
 
 // The vertex that is gone, and what must hold then.
 void check_collapsed(Stage& stage, const Stage::Snapshot& before, std::size_t vertices,
-                     std::size_t on_boundary, std::span<const FaceId> created, CollapseTally& tally) {
+                     std::size_t on_boundary, std::span<const FaceId> created,
+                     CollapseTally& tally) {
   REQUIRE(stage.fault() == "");
   REQUIRE(stage.fault_of(created) == "");
   REQUIRE(used_vertices(stage.mesh) == vertices - 1);
