@@ -14,6 +14,7 @@
 #include "contour/contour.h"
 #include "io/parts/in_blocks.h"
 #include "stress/judge.h"
+#include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -34,22 +35,9 @@ Index3 blocks_for(std::uint64_t seed, Index3 dims) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t first = 1, count = 42;
-  bool list = false;
-  for (int n = 1; n < argc; ++n) {
-    const std::string_view option = argv[n];
-    const auto value = [&] { return n + 1 < argc ? std::strtoull(argv[++n], nullptr, 10) : 0; };
-    if (option == "--first-seed") {
-      first = value();
-    } else if (option == "--count") {
-      count = value();
-    } else if (option == "--list") {
-      list = true;
-    } else {
-      std::fprintf(stderr, "stress_blocks: what is '%s'? (its source's head says)\n", argv[n]);
-      return 2;
-    }
-  }
+  const auto seeds = parse_seeds(argc, argv, "stress_blocks", 42);
+  if (!seeds) return 2;
+  const auto [first, count, list] = *seeds;
   std::uint64_t refused = 0, invalid = 0, inexact = 0, crossing = 0, other = 0, triangles = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const TinyVolume tiny = make_tiny_volume(seed, 8, 20);

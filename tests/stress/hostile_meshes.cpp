@@ -30,8 +30,10 @@
 #include "io/volume/builtin_fields.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
+#include "stress/seeds.h"
 
 using namespace deliso;
+using namespace deliso::stress;
 using namespace deliso::test;
 
 namespace {
@@ -376,23 +378,9 @@ bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t first = 1, count = 2000;
-  bool list = false;
-  for (int n = 1; n < argc; ++n) {
-    const std::string_view option = argv[n];
-    const auto value = [&] { return n + 1 < argc ? std::strtoull(argv[++n], nullptr, 10) : 0; };
-    if (option == "--first-seed") {
-      first = value();
-    } else if (option == "--count") {
-      count = value();
-    } else if (option == "--list") {
-      list = true;
-    } else {
-      std::fprintf(stderr, "stress_hostile_meshes: what is '%s'? (its source's head says)\n",
-                   argv[n]);
-      return 2;
-    }
-  }
+  const auto seeds = parse_seeds(argc, argv, "stress_hostile_meshes", 2000);
+  if (!seeds) return 2;
+  const auto [first, count, list] = *seeds;
   const std::vector<Base> bases{Base("builtin:torus:16"), Base("builtin:gyroid:16"),
                                 Base("builtin:fuel:16")};
   std::uint64_t faults = 0, slowest_seed = 0;

@@ -21,6 +21,7 @@
 
 #include "base/check.h"
 #include "io/parts/in_blocks.h"
+#include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -239,23 +240,9 @@ Outcome outcome_of(const Parts& parts, std::string& fault) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t first = 1, count = 440;
-  bool list = false;
-  for (int n = 1; n < argc; ++n) {
-    const std::string_view option = argv[n];
-    const auto value = [&] { return n + 1 < argc ? std::strtoull(argv[++n], nullptr, 10) : 0; };
-    if (option == "--first-seed") {
-      first = value();
-    } else if (option == "--count") {
-      count = value();
-    } else if (option == "--list") {
-      list = true;
-    } else {
-      std::fprintf(stderr, "stress_hostile_parts: what is '%s'? (its source's head says)\n",
-                   argv[n]);
-      return 2;
-    }
-  }
+  const auto seeds = parse_seeds(argc, argv, "stress_hostile_parts", 440);
+  if (!seeds) return 2;
+  const auto [first, count, list] = *seeds;
   std::signal(SIGPIPE, SIG_IGN);
   std::array<std::array<std::uint64_t, 3>, kNames.size()> outcomes{};
   std::uint64_t unchanged = 0;

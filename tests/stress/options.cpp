@@ -51,6 +51,7 @@
 #include "stress/drawn_options.h"
 #include "stress/in_child.h"
 #include "stress/option_volume.h"
+#include "stress/seeds.h"
 
 using namespace deliso;
 using namespace deliso::stress;
@@ -361,25 +362,12 @@ int run(int argc, char** argv) {
                  std::string(name).c_str());
     return 1;
   }
-  std::uint64_t first = 1, count = 100;
-  bool listed = false;
-  for (int n = 1; n < argc; ++n) {
-    const std::string_view option = argv[n];
-    const auto value = [&] { return n + 1 < argc ? std::strtoull(argv[++n], nullptr, 10) : 0; };
-    if (option == "--first-seed") {
-      first = value();
-    } else if (option == "--count") {
-      count = value();
-    } else if (option == "--list") {
-      listed = true;
-    } else if (option == "--write" && n + 2 < argc) {
-      return write_one(std::strtoull(argv[n + 1], nullptr, 10), argv[n + 2]);
-    } else {
-      std::fprintf(stderr, "stress_options: what is '%s'? (its source's head says)\n", argv[n]);
-      return 2;
-    }
+  if (argc == 4 && std::string_view(argv[1]) == "--write") {
+    return write_one(std::strtoull(argv[2], nullptr, 10), argv[3]);
   }
-  return run_all(first, count, listed);
+  const auto seeds = parse_seeds(argc, argv, "stress_options", 100);
+  if (!seeds) return 2;
+  return run_all(seeds->first, seeds->count, seeds->list);
 }
 
 }  // namespace
