@@ -19,13 +19,13 @@ class GrowingComponents {
     // Segments between crossings, counted once per voxel that they bound and twice on the box. So a
     // finished component has every segment counted twice.
     std::uint64_t half_sides = 0;
-    Index3 lo, hi;
+    Index3 first, lo, hi;
   };
 
   std::uint32_t add(Index3 voxel) {
     const auto label = static_cast<std::uint32_t>(parent_.size());
     parent_.push_back(label);
-    counts_.push_back({.lo = voxel, .hi = voxel});
+    counts_.push_back({.first = voxel, .lo = voxel, .hi = voxel});
     return label;
   }
 
@@ -83,6 +83,7 @@ class GrowingComponents {
       component.crossings = n.crossings;
       component.pieces = n.pieces;
       component.tubes = n.tubes;
+      component.first = n.first;
       component.lo = n.lo;
       component.hi = n.hi;
       components.push_back(component);

@@ -48,6 +48,7 @@ struct ContourComponent {
   std::uint64_t pieces = 0;     // pieces in voxels; a voxel with two pieces counts twice
   std::uint64_t tubes = 0;      // pieces that are tubes
   std::uint64_t boundary_loops = 0;
+  Index3 first;   // the first voxel it visits in scan order
   Index3 lo, hi;  // first and last voxel it visits along each axis
 
   // The longest side of its bounding box, in voxels.
