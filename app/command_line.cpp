@@ -215,7 +215,7 @@ void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
       "--roi",           "--median",       "--smooth",     "--label",     "--cap",
-      "--min-component", "--largest",      "--vertices",   "--triangles", "--keep-partial",
+      "--min-component", "--largest",      "--vertices",   "--triangles",
       "--paper",         "--single-stage", "--stop-after", "--attributes"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
@@ -251,10 +251,6 @@ void check_combination(CommandLine& line) {
   }
   if (line.output == "-" && line.json == "-") {
     throw InputError("the mesh and the JSON cannot both go to standard output");
-  }
-  if (line.options.keep_partial &&
-      line.options.max_vertices == std::numeric_limits<std::size_t>::max()) {
-    throw InputError("--keep-partial needs --max-vertices N");
   }
   if (line.command == Command::trace) return check_page_name(line);
   if (!line.output.empty() && !line.write.format) {

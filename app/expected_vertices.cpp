@@ -135,8 +135,7 @@ double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
                          const Options& options) {
   const double vertices = surface.area * density(options, volume, surface.thin);
   const std::size_t asked = std::min(options.target_vertices, options.target_triangles / 2);
-  const std::size_t most = options.keep_partial ? std::min(options.max_vertices, asked) : asked;
-  return std::min(vertices, static_cast<double>(most));
+  return std::min(vertices, static_cast<double>(asked));
 }
 
 }  // namespace deliso

@@ -206,8 +206,13 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) { l.options.seed = parse_count(o, v); }},
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
-    {"--keep-partial", 0, "", kMeshAndTrace, "with --max-vertices: write the valid mesh so far",
-     [](Line& l, Text, Text) { l.options.keep_partial = true; }},
+    {"--block-side", 0, "N", kAllMeshing,
+     "about how many voxels a block has along each axis; whole: the volume is one block",
+     [](Line& l, Text o, Text v) {
+       l.options.block_side =
+           v == "whole" ? 0
+                        : static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 4), 1 << 30));
+     }},
     {"--threads", 0, "N", kAllMeshing,
      "threads to use (default: as many as the machine has); the result is the same with any number",
      [](Line& l, Text o, Text v) {

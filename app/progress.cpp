@@ -63,9 +63,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   add(!cubes && !certified && std::isfinite(options.epsilon), "geometry", 28);
   add(!cubes && options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
   const bool refines = !cubes && !options.stop_after_recover;
-  const bool in_regions = certified && !options.keep_partial && !by_count(options);
-  add(refines && in_regions, "regions", 35);
-  add(refines, "refine", in_regions ? 10 : 45);
+  add(refines, "refine", 45);
   add(refines && by_count(options), "coarsen", 20);
   add(options.cap, "cap", 3);
   const bool examined = !line.quiet || line.check || !line.json.empty();

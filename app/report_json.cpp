@@ -152,7 +152,6 @@ std::string report_json(const MeshRun& run) {
   if (report[Counter::cap_lifts_off_surface] > 0) {
     json.add("max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel());
   }
-  json.add("stopped_at_max_vertices", report.stopped_at_max_vertices);
   json.add("fault", run.fault);
   add_topology(json, "topology", run.mesh);
   add_topology(json, "exact_topology", run.report.exact);

@@ -176,7 +176,6 @@ std::string report_text(const MeshRun& run) {
   text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
           counted(run.triangles, "triangle", "triangles");
   if (!run.line.output.empty()) text += " -> " + one_line(run.line.output);
-  if (report.stopped_at_max_vertices) text += " (stopped at --max-vertices)";
   text += "\n          " + topology_text(run.mesh) + "\n";
   if (count_stop(run) != CountStop::none) text += "count     " + count_text(run) + "\n";
   text +=

@@ -90,7 +90,7 @@ std::size_t clear_seam(SurfaceMesh& s, const Isosurface& surface, const Boundary
   for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
     if (!s.chain.is_boundary(v)) continue;
     const CurvePlace place = s.chain.place(v);
-    if (curves.is_on_seam(place) && !curves.is_kept(place)) left.push_back(v);
+    if (curves.is_on_fixed(place) && !curves.is_kept(place)) left.push_back(v);
   }
   if (left.empty()) return 0;
   Refinement r(s, surface, curves, parameters, report);

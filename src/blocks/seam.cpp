@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "base/text.h"
 
 namespace deliso {
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
@@ -24,37 +23,35 @@ std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
   return edge;
 }
 
-void refuse_seam(const std::string& what) {
-  throw InputError("the surface is too fine for a seam: " + what +
-                   " cannot be taken out of it (another --seed may do, or other blocks)");
-}
-
-std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& volume) {
-  std::vector<SeamVertex> seam;
-  if (volume.inner_faces() == 0) return seam;
-  const Box3 box = volume.box();
-  std::vector<unsigned> faces;
-  faces.reserve(mesh.points.size());
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    faces.push_back(box_faces_at(mesh.points[v], box) & volume.inner_faces());
-    if (faces.back() == 0) continue;
-    const auto edge = grid_edge_at(mesh.points[v], volume);
-    if (!edge) {
-      const Vec3 &p = mesh.points[v], s = volume.spacing();
-      refuse_seam(text("the point (", p.x / s.x, " ", p.y / s.y, " ", p.z / s.z, ")"));
-    }
-    seam.push_back({v, *edge});
+unsigned faulty_faces(const SurfaceMesh& s, const BoundaryCurves& curves, const Volume& block) {
+  const Box3 box = block.box();
+  const unsigned inner = block.inner_faces();
+  std::vector<std::uint8_t> faces(s.mesh.points.size());
+  unsigned faulty = 0;
+  for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
+    faces[v] = static_cast<std::uint8_t>(box_faces_at(s.mesh.points[v], box) & inner);
+    if (faces[v] == 0) continue;
+    if (!s.chain.is_boundary(v) || !curves.is_kept(s.chain.place(v))) faulty |= faces[v];
   }
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Face& face = mesh.faces[f];
+  for (const Face& face : s.mesh.faces) {
     for (int i = 0; i < 3; ++i) {
       const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
       const unsigned common = faces[a] & faces[b];
       if (common == 0) continue;
-      if (face.n[i] != kNoId || (common & faces[face.v[i]]) != 0) {
-        refuse_seam(text("facet ", f));
-      }
+      if (face.n[i] != kNoId || (common & faces[face.v[i]]) != 0) faulty |= common;
     }
+  }
+  return faulty;
+}
+
+std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& block) {
+  std::vector<SeamVertex> seam;
+  if (block.inner_faces() == 0) return seam;
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if ((box_faces_at(mesh.points[v], block.box()) & block.inner_faces()) == 0) continue;
+    const auto edge = grid_edge_at(mesh.points[v], block);
+    DELISO_CHECK(edge);
+    seam.push_back({v, *edge});
   }
   return seam;
 }

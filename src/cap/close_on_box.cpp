@@ -8,9 +8,9 @@
 #include "base/sorted_list.h"
 #include "base/text.h"
 #include "cap/box_caps.h"
-#include "cap/leave_box.h"
 #include "embedding/triangle_pair.h"
 #include "mesh/tri_mesh.h"
+#include "refine/lift_off.h"
 #include "surface/step_timer.h"
 
 namespace deliso {
@@ -123,7 +123,8 @@ void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurve
   open();
   const Index3 voxels = volume.voxels();
   if (voxels.i == 0 || voxels.j == 0 || voxels.k == 0) return;
-  report[Counter::cap_not_lifted] += leave_box(s, surface, curves, kAllFaces, parameters, report);
+  report[Counter::cap_not_lifted] +=
+      lift_off(s, surface, curves, kAllFaces, OffSurface::allowed, parameters, report);
   CrossingResolver resolver(s, curves, volume.box(), kPerturbationVoxels * parameters.voxel,
                             report);
   std::optional<BoxCaps> caps;

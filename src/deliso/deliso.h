@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// DelIso(f, kappa) of paper Figure 4: a Delaunay mesh of the isosurface, in two stages.
+// A Delaunay mesh of the isosurface; and DelIso(f, kappa) of paper Figure 4, which makes it in two
+// stages, block by block (blocks/mesh_in_blocks.h).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "deliso/options.h"
@@ -28,12 +30,19 @@ TriMesh mesh_isosurface(const Volume& volume, double kappa, const Options& optio
 struct DelaunayMesh {
   SurfaceMesh mesh;
   BoundaryCurves curves;      // of its chain
-  std::vector<Vec3> samples;  // reference samples, the vertices of T; none after refine()
+  std::vector<Vec3> samples;  // reference samples, the vertices of T
 };
 
-// Runs Figure 4, the core of mesh_isosurface(): it does not perturb the isovalue, nor make seams or
-// caps. `contour`: T of build_contour(), with at least one vertex.
-DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh&& contour, const Options& options,
+// Runs Figure 4 on a whole volume, in this thread, and chooses the components before. `contour`: T
+// of build_contour(), with at least one vertex.
+DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh contour, const Options& options,
                            const Parameters& parameters, Report& report);
+
+// Runs Figure 4 on one block, in this thread. `contour`: its T of make_fine() (recover/recover.h)
+// or, for the paper's Recover, of build_contour(), with at least one vertex; it keeps its points.
+// `curves`: T's boundary. `samples`: the reference samples of Refine, vertices of T.
+SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
+                          const BoundaryCurves& curves, std::span<const Vec3> samples,
+                          const Options& options, const Parameters& parameters, Report& report);
 
 }  // namespace deliso

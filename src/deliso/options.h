@@ -26,6 +26,8 @@ struct Length {
 // Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
+inline constexpr int kUsualBlockSide = 64;
+
 struct Options : RunSettings {
   static constexpr double kNone = kNotAsked;
 
@@ -36,6 +38,10 @@ struct Options : RunSettings {
   Length r_min{0.5, Length::Unit::voxel};    // facets with r <= r_min violate no criterion but r/l
   double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
   Length fingers{0.4, Length::Unit::voxel};  // certified: largest distance from T to K
+
+  // About how many voxels a block has along each axis (blocks/grid.h); 0: the volume is one block.
+  // So it is with the paper's Recover, with pole heights, and for an observer of insertions.
+  int block_side = kUsualBlockSide;
 
   CubicMethod cubic = CubicMethod::isolation;
   // The baseline of Table 2, the paper's way only: all refinement on the 3D triangulation.

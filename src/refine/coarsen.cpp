@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "base/sorted_list.h"
+#include "refine/coverage.h"
 #include "refine/operations.h"
 #include "refine/orientation.h"
+#include "refine/refine.h"
+#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {
@@ -189,10 +193,34 @@ class Coarsening {
   std::vector<FaceId> star_;
 };
 
+// Returns how far the sample is from the mesh that is furthest from it.
+double furthest_sample(const Refinement& r, std::span<const Vec3> samples) {
+  for (double limit = 4 * r.parameters.voxel; limit > 1e-6 * r.parameters.voxel; limit /= 2) {
+    std::vector<std::uint32_t> numbers(samples.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const auto far = find_far(r.mesh, r.facets(), samples, limit, numbers);
+    if (!far.empty()) return std::sqrt(far[0].distance2);
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) {
   return Coarsening(r).run(vertices, triangles);
+}
+
+void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+                       std::span<const Vec3> samples, const Parameters& given, Report& report) {
+  const StepTimer timer(report.seconds_refine);
+  begin_stage(given.observer, "coarsen");
+  Parameters parameters = given;
+  parameters.refinement[Criterion::distance] = kNotAsked;
+  Refinement r(mesh, surface, curves, parameters, report);
+  coarsen(r, given.target_vertices, given.target_triangles);
+  count_unrefined(mesh, parameters, report);
+  report.max_distance = furthest_sample(r, samples);
+  remove_dead(mesh);
 }
 
 }  // namespace deliso

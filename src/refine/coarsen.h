@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "refine/refinement.h"
 
@@ -20,5 +21,20 @@ namespace deliso {
 // on the boundary, so one triangle less than asked for may be left. pre: every vertex has a facet.
 std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
+
+// A mesh of a desired size is coarsened from one of this many times as many vertices or triangles.
+// From 1.2 times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8
+// times the time (ENGINE and LEG, 20,000 to 100,000 vertices).
+inline constexpr double kFinerRatio = 1.5;
+
+// The first and the last bound on the distance for such a mesh, in voxels, and the ratio of each to
+// the one before.
+inline constexpr double kFirstDistanceVoxels = 0.4, kLastDistanceVoxels = 2e-3,
+                        kDistanceRatio = 0.7;
+
+// Coarsens the mesh to the numbers that the parameters have as targets. Sets report.max_distance to
+// the distance of the sample that is furthest from the mesh then.
+void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+                       std::span<const Vec3> samples, const Parameters& parameters, Report& report);
 
 }  // namespace deliso

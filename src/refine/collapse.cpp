@@ -16,8 +16,8 @@ bool may_remove(const Refinement& r, VertexId v) {
   if (!chain.is_boundary(v)) return true;
   const VertexId next = chain.next(v), before = chain.previous(v);
   return !r.curves.is_kept(chain.place(v)) && chain.next(chain.next(next)) != v &&  // loop of three
-         !r.curves.runs_beside_seam({chain.place(before), r.point(before)},
-                                    {chain.place(next), r.point(next)});
+         !r.curves.runs_beside_fixed({chain.place(before), r.point(before)},
+                                     {chain.place(next), r.point(next)});
 }
 
 // True if the edge vw would lie in a face of the box and is not a chain edge.

@@ -59,15 +59,15 @@ std::optional<Refusal> put_cone(Refinement& r, const Vec3& p, EdgeRef split = {}
   return std::nullopt;
 }
 
-// Returns the ends of a chain edge in the order of the chain. Nullopt if the edge is on a seam or
-// not in the chain.
+// Returns the ends of a chain edge in the order of the chain. Nullopt if the edge is fixed or not
+// in the chain.
 std::optional<std::pair<VertexId, VertexId>> ends_on_chain(const Refinement& r, EdgeRef edge) {
   const BoundaryChain& chain = r.s.chain;
   const Face& face = r.mesh.faces[edge.face];
   VertexId a = face.v[(edge.index + 1) % 3], b = face.v[(edge.index + 2) % 3];
   if (!chain.is_edge(a, b)) return std::nullopt;
   if (chain.next(a) != b) std::swap(a, b);
-  if (r.curves.begins_seam(chain.place(a))) return std::nullopt;
+  if (r.curves.begins_fixed(chain.place(a))) return std::nullopt;
   return std::pair{a, b};
 }
 

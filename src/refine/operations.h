@@ -48,6 +48,11 @@ std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accep
   return refusal;
 }
 
+// Merges v, a corner of f, into a neighbor, the nearest first, if every new facet then meets all
+// criteria. Insertion overshoots, and the vertices of seams stand closer than the criteria need.
+// Vertices on the boundary stay.
+std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v);
+
 // Moves a corner of f along Sigma to where the cost of the facets around it, and of those across
 // them, is least. Where every insertion is refused and no flip helps, the places of vertices are at
 // fault (Tournois, Wormser, Alliez and Desbrun 2009). Vertices on the boundary stay.

@@ -5,37 +5,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/check.h"
-#include "base/parallel.h"
 #include "base/triangle.h"
-#include "refine/coarsen.h"
 #include "refine/coverage.h"
 #include "refine/facet_queue.h"
 #include "refine/operations.h"
-#include "refine/regions.h"
 #include "surface/step_timer.h"
 
 namespace deliso {
 namespace {
-
-// Largest distance from a reference sample to the mesh, in bounds on h. With 1, meshes have 40 %
-// more vertices (docs/decisions.md).
-constexpr double kCoverageDistances = 2;
-
-// A mesh of a desired size is coarsened from one of this many times as many vertices or triangles.
-// From 1.2 times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8
-// times the time (ENGINE and LEG, 20,000 to 100,000 vertices).
-constexpr double kFinerRatio = 1.5;
-
-// The first and the last bound on the distance for such a mesh, and the ratio of each to the one
-// before.
-constexpr double kFirstDistanceVoxels = 0.4, kLastDistanceVoxels = 2e-3, kDistanceRatio = 0.7;
 
 // The violation of a facet that meets the criteria and is not Delaunay: the last in the queue.
 constexpr double kLastInQueue = 1.0001;
@@ -54,7 +37,7 @@ constexpr double kMaxRadiusEdges = 6;
 // change: a new vertex may be in the balls of other facets. A third round changes nothing.
 constexpr int kDelaunayRounds = 2;
 
-// RefineGeom of Figure 9, for a mesh or a region: one queue, the worst first.
+// RefineGeom of Figure 9: one queue, the worst first.
 class RefineGeom {
  public:
   // `far`: the numbers of samples that may be too far from the mesh; run() removes the others.
@@ -63,14 +46,15 @@ class RefineGeom {
         mesh_(refinement.mesh),
         samples_(samples),
         far_(far),
-        queue_(refinement.parameters.voxel),
         steps_(refinement.parameters.observer) {}
 
-  // Refines the facets that are not done, and new ones. Returns the facets with deferred
-  // operations. Throws InputError at max_vertices unless keep_partial.
-  std::vector<FaceId> run(std::vector<std::uint8_t> is_done);
+  // Thins the vertices, then refines the facets that are not done, and new ones. Returns per facet
+  // whether it is done; one at which a frozen facet refused an operation is not. Throws InputError
+  // at max_vertices.
+  std::vector<std::uint8_t> run(std::vector<std::uint8_t> is_done, std::span<const VertexId> thin);
 
  private:
+  void thin(std::span<const VertexId> vertices);
   void drain(bool with_moves);
   bool refine(FaceId f);
   bool insert_other_point(FaceId f, bool is_near);
@@ -89,7 +73,7 @@ class RefineGeom {
   void flip_changed();
   bool insert_far_samples();
   void make_delaunay();
-  bool must_stop();
+  void require_room() const;  // throws InputError at max_vertices
   // Reports f to the observer, with the violation of the criterion, else f's circumradius.
   void ask(FaceId f, Reason reason) const {
     if (!r_.observer) return;
@@ -109,15 +93,14 @@ class RefineGeom {
   std::vector<std::uint8_t> is_done_;
   std::vector<FaceId> refused_;  // in this pass of drain()
   std::vector<FaceId> changed_;  // to be tested for flips
-  // An operation for this facet was refused because of a frozen facet. It is deferred until the
-  // regions are merged.
-  bool met_frozen_ = false;
-  std::vector<FaceId> deferred_;
-  bool is_full_ = false;
+  bool met_frozen_ = false;      // a frozen facet refused the last operation
 };
 
-std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
+std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
+                                          std::span<const VertexId> vertices) {
   is_done_ = std::move(is_done);
+  is_done_.resize(mesh_.faces.size(), 0);
+  thin(vertices);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
   }
@@ -127,11 +110,29 @@ std::vector<FaceId> RefineGeom::run(std::vector<std::uint8_t> is_done) {
     if (is_live(f) && !is_done_[f]) enqueue(f);
   }
   drain(false);
-  if (r_.parameters.as_published) return {};
-  while (!is_full_ && insert_far_samples()) drain(false);
-  drain(true);
-  for (int n = 0; n < kDelaunayRounds && !is_full_; ++n) make_delaunay();
-  return std::move(deferred_);
+  if (!r_.parameters.as_published) {
+    while (insert_far_samples()) drain(false);
+    drain(true);
+    for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
+  }
+  return std::move(is_done_);
+}
+
+// Merges vertices into a neighbor where every new facet keeps all criteria.
+void RefineGeom::thin(std::span<const VertexId> vertices) {
+  if (vertices.empty()) return;
+  IdArray<VertexId, FaceId> at(mesh_.points.size(), kNoId);
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (!is_live(f)) continue;
+    for (const VertexId v : mesh_.faces[f].v) at[v] = f;
+  }
+  for (const VertexId v : vertices) {
+    if (at[v] == kNoId || !accept(thin_vertex(r_, at[v], v))) continue;
+    at[v] = kNoId;
+    for (const FaceId f : r_.created()) {
+      for (const VertexId w : mesh_.faces[f].v) at[w] = f;
+    }
+  }
 }
 
 // Refines until every facet meets the criteria or every operation is refused.
@@ -141,14 +142,13 @@ void RefineGeom::drain(bool with_moves) {
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
       const auto reason = is_dead(mesh_.faces[f]) ? std::nullopt : fault(f);
       if (!reason) continue;  // removed, or good since an operation near it
-      if (must_stop()) return;
+      require_room();
       ask(f, *reason);
       if (refine(f) || (with_moves && move(f))) {
         any = true;
       } else {
         refused_.push_back(f);
-        is_done_[f] = with_moves || met_frozen_;
-        if (met_frozen_) deferred_.push_back(f);
+        is_done_[f] = with_moves && !met_frozen_;
       }
       steps_.step(queue_.size());
     }
@@ -222,7 +222,7 @@ void RefineGeom::enqueue(FaceId f, double at_least) {
   const Triangle& v = mesh_.faces[f].v;
   const double violation =
       side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, r_.violation(v, r_.s.duals[f]));
-  queue_.set(f, violation, r_.point(v[0]));
+  queue_.set(f, violation);
 }
 
 std::optional<Reason> RefineGeom::fault(FaceId f) const {
@@ -264,7 +264,7 @@ bool RefineGeom::insert_far_samples() {
   bool any = false;
   for (const FarSample& at : far) {
     if (!is_live(at.facet)) continue;  // an earlier insertion may have removed it
-    if (must_stop()) break;
+    require_room();
     ask(at.facet, Reason::far_point);
     any |= accept(insert_point(r_, Operation::far_point, at.facet, samples_[at.sample]));
   }
@@ -283,169 +283,43 @@ void RefineGeom::make_delaunay() {
   drain(true);
 }
 
-// Returns true at max_vertices.
-bool RefineGeom::must_stop() {
-  const Parameters& parameters = r_.parameters;
-  if (mesh_.points.size() < parameters.max_vertices) return false;
-  if (!parameters.keep_partial) {
-    throw InputError("more than --max-vertices " + std::to_string(parameters.max_vertices) +
-                     " vertices needed");
-  }
-  r_.report.stopped_at_max_vertices = is_full_ = true;
-  return true;
-}
-
-// True if the mesh may be cut into regions. A refinement that may end early, the paper's, and one
-// that is observed take the worst facet of the whole mesh first.
-bool may_be_cut(const Parameters& p) {
-  return !p.as_published && !p.keep_partial && !(p.observer && p.observer->follows_insertions());
-}
-
-// Refines the mesh region by region. Returns which facets are done. Removes from `far` the samples
-// that only one region can be near, and adds again the ones that stay too far.
-std::vector<std::uint8_t> refine_regions(SurfaceMesh& mesh, const Isosurface& surface,
-                                         const BoundaryCurves& curves,
-                                         std::span<const Vec3> samples,
-                                         const Parameters& parameters, std::size_t largest_region,
-                                         std::vector<std::uint32_t>& far, Report& report) {
-  begin_stage(parameters.observer, "regions");
-  const double margin = kCoverageDistances * parameters.refinement[Criterion::distance];
-  auto regions = cut_into_regions(mesh, largest_region, samples, margin, far);
-  std::vector<std::vector<FaceId>> deferred(regions.size());
-  std::vector<Report> reports(regions.size());
-  Parameters unobserved = parameters;
-  unobserved.observer = nullptr;
-  std::mutex mutex;
-  std::size_t done = 0;
-  for_each_task(parameters.threads, regions.size(), [&](std::size_t n) {
-    MeshRegion& region = regions[n];
-    extract(mesh, region);
-    Refinement refinement(region.surface, surface, curves, unobserved, reports[n], region.box);
-    deferred[n] = RefineGeom(refinement, samples, region.samples)
-                      .run(std::vector<std::uint8_t>(region.facets.size(), 0));
-    const std::lock_guard lock(mutex);
-    ++done;
-    if (parameters.observer) parameters.observer->steps_done(done, regions.size() - done);
-  });
-  std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
-  for (std::size_t n = 0; n < regions.size(); ++n) {
-    const MeshRegion region = std::move(regions[n]);
-    const std::vector<FaceId> numbers = put_back(mesh, region);
-    is_done.resize(mesh.mesh.faces.size(), 0);
-    // A facet whose surface ball leaves the region's box is refined again.
-    for (FaceId f = region.box.first_free; f < numbers.size(); ++f) {
-      const Dual& dual = region.surface.duals[f];
-      is_done[numbers[f]] = region.box.holds(dual.center, std::sqrt(dual.radius2));
-    }
-    for (const FaceId f : deferred[n]) is_done[numbers[f]] = 0;
-    far.insert(far.end(), region.samples.begin(), region.samples.end());
-    report.add_refinement(reports[n]);
-  }
-  link_faces(mesh.mesh);
-  return is_done;
-}
-
-void count_unrefined(const Refinement& r) {
-  std::uint64_t over_limit = 0;
-  r.report.largest_h = 0;
-  for (FaceId f = 0; f < r.mesh.faces.size(); ++f) {
-    if (is_dead(r.mesh.faces[f])) continue;
-    const FacetShape s = r.shape(f);
-    if (s.r > r.parameters.r_min) r.report.largest_h = std::max(r.report.largest_h, s.h);
-    over_limit += violation(s, r.parameters.refinement) > 1;
-  }
-  r.report[Counter::unrefined_facets] = over_limit;
-  r.report.max_distance = r.parameters.refinement[Criterion::distance];
-}
-
-// How far the sample is from the mesh that is furthest from it.
-double furthest_sample(const Refinement& r, std::span<const Vec3> samples) {
-  for (double limit = 4 * r.parameters.voxel; limit > 1e-6 * r.parameters.voxel; limit /= 2) {
-    std::vector<std::uint32_t> numbers(samples.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    const auto far = find_far(r.mesh, r.facets(), samples, limit, numbers);
-    if (!far.empty()) return std::sqrt(far[0].distance2);
-  }
-  return 0;
-}
-
-// Refines until every facet meets the criteria or everything is refused. Dead facets stay.
-void refine_to_limits(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                      std::vector<Vec3> samples, const Parameters& parameters, Report& report,
-                      std::size_t largest_region) {
-  std::vector<std::uint32_t> far(samples.size());
-  std::iota(far.begin(), far.end(), 0);
-  std::vector<std::uint8_t> is_done(mesh.mesh.faces.size(), 0);
-  if (may_be_cut(parameters)) {
-    is_done =
-        refine_regions(mesh, surface, curves, samples, parameters, largest_region, far, report);
-    std::vector<Vec3> left;
-    for (std::uint32_t& n : far) {
-      left.push_back(samples[n]);
-      n = static_cast<std::uint32_t>(left.size() - 1);
-    }
-    samples = std::move(left);
-  }
-  if (!parameters.has_target()) begin_stage(parameters.observer, "refine");
-  Refinement whole(mesh, surface, curves, parameters, report);
-  RefineGeom(whole, samples, far).run(std::move(is_done));
-  count_unrefined(whole);
-}
-
-std::size_t live_facets(const TriMesh& mesh) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(mesh.faces, [](const Face& face) { return !is_dead(face); }));
-}
-
-// Refines to more vertices or triangles than are desired, by bounds on the distance that shrink,
-// and coarsens. Only an observer that follows insertions is told of the stages in between.
-void refine_to_count(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-                     std::span<const Vec3> samples, const Parameters& given, Report& report,
-                     std::size_t largest_region) {
-  begin_stage(given.observer, "refine");
-  Parameters parameters = given;
-  parameters.observer = follower(given.observer);
-  parameters.max_vertices = Parameters::kNoTarget;
-  const bool by_triangles = given.target_triangles != Parameters::kNoTarget;
-  const std::size_t target = by_triangles ? given.target_triangles : given.target_vertices;
-  const auto wanted = static_cast<std::size_t>(kFinerRatio * static_cast<double>(target));
-  const auto count_now = [&] {
-    return by_triangles ? live_facets(mesh.mesh) : mesh.mesh.points.size();
-  };
-  double& bound = parameters.refinement[Criterion::distance];
-  bound = kFirstDistanceVoxels * given.voxel;
-  std::size_t count = 0;
-  for (; bound > kLastDistanceVoxels * given.voxel && count < wanted; bound *= kDistanceRatio) {
-    refine_to_limits(mesh, surface, curves, {samples.begin(), samples.end()}, parameters, report,
-                     largest_region);
-    if (may_be_cut(parameters)) remove_dead(mesh);
-    if (count_now() > std::exchange(count, count_now()) && given.observer) {
-      given.observer->steps_done(count, wanted - std::min(wanted, count));
-    }
-  }
-  bound = kNotAsked;
-  begin_stage(given.observer, "coarsen");
-  parameters.observer = given.observer;
-  Refinement whole(mesh, surface, curves, parameters, report);
-  coarsen(whole, given.target_vertices, given.target_triangles);
-  count_unrefined(whole);
-  report.max_distance = furthest_sample(whole, samples);
+void RefineGeom::require_room() const {
+  const std::size_t most = r_.parameters.max_vertices;
+  if (mesh_.points.size() < most) return;
+  throw InputError("more than --max-vertices " + std::to_string(most) + " vertices needed");
 }
 
 }  // namespace
 
-void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
-            std::size_t largest_region) {
+std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surface,
+                                      const BoundaryCurves& curves, std::span<const Vec3> samples,
+                                      const Parameters& parameters, Report& report,
+                                      RefineScope scope) {
   const StepTimer timer(report.seconds_refine);
-  if (!parameters.has_target()) {
-    refine_to_limits(mesh, surface, curves, std::move(samples), parameters, report, largest_region);
-  } else {
-    refine_to_count(mesh, surface, curves, samples, parameters, report, largest_region);
+  std::vector<std::uint32_t> far(samples.size());
+  std::iota(far.begin(), far.end(), 0);
+  Refinement refinement(mesh, surface, curves, parameters, report, scope.region);
+  return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thin);
+}
+
+void count_unrefined(const SurfaceMesh& s, const Parameters& parameters, Report& report) {
+  std::uint64_t over_limit = 0;
+  report.largest_h = 0;
+  for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
+    if (is_dead(s.mesh.faces[f])) continue;
+    const FacetShape shape = s.shape(s.mesh.faces[f].v, s.duals[f]);
+    if (shape.r > parameters.r_min) report.largest_h = std::max(report.largest_h, shape.h);
+    over_limit += violation(shape, parameters.refinement) > 1;
   }
+  report[Counter::unrefined_facets] = over_limit;
+  report.max_distance = parameters.refinement[Criterion::distance];
+}
+
+void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
+            std::span<const Vec3> samples, const Parameters& parameters, Report& report) {
+  begin_stage(parameters.observer, "refine");
+  refine_part(mesh, surface, curves, samples, parameters, report, {});
   remove_dead(mesh);
-  report.vertices_refined = mesh.mesh.points.size();
-  report.triangles_refined = mesh.mesh.faces.size();
 }
 
 }  // namespace deliso

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Stage 2, Refine of paper Figure 4 and RefineGeom of Figure 9. It refines the mesh of Stage 1
-// until every facet meets the criteria, the worst facet first. Each region is refined by itself
-// (refine/regions.h), then the whole mesh.
+// until every facet meets the criteria, the worst facet first.
 //
 // For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
 // inserts another point of Sigma near it. Then it inserts reference samples that are too far from
-// the mesh. Last it makes facets Delaunay and moves corners. Facets that stay bad are counted. For
-// a number of vertices or triangles it refines until there are more, and coarsens
-// (refine/coarsen.h).
+// the mesh. Last it makes facets Delaunay and moves corners. Facets that stay bad are counted.
 //
 // Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
 // topology, embedded, with its vertices on Sigma.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "refine/refinement.h"
 #include "surface/boundary.h"
 #include "surface/parameters.h"
 #include "surface/report.h"
@@ -23,11 +22,25 @@
 
 namespace deliso {
 
-// Refines `mesh` in place, in parameters.threads threads. `samples`: the reference samples. A mesh
-// of more than `largest_region` facets is cut; in a smaller region more facets are frozen. Throws
-// InputError at max_vertices unless keep_partial; a desired number of vertices takes its place.
+// Refines `mesh` in place. `samples`: the reference samples. Throws InputError at max_vertices.
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
-            std::vector<Vec3> samples, const Parameters& parameters, Report& report,
-            std::size_t largest_region = 3000);
+            std::span<const Vec3> samples, const Parameters& parameters, Report& report);
+
+// The part of a mesh that is refined; by default all of it.
+struct RefineScope {
+  Region region;                      // the frozen facets, and the box of the others
+  std::vector<std::uint8_t> is_done;  // per facet; those after the last are not done
+  std::vector<VertexId> thin;         // vertices to be thinned first (thin_vertex())
+};
+
+// Refines that part. Dead facets stay. Returns per facet whether it is done. A facet for which a
+// frozen one refused an operation is not.
+std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surface,
+                                      const BoundaryCurves& curves, std::span<const Vec3> samples,
+                                      const Parameters& parameters, Report& report,
+                                      RefineScope scope);
+
+// Sets report.largest_h, the bound on the distance, and the count of facets over a limit.
+void count_unrefined(const SurfaceMesh& mesh, const Parameters& parameters, Report& report);
 
 }  // namespace deliso

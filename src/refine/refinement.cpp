@@ -28,6 +28,14 @@ double grid_cell(const Parameters& p, const TriMesh& mesh) {
   return std::max(kCellSizes * size, kMinCellVoxels * p.voxel);
 }
 
+// Returns the box of all that the hashes will hold: new vertices lie in the volume's box, but
+// frozen facets may reach out of it.
+Box3 box_of(const TriMesh& mesh, const Isosurface& surface) {
+  Box3 box = surface.volume().box();
+  for (const Vec3& p : mesh.points) box = united(box, {p, p});
+  return box;
+}
+
 bool has(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
@@ -47,8 +55,8 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       region(where),
       removable(surface_mesh.mesh.points.size()),
       finder(isosurface),
-      facets_(isosurface.volume().box(), grid_cell(given, surface_mesh.mesh)),
-      vertices_(isosurface.volume().box(), grid_cell(given, surface_mesh.mesh)) {
+      facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
+      vertices_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)) {
   if (parameters.as_published) return;
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
@@ -173,13 +181,6 @@ void Refinement::commit(Change& c) {
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
   if (observer) observer->operation_tried(operation, change, refusal);
   return report[operation].count(refusal);
-}
-
-FacetShape Refinement::shape(const Triangle& v, const Dual& dual) const {
-  FacetShape shape = measure(point(v[0]), point(v[1]), point(v[2]), dual.center);
-  if (!dual.on_surface) shape.h = shape.r;
-  shape.pole = s.pole(v);
-  return shape;
 }
 
 bool Refinement::is_delaunay(const Triangle& v, const Dual& dual) const {

@@ -6,7 +6,8 @@
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive:
-//   G0  No frozen facet is removed, and the new disk stays in the region (refine/regions.h).
+//   G0  No frozen facet is removed, and the new disk stays in the region. Where a part of a mesh is
+//       refined (blocks/seams.h), facets outside the part are frozen.
 //   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition). So
 //       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
 //       at most one run of the mesh's boundary edges; the operation must ensure that
@@ -44,8 +45,8 @@ struct EdgeRef {
   int index = 0;
 };
 
-// Facets before `first_free` are frozen (refine/regions.h). The others may be replaced, by facets
-// in the box from `lo` (included) to `hi` (excluded).
+// Facets before `first_free` are frozen. The others may be replaced, by facets in the box from `lo`
+// (included) to `hi` (excluded).
 struct Region {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   FaceId first_free = 0;
@@ -135,8 +136,7 @@ class Refinement {
   std::optional<Refusal> done(Operation operation, std::optional<Refusal> refusal);
   std::span<const FaceId> created() const { return change.created; }
 
-  // Returns the measures of a facet; without a surface point h is r.
-  FacetShape shape(const Triangle& v, const Dual& dual) const;
+  FacetShape shape(const Triangle& v, const Dual& dual) const { return s.shape(v, dual); }
   FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
   // Returns the cost of a facet; it is bad above 1.
   double violation(const Triangle& v, const Dual& dual) const {

@@ -18,38 +18,33 @@ double distance2_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 const Vec3& BoundaryCurves::point(CurvePlace place) const {
-  return loops_[place.loop].points[static_cast<std::size_t>(place.s)];
+  return loop(place.loop).points[static_cast<std::size_t>(place.s)];
 }
 
 bool BoundaryCurves::is_kept(CurvePlace place) const {
   return place.s == std::floor(place.s) &&
-         loops_[place.loop].kept[static_cast<std::size_t>(place.s)] != 0;
+         loop(place.loop).kept[static_cast<std::size_t>(place.s)] != 0;
 }
 
-bool BoundaryCurves::begins_seam(CurvePlace place) const {
-  const BoxFace face = loops_[place.loop].faces[static_cast<std::size_t>(place.s)];
-  return (surface_.volume().inner_faces() >> face & 1) != 0;
-}
-
-bool BoundaryCurves::is_on_seam(CurvePlace place) const {
-  if (begins_seam(place)) return true;
+bool BoundaryCurves::is_on_fixed(CurvePlace place) const {
+  if (begins_fixed(place)) return true;
   if (place.s != std::floor(place.s)) return false;
-  const double last = static_cast<double>(loops_[place.loop].faces.size()) - 1;
-  return begins_seam({place.loop, place.s > 0 ? place.s - 1 : last});
+  const double last = static_cast<double>(loop(place.loop).faces.size()) - 1;
+  return begins_fixed({place.loop, place.s > 0 ? place.s - 1 : last});
 }
 
-bool BoundaryCurves::runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const {
+bool BoundaryCurves::runs_beside_fixed(const CurvePoint& a, const CurvePoint& b) const {
   const Vec3 &p = a.point, &q = b.point;
   const int common = (p.x == q.x) + (p.y == q.y) + (p.z == q.z);
-  return common >= 2 && is_on_seam(a.place) && is_on_seam(b.place);
+  return common >= 2 && is_on_fixed(a.place) && is_on_fixed(b.place);
 }
 
-std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double sagitta) const {
-  const std::vector<Vec3>& points = loops_[loop].points;
+std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t number, double sagitta) const {
+  const std::vector<Vec3>& points = loop(number).points;
   const std::size_t n = points.size();
   std::vector<std::size_t> keep;
   for (std::size_t i = 0; i < n; ++i) {
-    if (loops_[loop].kept[i]) keep.push_back(i);
+    if (loop(number).kept[i]) keep.push_back(i);
   }
   // With at least three vertices, no two edges of the chain join the same two vertices.
   if (keep.size() < 3) {
@@ -65,15 +60,15 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
     while (!ends.empty()) {
       const std::size_t to = ends.back();
       const Vec3 &a = points[from % n], &b = points[to % n];
-      const CurvePlace start{loop, static_cast<double>(from % n)};
-      const CurvePlace end{loop, static_cast<double>(to % n)};
-      const bool on_seam = begins_seam(start);
+      const CurvePlace start{number, static_cast<double>(from % n)};
+      const CurvePlace end{number, static_cast<double>(to % n)};
+      const bool is_fixed = begins_fixed(start);
       double worst = 0;
-      for (std::size_t i = from + 1; i < to && !on_seam; ++i) {
+      for (std::size_t i = from + 1; i < to && !is_fixed; ++i) {
         worst = std::max(worst, distance2_to_chord(points[i % n], a, b));
       }
       if (worst > sagitta * sagitta * distance2(a, b) ||
-          (to > from + 1 && !on_seam && runs_beside_seam({start, a}, {end, b}))) {
+          (to > from + 1 && !is_fixed && runs_beside_fixed({start, a}, {end, b}))) {
         ends.push_back((from + to) / 2);
         continue;
       }
@@ -86,20 +81,20 @@ std::vector<CurvePlace> BoundaryCurves::coarse_chain(std::uint32_t loop, double 
 }
 
 std::vector<CurvePoint> BoundaryCurves::arc(const CurvePoint& a, const CurvePoint& b) const {
-  const auto& [loop, start] = a.place;
-  const std::vector<Vec3>& curve = loops_[loop].points;
+  const auto& [number, start] = a.place;
+  const std::vector<Vec3>& curve = loop(number).points;
   const std::size_t n = curve.size();
   const double end = b.place.s > start ? b.place.s : b.place.s + static_cast<double>(n);
   std::vector<CurvePoint> points{a};
   for (auto i = static_cast<std::size_t>(start) + 1; static_cast<double>(i) < end; ++i) {
-    points.push_back({{loop, static_cast<double>(i)}, curve[i % n]});
+    points.push_back({{number, static_cast<double>(i)}, curve[i % n]});
   }
-  points.push_back({{loop, end}, b.point});
+  points.push_back({{number, end}, b.point});
   return points;
 }
 
 std::optional<Vec3> BoundaryCurves::middle(const CurvePoint& from, const CurvePoint& to) const {
-  const std::vector<BoxFace>& faces = loops_[from.place.loop].faces;
+  const std::vector<BoxFace>& faces = loop(from.place.loop).faces;
   const BoxFace face = faces[static_cast<std::size_t>(from.place.s) % faces.size()];
   return boundary_midpoint(surface_.volume(), surface_.kappa(), face, from.point, to.point);
 }
@@ -131,7 +126,7 @@ std::optional<CurvePoint> BoundaryCurves::split(const CurvePoint& a, const Curve
     if (i + 1 < points.size()) consider(to, so_far);
   }
   if (!best) return std::nullopt;
-  const auto length = static_cast<double>(loops_[a.place.loop].points.size());
+  const auto length = static_cast<double>(loop(a.place.loop).points.size());
   if (best->place.s >= length) best->place.s -= length;
   return best;
 }

@@ -7,12 +7,12 @@
 // lies in its diametral ball. Below voxel size the middle is a root on the bilinear arc. Both
 // stages share this; only vertex ids change between them.
 //
-// A block of a larger volume has inner faces. The arcs of a curve in such a face are a seam. Both
-// blocks at the face have the same seam: each chooses its vertices from the samples of the face
-// alone (blocks/seam.h). Edges of a seam are never split, its vertices never moved or removed.
+// Some arcs are fixed: edges along them are never split, their ends never moved or removed. The
+// seams of a block are such arcs (blocks/seam.h).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -40,29 +40,36 @@ struct BoundaryLoop {
   // Per point: nonzero if every chain must have it. There the curve turns on an edge of the box,
   // or a seam has a vertex.
   std::vector<std::uint8_t> kept;
-  std::vector<BoxFace> faces;  // per point: the face of the arc from it to the next
+  std::vector<BoxFace> faces;       // per point: the face of the arc from it to the next
+  std::vector<std::uint8_t> fixed;  // per point: nonzero if that arc is fixed
 };
+
+using BoundaryLoops = std::vector<BoundaryLoop>;
 
 class BoundaryCurves {
  public:
   // Keeps a reference to the surface.
-  BoundaryCurves(const Isosurface& surface, std::vector<BoundaryLoop> loops)
+  BoundaryCurves(const Isosurface& surface, std::shared_ptr<const BoundaryLoops> loops)
       : surface_(surface), loops_(std::move(loops)) {}
 
-  std::size_t loop_count() const { return loops_.size(); }
+  std::size_t loop_count() const { return loops_->size(); }
+  const BoundaryLoop& loop(std::uint32_t number) const { return (*loops_)[number]; }
   // Returns the places of a coarse chain along the loop, at least three. All kept points are in it.
-  // Off the seams it has more, so that every chord's sagitta is at most `sagitta` times its length.
+  // Off the fixed arcs it has more, so that every chord's sagitta is at most `sagitta` times its
+  // length.
   std::vector<CurvePlace> coarse_chain(std::uint32_t loop, double sagitta) const;
   // Returns the point of the curve at a place. pre: place.s is a whole number.
   const Vec3& point(CurvePlace place) const;
   // True if every chain must have a vertex at the place.
   bool is_kept(CurvePlace place) const;
-  // True if the place lies on a seam, or if the arc that begins there does.
-  bool is_on_seam(CurvePlace place) const;
-  bool begins_seam(CurvePlace place) const;
-  // True if the chord ab runs along an edge of the box beside a seam: the neighboring block might
-  // have the same chord.
-  bool runs_beside_seam(const CurvePoint& a, const CurvePoint& b) const;
+  // True if the arc that begins at the place is fixed; if it is, or that before it.
+  bool begins_fixed(CurvePlace place) const {
+    return loop(place.loop).fixed[static_cast<std::size_t>(place.s)] != 0;
+  }
+  bool is_on_fixed(CurvePlace place) const;
+  // True if the chord ab runs along an edge of the box beside a fixed arc: the neighboring block
+  // might have the same chord.
+  bool runs_beside_fixed(const CurvePoint& a, const CurvePoint& b) const;
 
   // Returns a point near the middle of the arc from a to b, by length: a point of the curve, or
   // the middle between two. Nullopt if the arc is too short for a point other than its ends.
@@ -78,7 +85,7 @@ class BoundaryCurves {
   std::optional<Vec3> middle(const CurvePoint& from, const CurvePoint& to) const;
 
   const Isosurface& surface_;
-  std::vector<BoundaryLoop> loops_;
+  std::shared_ptr<const BoundaryLoops> loops_;
 };
 
 // The vertices on the boundary curves: their places, and the next and previous vertex of each.
@@ -95,6 +102,10 @@ class Chain {
   }
 
   void add_loop(std::span<const Vertex> vertices, std::span<const CurvePlace> places);
+  // Sets the place and the neighbors of v, of a chain that need not be closed.
+  void set(Vertex v, Vertex previous, Vertex next, CurvePlace place) {
+    link(v) = {next, previous, place};
+  }
   // Inserts v between a and the next vertex.
   void insert_after(Vertex a, Vertex v, CurvePlace place);
   // Joins v's neighbors to each other. pre: the loop has more than three vertices.

@@ -63,11 +63,11 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void stage_begins(const char* /*stage*/) {}
-  // The stage has done `done` steps, and `queued` more are known.
+  // The stage has done `done` steps, and `queued` more are known. A volume in several blocks has
+  // one stage, "blocks", whose steps are weights of blocks.
   virtual void steps_done(std::size_t /*done*/, std::size_t /*queued*/) {}
 
-  // True if the events below are wanted. Stage 2 then refines the mesh as one region, in the order
-  // of Figure 9.
+  // True if the events below are wanted. The volume is then one block.
   virtual bool follows_insertions() const { return false; }
 
   // Stage 1. The regions of the first sites are known.

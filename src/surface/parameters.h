@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "base/parallel.h"
 #include "base/topology_counts.h"
@@ -28,8 +27,6 @@ struct RunSettings {
   // given, the bound on the distance follows from it.
   std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
-  // At max_vertices, end with the mesh as it is; otherwise throw an InputError.
-  bool keep_partial = false;
   // A progress bar, a trace or a profile (surface/observer.h); may be null.
   Observer* observer = nullptr;
 
@@ -44,10 +41,6 @@ struct Parameters : RunSettings {
   Criteria refinement;
   // Stage 2 as published: only the paper's operations, and no crossing is refused.
   bool as_published = false;
-
-  // Per component of T, nonzero if it is kept. Empty: `components` decides. A solid chooses the
-  // components itself (contour/dissolve.h).
-  std::vector<std::uint8_t> kept;
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };

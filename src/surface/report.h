@@ -31,6 +31,7 @@ enum class Counter : std::uint8_t {
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
   crossings_handed_over,    // pairs of facets of K that cross
+  seams_refused,            // larger blocks that were made because a seam could not be cleared
   // Stage 2
   unrefined_facets,  // facets left that violate a criterion
   points_far,        // vertices of T left further from the mesh than asked for
@@ -44,15 +45,25 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped", "boundary_splits_recover",
-    "cancelled_pairs",    "bogus_hits",
-    "capped_insertions",  "refused_splits",
-    "unresolved_facets",  "unresolved_vertices",
-    "voxels_cut",         "uncertified_sites",
-    "unready_facets",     "crossings_handed_over",
-    "unrefined_facets",   "points_far",
-    "cap_edges_lifted",   "cap_lifts_off_surface",
-    "cap_not_lifted",     "cap_edges_split",
+    "components_skipped",
+    "boundary_splits_recover",
+    "cancelled_pairs",
+    "bogus_hits",
+    "capped_insertions",
+    "refused_splits",
+    "unresolved_facets",
+    "unresolved_vertices",
+    "voxels_cut",
+    "uncertified_sites",
+    "unready_facets",
+    "crossings_handed_over",
+    "seams_refused",
+    "unrefined_facets",
+    "points_far",
+    "cap_edges_lifted",
+    "cap_lifts_off_surface",
+    "cap_not_lifted",
+    "cap_edges_split",
     "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 
@@ -65,6 +76,7 @@ enum class Operation : std::uint8_t {
   collapse,
   move,
   far_point,
+  thin,
   count_
 };
 enum class Refusal : std::uint8_t {
@@ -83,7 +95,7 @@ enum class Refusal : std::uint8_t {
 inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
 inline constexpr std::array<std::string_view, kOperations> kOperationNames{
-    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point"};
+    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point", "thin"};
 inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
     "not_a_disk", "swallows_vertex", "no_surface_point", "too_close", "boundary",
     "turned",     "no_gain",         "uncovers",         "crossing",  "frozen"};
@@ -140,7 +152,6 @@ struct Report {
   double r_min = 0;            // scaled frame, as all lengths here
   double largest_h = 0;        // of facets above r_min, when Stage 2 ended
   double max_distance = 0;     // the bound on h then: the option's, or what --vertices reached
-  bool stopped_at_max_vertices = false;
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<OperationCounts, kOperations> operations{};
@@ -150,11 +161,21 @@ struct Report {
     return points_recovered - std::min(points_recovered, points_initial);
   }
 
-  // Adds what Stage 2 did in a refinement region.
-  void add_refinement(const Report& region) {
-    searches_refine += region.searches_refine;
-    insertions_refine += region.insertions_refine;
-    for (std::size_t r = 0; r < kOperations; ++r) operations[r] += region.operations[r];
+  // Adds the seconds and counts of a block or of a part of a mesh.
+  void add(const Report& part) {
+    for (const auto seconds :
+         {&Report::seconds_tree, &Report::seconds_contour, &Report::seconds_init,
+          &Report::seconds_labels, &Report::seconds_recover, &Report::seconds_poles,
+          &Report::seconds_refine}) {
+      this->*seconds += part.*seconds;
+    }
+    points_initial += part.points_initial;
+    points_recovered += part.points_recovered;
+    searches_recover += part.searches_recover;
+    searches_refine += part.searches_refine;
+    insertions_refine += part.insertions_refine;
+    for (std::size_t n = 0; n < kCounterCount; ++n) counters[n] += part.counters[n];
+    for (std::size_t n = 0; n < kOperations; ++n) operations[n] += part.operations[n];
   }
 
   std::uint64_t& operator[](Counter c) { return counters[static_cast<std::size_t>(c)]; }

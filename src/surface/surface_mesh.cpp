@@ -23,6 +23,14 @@ double SurfaceMesh::pole(const Triangle& v) const {
   return (pole_heights[v[0]] + pole_heights[v[1]] + pole_heights[v[2]]) / 3;
 }
 
+FacetShape SurfaceMesh::shape(const Triangle& v, const Dual& dual) const {
+  const auto& p = mesh.points;
+  FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
+  if (!dual.on_surface) shape.h = shape.r;
+  shape.pole = pole(v);
+  return shape;
+}
+
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
   // The furthest corner: a rounded point is not equally far from the corners of a needle.
   return {x, std::max({distance2(x, a), distance2(x, b), distance2(x, c)}), true};

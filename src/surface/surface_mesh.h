@@ -13,6 +13,7 @@
 #include "base/triangle.h"
 #include "mesh/tri_mesh.h"
 #include "surface/boundary.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -36,6 +37,8 @@ struct SurfaceMesh {
 
   // Returns h_sigma, the mean over the facet's corners; infinite without pole heights.
   double pole(const Triangle& v) const;
+  // Returns the measures of a facet; without a surface point h is r.
+  FacetShape shape(const Triangle& v, const Dual& dual) const;
 };
 
 // Return the dual of a facet whose line meets Sigma at x, or misses Sigma.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contour/dissolve.h"
+#include "cap/dissolve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cap/leave_box.h"
+#include "refine/lift_off.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,10 +61,10 @@ Vec3 inwards(unsigned faces) {
   return sum;
 }
 
-class BoxLeaver {
+class LiftOff {
  public:
-  BoxLeaver(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
-            const Parameters& parameters, Report& report)
+  LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
+          const Parameters& parameters, Report& report)
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
@@ -76,7 +76,7 @@ class BoxLeaver {
         report_(report),
         finder_(surface) {}
 
-  std::size_t run();
+  std::size_t run(OffSurface off_surface);
 
  private:
   unsigned faces_at(VertexId v) const { return box_faces_at(mesh_.points[v], box_) & faces_; }
@@ -135,7 +135,7 @@ class BoxLeaver {
   Change change_;
 };
 
-std::size_t BoxLeaver::run() {
+std::size_t LiftOff::run(OffSurface off_surface) {
   parameters_.as_published = false;  // all gates
   std::size_t left = 0;
   std::vector<std::uint8_t> on_boundary(mesh_.points.size(), 0);
@@ -155,12 +155,13 @@ std::size_t BoxLeaver::run() {
   }
   std::size_t flat = 1;
   for (const Effort effort : {Effort::as_stage2, Effort::on_surface, Effort::next_to_it}) {
+    if (effort == Effort::next_to_it && off_surface == OffSurface::refused) break;
     if (flat > 0) flat = lift_all(effort);
   }
   return left + flat;
 }
 
-bool BoxLeaver::lies_in_face(FaceId f, int i) const {
+bool LiftOff::lies_in_face(FaceId f, int i) const {
   const Face& face = mesh_.faces[f];
   if (i < 3) return face.n[i] != kNoId && faces_at_edge(f, i) != 0;
   return face.n == std::array<FaceId, 3>{kNoId, kNoId, kNoId} &&
@@ -168,7 +169,7 @@ bool BoxLeaver::lies_in_face(FaceId f, int i) const {
 }
 
 // Returns how many edges and facets are left in faces.
-std::size_t BoxLeaver::lift_all(Effort effort) {
+std::size_t LiftOff::lift_all(Effort effort) {
   std::size_t left = 0;
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     for (int i = 0; i <= 3; ++i) {
@@ -184,13 +185,13 @@ std::size_t BoxLeaver::lift_all(Effort effort) {
   return left;
 }
 
-bool BoxLeaver::replace(bool near_surface) {
+bool LiftOff::replace(bool near_surface) {
   change_.least_cosine = near_surface ? kSharpestFold : -1;
   change_.topology_only = !near_surface;
   return !replacer().replace(change_, [] { return true; });
 }
 
-bool BoxLeaver::move_off(FaceId f, VertexId v) {
+bool LiftOff::move_off(FaceId f, VertexId v) {
   facets_around(mesh_, f, v, change_.cavity);
   if (replacer().open_cavity(change_)) return false;
   change_.in.facets = change_.was.facets;
@@ -203,8 +204,8 @@ bool BoxLeaver::move_off(FaceId f, VertexId v) {
   });
 }
 
-std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec3& middle,
-                                          double limit) {
+std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3& middle,
+                                        double limit) {
   std::vector<Vec3> found;
   for (const Line& line : lines) {
     const double size = length(line.direction);
@@ -219,12 +220,12 @@ std::vector<Vec3> BoxLeaver::find_off_box(std::span<const Line> lines, const Vec
   return found;
 }
 
-bool BoxLeaver::replace_by_cone(const Vec3& p, bool near_surface) {
+bool LiftOff::replace_by_cone(const Vec3& p, bool near_surface) {
   replacer().set_cone(change_, p);
   return replace(near_surface);
 }
 
-bool BoxLeaver::flip(FaceId f, int i, bool near_surface) {
+bool LiftOff::flip(FaceId f, int i, bool near_surface) {
   const Quad q = quad_at(mesh_, f, i);
   if ((faces_at(q.a) & faces_at(q.d)) != 0) return false;
   change_.what = Change::Vertex::none;
@@ -232,7 +233,7 @@ bool BoxLeaver::flip(FaceId f, int i, bool near_surface) {
   return replace(near_surface);
 }
 
-bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
+bool LiftOff::lift(FaceId f, int i, Effort effort) {
   const bool is_edge = i < 3;
   const FaceId g = is_edge ? mesh_.faces[f].n[i] : f;
   const Triangle v = mesh_.faces[f].v;
@@ -280,9 +281,10 @@ bool BoxLeaver::lift(FaceId f, int i, Effort effort) {
 
 }  // namespace
 
-std::size_t leave_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
-                      unsigned faces, const Parameters& parameters, Report& report) {
-  return BoxLeaver(s, surface, curves, faces, parameters, report).run();
+std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
+                     unsigned faces, OffSurface off_surface, const Parameters& parameters,
+                     Report& report) {
+  return LiftOff(s, surface, curves, faces, parameters, report).run(off_surface);
 }
 
 }  // namespace deliso

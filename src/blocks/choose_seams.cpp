@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "blocks/choose_seam.h"
+#include "blocks/choose_seams.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -14,10 +15,7 @@
 namespace deliso {
 namespace {
 
-// Bounds on a chord: its distance from the curve, as a share of D (without D, in voxels) and of its
-// length; and its length.
-constexpr double kMaxShareOfD = 0.5, kMaxDistanceVoxels = 0.05, kMaxShareOfLength = 0.25;
-constexpr double kMaxChordVoxels = 3;
+constexpr std::size_t kCrossingsPerChord = 3;
 // A curve of at most this many crossings keeps them all. It bounds a component so thin that a chord
 // could reverse it.
 constexpr std::size_t kMaxShortCurve = 8;
@@ -25,7 +23,7 @@ constexpr std::size_t kMaxShortCurve = 8;
 // end.
 constexpr double kMinGapVoxels = 1e-3, kMaxCosine = 0.9;
 
-// A curve on one face, by the crossings of grid edges.
+// A curve in one rectangle, by the crossings of grid edges.
 struct Run {
   std::uint32_t loop;
   std::vector<std::size_t> points;  // numbers in the loop; a closed run ends with its first
@@ -37,22 +35,25 @@ struct Chord {
   std::size_t from, to;  // places in its points
 };
 
-class FaceSeam {
+// A rectangle of a face between planes of the grid: its sides along the axes u and v.
+struct Rectangle {
+  int u, v;
+  std::array<double, 2> u_sides, v_sides;
+};
+
+class RectangleSeam {
  public:
-  FaceSeam(const Volume& volume, const Parameters& parameters, std::vector<BoundaryLoop>& loops,
-           int face)
+  RectangleSeam(const Volume& volume, const Rectangle& rectangle, std::vector<Run> runs,
+                BoundaryLoops& loops)
       : loops_(loops),
         volume_(volume),
-        face_(face),
-        u_((face / 2 + 1) % 3),
-        v_((face / 2 + 2) % 3),
-        voxel_(parameters.voxel),
-        near_(std::isfinite(parameters.refinement[Criterion::distance])
-                  ? kMaxShareOfD * parameters.refinement[Criterion::distance]
-                  : kMaxDistanceVoxels * parameters.voxel) {}
+        rectangle_(rectangle),
+        u_(rectangle.u),
+        v_(rectangle.v),
+        voxel_(volume.voxel()),
+        runs_(std::move(runs)) {}
 
   void choose() {
-    for (std::uint32_t l = 0; l < loops_.size(); ++l) collect_runs(l);
     for (std::uint32_t r = 0; r < runs_.size(); ++r) lay_chords(r);
     while (halve_near_chords()) {
     }
@@ -69,92 +70,23 @@ class FaceSeam {
     return loops_[runs_[run].loop].points[runs_[run].points[at]];
   }
 
-  void collect_runs(std::uint32_t l) {
-    const BoundaryLoop& loop = loops_[l];
-    const std::size_t n = loop.points.size();
-    std::size_t begin = 0;  // a point where an arc of this face follows one of another
-    while (begin < n && (loop.faces[begin] != face_ || loop.faces[(begin + n - 1) % n] == face_)) {
-      ++begin;
-    }
-    if (begin == n) {
-      if (n > 0 && loop.faces[0] == face_) add_run(l, 0, n, true);
-      return;
-    }
-    for (std::size_t i = begin; i < begin + n;) {
-      std::size_t end = i;
-      while (end < begin + n && loop.faces[end % n] == face_) ++end;
-      if (end > i) add_run(l, i, end, false);
-      i = std::max(end, i + 1);
-    }
-  }
-
-  // Adds points number `begin` to `end` of the loop, counted on past its end.
-  void add_run(std::uint32_t l, std::size_t begin, std::size_t end, bool closed) {
-    const BoundaryLoop& loop = loops_[l];
-    Run run{l, {}, closed};
-    std::vector<GridEdge> edges;
-    for (std::size_t i = begin; i < end + !closed; ++i) {
-      const std::size_t at = i % loop.points.size();
-      const auto edge = grid_edge_at(loop.points[at], volume_);
-      if (!edge) continue;
-      run.points.push_back(at);
-      edges.push_back(*edge);
-    }
-    // In the order seen from one side of the face.
-    if (face_ % 2 == 0) {
-      std::reverse(run.points.begin(), run.points.end());
-      std::reverse(edges.begin(), edges.end());
-    }
-    if (closed && !edges.empty()) {
-      const auto first = std::min_element(edges.begin(), edges.end()) - edges.begin();
-      std::rotate(run.points.begin(), run.points.begin() + first, run.points.end());
-      run.points.push_back(run.points.front());
-    }
-    runs_.push_back(std::move(run));
-  }
-
   void lay_chords(std::uint32_t r) {
-    const Run& run = runs_[r];
-    if (run.points.size() < 2) return;
-    const std::size_t last = run.points.size() - 1;
-    std::vector<std::size_t> ends{0};
-    if (run.closed) ends.insert(ends.end(), {last / 3, 2 * last / 3});
-    ends.push_back(last);
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) lay_chords(r, ends[k], ends[k + 1]);
-  }
-
-  void lay_chords(std::uint32_t r, std::size_t from, std::size_t end) {
-    const bool is_short = runs_[r].points.size() <= kMaxShortCurve;
-    while (from < end) {
-      std::size_t to = from + 1;
-      while (!is_short && to < end && is_near(r, from, to + 1)) ++to;
-      chords_.push_back({r, from, to});
-      from = to;
+    const std::size_t count = runs_[r].points.size();
+    const std::size_t step = count <= kMaxShortCurve ? 1 : kCrossingsPerChord;
+    for (std::size_t from = 0; from + 1 < count; from += step) {
+      chords_.push_back({r, from, std::min(from + step, count - 1)});
     }
   }
 
-  // True if the curve from one point to the other stays near the chord.
-  bool is_near(std::uint32_t r, std::size_t from, std::size_t to) const {
-    const Vec3 &a = point(r, from), &b = point(r, to);
-    const double length = distance(a, b);
-    if (length > kMaxChordVoxels * voxel_) return false;
-    const double limit = std::min(near_, kMaxShareOfLength * length);
-    for (std::size_t at = from + 1; at < to; ++at) {
-      if (distance2_to_chord(point(r, at), a, b) > limit * limit) return false;
-    }
-    return true;
-  }
-
-  // True if a chord runs along a side of the face, and so nearly in the next face too.
+  // True if a chord runs along a side of the rectangle, and so nearly in the next one too.
   bool runs_along_side(const Chord& c) const {
     const Vec3 &a = point(c.run, c.from), &b = point(c.run, c.to);
-    const Box3 box = volume_.box();
     const double apart = kMinGapVoxels * voxel_;
     const auto both_near = [&](int axis, double side) {
       return std::fabs(a[axis] - side) < apart && std::fabs(b[axis] - side) < apart;
     };
-    return both_near(u_, box.lo[u_]) || both_near(u_, box.hi[u_]) || both_near(v_, box.lo[v_]) ||
-           both_near(v_, box.hi[v_]);
+    return both_near(u_, rectangle_.u_sides[0]) || both_near(u_, rectangle_.u_sides[1]) ||
+           both_near(v_, rectangle_.v_sides[0]) || both_near(v_, rectangle_.v_sides[1]);
   }
 
   // Halves all chords that come near another one, or a side. Returns whether there were any.
@@ -249,37 +181,130 @@ class FaceSeam {
     return (side(q[0]) > off && side(q[1]) > off) || (side(q[0]) < -off && side(q[1]) < -off);
   }
 
-  std::vector<BoundaryLoop>& loops_;
+  BoundaryLoops& loops_;
   const Volume& volume_;
-  int face_, u_, v_;  // the face, and the axes in it
-  double voxel_, near_;
+  const Rectangle& rectangle_;
+  int u_, v_;
+  double voxel_;
   std::vector<Run> runs_;
   std::vector<Chord> chords_;
 };
 
-// Marks the points of seams as kept, and no others on inner faces.
-void choose_seams(const Volume& volume, const Parameters& parameters,
-                  std::vector<BoundaryLoop>& loops) {
-  for (int face = 0; face < 6; ++face) {
-    if ((volume.inner_faces() >> face & 1) != 0) FaceSeam(volume, parameters, loops, face).choose();
+// The runs of one inner face, by the numbers of their rectangles along u and v.
+class FaceRuns {
+ public:
+  FaceRuns(const Volume& volume, const BlockGrid& grid, BoundaryLoops& loops, BoxFace face)
+      : volume_(volume),
+        loops_(loops),
+        face_(face),
+        u_((axis_of(face) + 1) % 3),
+        v_((axis_of(face) + 2) % 3),
+        u_lines_(lines(grid, u_)),
+        v_lines_(lines(grid, v_)) {
+    for (std::uint32_t l = 0; l < loops_.size(); ++l) collect(l);
   }
-}
+
+  void choose() {
+    for (auto& [number, runs] : runs_) {
+      const auto [u, v] = number;
+      const Rectangle rectangle{
+          u_, v_, {u_lines_[u], u_lines_[u + 1]}, {v_lines_[v], v_lines_[v + 1]}};
+      RectangleSeam(volume_, rectangle, std::move(runs), loops_).choose();
+    }
+  }
+
+ private:
+  using Lines = std::vector<double>;
+
+  // Returns the coordinates of the block's sides and of the planes between them.
+  Lines lines(const BlockGrid& grid, int axis) const {
+    Lines lines;
+    const int first = volume_.first()[axis], last = first + volume_.voxels()[axis];
+    lines.push_back(volume_.box().lo[axis]);
+    for (const int plane : grid.planes[static_cast<std::size_t>(axis)]) {
+      if (first < plane && plane < last) lines.push_back(plane * volume_.spacing()[axis]);
+    }
+    lines.push_back(volume_.box().hi[axis]);
+    return lines;
+  }
+
+  static bool is_line(const Lines& lines, double at) {
+    return std::ranges::binary_search(lines, at);
+  }
+
+  // True if a run begins at point i of the loop: the curve comes from another face or rectangle.
+  bool begins_run(const BoundaryLoop& loop, std::size_t i) const {
+    const std::size_t n = loop.points.size();
+    return loop.faces[(i + n - 1) % n] != face_ || is_line(u_lines_, loop.points[i][u_]) ||
+           is_line(v_lines_, loop.points[i][v_]);
+  }
+
+  void collect(std::uint32_t l) {
+    BoundaryLoop& loop = loops_[l];
+    const std::size_t n = loop.points.size();
+    for (std::size_t i = 0; i < n; ++i) loop.fixed[i] |= loop.faces[i] == face_;
+    std::size_t begin = 0;
+    while (begin < n && !(loop.faces[begin] == face_ && begins_run(loop, begin))) ++begin;
+    if (begin == n) {
+      if (n > 0 && loop.faces[0] == face_) add_run(l, 0, n, true);
+      return;
+    }
+    for (std::size_t i = begin; i < begin + n;) {
+      if (loop.faces[i % n] != face_) {
+        ++i;
+        continue;
+      }
+      std::size_t end = i + 1;
+      while (end < begin + n && loop.faces[end % n] == face_ && !begins_run(loop, end % n)) ++end;
+      add_run(l, i, end, false);
+      i = end;
+    }
+  }
+
+  // Adds points number `begin` to `end` of the loop, counted on past its end.
+  void add_run(std::uint32_t l, std::size_t begin, std::size_t end, bool closed) {
+    const BoundaryLoop& loop = loops_[l];
+    const std::size_t n = loop.points.size();
+    Run run{l, {}, closed};
+    std::vector<GridEdge> edges;
+    for (std::size_t i = begin; i < end + !closed; ++i) {
+      const auto edge = grid_edge_at(loop.points[i % n], volume_);
+      if (!edge) continue;
+      run.points.push_back(i % n);
+      edges.push_back(*edge);
+    }
+    // In the order seen from one side of the face.
+    if (face_ % 2 == 0) {
+      std::reverse(run.points.begin(), run.points.end());
+      std::reverse(edges.begin(), edges.end());
+    }
+    if (closed && !edges.empty()) {
+      const auto first = std::min_element(edges.begin(), edges.end()) - edges.begin();
+      std::rotate(run.points.begin(), run.points.begin() + first, run.points.end());
+      run.points.push_back(run.points.front());
+    }
+    const Vec3 middle = 0.5 * (loop.points[begin % n] + loop.points[(begin + 1) % n]);
+    const auto number = [&](const Lines& lines, int axis) {
+      return static_cast<std::size_t>(
+          std::upper_bound(lines.begin() + 1, lines.end() - 1, middle[axis]) - lines.begin() - 1);
+    };
+    runs_[{number(u_lines_, u_), number(v_lines_, v_)}].push_back(std::move(run));
+  }
+
+  const Volume& volume_;
+  BoundaryLoops& loops_;
+  BoxFace face_;
+  int u_, v_;
+  Lines u_lines_, v_lines_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Run>> runs_;
+};
 
 }  // namespace
 
-BoundaryCurves boundary_curves(const Isosurface& surface, const ContourMesh& contour,
-                               const Parameters& parameters) {
-  const BoundaryChains& chains = contour.boundary;
-  std::vector<BoundaryLoop> loops(chains.size());
-  for (std::size_t c = 0; c < loops.size(); ++c) {
-    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
-      loops[c].points.push_back(contour.points[chains.vertices[k]]);
-      loops[c].kept.push_back(chains.on_box_edge[k]);
-      loops[c].faces.push_back(chains.face[k]);
-    }
+void choose_seams(const Volume& block, const BlockGrid& grid, BoundaryLoops& loops) {
+  for (BoxFace face = 0; face < 6; ++face) {
+    if ((block.inner_faces() >> face & 1) != 0) FaceRuns(block, grid, loops, face).choose();
   }
-  choose_seams(surface.volume(), parameters, loops);
-  return {surface, std::move(loops)};
 }
 
 }  // namespace deliso

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "blocks/choose_seams.h"
+#include "blocks/clear_seam.h"
+#include "blocks/seam.h"
+#include "contour/contour.h"
+#include "contour/keep_components.h"
+#include "deliso/deliso.h"
+#include "recover/recover.h"
+#include "refine/lift_off.h"
+#include "refine/refine.h"
+#include "stage1/boundary_loops.h"
+#include "surface/step_timer.h"
+
+namespace deliso {
+namespace {
+
+// Rounds in which a seam is cleared. An edge within the face can block the removal of a vertex.
+// That edge leaves the face in the same round, so the next round can remove the vertex.
+constexpr int kMaxSeamRounds = 3;
+
+// Samples this near to an inner face are held against the welded mesh: the facet that is nearest
+// may be the neighbor's.
+constexpr double kNearSeamVoxels = 2;
+
+bool is_near_seam(const Vec3& p, const Volume& block) {
+  const Box3 box = block.box();
+  const double near = kNearSeamVoxels * block.voxel();
+  for (BoxFace face = 0; face < 6; ++face) {
+    if ((block.inner_faces() >> face & 1) == 0) continue;
+    const int axis = axis_of(face);
+    if ((face & 1) != 0 ? p[axis] > box.hi[axis] - near : p[axis] < box.lo[axis] + near) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Returns the block's share of the random points, by its size.
+std::size_t share_of_samples(std::size_t samples, const Volume& block, const Volume& whole) {
+  const auto voxels = [](const Volume& v) {
+    return static_cast<double>(v.voxels().i) * v.voxels().j * v.voxels().k;
+  };
+  const double share = voxels(block) / voxels(whole);
+  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(samples)));
+}
+
+void clear(Block& block, const BoxSurface& at, const Parameters& parameters) {
+  const unsigned inner = at.volume.inner_faces();
+  if (inner == 0) return;
+  const BoundaryCurves curves(at.surface, block.loops);
+  std::size_t unknown = 1, flat = 0;
+  for (int round = 0; round < kMaxSeamRounds && unknown + flat > 0; ++round) {
+    unknown = clear_seam(block.mesh, at.surface, curves, parameters, block.report);
+    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, parameters,
+                    block.report);
+  }
+  block.refused = faulty_faces(block.mesh, curves, at.volume);
+}
+
+}  // namespace
+
+BoxSurface::BoxSurface(const Volume& whole, const SampleBox& box, double kappa, CubicMethod cubic)
+    : volume(samples_of(whole, box)), tree(volume), surface(volume, tree, kappa, cubic) {}
+
+Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept) {
+  Block block;
+  block.box = box;
+  Report& report = block.report;
+  const BoxSurface at(run.volume, box, run.kappa, run.options.cubic);
+  ContourMesh contour =
+      timed(report.seconds_contour, [&] { return build_contour(at.volume, run.kappa); });
+  block.components = components_of(contour, at.volume);
+  Parameters parameters = run.parameters;
+  parameters.samples = share_of_samples(parameters.samples, at.volume, run.volume);
+  if (run.options.recover == RecoverWay::certified) {
+    make_fine(contour, at.surface, parameters, report);
+  }
+  if (!kept.empty()) keep_components(contour, kept);
+  if (contour.points.empty()) return block;
+
+  BoundaryLoops loops = boundary_loops(contour);
+  choose_seams(at.volume, run.grid, loops);
+  block.loops = std::make_shared<const BoundaryLoops>(std::move(loops));
+  for (const Vec3& p : contour.points) {
+    (is_near_seam(p, at.volume) ? block.samples_near_seams : block.samples).push_back(p);
+  }
+  Options options = run.options;
+  options.stop_after_recover |= run.parameters.has_target();
+  block.mesh = delaunay_mesh(at.surface, contour, {at.surface, block.loops}, block.samples, options,
+                             parameters, report);
+  if (!run.parameters.has_target()) {
+    clear(block, at, parameters);
+    block.samples = {};
+  }
+  return block;
+}
+
+void refine_block(const BlockRun& run, const Parameters& parameters, Block& block) {
+  if (block.mesh.mesh.faces.empty()) return;
+  const BoxSurface at(run.volume, block.box, run.kappa, run.options.cubic);
+  refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
+         block.report);
+}
+
+void make_seam(const BlockRun& run, Block& block) {
+  if (block.mesh.mesh.faces.empty()) return;
+  clear(block, BoxSurface(run.volume, block.box, run.kappa, run.options.cubic), run.parameters);
+}
+
+}  // namespace deliso

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/components.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "base/disjoint_sets.h"
+
+namespace deliso {
+namespace {
+
+// Calls join(a, b) for neighbors in the order of their places that are at one place.
+template <class Item, class Place, class Join>
+void join_at_places(std::vector<Item>& items, Place place, Join&& join) {
+  std::ranges::stable_sort(items, {}, [&](const Item& item) { return by_place(place(item)); });
+  for (std::size_t n = 1; n < items.size(); ++n) {
+    if (place(items[n - 1]) == place(items[n])) join(items[n - 1], items[n]);
+  }
+}
+
+std::uint64_t loops_of(std::span<const BlockComponents> blocks) {
+  struct End {
+    Vec3 at;
+    std::uint32_t arc;
+  };
+  std::vector<End> ends;
+  std::uint64_t loops = 0;
+  std::uint32_t arcs = 0;
+  for (const BlockComponents& block : blocks) {
+    loops += block.closed_curves;
+    for (const BlockComponents::Arc& arc : block.arcs) {
+      ends.push_back({arc.from, arcs});
+      ends.push_back({arc.to, arcs++});
+    }
+  }
+  DisjointSets sets(arcs);
+  join_at_places(
+      ends, [](const End& end) { return end.at; },
+      [&](const End& a, const End& b) { sets.unite(a.arc, b.arc); });
+  for (std::uint32_t arc = 0; arc < arcs; ++arc) loops += sets.find(arc) == arc;
+  return loops;
+}
+
+}  // namespace
+
+BlockComponents components_of(const ContourMesh& contour, const Volume& block) {
+  BlockComponents out;
+  out.components = contour.summary.components;
+  out.segments_on_inner.resize(out.components.size(), 0);
+  const Index3 begin = block.first();
+  for (ContourComponent& c : out.components) {
+    for (int axis = 0; axis < 3; ++axis) {
+      c.first[axis] += begin[axis];
+      c.lo[axis] += begin[axis];
+      c.hi[axis] += begin[axis];
+    }
+  }
+  const BoundaryChains& chains = contour.boundary;
+  for (std::uint32_t c = 0; c < chains.size(); ++c) {
+    const std::uint32_t component = chains.component[c];
+    const std::size_t first = chains.first[c], n = chains.first[c + 1] - first;
+    const auto is_inner = [&](std::size_t k) {
+      return (block.inner_faces() >> chains.face[first + k % n] & 1) != 0;
+    };
+    const auto point = [&](std::size_t k) -> const Vec3& {
+      return contour.points[chains.vertices[first + k % n]];
+    };
+    std::size_t begin_outer = n;
+    for (std::size_t k = 0; k < n; ++k) {
+      out.segments_on_inner[component] += is_inner(k);
+      if (is_inner(k) || is_inner(k + n - 1)) out.crossings.push_back({point(k), component});
+      if (!is_inner(k) && is_inner(k + n - 1)) begin_outer = k;
+    }
+    if (begin_outer == n) {
+      out.closed_curves += !is_inner(0);
+      continue;
+    }
+    for (std::size_t k = begin_outer, start = k; k < begin_outer + n; ++k) {
+      if (is_inner(k)) continue;
+      if (is_inner(k + n - 1)) start = k;
+      if (is_inner(k + 1)) out.arcs.push_back({point(start), point(k + 1)});
+    }
+  }
+  return out;
+}
+
+AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
+  std::vector<ContourComponent> pieces;
+  std::vector<std::uint64_t> segments;
+  std::vector<BlockComponents::Crossing> crossings;
+  std::vector<std::uint32_t> first_piece;
+  for (const BlockComponents& block : blocks) {
+    const auto first = static_cast<std::uint32_t>(pieces.size());
+    first_piece.push_back(first);
+    pieces.insert(pieces.end(), block.components.begin(), block.components.end());
+    segments.insert(segments.end(), block.segments_on_inner.begin(), block.segments_on_inner.end());
+    for (const BlockComponents::Crossing& c : block.crossings) {
+      crossings.push_back({c.point, first + c.component});
+    }
+  }
+  DisjointSets sets(pieces.size());
+  join_at_places(
+      crossings, [](const auto& c) { return c.point; },
+      [&](const auto& a, const auto& b) {
+        sets.unite(a.component, b.component);
+        --pieces[b.component].crossings;  // counted by both
+        --pieces[b.component].euler;
+      });
+  // Segments were counted by both blocks, too; the first gives up its count in pairs below.
+  const std::vector<std::uint32_t> set = sets.take_numbers();
+  const std::size_t count = set.empty() ? 0 : 1 + *std::ranges::max_element(set);
+  std::vector<ContourComponent> all(count);
+  std::vector<std::uint64_t> twice(count, 0);
+  std::vector<std::uint8_t> is_known(count, 0);
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    ContourComponent& into = all[set[n]];
+    const ContourComponent& piece = pieces[n];
+    twice[set[n]] += segments[n];
+    if (!std::exchange(is_known[set[n]], 1)) {
+      into = piece;
+      into.boundary_loops = 0;
+      continue;
+    }
+    into.euler += piece.euler;
+    into.crossings += piece.crossings;
+    into.pieces += piece.pieces;
+    into.tubes += piece.tubes;
+    if (voxel_number(dims, piece.first) < voxel_number(dims, into.first)) into.first = piece.first;
+    for (int axis = 0; axis < 3; ++axis) {
+      into.lo[axis] = std::min(into.lo[axis], piece.lo[axis]);
+      into.hi[axis] = std::max(into.hi[axis], piece.hi[axis]);
+    }
+  }
+  AllComponents out;
+  std::vector<std::uint32_t> order(count), place(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {},
+                           [&](std::uint32_t c) { return voxel_number(dims, all[c].first); });
+  out.topology.components = count;
+  for (std::uint32_t n = 0; n < count; ++n) {
+    place[order[n]] = n;
+    ContourComponent& component = all[order[n]];
+    component.euler += static_cast<std::int64_t>(twice[order[n]] / 2);
+    out.topology.euler += component.euler;
+    out.components.push_back(component);
+  }
+  out.topology.boundary_loops = loops_of(blocks);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    std::vector<std::uint32_t>& numbers = out.number.emplace_back();
+    for (std::size_t c = 0; c < blocks[b].components.size(); ++c) {
+      numbers.push_back(place[set[first_piece[b] + c]]);
+    }
+  }
+  return out;
+}
+
+}  // namespace deliso

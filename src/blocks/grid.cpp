@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace deliso {
+namespace {
+
+bool overlap(const SampleBox& a, const SampleBox& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.begin[axis] >= b.end[axis] || b.begin[axis] >= a.end[axis]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_in(const SampleBox& inner, const SampleBox& outer) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.begin[axis] < outer.begin[axis] || inner.end[axis] > outer.end[axis]) return false;
+  }
+  return true;
+}
+
+BlockGrid::BlockGrid(const Volume& volume, int side) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int voxels = volume.voxels()[axis], first = volume.first()[axis];
+    const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
+    for (int n = 0; n <= parts; ++n) {
+      planes[static_cast<std::size_t>(axis)].push_back(
+          first + static_cast<int>(std::int64_t{voxels} * n / parts));
+    }
+  }
+}
+
+std::vector<SampleBox> BlockGrid::boxes() const {
+  std::vector<SampleBox> boxes;
+  const auto& [x, y, z] = planes;
+  for (std::size_t k = 0; k + 1 < z.size(); ++k) {
+    for (std::size_t j = 0; j + 1 < y.size(); ++j) {
+      for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+        boxes.push_back({{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}});
+      }
+    }
+  }
+  return boxes;
+}
+
+SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
+                 unsigned faces) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<int>& planes = grid.planes[static_cast<std::size_t>(axis)];
+    if ((faces >> (2 * axis) & 1) != 0) {
+      box.begin[axis] = *std::prev(std::ranges::lower_bound(planes, box.begin[axis]));
+    }
+    if ((faces >> (2 * axis + 1) & 1) != 0) {
+      box.end[axis] = *std::ranges::upper_bound(planes, box.end[axis]);
+    }
+  }
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const SampleBox& other : boxes) {
+      if (!overlap(box, other)) continue;
+      const SampleBox before = box;
+      for (int axis = 0; axis < 3; ++axis) {
+        box.begin[axis] = std::min(box.begin[axis], other.begin[axis]);
+        box.end[axis] = std::max(box.end[axis], other.end[axis]);
+      }
+      grows |= box != before;
+    }
+  }
+  return box;
+}
+
+Volume samples_of(const Volume& volume, const SampleBox& box) {
+  Index3 dims;
+  for (int axis = 0; axis < 3; ++axis) dims[axis] = box.end[axis] - box.begin[axis] + 1;
+  const std::size_t size = size_of(volume.type());
+  const std::size_t row = static_cast<std::size_t>(dims.i) * size;
+  const auto bytes = std::make_shared<std::vector<std::byte>>(
+      row * static_cast<std::size_t>(dims.j) * static_cast<std::size_t>(dims.k));
+  std::byte* to = bytes->data();
+  const std::byte* const from =
+      volume.visit([](const auto* samples) { return reinterpret_cast<const std::byte*>(samples); });
+  const Index3 first = volume.first();
+  for (int k = box.begin.k - first.k; k <= box.end.k - first.k; ++k) {
+    for (int j = box.begin.j - first.j; j <= box.end.j - first.j; ++j, to += row) {
+      std::memcpy(to, from + size * volume.index(box.begin.i - first.i, j, k), row);
+    }
+  }
+  return Volume(dims, volume.spacing(), volume.type(), bytes->data(), bytes, volume.frame())
+      .as_block(box.begin, volume.whole_dims());
+}
+
+}  // namespace deliso

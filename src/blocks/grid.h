@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The grid of blocks: planes of samples cut a volume into boxes of voxels. It follows from the
+// volume's size and the desired side alone, never from threads, so that the mesh does not depend on
+// them. Neighboring blocks share the plane of samples between them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "volume/volume.h"
+
+namespace deliso {
+
+// Samples `begin` to `end`, both included, along each axis; counted as positions are, from the
+// first sample of the largest volume (volume/volume.h).
+struct SampleBox {
+  Index3 begin, end;
+  friend bool operator==(const SampleBox&, const SampleBox&) = default;
+};
+bool is_in(const SampleBox& inner, const SampleBox& outer);
+
+struct BlockGrid {
+  // Per axis the planes of samples between which the blocks lie, first and last included.
+  std::array<std::vector<int>, 3> planes;
+
+  // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
+  BlockGrid(const Volume& volume, int side);
+  // Returns the boxes between neighboring planes, x fastest.
+  std::vector<SampleBox> boxes() const;
+};
+
+// Returns the smallest box that holds `box` and all voxels within one across its `faces` (bit 2 *
+// axis, + 1 at the high end), and no part of another of `boxes`. pre: boxes end on planes of the
+// grid.
+SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
+                 unsigned faces);
+
+// Returns a copy of the samples in the box, as a block of the volume. The copy is contiguous, so
+// that a block's work stays in the cache.
+Volume samples_of(const Volume& volume, const SampleBox& box);
+
+}  // namespace deliso

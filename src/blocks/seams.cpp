@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "blocks/seams.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.h"
+#include "blocks/patch.h"
+#include "refine/coverage.h"
+#include "refine/refine.h"
+
+namespace deliso {
+namespace {
+
+// Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
+constexpr std::array kHalfSamples{8.0, 12.0, 16.0};
+constexpr std::array kMaxShares{0.25, 0.375, 0.5};
+// Samples beyond a box, for searches from facets in it.
+constexpr int kMarginSamples = 4;
+// Boxes at work at once, for each thread: bounds the memory of those that are not put back yet.
+constexpr std::size_t kPatchesPerThread = 8;
+
+// The intervals into which the planes between blocks cut an axis: even ones lie between planes, odd
+// ones around one.
+class Intervals {
+ public:
+  Intervals(const std::vector<int>& planes, double spacing, std::size_t round) {
+    ends_.push_back(-kFar);
+    for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
+      const int side = std::min(planes[n] - planes[n - 1], planes[n + 1] - planes[n]);
+      const double half = std::min(kHalfSamples[round], kMaxShares[round] * side);
+      ends_.push_back((planes[n] - half) * spacing);
+      ends_.push_back((planes[n] + half) * spacing);
+    }
+    ends_.push_back(kFar);
+  }
+
+  std::size_t size() const { return ends_.size() - 1; }
+  std::size_t at(double x) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(ends_, x) - ends_.begin() - 1);
+  }
+  double lo(std::size_t n) const { return ends_[n]; }
+  double hi(std::size_t n) const { return ends_[n + 1]; }
+
+ private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> ends_;
+};
+
+// The boxes of a round, by the numbers of their intervals.
+class RoundBoxes {
+ public:
+  RoundBoxes(const BlockRun& run, std::size_t round)
+      : round_(round), axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
+
+  std::size_t size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
+
+  // Calls visit(number) for the boxes that meet the box.
+  template <class Visit>
+  void for_each(const Box3& box, Visit&& visit) const {
+    std::array<std::size_t, 3> lo, hi;
+    for (int a = 0; a < 3; ++a) {
+      lo[a] = axes_[a].at(box.lo[a]);
+      hi[a] = axes_[a].at(box.hi[a]);
+    }
+    for (std::size_t k = lo[2]; k <= hi[2]; ++k) {
+      for (std::size_t j = lo[1]; j <= hi[1]; ++j) {
+        for (std::size_t i = lo[0]; i <= hi[0]; ++i) {
+          if ((i & 1) + (j & 1) + (k & 1) == round_ + 1) visit(number(i, j, k));
+        }
+      }
+    }
+  }
+
+  Region region(std::size_t number) const {
+    const std::size_t i = number % axes_[0].size(), rest = number / axes_[0].size(),
+                      j = rest % axes_[1].size(), k = rest / axes_[1].size();
+    return {0,
+            {axes_[0].lo(i), axes_[1].lo(j), axes_[2].lo(k)},
+            {axes_[0].hi(i), axes_[1].hi(j), axes_[2].hi(k)}};
+  }
+
+ private:
+  static Intervals axis(const BlockRun& run, int a, std::size_t round) {
+    return {run.grid.planes[static_cast<std::size_t>(a)], run.volume.spacing()[a], round};
+  }
+  std::size_t number(std::size_t i, std::size_t j, std::size_t k) const {
+    return i + axes_[0].size() * (j + axes_[1].size() * k);
+  }
+
+  std::size_t round_;
+  std::array<Intervals, 3> axes_;
+};
+
+// Returns the samples in the region and some around it.
+SampleBox samples_around(const BlockRun& run, const Region& region) {
+  SampleBox box;
+  const Index3 first = run.volume.first(), last = run.volume.voxels();
+  const Vec3 spacing = run.volume.spacing();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = first[axis], high = first[axis] + last[axis];
+    const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, low, high)); };
+    box.begin[axis] = clamped(std::floor(region.lo[axis] / spacing[axis]) - kMarginSamples);
+    box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kMarginSamples);
+  }
+  return box;
+}
+
+void refine_patch(const BlockRun& run, const WeldedMesh& whole, MeshPatch& patch) {
+  extract(whole.mesh, patch);
+  const BoxSurface at(run.volume, samples_around(run, patch.region), run.kappa, run.options.cubic);
+  patch.is_done =
+      refine_part(patch.mesh, at.surface, {at.surface, whole.loops}, patch.samples, run.parameters,
+                  patch.report, {patch.region, std::move(patch.is_done), std::move(patch.thin)});
+}
+
+// What of the mesh is left to do at the seams.
+class SeamWork {
+ public:
+  SeamWork(const BlockRun& run, WeldedMesh& whole, int threads, Report& report)
+      : run_(run),
+        whole_(whole),
+        threads_(threads),
+        report_(report),
+        is_open_(whole.mesh.mesh.faces.size(), 0),
+        may_thin_(whole.mesh.mesh.points.size(), 0),
+        samples_(std::exchange(whole.samples_near_seams, {})) {
+    const IdArray<FaceId, Face>& faces = whole.mesh.mesh.faces;
+    for (FaceId f = 0; f < faces.size(); ++f) {
+      for (const VertexId v : faces[f].v) is_open_[f] |= whole.on_seam[v];
+      if (is_open_[f] == 0) continue;
+      for (const VertexId v : faces[f].v) may_thin_[v] = 1;
+    }
+  }
+
+  void round(std::size_t number) {
+    const RoundBoxes boxes(run_, number);
+    std::vector<MeshPatch> patches = patches_of(boxes);
+    const std::size_t batch = kPatchesPerThread * static_cast<std::size_t>(std::max(threads_, 1));
+    for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
+      const std::size_t count = std::min(batch, patches.size() - begin);
+      for_each_task(threads_, count,
+                    [&](std::size_t n) { refine_patch(run_, whole_, patches[begin + n]); });
+      for (std::size_t n = begin; n < begin + count; ++n) take(std::exchange(patches[n], {}));
+    }
+  }
+
+ private:
+  Box3 box_of_facet(FaceId f) const {
+    const Triangle& v = whole_.mesh.mesh.faces[f].v;
+    const std::vector<Vec3>& p = whole_.mesh.mesh.points;
+    return box_of(p[v[0]], p[v[1]], p[v[2]]);
+  }
+
+  // Returns the boxes with open facets, and what lies in them.
+  std::vector<MeshPatch> patches_of(const RoundBoxes& boxes) {
+    const IdArray<FaceId, Face>& faces = whole_.mesh.mesh.faces;
+    std::vector<std::uint32_t> number(boxes.size(), kNoId);
+    std::vector<MeshPatch> patches;
+    for (FaceId f = 0; f < faces.size(); ++f) {
+      if (is_dead(faces[f]) || is_open_[f] == 0) continue;
+      boxes.for_each(box_of_facet(f), [&](std::size_t box) { number[box] = 0; });
+    }
+    for (std::size_t box = 0; box < number.size(); ++box) {
+      if (number[box] == kNoId) continue;
+      number[box] = static_cast<std::uint32_t>(patches.size());
+      patches.emplace_back().region = boxes.region(box);
+    }
+    for (FaceId f = 0; f < faces.size(); ++f) {
+      if (is_dead(faces[f])) continue;
+      boxes.for_each(box_of_facet(f), [&](std::size_t box) {
+        if (number[box] != kNoId) patches[number[box]].facets.push_back(f);
+      });
+    }
+    // A sample goes to the box that holds all facets which may be near enough to it.
+    const double margin = kCoverageDistances * run_.parameters.refinement[Criterion::distance];
+    std::erase_if(samples_, [&](const Vec3& p) {
+      bool is_taken = false;
+      boxes.for_each({p, p}, [&](std::size_t box) {
+        if (number[box] == kNoId || !patches[number[box]].region.holds(p, margin)) return;
+        patches[number[box]].samples.push_back(p);
+        is_taken = true;
+      });
+      return is_taken;
+    });
+    for (MeshPatch& patch : patches) freeze_others(patch);
+    return patches;
+  }
+
+  // Frozen facets first. A facet is done, and a vertex is not thinned, unless it is open work.
+  void freeze_others(MeshPatch& patch) const {
+    const TriMesh& mesh = whole_.mesh.mesh;
+    const auto frozen = std::ranges::stable_partition(patch.facets, [&](FaceId f) {
+      return std::ranges::any_of(mesh.faces[f].v,
+                                 [&](VertexId v) { return !patch.region.holds(mesh.points[v]); });
+    });
+    patch.region.first_free = FaceId(frozen.begin() - patch.facets.begin());
+    for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
+    patch.vertices = vertices_of(mesh, patch.facets);
+    for (VertexId v = 0; v < patch.vertices.size(); ++v) {
+      const VertexId in_whole = patch.vertices[v];
+      if (may_thin_[in_whole] != 0 && patch.region.holds(mesh.points[in_whole])) {
+        patch.thin.push_back(v);
+      }
+    }
+  }
+
+  void take(MeshPatch patch) {
+    const std::size_t old = patch.facets.size();
+    for (const VertexId v : patch.vertices) {
+      if (patch.region.holds(whole_.mesh.mesh.points[v])) may_thin_[v] = 0;
+    }
+    const std::vector<FaceId> facets = put_back(whole_.mesh, patch);
+    is_open_.resize(whole_.mesh.mesh.faces.size(), 0);
+    may_thin_.resize(whole_.mesh.mesh.points.size(), 0);
+    for (FaceId f = patch.region.first_free; f < facets.size(); ++f) {
+      // A facet whose surface ball leaves the box may not be Delaunay: it is asked again.
+      const Dual& dual = patch.mesh.duals[f];
+      const bool was_open = f >= old || is_open_[facets[f]] != 0;
+      is_open_[facets[f]] = !patch.is_done[f] ||
+                            (was_open && !patch.region.holds(dual.center, std::sqrt(dual.radius2)));
+    }
+    report_.add(patch.report);
+  }
+
+  const BlockRun& run_;
+  WeldedMesh& whole_;
+  const int threads_;
+  Report& report_;
+  IdArray<FaceId, std::uint8_t> is_open_;     // to be refined
+  IdArray<VertexId, std::uint8_t> may_thin_;  // to be thinned
+  std::vector<Vec3> samples_;                 // not yet held against the mesh
+};
+
+}  // namespace
+
+void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Report& report) {
+  SeamWork work(run, whole, threads, report);
+  for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.round(round);
+  remove_dead(whole.mesh);
+}
+
+}  // namespace deliso
