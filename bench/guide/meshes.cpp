@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "blocks/choose_seam.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
@@ -16,6 +15,7 @@
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 #include "view/render/color_map.h"
 #include "view/render/render.h"
@@ -123,7 +123,8 @@ void draw_certified(const std::string& folder) {
     }
     return p;
   };
-  const BoundaryCurves curves = boundary_curves(surface, contour, parameters);
+  const BoundaryCurves curves =
+      BoundaryCurves(surface, std::make_shared<const BoundaryLoops>(boundary_loops(contour)));
   std::vector<Pictured> panels;
   {
     // The random ones alone, before blocks have theirs.

@@ -8,7 +8,6 @@
 
 #include "base/check.h"
 #include "base/triangle.h"
-#include "blocks/choose_seam.h"
 #include "deliso/deliso.h"
 #include "deliso/options.h"
 #include "guide/drawing.h"
@@ -19,6 +18,7 @@
 #include "io/volume/builtin_volume.h"
 #include "refine/operations.h"
 #include "refine/refine.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 namespace deliso::guide {
@@ -213,7 +213,8 @@ void draw_boundary(const std::string& folder) {
   };
   background(coarse);
   {
-    const BoundaryCurves curves = boundary_curves(h.surface, h.contour, h.parameters);
+    const BoundaryCurves curves =
+        BoundaryCurves(h.surface, std::make_shared<const BoundaryLoops>(boundary_loops(h.contour)));
     const FirstSample sites =
         init_triangulation(h.contour, curves, h.volume, h.parameters, h.report);
     std::vector<Vec3> points;

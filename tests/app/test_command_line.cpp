@@ -170,7 +170,6 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
-  CHECK(options.keep_partial);
   CHECK(options.single_stage);
   CHECK(options.cap);
   CHECK(options.cubic == CubicMethod::schwarze);
@@ -671,7 +670,7 @@ TEST_CASE("options that exclude each other are refused") {
   CHECK(refusal({"a", "--iso", "1", "-o", "-", "--json", "-"}) != "");
   CHECK(refusal({"a", "--iso", "1", "-o", "mesh.gif"}) != "");
   CHECK(refusal({"a", "--iso", "1", "-o", "mesh.off", "--ply-ascii"}) != "");
-  CHECK(refusal({"a", "--iso", "1", "--keep-partial"}) != "");
+  CHECK(refusal({"a", "--iso", "1"}) != "");
   CHECK(refusal({"a", "--iso", "1", "--float", "--double"}) != "");
   CHECK(refusal({"a", "--iso", "1", "--dims", "2x2x2"}) != "");
   CHECK(refusal({"a", "--iso", "1", "--type", "uint8"}) != "");

@@ -288,34 +288,12 @@ TEST_CASE("the same input gives the same bytes; another seed gives another mesh"
   }
 }
 
-TEST_CASE("at max_vertices the run ends with a message or, on request, with a partial mesh") {
+TEST_CASE("at max_vertices the run ends with a message") {
   const Scene scene = builtin_scene("torus", 32);
   Options options;
   const std::size_t all = run(scene.volume, scene.surface.kappa(), options).mesh.points.size();
   options.max_vertices = all - 50;
   CHECK_THROWS_AS(run(scene.volume, scene.surface.kappa(), options), InputError);
-  options.keep_partial = true;
-  const Run out = run(scene.volume, scene.surface.kappa(), options);
-  check_sound(out, scene.volume);
-  CHECK(out.report.stopped_at_max_vertices);
-  CHECK(out.mesh.points.size() <= all - 50);
-}
-
-// Each pass over the queue that followed the end inserted one more.
-TEST_CASE("no partial mesh has more than max_vertices") {
-  const Scene scene = builtin_scene("torus", 16);
-  Options options;
-  options.r_min = {0.2, Length::Unit::voxel};
-  const std::size_t all = run(scene.volume, scene.surface.kappa(), options).mesh.points.size();
-  REQUIRE(all > 100);
-  options.keep_partial = true;
-  for (std::size_t n = all - 40; n < all; ++n) {
-    CAPTURE(n);
-    options.max_vertices = n;
-    const Run out = run(scene.volume, scene.surface.kappa(), options);
-    CHECK(out.report.stopped_at_max_vertices);
-    CHECK(out.mesh.points.size() <= n);
-  }
 }
 
 TEST_CASE("every facet meets max_distance and max_radius") {

@@ -5,11 +5,11 @@
 #include <doctest/doctest.h>
 
 #include "base/random.h"
-#include "blocks/choose_seam.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
+#include "stage1/boundary_loops.h"
 
 using namespace deliso;
 
@@ -19,7 +19,8 @@ namespace {
 struct Begun {
   Begun(const Scene& scene, const Options& options)
       : parameters(resolve(options, scene.volume)),
-        curves(boundary_curves(scene.surface, scene.contour, parameters)),
+        curves(BoundaryCurves(
+            scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)))),
         recovery(scene.surface, curves,
                  init_triangulation(scene.contour, curves, scene.volume, parameters, report),
                  parameters, report) {}

@@ -4,9 +4,9 @@
 
 #include <doctest/doctest.h>
 
-#include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 #include "stage1/poles.h"
 #include "surface/boundary.h"
@@ -57,8 +57,8 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 16);
-    const BoundaryCurves curves =
-        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves = BoundaryCurves(
+        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
     Report report;
     Options options;
     options.seed = seed;
@@ -84,8 +84,8 @@ TEST_CASE("hits kept under insertion are those of a fresh search") {
 
 TEST_CASE("pole heights are those of a brute-force search over Voronoi vertices") {
   const Scene scene = builtin_scene("torus", 32);
-  const BoundaryCurves curves =
-      boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+  const BoundaryCurves curves = BoundaryCurves(
+      scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
   Report report;
   const Parameters parameters = resolve(Options::paper(), scene.volume);
   const FirstSample sample =

@@ -4,11 +4,11 @@
 
 #include <doctest/doctest.h>
 
-#include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;
@@ -53,8 +53,8 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14);
-    const BoundaryCurves curves =
-        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves = BoundaryCurves(
+        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
     Report report;
     Options options;
     options.seed = seed;

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "blocks/choose_seam.h"
 #include "contour/block_order.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "recover/labels.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;
@@ -78,7 +78,7 @@ TEST_CASE("labels and rings are the same with any number of threads, and rings a
   order_by_blocks(contour, scene.volume);
   REQUIRE(contour.points.size() > 20000);
   const BoundaryCurves curves =
-      boundary_curves(scene.surface, contour, resolve(Options{}, scene.volume));
+      BoundaryCurves(scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(contour)));
   Report report;
   const FirstSample sites =
       init_triangulation(contour, curves, scene.volume, resolve(Options{}, scene.volume), report);

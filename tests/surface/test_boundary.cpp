@@ -3,9 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
+#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;
@@ -27,8 +27,8 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 14, {1, 1, seed % 3 == 0 ? 3.0 : 1.0});
-    const BoundaryCurves curves =
-        boundary_curves(scene.surface, scene.contour, resolve(Options{}, scene.volume));
+    const BoundaryCurves curves = BoundaryCurves(
+        scene.surface, std::make_shared<const BoundaryLoops>(boundary_loops(scene.contour)));
     REQUIRE(curves.loop_count() == scene.contour.boundary.size());
     for (std::uint32_t loop = 0; loop < curves.loop_count(); ++loop) {
       ++loops;

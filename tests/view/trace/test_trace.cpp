@@ -184,10 +184,9 @@ Options paper_way() {
   return options;
 }
 
-// As a trace has it refined.
+// As a trace has it.
 Options undivided(Options options) {
-  options.max_vertices = 10'000'000;
-  options.keep_partial = true;
+  options.block_side = 0;
   return options;
 }
 
