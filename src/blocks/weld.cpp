@@ -240,6 +240,12 @@ class Welder {
 }  // namespace
 
 WeldedMesh weld(std::vector<Block>& blocks) {
+  // One block may be a part of a larger volume: its seams stay, for other programs to weld.
+  if (Block& only = blocks[0]; blocks.size() == 1) {
+    IdArray<VertexId, std::uint8_t> on_seam(only.mesh.mesh.points.size(), 0);
+    return {std::move(only.mesh), only.loops ? only.loops : std::make_shared<const BoundaryLoops>(),
+            std::move(on_seam), std::move(only.samples_near_seams), std::move(only.samples)};
+  }
   return Welder(blocks).weld();
 }
 
