@@ -34,7 +34,7 @@ class Labels {
  public:
   // Labels every vertex of T with its nearest site, a finite vertex of `triangulation`. Keeps
   // references to T and the triangulation. A walk over Delaunay neighbors begins at the label of
-  // the previous vertex. It is fast if neighbors are close in T's order (contour/block_order.h).
+  // the previous vertex.
   Labels(const ContourMesh& contour, const Triangulation& triangulation, int threads);
 
   const ContourMesh& contour() const { return contour_; }

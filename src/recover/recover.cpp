@@ -8,7 +8,6 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/sorted_list.h"
-#include "contour/block_order.h"
 #include "contour/bounded_volume.h"
 #include "contour/fine_contour.h"
 #include "recover/certificate.h"
@@ -45,9 +44,9 @@ class CertifiedRecovery {
         labels_(contour, triangulation_, parameters.threads),
         certificate_(labels_),
         origins_(component_origins(contour, surface.volume().box())),
-        wanted_volumes_(bounded_volumes(contour.points, contour.triangles, contour.component,
-                                        origins_, parameters.threads)) {
-    // In reverse: the last one queued is tested first, and T is ordered block by block.
+        wanted_volumes_(
+            bounded_volumes(contour.points, contour.triangles, contour.component, origins_)) {
+    // In reverse: the last one queued is tested first.
     for (std::size_t n = contour.points.size(); n-- > 0;) {
       const VertexId v(n);
       if (!labels_.is_site(v)) continue;
@@ -286,8 +285,7 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
                Report& report) {
   begin_stage(parameters.observer, "cutting");
   const StepTimer timer(report.seconds_contour);
-  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa(), parameters.threads);
-  order_by_blocks(contour, surface.volume(), parameters.threads);
+  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa());
   report[Counter::voxels_cut] = contour.split_voxels;
 }
 

@@ -17,7 +17,7 @@
 
 namespace deliso {
 
-// Makes T fine enough for labels (contour/fine_contour.h), block by block.
+// Makes T fine enough for labels (contour/fine_contour.h).
 void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters& parameters,
                Report& report);
 

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "blocks/choose_seam.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
@@ -77,6 +79,39 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     }
     check_nearest(scene.contour, labels, t);
   }
+}
+
+TEST_CASE("rings hold every triangle of T once, and follow the chains") {
+  const Scene scene = builtin_scene("gyroid", 64);
+  const ContourMesh& contour = scene.contour;
+  REQUIRE(contour.points.size() > 20000);
+  const ContourGraph graph(contour, 1);
+
+  std::vector<Triangle> round;
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::span<const VertexId> ring = graph.ring(v);
+    const bool inner = !contour.on_boundary(v);
+    for (std::size_t n = 0; n + !inner < ring.size(); ++n) {
+      const VertexId u = ring[n], w = ring[(n + 1) % ring.size()];
+      if (v < u && v < w) round.push_back({v, u, w});
+    }
+  }
+  std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  std::size_t on_chains = 0;
+  for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
+    const std::span<const VertexId> chain = contour.boundary.chain(c);
+    for (std::size_t k = 0; k < chain.size(); ++k, ++on_chains) {
+      REQUIRE(graph.ring(chain[k]).front() == chain[(k + 1) % chain.size()]);
+      REQUIRE(graph.ring(chain[(k + 1) % chain.size()]).back() == chain[k]);
+    }
+  }
+  CHECK(on_chains ==
+        contour.points.size() - static_cast<std::size_t>(std::ranges::count(contour.box_faces, 0)));
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  std::sort(round.begin(), round.end());
+  CHECK(round == triangles);
 }
 
 // With every vertex of T a site, the dual is T itself: each triangle is a triple, each region one
