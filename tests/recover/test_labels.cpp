@@ -63,7 +63,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
                                            resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
-    Labels labels(scene.contour, t, 1);
+    Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
     Random random(seed);
     ConflictZone zone;
@@ -85,7 +85,7 @@ TEST_CASE("rings hold every triangle of T once, and follow the chains") {
   const Scene scene = builtin_scene("gyroid", 64);
   const ContourMesh& contour = scene.contour;
   REQUIRE(contour.points.size() > 20000);
-  const ContourGraph graph(contour, 1);
+  const ContourGraph graph(contour);
 
   std::vector<Triangle> round;
   for (VertexId v = 0; v < contour.points.size(); ++v) {
@@ -128,13 +128,12 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Triangulation t;
     std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
-    const Labels labels(contour, t, 1);
+    const Labels labels(contour, t);
     Certificate certificate(labels);
-    Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
     std::vector<SiteTriangle> dual;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
-      const Verdict verdict = certificate.check(ids[v], v, scratch, facets);
+      const Verdict verdict = certificate.check(ids[v], v, facets);
       REQUIRE_FALSE(verdict.violation);
       for (const DualFacet& f : facets) {
         if (f.sites[0] < f.sites[1] && f.sites[0] < f.sites[2]) dual.push_back(f.sites);
@@ -154,11 +153,10 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Triangulation t;
   std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
-  const Labels labels(scene.contour, t, 1);
+  const Labels labels(scene.contour, t);
   Certificate certificate(labels);
-  Certificate::Scratch scratch;
   std::vector<DualFacet> facets;
-  const Verdict verdict = certificate.check(ids[0], 0, scratch, facets);
+  const Verdict verdict = certificate.check(ids[0], 0, facets);
   CHECK(verdict.violation == Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {
