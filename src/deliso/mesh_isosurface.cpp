@@ -46,8 +46,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   });
   report.kappa_effective = kappa;
   report.exact = contour.summary.topology();
-  const VoxelTree tree =
-      timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+  const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
   const Isosurface surface(volume, tree, kappa, options.cubic);
   std::array<bool, 8> inside{};
   if (options.cap) inside = corners_inside(volume, kappa);
