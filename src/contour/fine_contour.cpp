@@ -12,7 +12,6 @@
 #include "base/sorted_list.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
-#include "embedding/triangle_tree.h"
 
 namespace deliso {
 namespace {
@@ -73,7 +72,7 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsSelected
     }
     const auto meets_earlier = [&](std::size_t g) {
       for (std::size_t f = 0; f < g; ++f) {
-        if (TriangleTree::meet(boxes[f], boxes[g]) &&
+        if (meet(boxes[f], boxes[g]) &&
             triangles_intersect(contour.points, triangles[f], triangles[g])) {
           return true;
         }

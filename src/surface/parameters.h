@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/parallel.h"
+#include "base/hardware_threads.h"
 #include "base/topology_counts.h"
 #include "surface/criteria.h"
 
