@@ -120,8 +120,7 @@ TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& opti
   SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
   if (options.cap) {
     begin_stage(parameters.observer, "cap");
-    const VoxelTree tree =
-        timed(report.seconds_tree, [&] { return VoxelTree(volume, parameters.threads); });
+    const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
     const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
     s.duals.resize(s.mesh.faces.size());
     close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,

@@ -10,8 +10,8 @@
 #include "base/sorted_list.h"
 #include "base/to_float.h"
 #include "delaunay/predicates.h"
-#include "embedding/self_intersections.h"
-#include "embedding/triangle_tree.h"
+#include "check/self_intersections.h"
+#include "check/triangle_tree.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {

@@ -47,7 +47,7 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
   Triangulation triangulation;
   std::vector<SiteId> ids;
   DELISO_CHECK(triangulation.build(places, ids));
-  const Labels labels(contour_, triangulation, 1);
+  const Labels labels(contour_, triangulation);
   Regions out;
   for (const VertexId v : lower_) {
     const auto site = std::find(ids.begin(), ids.end(), labels.label(v)) - ids.begin();
@@ -60,10 +60,9 @@ FlatContour::Regions FlatContour::regions(const std::vector<std::size_t>& sites)
     }
   }
   Certificate certificate(labels);
-  Certificate::Scratch scratch;
   std::vector<DualFacet> facets;
   for (std::size_t n = 0; n < sites.size() && !out.violation; ++n) {
-    const Verdict verdict = certificate.check(ids[n], lower_[sites[n]], scratch, facets);
+    const Verdict verdict = certificate.check(ids[n], lower_[sites[n]], facets);
     if (verdict.is_fine()) continue;
     const Vec3& p = contour_.points[verdict.insert];
     out.violation = Violation{sites[n], verdict.violation.value(), nearest_vertex({p.x, p.y})};

@@ -100,15 +100,14 @@ void draw_certified(const std::string& folder) {
   };
   // T in the colors of its labels: a triangle of one label has that one's, others are white.
   const auto labeled = [&](const Triangulation& sites, std::size_t count) {
-    const Labels labels(contour, sites, 1);
+    const Labels labels(contour, sites);
     Pictured p{make_tri_mesh(contour.points, contour.triangles), {}};
     Certificate certificate(labels);
-    Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
     std::map<Reason, std::size_t> broken;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
       if (labels.distance2_to_site(v) > 0) continue;
-      const auto violation = certificate.check(labels.label(v), v, scratch, facets).violation;
+      const auto violation = certificate.check(labels.label(v), v, facets).violation;
       if (violation) ++broken[*violation];
     }
     append_format(p.caption, "%zu sites", count);

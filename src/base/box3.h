@@ -39,6 +39,12 @@ inline Box3 box_of(const Vec3& a, const Vec3& b, const Vec3& c) {
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
+// True if the boxes have a common point.
+inline bool meet(const Box3& a, const Box3& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+}
+
 // Returns the squared distance from p to the box; 0 inside.
 inline double distance2_to(const Box3& box, const Vec3& p) {
   return length2(p - Vec3{std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y),

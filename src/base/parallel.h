@@ -18,11 +18,6 @@
 
 namespace deliso {
 
-// Returns how many threads this machine runs at once.
-inline int hardware_threads() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 // Calls task(n) once for every n below `tasks`, in at most `threads` threads, this one included.
 // Tasks begin in order. If tasks throw, rethrows the exception of the smallest n, whatever the
 // number of threads; later tasks may not have run. Polls for cancellation before every task.

@@ -15,7 +15,7 @@
 #include "base/triangle.h"
 #include "check/boundary_orientation.h"
 #include "contour/bounded_volume.h"
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 
 namespace deliso {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "embedding/nearest_triangles.h"
+#include "check/nearest_triangles.h"
 
 namespace deliso {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check/validity.h"
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {

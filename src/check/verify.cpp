@@ -14,8 +14,8 @@
 #include "check/validity.h"
 #include "check/voxel_components.h"
 #include "contour/keep_components.h"
-#include "embedding/self_intersections.h"
-#include "embedding/triangle_tree.h"
+#include "check/self_intersections.h"
+#include "check/triangle_tree.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contour/bounded_volume.h"
 
-#include "base/parallel.h"
-
 namespace deliso {
 
 std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, const Box3& box) {
@@ -27,29 +25,13 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
 std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
                                     std::span<const std::array<VertexId, 3>> triangles,
                                     std::span<const std::uint32_t> component,
-                                    std::span<const std::optional<Vec3>> origins, int threads) {
-  // Each task sums runs of triangles of one component; these sums are then added in order.
-  constexpr std::size_t kTrianglesPerTask = 1 << 16;
-  struct Part {
-    std::uint32_t component;
-    double volume;
-  };
-  std::vector<std::vector<Part>> parts(runs_of(triangles.size(), kTrianglesPerTask));
-  for_each_run(threads, triangles.size(), kTrianglesPerTask,
-               [&](std::size_t run, std::size_t begin, std::size_t end) {
-                 std::vector<Part>& own = parts[run];
-                 for (const std::array<VertexId, 3>& t : triangles.subspan(begin, end - begin)) {
-                   const std::uint32_t c = component[t[0]];
-                   if (c == kNoId || !origins[c]) continue;
-                   const Vec3& o = *origins[c];
-                   if (own.empty() || own.back().component != c) own.push_back({c, 0});
-                   own.back().volume +=
-                       dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
-                 }
-               });
+                                    std::span<const std::optional<Vec3>> origins) {
   std::vector<double> volumes(origins.size(), 0);
-  for (const std::vector<Part>& own : parts) {
-    for (const Part& part : own) volumes[part.component] += part.volume;
+  for (const std::array<VertexId, 3>& t : triangles) {
+    const std::uint32_t c = component[t[0]];
+    if (c == kNoId || !origins[c]) continue;
+    const Vec3& o = *origins[c];
+    volumes[c] += dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
   }
   return volumes;
 }

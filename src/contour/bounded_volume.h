@@ -22,6 +22,6 @@ std::vector<std::optional<Vec3>> component_origins(const ContourMesh& contour, c
 std::vector<double> bounded_volumes(const std::vector<Vec3>& points,
                                     std::span<const std::array<VertexId, 3>> triangles,
                                     std::span<const std::uint32_t> component,
-                                    std::span<const std::optional<Vec3>> origins, int threads = 1);
+                                    std::span<const std::optional<Vec3>> origins);
 
 }  // namespace deliso

@@ -55,15 +55,6 @@ class GrowingComponents {
     return a;
   }
 
-  // Appends the components of a later part of the scan, which are all new. Returns the offset added
-  // to their labels.
-  std::uint32_t append(const GrowingComponents& later) {
-    const auto offset = static_cast<std::uint32_t>(parent_.size());
-    for (const std::uint32_t label : later.parent_) parent_.push_back(offset + label);
-    counts_.insert(counts_.end(), later.counts_.begin(), later.counts_.end());
-    return offset;
-  }
-
   Counts& counts(std::uint32_t root_label) { return counts_[root_label]; }
 
   // Appends the components in order and returns the number of each label's component.

@@ -7,11 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "base/parallel.h"
 #include "contour/boundary_chains.h"
 #include "contour/contour_stream.h"
 #include "contour/piece_mesher.h"
-#include "contour/slabs.h"
 #include "contour/split_voxels.h"
 
 namespace deliso {
@@ -26,7 +24,6 @@ class CountingSink {
   }
   void voxel(const VoxelPieces&) {}
   void replace_boundary(std::vector<BoundarySegment>&) {}
-  std::size_t vertices() const { return next_; }
 
  private:
   VertexId next_ = 0;
@@ -36,69 +33,46 @@ struct StreamResult {
   ContourSummary summary;
   BoundaryChains boundary;
   std::vector<std::uint32_t> component_of_label;
-  std::vector<SlabNumbers> numbers;
 };
 
 // A ContourSink that meshes or counts. It also has:
 //   - expect(crossings) receives an estimate of their number before the first.
 //   - replace_boundary(segments) may replace the walk's segments on the box.
-//   - vertices() returns how many ids the sink has given.
 template <class Sink>
 concept MeshSink = ContourSink<Sink> &&
     requires(Sink& sink, std::vector<BoundarySegment>& segments) {
   sink.expect(std::size_t{});
   sink.replace_boundary(segments);
-  { sink.vertices() } -> std::same_as<std::size_t>;
 };
 
-// Walks all slabs, each with a sink of its own.
+// Walks the volume.
 template <MeshSink Sink>
-StreamResult stream(const Volume& volume, double kappa, const std::vector<Slab>& slabs,
-                    std::vector<Sink>& sinks, int threads) {
-  std::vector<SlabWalk> walks(slabs.size());
-  std::vector<std::size_t> vertices(slabs.size());
-  for_each_task(threads, slabs.size(), [&](std::size_t n) {
-    ContourStream walk(volume, kappa, sinks[n], slabs[n]);
-    sinks[n].expect(walk.estimate_crossings());
-    walk.run();
-    walks[n] = std::move(walk.found());
-    sinks[n].replace_boundary(walks[n].boundary);
-    vertices[n] = sinks[n].vertices();
-  });
+StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
+  ContourStream walk(volume, kappa, sink);
+  sink.expect(walk.estimate_crossings());
+  walk.run();
+  WalkResult& found = walk.found();
+  sink.replace_boundary(found.boundary);
   StreamResult result;
-  result.numbers = weld(walks, vertices);
-  SlabWalk& all = walks[0];
-  result.summary.active_voxels = all.active_voxels;
-  result.summary.tied_saddles = all.tied_saddles;
+  result.summary.active_voxels = found.active_voxels;
+  result.summary.tied_saddles = found.tied_saddles;
   auto& components = result.summary.components;
-  result.component_of_label = all.components.finish(components);
-  for (auto& segment : all.boundary) {
+  result.component_of_label = found.components.finish(components);
+  for (auto& segment : found.boundary) {
     segment.component = result.component_of_label[segment.component];
   }
-  result.boundary = chain_segments(std::move(all.boundary));
+  result.boundary = chain_segments(std::move(found.boundary));
   for (const std::uint32_t c : result.boundary.component) ++components[c].boundary_loops;
   return result;
 }
 
-// Returns the mesh that the sinks make, one for each slab; make_sink(mesh) returns a sink that
-// fills `mesh`.
-template <class MakeSink>
-ContourMesh mesh_slabs(const Volume& volume, double kappa, const std::vector<Slab>& slabs,
-                       int threads, MakeSink&& make_sink) {
-  std::vector<ContourMesh> parts(slabs.size());
-  std::vector<decltype(make_sink(parts[0]))> sinks;
-  sinks.reserve(parts.size());
-  for (ContourMesh& part : parts) sinks.push_back(make_sink(part));
-  StreamResult result = stream(volume, kappa, slabs, sinks, threads);
-  ContourMesh mesh = weld(std::move(parts), result.numbers, threads);
+// Walks the volume with a sink that fills `mesh`, and completes it.
+template <MeshSink Sink>
+void fill(ContourMesh& mesh, const Volume& volume, double kappa, Sink sink) {
+  StreamResult result = stream(volume, kappa, sink);
   for (auto& component : mesh.component) component = result.component_of_label[component];
   mesh.summary = std::move(result.summary);
   mesh.boundary = std::move(result.boundary);
-  return mesh;
-}
-
-std::vector<Slab> slabs_of(const Volume& volume, int threads) {
-  return cut_into_slabs(volume.dims(), threads, [](int) { return true; });
 }
 
 }  // namespace
@@ -130,31 +104,24 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
   return chosen;
 }
 
-ContourMesh build_contour(const Volume& volume, double kappa, int threads) {
-  return mesh_slabs(volume, kappa, slabs_of(volume, threads), threads,
-                    [&](ContourMesh& part) { return PieceMesher(part, volume); });
+ContourMesh build_contour(const Volume& volume, double kappa) {
+  ContourMesh mesh;
+  fill(mesh, volume, kappa, PieceMesher(mesh, volume));
+  return mesh;
 }
 
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split,
-                          int threads) {
-  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split, threads);
-  if (chosen.size() == 0) return build_contour(volume, kappa, threads);
-  // The crossings on a split voxel's face are numbered once, so no split voxel may touch the layer
-  // in which slabs meet.
-  const std::vector<Slab> slabs = cut_into_slabs(volume.dims(), threads, [&](int k) {
-    return !chosen.any_in_layer(k - 1) && !chosen.any_in_layer(k - 2);
-  });
-  ContourMesh mesh = mesh_slabs(volume, kappa, slabs, threads, [&](ContourMesh& part) {
-    return SplitMesher(part, volume, chosen, split);
-  });
+ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split) {
+  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
+  if (chosen.size() == 0) return build_contour(volume, kappa);
+  ContourMesh mesh;
+  fill(mesh, volume, kappa, SplitMesher(mesh, volume, chosen, split));
   mesh.split_voxels = chosen.size();
   return mesh;
 }
 
-ContourSummary summarize_contour(const Volume& volume, double kappa, int threads) {
-  const std::vector<Slab> slabs = slabs_of(volume, threads);
-  std::vector<CountingSink> sinks(slabs.size());
-  return stream(volume, kappa, slabs, sinks, threads).summary;
+ContourSummary summarize_contour(const Volume& volume, double kappa) {
+  CountingSink sink;
+  return stream(volume, kappa, sink).summary;
 }
 
 namespace {
@@ -175,20 +142,20 @@ auto make_settled(const Volume& volume, double& kappa, int threads, Make&& make,
 double settled_isovalue(const Volume& volume, double kappa, int threads) {
   const double effective = effective_isovalue(volume, kappa, threads);
   if (volume.is_block()) return effective;
-  return summarize_contour(volume, effective, threads).tied_saddles > 0
+  return summarize_contour(volume, effective).tied_saddles > 0
              ? lowered_isovalue(volume, effective, threads).kappa
              : effective;
 }
 
 ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads) {
   return make_settled(
-      volume, kappa, threads, [&] { return summarize_contour(volume, kappa, threads); },
+      volume, kappa, threads, [&] { return summarize_contour(volume, kappa); },
       [](const ContourSummary& summary) { return summary.tied_saddles; });
 }
 
 ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
   return make_settled(
-      volume, kappa, threads, [&] { return build_contour(volume, kappa, threads); },
+      volume, kappa, threads, [&] { return build_contour(volume, kappa); },
       [](const ContourMesh& contour) { return contour.summary.tied_saddles; });
 }
 

@@ -16,14 +16,13 @@
 //       they lie at a sample equal to kappa).
 //   I5  Within its voxel each piece of T is a disk or a tube as the piece of Sigma is. So T and
 //       Sigma are homeomorphic, component by component, and so are their boundaries.
-//   I6  The order is scan order (x fastest, then y, z). Vertices of a slab of voxels precede those
+//   I6  The order is scan order (x fastest, then y, z). Vertices of a layer of voxels precede those
 //       of the next. Components are ordered by the first voxel that they meet.
 // No piece of Sigma is closed within a voxel: g is harmonic there, so it would be constant inside.
 //
 // Samples equal to kappa are inside, by the same rule everywhere. So T keeps its topology then, but
 // vertices may coincide. effective_isovalue() avoids that.
-// Memory besides the result, for each thread: two layers of edge slots and sample bits, O(slice).
-// With several threads T is assembled from the parts of the slabs, and for a moment exists twice.
+// Memory besides the result: two layers of edge slots and sample bits, O(slice).
 #pragma once
 
 #include <algorithm>
@@ -108,10 +107,9 @@ struct ContourMesh {
   bool on_boundary(VertexId v) const { return box_faces[v] != 0; }
 };
 
-// Returns T, from one pass over the samples; it does not depend on the number of threads. T is
-// empty if the volume has no voxels (a dimension of 1). Throws InputError if T has 2^32 - 1
-// vertices or more.
-ContourMesh build_contour(const Volume& volume, double kappa, int threads = 1);
+// Returns T, from one pass over the samples. T is empty if the volume has no voxels (a dimension of
+// 1). Throws InputError if T has 2^32 - 1 vertices or more.
+ContourMesh build_contour(const Volume& volume, double kappa);
 
 // Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
 // interpolant's values. Its pieces are those of its cells.
@@ -151,11 +149,10 @@ inline Index3 voxel_across(Index3 voxel, int f) {
 // voxel's (a face's saddle at kappa, to the last bits). Such a voxel stays whole. Without split
 // voxels the result is build_contour(volume, kappa). Cost: a second visit of each listed voxel
 // besides the pass itself.
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split,
-                          int threads = 1);
+ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split);
 
 // Returns the summary alone, without T: for volumes of any size.
-ContourSummary summarize_contour(const Volume& volume, double kappa, int threads = 1);
+ContourSummary summarize_contour(const Volume& volume, double kappa);
 
 // Returns the isovalue that the geometry uses: effective_isovalue(), lowered once more if saddles
 // are tied. Sigma meets itself at tied saddles; a checkerboard at its mean has nothing else. A tied

@@ -3,10 +3,6 @@
 // layers of samples as bits (inside or not), and for each grid edge between them a slot with the
 // vertex on it. So it needs no hash table. A sink receives crossings and pieces (contour.cpp), and
 // makes a mesh of them, or nothing if only the summary is needed.
-//
-// A walk may cover a slab: some layers of samples, and the voxels between each of them and the
-// layer below. It begins with the crossings in the layer below the slab, which the slab before has
-// as well. So ids and labels are the slab's own until slabs are welded (contour/slabs.h).
 #pragma once
 
 #include <bit>
@@ -18,6 +14,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/cancel.h"
 #include "contour/components.h"
 #include "contour/voxel_topology.h"
 
@@ -107,38 +104,21 @@ concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelP
   sink.voxel(pieces);
 };
 
-// Layers of samples: begin <= k < end.
-struct Slab {
-  int begin, end;
-};
-
-// A crossing in a layer of samples in which two slabs meet.
-struct SharedCrossing {
-  VertexId vertex;
-  std::uint32_t label;
-};
-
 // The results of a walk that the sink does not receive.
-struct SlabWalk {
+struct WalkResult {
   GrowingComponents components;
   std::vector<BoundarySegment> boundary;
   std::uint64_t active_voxels = 0, tied_saddles = 0;
-  // Crossings in the layer below the slab and in its last one, in scan order; none at the ends of
-  // the volume.
-  std::vector<SharedCrossing> below, above;
 };
 
 template <ContourSink Sink>
 class ContourStream {
  public:
-  ContourStream(const Volume& volume, double kappa, Sink& sink)
-      : ContourStream(volume, kappa, sink, {0, volume.dims().k}) {}
   // `volume` and `sink` must outlive the walk.
-  ContourStream(const Volume& volume, double kappa, Sink& sink, Slab slab)
+  ContourStream(const Volume& volume, double kappa, Sink& sink)
       : volume_(volume),
         kappa_(kappa),
         sink_(sink),
-        slab_(slab),
         dims_(volume.dims()),
         row_stride_(static_cast<std::size_t>(dims_.i)),
         layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
@@ -147,13 +127,8 @@ class ContourStream {
     if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     for (auto& slots : slots_) slots.resize(layer_size_);
-    if (slab_.begin > 0) {
-      for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, slab_.begin - 1);
-        cross_row_in_layer(j, slab_.begin - 1);
-      }
-    }
-    for (int k = slab_.begin; k < slab_.end; ++k) {
+    for (int k = 0; k < dims_.k; ++k) {
+      throw_if_canceled();
       aim_slots(k - 1);
       for (int j = 0; j < dims_.j; ++j) {
         load_row(j, k);
@@ -163,9 +138,7 @@ class ContourStream {
         cross_row_in_layer(j, k);
         if (j > 0 && k > 0) walk_row(j - 1, k - 1);
       }
-      if (k == slab_.begin && k > 0) found_.below = crossings_in_layer(k - 1);
     }
-    if (slab_.end < dims_.k) found_.above = crossings_in_layer(slab_.end - 1);
   }
 
   // Returns roughly how many grid edges are crossed, from every 16th layer; 0 if there are few
@@ -175,7 +148,7 @@ class ContourStream {
     for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
     std::size_t crossings = 0;
     const auto count = [&](int) { ++crossings; };
-    for (int k = slab_.begin + kLayerStride / 2; k + 1 < slab_.end; k += kLayerStride) {
+    for (int k = kLayerStride / 2; k + 1 < dims_.k; k += kLayerStride) {
       for (int j = 0; j < dims_.j; ++j) {
         load_row(j, k);
         load_row(j, k + 1);
@@ -188,10 +161,13 @@ class ContourStream {
   }
 
   // pre: run() has returned.
-  SlabWalk& found() { return found_; }
+  WalkResult& found() { return found_; }
 
  private:
-  using Slot = SharedCrossing;  // of label kNoId before its first voxel
+  struct Slot {
+    VertexId vertex;
+    std::uint32_t label;  // kNoId before its first voxel
+  };
   // Slots of the edges along x and y in the two layers, and along z between them.
   enum SlotArray { kX0, kX1, kY0, kY1, kZ };
 
@@ -260,20 +236,6 @@ class ContourStream {
       });
     }
     for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
-  }
-
-  // Returns the crossings that these calls made in layer k. pre: k is one of the last two layers.
-  std::vector<SharedCrossing> crossings_in_layer(int k) const {
-    const bool odd = (k & 1) != 0;
-    const std::vector<Slot>&x = slots_[odd ? kX1 : kX0], &y = slots_[odd ? kY1 : kY0];
-    std::vector<SharedCrossing> crossings;
-    for (int j = 0; j < dims_.j; ++j) {
-      if (j > 0) {
-        for_each_edge_along_y(j - 1, k, [&](int i) { crossings.push_back(y[in_layer(i, j - 1)]); });
-      }
-      for_each_edge_along_x(j, k, [&](int i) { crossings.push_back(x[in_layer(i, j)]); });
-    }
-    return crossings;
   }
 
   // Visits the active voxels of row (j, k).
@@ -405,13 +367,12 @@ class ContourStream {
   const Volume& volume_;
   double kappa_;
   Sink& sink_;
-  Slab slab_;
   Index3 dims_;
   std::size_t row_stride_, layer_size_;
   std::array<std::optional<LayerBits>, 2> layers_;
   std::array<std::vector<Slot>, 5> slots_;
   std::array<Slot*, 12> edge_slots_{};
-  SlabWalk found_;
+  WalkResult found_;
 };
 
 }  // namespace deliso

@@ -12,7 +12,6 @@
 #include "base/sorted_list.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
-#include "embedding/triangle_tree.h"
 
 namespace deliso {
 namespace {
@@ -73,7 +72,7 @@ std::vector<std::uint64_t> crossed_voxels(const ContourMesh& contour, IsSelected
     }
     const auto meets_earlier = [&](std::size_t g) {
       for (std::size_t f = 0; f < g; ++f) {
-        if (TriangleTree::meet(boxes[f], boxes[g]) &&
+        if (meet(boxes[f], boxes[g]) &&
             triangles_intersect(contour.points, triangles[f], triangles[g])) {
           return true;
         }
@@ -136,16 +135,15 @@ void perturb_coincident(ContourMesh& contour, double perturbation) {
 
 }  // namespace
 
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, int threads) {
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa) {
   const Vec3 spacing = volume.spacing();
   const auto [shortest, longest] = std::minmax({spacing.x, spacing.y, spacing.z});
   const std::size_t vertices = plain.points.size();
   ContourSplit split;
   split.elsewhere = cells_of(spacing, std::min(kMaxCellAspect * shortest, longest), longest,
                              plain.summary.active_voxels, vertices);
-  ContourMesh contour = split.elsewhere == Index3{1, 1, 1}
-                            ? std::move(plain)
-                            : build_contour(volume, kappa, split, threads);
+  ContourMesh contour =
+      split.elsewhere == Index3{1, 1, 1} ? std::move(plain) : build_contour(volume, kappa, split);
   for (std::size_t trial = 0; trial < kCellsPerSide.size();) {
     // After the first pass only split voxels and their neighbors have new triangles.
     const std::vector<std::uint64_t> changed = with_neighbors(split.voxels, volume.dims());
@@ -158,7 +156,7 @@ ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa
     split.voxels = std::move(voxels);
     split.factor = cells_of(spacing, shortest / kCellsPerSide[trial], shortest / 2,
                             split.voxels.size(), vertices);
-    contour = build_contour(volume, kappa, split, threads);
+    contour = build_contour(volume, kappa, split);
   }
   if (contour.split_voxels > 0) perturb_coincident(contour, kPerturbationVoxels * shortest);
   return contour;

@@ -15,6 +15,6 @@ namespace deliso {
 
 // Returns the fine contour. pre: `plain` is build_contour(volume, kappa); it is returned if it will
 // do.
-ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa, int threads = 1);
+ContourMesh fine_contour(ContourMesh&& plain, const Volume& volume, double kappa);
 
 }  // namespace deliso

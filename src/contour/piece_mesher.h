@@ -86,7 +86,6 @@ class PieceMesher {
   }
 
   void replace_boundary(std::vector<BoundarySegment>&) {}
-  std::size_t vertices() const { return mesh_.points.size(); }
 
   // Makes a fan over the cell's only loop, from the vertex with the shortest chords. Returns false
   // if some face has more than one segment of the loop, or an edge is short. Otherwise a face holds

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/parallel.h"
-#include "contour/slabs.h"
-
 namespace deliso {
 namespace {
 
@@ -70,24 +67,18 @@ bool lies_at_seam(const Volume& volume, Index3 voxel) {
 }
 
 SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
-                             const SplitVoxels& listed, int threads) {
+                             const SplitVoxels& listed) {
   const Index3 dims = volume.dims();
   if (factor == Index3{1, 1, 1}) return SplitVoxels(dims, {});
-  const std::vector<Slab> slabs = cut_into_slabs(dims, threads, [](int) { return true; });
-  std::vector<SplitChooser> choosers(slabs.size(), SplitChooser(dims, factor));
-  for_each_task(threads, slabs.size(),
-                [&](std::size_t n) { ContourStream(volume, kappa, choosers[n], slabs[n]).run(); });
-  std::vector<std::uint64_t> numbers;
-  for (const SplitChooser& chooser : choosers) {
-    numbers.insert(numbers.end(), chooser.numbers.begin(), chooser.numbers.end());
-  }
-  std::erase_if(numbers, [&](std::uint64_t number) {
+  SplitChooser chooser(dims, factor);
+  ContourStream(volume, kappa, chooser).run();
+  std::erase_if(chooser.numbers, [&](std::uint64_t number) {
     const Index3 voxel = numbered_voxel(dims, number);
     bool excluded = listed.contains(voxel) || lies_at_seam(volume, voxel);
     for (int f = 0; f < 6; ++f) excluded |= listed.contains(voxel_across(voxel, f));
     return excluded;
   });
-  return SplitVoxels(dims, numbers);
+  return SplitVoxels(dims, chooser.numbers);
 }
 
 }  // namespace
@@ -117,17 +108,9 @@ bool SplitVoxels::contains(Index3 voxel) const {
                             begin + static_cast<std::ptrdiff_t>(row_[r + 1]), voxel.i);
 }
 
-bool SplitVoxels::any_in_layer(int k) const {
-  if (column_.empty() || k < 0 || k >= voxels_.k) return false;
-  const std::size_t rows = static_cast<std::size_t>(voxels_.j);
-  const std::size_t r = rows * static_cast<std::size_t>(k);
-  return row_[r] != row_[r + rows];
-}
-
-ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split,
-                                 int threads) {
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split) {
   SplitVoxels listed = choose_listed(volume, kappa, split);
-  SplitVoxels elsewhere = choose_elsewhere(volume, kappa, split.elsewhere, listed, threads);
+  SplitVoxels elsewhere = choose_elsewhere(volume, kappa, split.elsewhere, listed);
   return {std::move(listed), std::move(elsewhere)};
 }
 

@@ -29,7 +29,6 @@ class SplitVoxels {
   std::size_t size() const { return column_.size(); }
   // True if the set has the voxel; voxels outside the volume are in no set.
   bool contains(Index3 voxel) const;
-  bool any_in_layer(int k) const;
 
  private:
   Index3 voxels_;
@@ -42,10 +41,8 @@ struct ChosenVoxels {
   SplitVoxels listed, elsewhere;
 
   std::size_t size() const { return listed.size() + elsewhere.size(); }
-  bool any_in_layer(int k) const { return listed.any_in_layer(k) || elsewhere.any_in_layer(k); }
 };
-ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split,
-                                 int threads);
+ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split);
 
 // A sink of ContourStream.
 class SplitMesher {
@@ -66,7 +63,6 @@ class SplitMesher {
 
   // Replaces the segments of split voxels by those of their cells.
   void replace_boundary(std::vector<BoundarySegment>& segments) const;
-  std::size_t vertices() const { return mesher_.vertices(); }
 
  private:
   // Cells of one size, and the current voxel cut into them.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
+#include "base/cancel.h"
 
 namespace deliso {
 namespace {
@@ -30,7 +30,7 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 
 }  // namespace
 
-VoxelTree::VoxelTree(const Volume& volume, int threads)
+VoxelTree::VoxelTree(const Volume& volume)
     : volume_(volume),
       per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
       box_(volume.box()) {
@@ -39,7 +39,7 @@ VoxelTree::VoxelTree(const Volume& volume, int threads)
     top_in_voxels_[axis] = volume.voxels()[axis];
   }
   choose_axes();
-  volume.visit([&](const auto* samples) { build(samples, threads); });
+  volume.visit([&](const auto* samples) { build(samples); });
 }
 
 void VoxelTree::choose_axes() {
@@ -60,7 +60,7 @@ void VoxelTree::choose_axes() {
 }
 
 template <class T>
-void VoxelTree::build(const T* samples, int threads) {
+void VoxelTree::build(const T* samples) {
   const Index3 dims = volume_.dims(), voxels = volume_.voxels();
   const std::size_t leaves = std::size_t{1} << depth_;
   auto& nodes = nodes_.emplace<Nodes<T>>(2 * leaves, MinMax<T>{samples[0], samples[0]});
@@ -79,12 +79,12 @@ void VoxelTree::build(const T* samples, int threads) {
 
   // One row of bricks along x at a time. First reduces its sample rows to one, element by element
   // (which vectorizes), then that row brick by brick.
-  for_each_task(threads, axes[2].code.size(), [&](std::size_t z) {
-    // Locals only: bytes may alias the members of a vector or a lambda, and then nothing
-    // vectorizes.
-    const std::size_t row = static_cast<std::size_t>(dims.i);
-    std::vector<T> low_row(row), high_row(row);
-    T *const low = low_row.data(), *const high = high_row.data();
+  // Locals only: bytes may alias the members of a vector, and then nothing vectorizes.
+  const std::size_t row = static_cast<std::size_t>(dims.i);
+  std::vector<T> low_row(row), high_row(row);
+  T *const low = low_row.data(), *const high = high_row.data();
+  for (std::size_t z = 0; z < axes[2].code.size(); ++z) {
+    throw_if_canceled();
     for (std::size_t y = 0; y < axes[1].code.size(); ++y) {
       const T* first = samples + volume_.index(0, axes[1].cut[y], axes[2].cut[z]);
       std::copy(first, first + row, low);
@@ -105,15 +105,10 @@ void VoxelTree::build(const T* samples, int threads) {
         nodes[leaves | axes[0].code[x] | axes[1].code[y] | axes[2].code[z]] = brick;
       }
     }
-  });
-  constexpr std::size_t kNodesPerTask = 1 << 16;
-  for (std::size_t level = leaves / 2; level >= 1; level /= 2) {
-    for_each_run(threads, level, kNodesPerTask, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = level + begin; n < level + end; ++n) {
-        nodes[n] = {std::min(nodes[2 * n].min, nodes[2 * n + 1].min),
-                    std::max(nodes[2 * n].max, nodes[2 * n + 1].max)};
-      }
-    });
+  }
+  for (std::size_t n = leaves - 1; n >= 1; --n) {
+    nodes[n] = {std::min(nodes[2 * n].min, nodes[2 * n + 1].min),
+                std::max(nodes[2 * n].max, nodes[2 * n + 1].max)};
   }
 }
 

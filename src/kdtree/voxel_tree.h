@@ -32,9 +32,8 @@ class VoxelTree {
  public:
   static constexpr int kLeafVoxels = 128;
 
-  // Reads every sample once, in `threads` threads; the tree does not depend on their number. Keeps
-  // a reference to the volume, which must outlive the tree.
-  explicit VoxelTree(const Volume& volume, int threads = 1);
+  // Reads every sample once. Keeps a reference to the volume, which must outlive the tree.
+  explicit VoxelTree(const Volume& volume);
 
   const Volume& volume() const { return volume_; }
   VoxelBox box() const {
@@ -94,7 +93,7 @@ class VoxelTree {
   static_assert(std::numeric_limits<int>::digits <= 31);
 
   template <class T>
-  void build(const T* samples, int threads);
+  void build(const T* samples);
   void choose_axes();
 
   const Volume& volume_;

@@ -16,9 +16,8 @@ VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   return furthest;
 }
 
-Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
-                           std::vector<DualFacet>& facets) {
-  scratch.interfaces.clear();
+Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+  interfaces_.clear();
   facets.clear();
   long directed = 0, thrice_faces = 0;
   long boundary_vertices = 0, boundary_edges = 0;
@@ -27,8 +26,8 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
   // region is written at reached[count]; it stays there only if it was not visited before.
   const std::span<const VertexId> region = labels_.region(a);
   const IdArray<VertexId, SiteId>& label = labels_.all();
-  scratch.reached.resize(std::max(scratch.reached.size(), region.size() + 1));
-  const std::span<VertexId> reached = scratch.reached;
+  reached_.resize(std::max(reached_.size(), region.size() + 1));
+  const std::span<VertexId> reached = reached_;
   IdArray<VertexId, std::uint32_t>& visited = visited_;
   const ContourMesh& contour = labels_.contour();
   const std::uint32_t now = ++checks_;
@@ -59,10 +58,10 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
         // both ends, a triangle once from each of its vertices labeled a.
         if (x == a) {
           ++directed;
-          ++(y == a ? thrice_faces : scratch.interface_with(y).twice_faces);
+          ++(y == a ? thrice_faces : interface_with(y).twice_faces);
           continue;
         }
-        Scratch::Interface& i = scratch.interface_with(x);
+        Interface& i = interface_with(x);
         ++i.edges;
         if (y == a) {
           ++i.twice_faces;
@@ -80,11 +79,11 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
     if (before == a) {
       ++boundary_edges;
     } else {
-      Scratch::Interface& i = scratch.interface_with(before);
+      Interface& i = interface_with(before);
       ++i.edges;
       ++i.boundary_edges;
     }
-    if (next != a) ++scratch.interface_with(next).boundary_edges;
+    if (next != a) ++interface_with(next).boundary_edges;
   }
 
   if (count != region.size()) {
@@ -105,7 +104,7 @@ Verdict Certificate::check(SiteId a, VertexId at, Scratch& scratch,
       return {Reason::boundary, furthest};
     }
   }
-  for (const Scratch::Interface& i : scratch.interfaces) {
+  for (const Interface& i : interfaces_) {
     if (i.boundary_edges > 1) return {Reason::boundary, furthest_between(a, i.site)};
     if (2 * i.edges - i.twice_faces != 2) return {Reason::interface, furthest_between(a, i.site)};
   }

@@ -12,7 +12,6 @@
 //       edges = 1). At most one boundary edge leads to any neighbor.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -37,42 +36,36 @@ struct DualFacet {
   std::array<VertexId, 3> t_triangle;
 };
 
-// Tests sites against C1 to C4. Threads may check different sites at once: a check writes only to
-// the vertices of its own region.
+// Tests sites against C1 to C4.
 class Certificate {
  public:
   // Keeps a reference.
   explicit Certificate(const Labels& labels) : labels_(labels), visited_(labels.all().size(), 0) {}
 
-  // Working memory of checks, one per thread.
-  struct Scratch {
-    // The counts of edges and triangles between the region and one neighbor.
-    struct Interface {
-      SiteId site;
-      long edges = 0, twice_faces = 0, boundary_edges = 0;
-    };
-    Interface& interface_with(SiteId site) {
-      for (Interface& known : interfaces) {
-        if (known.site == site) return known;
-      }
-      return interfaces.emplace_back(Interface{site});
-    }
-
-    std::vector<VertexId> reached;  // never shrinks
-    std::vector<Interface> interfaces;
-  };
-
   // Tests C1 to C4 at `site`, whose own vertex of T is `at`. Sets `facets` to the dual facets
   // there, each with that site first. Cost: linear in the triangles at L.
-  Verdict check(SiteId site, VertexId at, Scratch& scratch, std::vector<DualFacet>& facets);
+  Verdict check(SiteId site, VertexId at, std::vector<DualFacet>& facets);
 
  private:
+  // The counts of edges and triangles between the region and one neighbor.
+  struct Interface {
+    SiteId site;
+    long edges = 0, twice_faces = 0, boundary_edges = 0;
+  };
+  Interface& interface_with(SiteId site) {
+    for (Interface& known : interfaces_) {
+      if (known.site == site) return known;
+    }
+    return interfaces_.emplace_back(Interface{site});
+  }
   // Returns the vertex furthest from its site among the vertices of a and b where they meet.
   VertexId furthest_between(SiteId a, SiteId b) const;
 
   const Labels& labels_;
   IdArray<VertexId, std::uint32_t> visited_;  // the last check that reached it
-  std::atomic<std::uint32_t> checks_ = 0;
+  std::uint32_t checks_ = 0;
+  std::vector<VertexId> reached_;  // never shrinks
+  std::vector<Interface> interfaces_;
 };
 
 }  // namespace deliso

@@ -22,7 +22,6 @@ struct DualFacets {
 
 // Returns a vertex of T for every pair of crossing facets of which one is new. It is the vertex
 // furthest from its site in their two triangles of T; kNoId where all are sites.
-std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& labels, const Box3& box,
-                                        int threads);
+std::vector<VertexId> between_crossings(const DualFacets& k, const Labels& labels, const Box3& box);
 
 }  // namespace deliso

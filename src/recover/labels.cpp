@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/parallel.h"
 #include "base/sorted_list.h"
 
 namespace deliso {
@@ -13,9 +12,6 @@ namespace {
 // Triangle inequality: a site s' with |ps'| < |ps| has |ss'| < 2 |ps|. This is the factor squared,
 // with a margin for rounding.
 constexpr double kMaxDistanceRatio2 = 4 * (1 + 1e-12);
-
-// Vertices of T per task of a thread.
-constexpr std::size_t kRun = 4096;
 
 // Returns the Delaunay neighbors of every finite vertex.
 std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
@@ -34,8 +30,7 @@ std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
 
 }  // namespace
 
-ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
-    : first_(contour.points.size() + 1, 0) {
+ContourGraph::ContourGraph(const ContourMesh& contour) : first_(contour.points.size() + 1, 0) {
   // A triangle (v, next, previous) seen from its vertex v.
   struct Wedge {
     VertexId next, previous;
@@ -52,57 +47,51 @@ ContourGraph::ContourGraph(const ContourMesh& contour, int threads)
     for (std::size_t i = 0; i < 3; ++i) wedges[end[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
   }
   rings_.resize(first_.back());
-  for_each_run(threads, contour.points.size(), kRun, [&](std::size_t begin, std::size_t stop) {
-    for (VertexId v(begin); v < stop; ++v) {
-      const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
-      VertexId* ring = rings_.data() + first_[v];
-      // A boundary ring begins at the triangle with no triangle before it.
-      const auto begins = [&](const Wedge& w) {
-        return std::ranges::find(at, w.next, &Wedge::previous) == at.end();
-      };
-      VertexId next = contour.on_boundary(v) ? std::ranges::find_if(at, begins)->next : at[0].next;
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        std::size_t found = k;
-        while (found + 1 < at.size() && at[found].next != next) ++found;
-        std::swap(at[k], at[found]);
-        *ring++ = next;
-        next = at[k].previous;
-      }
-      if (contour.on_boundary(v)) *ring = next;
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::span<Wedge> at = std::span(wedges).subspan(first_[v], end[v] - first_[v]);
+    VertexId* ring = rings_.data() + first_[v];
+    // A boundary ring begins at the triangle with no triangle before it.
+    const auto begins = [&](const Wedge& w) {
+      return std::ranges::find(at, w.next, &Wedge::previous) == at.end();
+    };
+    VertexId next = contour.on_boundary(v) ? std::ranges::find_if(at, begins)->next : at[0].next;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      std::size_t found = k;
+      while (found + 1 < at.size() && at[found].next != next) ++found;
+      std::swap(at[k], at[found]);
+      *ring++ = next;
+      next = at[k].previous;
     }
-  });
+    if (contour.on_boundary(v)) *ring = next;
+  }
 }
 
-Labels::Labels(const ContourMesh& contour, const Triangulation& t, int threads)
+Labels::Labels(const ContourMesh& contour, const Triangulation& t)
     : contour_(contour),
       triangulation_(t),
-      graph_(contour, threads),
+      graph_(contour),
       label_(contour.points.size(), kNoId),
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
       radius2_(t.vertex_capacity(), 0) {
   const std::vector<std::vector<SiteId>> neighbors = neighbors_of_all(t);
-  for_each_run(threads, label_.size(), kRun, [&](std::size_t begin, std::size_t end) {
-    SiteId site = 1;
-    for (VertexId v(begin); v < end; ++v) {
-      const Vec3& p = contour.points[v];
-      double best2 = distance2(p, t.point(site));
-      for (SiteId from = kNoId; from != site;) {
-        from = site;
-        for (const SiteId n : neighbors[from]) {
-          const double d2 = distance2(p, t.point(n));
-          if (d2 >= best2) continue;
-          best2 = d2;
-          site = n;
-        }
-      }
-      label_[v] = site;
-      distance2_[v] = best2;
-    }
-  });
+  SiteId site = 1;
   for (VertexId v = 0; v < label_.size(); ++v) {
-    regions_[label_[v]].push_back(v);
-    radius2_[label_[v]] = std::max(radius2_[label_[v]], distance2_[v]);
+    const Vec3& p = contour.points[v];
+    double best2 = distance2(p, t.point(site));
+    for (SiteId from = kNoId; from != site;) {
+      from = site;
+      for (const SiteId n : neighbors[from]) {
+        const double d2 = distance2(p, t.point(n));
+        if (d2 >= best2) continue;
+        best2 = d2;
+        site = n;
+      }
+    }
+    label_[v] = site;
+    distance2_[v] = best2;
+    regions_[site].push_back(v);
+    radius2_[site] = std::max(radius2_[site], best2);
   }
 }
 

@@ -16,7 +16,7 @@ namespace deliso {
 // The adjacency of T.
 class ContourGraph {
  public:
-  ContourGraph(const ContourMesh& contour, int threads);
+  explicit ContourGraph(const ContourMesh& contour);
 
   // Returns the neighbors u_n of v in the order of its triangles (v, u_n, u_n+1). The ring of an
   // inner vertex is closed; that of a boundary vertex begins at the next one of its loop and ends
@@ -34,8 +34,8 @@ class Labels {
  public:
   // Labels every vertex of T with its nearest site, a finite vertex of `triangulation`. Keeps
   // references to T and the triangulation. A walk over Delaunay neighbors begins at the label of
-  // the previous vertex. It is fast if neighbors are close in T's order (contour/block_order.h).
-  Labels(const ContourMesh& contour, const Triangulation& triangulation, int threads);
+  // the previous vertex.
+  Labels(const ContourMesh& contour, const Triangulation& triangulation);
 
   const ContourMesh& contour() const { return contour_; }
   // Returns ContourGraph::ring(v).

@@ -6,9 +6,7 @@
 #include <optional>
 
 #include "base/check.h"
-#include "base/parallel.h"
 #include "base/sorted_list.h"
-#include "contour/block_order.h"
 #include "contour/bounded_volume.h"
 #include "contour/fine_contour.h"
 #include "recover/certificate.h"
@@ -23,12 +21,6 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kFacetsPerTask = 64, kSitesPerTask = 16;
-
-// A round tests the sites that were queued last. They are near each other, and their regions are
-// still in the cache. In any other order a large volume takes up to three times as long.
-constexpr std::size_t kSitesPerRound = 256;
-
 class CertifiedRecovery {
  public:
   CertifiedRecovery(const Isosurface& surface, const ContourMesh& contour, FirstSample first,
@@ -42,12 +34,12 @@ class CertifiedRecovery {
         triangulation_(std::move(first.triangulation)),
         chain_(std::move(first.chain)),
         sites_(triangulation_.vertex_capacity()),
-        labels_(contour, triangulation_, parameters.threads),
+        labels_(contour, triangulation_),
         certificate_(labels_),
         origins_(component_origins(contour, surface.volume().box())),
-        wanted_volumes_(bounded_volumes(contour.points, contour.triangles, contour.component,
-                                        origins_, parameters.threads)) {
-    // In reverse: the last one queued is tested first, and T is ordered block by block.
+        wanted_volumes_(
+            bounded_volumes(contour.points, contour.triangles, contour.component, origins_)) {
+    // In reverse: the last one is tested first.
     for (std::size_t n = contour.points.size(); n-- > 0;) {
       const VertexId v(n);
       if (!labels_.is_site(v)) continue;
@@ -97,7 +89,9 @@ class CertifiedRecovery {
   Certificate certificate_;
   const std::vector<std::optional<Vec3>> origins_;  // per component of T
   const std::vector<double> wanted_volumes_;        // bounded by T; only the signs matter
-  std::vector<SiteId> queue_;                       // to be tested
+  // Sites to be tested, the last one first: it is near the one before, and its region is still in
+  // the cache. In any other order a large volume takes up to three times as long.
+  std::vector<SiteId> stack_;
   ConflictZone zone_;
   std::vector<CellId> created_;
   std::vector<SiteId> neighbors_;
@@ -117,26 +111,21 @@ SurfaceMesh CertifiedRecovery::run() {
 SurfaceMesh CertifiedRecovery::build_dual() {
   const std::vector<double> poles = compute_poles(triangulation_, surface_, parameters_, report_);
   DualFacets k = all_facets();
-  std::vector<Dual> duals(k.triangles.size());
-  std::vector<SearchCounters> searches(runs_of(k.triangles.size(), kFacetsPerTask));
-  for_each_run(parameters_.threads, k.triangles.size(), kFacetsPerTask,
-               [&](std::size_t run, std::size_t f, std::size_t end) {
-                 SurfacePointFinder finder(surface_);
-                 for (; f < end; ++f) {
-                   const Triangle& v = k.triangles[f];
-                   duals[f] =
-                       finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], searches[run]);
-                 }
-               });
-  for (const SearchCounters& n : searches) report_.searches_recover += n;
-  for (const Dual& d : duals) report_[Counter::unready_facets] += !d.on_surface;
+  std::vector<Dual> duals;
+  duals.reserve(k.triangles.size());
+  SurfacePointFinder finder(surface_);
+  for (const Triangle& v : k.triangles) {
+    duals.push_back(
+        finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], report_.searches_recover));
+    report_[Counter::unready_facets] += !duals.back().on_surface;
+  }
   return build_tri_mesh(triangulation_, std::move(k.triangles), std::move(duals), chain_, poles);
 }
 
 void CertifiedRecovery::queue_site(SiteId s) {
   if (sites_[s].queued || sites_[s].at == kNoId) return;
   sites_[s].queued = true;
-  queue_.push_back(s);
+  stack_.push_back(s);
 }
 
 bool CertifiedRecovery::add_site(VertexId v) {
@@ -180,44 +169,26 @@ bool CertifiedRecovery::add_site(VertexId v) {
   return true;
 }
 
-// A round first tests its sites in threads; nothing else changes meanwhile. Then it adds sites one
-// by one. If an added site changes a tested one, that verdict is out of date, and the tested site
-// is in the queue again.
 void CertifiedRecovery::certify_sites() {
-  std::vector<SiteId> round;
-  std::vector<Verdict> verdicts(kSitesPerRound);
-  while (!queue_.empty()) {
-    const std::size_t size = std::min(queue_.size(), kSitesPerRound);
-    round.assign(queue_.rbegin(), queue_.rbegin() + static_cast<std::ptrdiff_t>(size));
-    queue_.resize(queue_.size() - size);
-    for (const SiteId s : round) sites_[s].queued = false;
-    for_each_run(
-        parameters_.threads, round.size(), kSitesPerTask, [&](std::size_t n, std::size_t end) {
-          Certificate::Scratch scratch;
-          for (; n < end; ++n) {
-            const SiteId s = round[n];
-            Site& site = sites_[s];
-            Verdict& verdict = verdicts[n];
-            verdict = certificate_.check(s, site.at, scratch, site.facets);
-            if (!verdict.violation) {
-              verdict.insert = find_protrusion(s, site.facets, labels_, surface_, parameters_);
-            }
-            site.is_new = true;
-            site.is_uncertified = false;
-          }
-        });
-    for (std::size_t n = 0; n < round.size(); ++n) {
-      steps_.step(round.size() - n + queue_.size());
-      const SiteId s = round[n];
-      const Verdict verdict = verdicts[n];
-      if (sites_[s].queued || verdict.is_fine()) continue;
-      const Reason reason = verdict.violation.value_or(Reason::protrusion);
-      if (follower_) follower_->site_asked(reason, s, verdict.insert);
-      if (verdict.insert != kNoId && add_site(verdict.insert)) {
-        queue_site(s);
-      } else if (verdict.violation) {
-        sites_[s].is_uncertified = true;
-      }
+  while (!stack_.empty()) {
+    steps_.step(stack_.size());
+    const SiteId s = stack_.back();
+    stack_.pop_back();
+    Site& site = sites_[s];
+    site.queued = false;
+    site.is_new = true;
+    Verdict verdict = certificate_.check(s, site.at, site.facets);
+    if (!verdict.violation) {
+      verdict.insert = find_protrusion(s, site.facets, labels_, surface_, parameters_);
+    }
+    site.is_uncertified = false;
+    if (verdict.is_fine()) continue;
+    const Reason reason = verdict.violation.value_or(Reason::protrusion);
+    if (follower_) follower_->site_asked(reason, s, verdict.insert);
+    if (verdict.insert != kNoId && add_site(verdict.insert)) {
+      queue_site(s);
+    } else if (verdict.violation) {
+      sites_[s].is_uncertified = true;
     }
   }
 }
@@ -268,8 +239,7 @@ std::size_t CertifiedRecovery::add_sites(std::span<const VertexId> vertices, Rea
 }
 
 std::size_t CertifiedRecovery::resolve_crossings() {
-  std::vector<VertexId> between =
-      between_crossings(all_facets(), labels_, surface_.volume().box(), parameters_.threads);
+  std::vector<VertexId> between = between_crossings(all_facets(), labels_, surface_.volume().box());
   report_[Counter::crossings_handed_over] = between.size();
   sort_unique(between);
   const std::size_t added = add_sites(between, Reason::crossing);
@@ -286,18 +256,17 @@ void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters
                Report& report) {
   begin_stage(parameters.observer, "cutting");
   const StepTimer timer(report.seconds_contour);
-  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa(), parameters.threads);
-  order_by_blocks(contour, surface.volume(), parameters.threads);
+  contour = fine_contour(std::move(contour), surface.volume(), surface.kappa());
   report[Counter::voxels_cut] = contour.split_voxels;
 }
 
 SurfaceMesh recover(const Isosurface& surface, ContourMesh& contour, FirstSample first,
                     const Parameters& parameters, Report& report) {
   begin_stage(parameters.observer, "labels");
-  std::optional<StepTimer> timer(report.seconds_labels);
-  CertifiedRecovery recovery(surface, contour, std::move(first), parameters, report);
+  CertifiedRecovery recovery = timed(report.seconds_labels, [&] {
+    return CertifiedRecovery(surface, contour, std::move(first), parameters, report);
+  });
   contour.triangles = std::vector<Triangle>();
-  timer.reset();
   SurfaceMesh mesh = recovery.run();
   report.points_recovered = mesh.mesh.points.size();
   return mesh;

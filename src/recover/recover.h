@@ -6,9 +6,6 @@
 // Three more tests have the same remedy. No vertex of T may be too far from the facets at its site
 // (protrusions.h). No two facets of K may cross. No component may be reversed. At worst every
 // vertex of T is a site; then K is T, which is embedded.
-//
-// Sites are tested in rounds, in threads, and added in one thread. So the result is the same with
-// any number of threads.
 #pragma once
 
 #include "contour/contour.h"
@@ -17,7 +14,7 @@
 
 namespace deliso {
 
-// Makes T fine enough for labels (contour/fine_contour.h), block by block.
+// Makes T fine enough for labels (contour/fine_contour.h).
 void make_fine(ContourMesh& contour, const Isosurface& surface, const Parameters& parameters,
                Report& report);
 

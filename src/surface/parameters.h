@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/parallel.h"
+#include "base/hardware_threads.h"
 #include "base/topology_counts.h"
 #include "surface/criteria.h"
 

@@ -15,7 +15,7 @@
 #include "base/vec2.h"
 #include "cap/box_caps.h"
 #include "deliso/deliso.h"
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 #include "planar/plane_predicates.h"

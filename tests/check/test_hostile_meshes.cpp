@@ -10,8 +10,8 @@
 #include "check/hostile_meshes.h"
 #include "check/verify.h"
 #include "contour/contour.h"
-#include "embedding/nearest_triangles.h"
-#include "embedding/self_intersections.h"
+#include "check/nearest_triangles.h"
+#include "check/self_intersections.h"
 #include "embedding/triangle_pair.h"
 #include "io/volume/builtin_volume.h"
 

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "contour/mesh_checks.h"
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 
 using namespace deliso;
 

@@ -11,7 +11,7 @@
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 #include "refine/refine.h"
 
 using namespace deliso;

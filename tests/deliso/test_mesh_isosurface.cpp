@@ -12,7 +12,7 @@
 #include "base/triangle.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 #include "mesh/check_mesh.h"
 #include "surface/criteria.h"
 #include "surface/surface_point.h"

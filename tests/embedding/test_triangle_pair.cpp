@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 #include "delaunay/predicates.h"
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 
 namespace deliso {
 namespace {

@@ -72,7 +72,7 @@ std::size_t check_volume(const Volume& volume, double kappa, std::uint64_t seed,
   CAPTURE(volume.dims().j);
   CAPTURE(volume.dims().k);
   CAPTURE(kappa);
-  const VoxelTree tree(volume, static_cast<int>(1 + seed % 3));
+  const VoxelTree tree(volume);
   Random random(seed);
   std::vector<VoxelSpan> collected;
   std::size_t total = 0;

@@ -81,14 +81,14 @@ class Labeled {
       : letters_(shape.letters),
         contour_(contour_of(shape)),
         triangulation_(first_sites()),
-        labels_(contour_, triangulation_, 1),
+        labels_(contour_, triangulation_),
         certificate_(labels_) {
     for (VertexId v = 0; v < letters_.size(); ++v) {
       REQUIRE(vertex_[labels_.label(v)] == shape.site(v));
     }
   }
 
-  Verdict check(VertexId v) { return certificate_.check(labels_.label(v), v, scratch_, facets_); }
+  Verdict check(VertexId v) { return certificate_.check(labels_.label(v), v, facets_); }
   Verdict check(char site) { return check(VertexId(letters_.find(site))); }
 
   // The sites that break a condition.
@@ -223,7 +223,6 @@ class Labeled {
   Triangulation triangulation_;
   Labels labels_;
   Certificate certificate_;
-  Certificate::Scratch scratch_;
   std::vector<DualFacet> facets_;
 };
 

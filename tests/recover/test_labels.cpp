@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
@@ -61,7 +63,7 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
     FirstSample sites = init_triangulation(scene.contour, curves, scene.volume,
                                            resolve(options, scene.volume), report);
     Triangulation& t = sites.triangulation;
-    Labels labels(scene.contour, t, 1);
+    Labels labels(scene.contour, t);
     check_nearest(scene.contour, labels, t);
     Random random(seed);
     ConflictZone zone;
@@ -79,6 +81,39 @@ TEST_CASE("every vertex of T has its nearest site, at first and after every inse
   }
 }
 
+TEST_CASE("rings hold every triangle of T once, and follow the chains") {
+  const Scene scene = builtin_scene("gyroid", 64);
+  const ContourMesh& contour = scene.contour;
+  REQUIRE(contour.points.size() > 20000);
+  const ContourGraph graph(contour);
+
+  std::vector<Triangle> round;
+  for (VertexId v = 0; v < contour.points.size(); ++v) {
+    const std::span<const VertexId> ring = graph.ring(v);
+    const bool inner = !contour.on_boundary(v);
+    for (std::size_t n = 0; n + !inner < ring.size(); ++n) {
+      const VertexId u = ring[n], w = ring[(n + 1) % ring.size()];
+      if (v < u && v < w) round.push_back({v, u, w});
+    }
+  }
+  std::vector<Triangle> triangles(contour.triangles.begin(), contour.triangles.end());
+  std::size_t on_chains = 0;
+  for (std::size_t c = 0; c < contour.boundary.size(); ++c) {
+    const std::span<const VertexId> chain = contour.boundary.chain(c);
+    for (std::size_t k = 0; k < chain.size(); ++k, ++on_chains) {
+      REQUIRE(graph.ring(chain[k]).front() == chain[(k + 1) % chain.size()]);
+      REQUIRE(graph.ring(chain[(k + 1) % chain.size()]).back() == chain[k]);
+    }
+  }
+  CHECK(on_chains ==
+        contour.points.size() - static_cast<std::size_t>(std::ranges::count(contour.box_faces, 0)));
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  std::sort(round.begin(), round.end());
+  CHECK(round == triangles);
+}
+
 // With every vertex of T a site, the dual is T itself: each triangle is a triple, each region one
 // vertex; the certificate must hold, or closed-ball conditions were miscounted.
 TEST_CASE("the certificate holds when every vertex of T is a site, and the dual is T") {
@@ -93,13 +128,12 @@ TEST_CASE("the certificate holds when every vertex of T is a site, and the dual 
     Triangulation t;
     std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));
-    const Labels labels(contour, t, 1);
+    const Labels labels(contour, t);
     Certificate certificate(labels);
-    Certificate::Scratch scratch;
     std::vector<DualFacet> facets;
     std::vector<SiteTriangle> dual;
     for (VertexId v = 0; v < contour.points.size(); ++v) {
-      const Verdict verdict = certificate.check(ids[v], v, scratch, facets);
+      const Verdict verdict = certificate.check(ids[v], v, facets);
       REQUIRE_FALSE(verdict.violation);
       for (const DualFacet& f : facets) {
         if (f.sites[0] < f.sites[1] && f.sites[0] < f.sites[2]) dual.push_back(f.sites);
@@ -119,11 +153,10 @@ TEST_CASE("a region that is a whole torus breaks C1") {
   Triangulation t;
   std::vector<SiteId> ids;
   REQUIRE(t.build(points, ids));
-  const Labels labels(scene.contour, t, 1);
+  const Labels labels(scene.contour, t);
   Certificate certificate(labels);
-  Certificate::Scratch scratch;
   std::vector<DualFacet> facets;
-  const Verdict verdict = certificate.check(ids[0], 0, scratch, facets);
+  const Verdict verdict = certificate.check(ids[0], 0, facets);
   CHECK(verdict.violation == Reason::region);
   REQUIRE(verdict.insert != kNoId);
   for (const Vec3& p : scene.contour.points) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 
 namespace deliso {
 

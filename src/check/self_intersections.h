@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tree over triangles: the same on every machine, and the nearest triangle by brute force.
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 
 #include <algorithm>
 #include <array>
@@ -132,7 +132,7 @@ class Search {
       const std::span<const Box3> their_boxes = tree.boxes_of_leaf(other);
       for (std::size_t m = 0; m < mine.size(); ++m) {
         for (std::size_t n = other == leaf ? m + 1 : 0; n < theirs.size(); ++n) {
-          if (!TriangleTree::meet(my_boxes[m], their_boxes[n])) continue;
+          if (!meet(my_boxes[m], their_boxes[n])) continue;
           test(named.id(mine[m]), named.id(theirs[n]), work);
         }
       }
@@ -154,7 +154,7 @@ class Search {
       const std::span<const Box3> their_boxes = group.tree.boxes_of_leaf(leaf);
       for (std::size_t n = 0; n < theirs.size(); ++n) {
         const FaceId g = group.ids[theirs[n]];
-        if (!TriangleTree::meet(box, their_boxes[n])) continue;
+        if (!meet(box, their_boxes[n])) continue;
         if (!share_center(triangles_[f], triangles_[g])) test(f, g, work);
       }
       return !exhausted(work);

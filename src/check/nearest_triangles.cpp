@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "embedding/nearest_triangles.h"
+#include "check/nearest_triangles.h"
 
 #include <algorithm>
 #include <array>

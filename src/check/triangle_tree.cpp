@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "embedding/triangle_tree.h"
+#include "check/triangle_tree.h"
 
 #include <algorithm>
 #include <utility>

@@ -83,11 +83,6 @@ class TriangleTree {
     }
   }
 
-  static bool meet(const Box3& a, const Box3& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-           a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-  }
-
  private:
   static constexpr std::size_t kLeafTriangles = 4;
   static constexpr std::size_t kMaxDepth = 64;  // more than any tree has

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "embedding/self_intersections.h"
+#include "check/self_intersections.h"
 #include "embedding/triangle_pair.h"
 
 using namespace deliso;
