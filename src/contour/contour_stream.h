@@ -122,7 +122,7 @@ struct SharedCrossing {
 struct SlabWalk {
   GrowingComponents components;
   std::vector<BoundarySegment> boundary;
-  std::uint64_t active_voxels = 0, tied_saddles = 0;
+  std::uint64_t active_voxels = 0;
   // Crossings in the layer below the slab and in its last one, in scan order; none at the ends of
   // the volume.
   std::vector<SharedCrossing> below, above;
@@ -333,7 +333,6 @@ class ContourStream {
     ++found_.active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, values, scratch);
-    if (&loops == &scratch) found_.tied_saddles += has_tied_saddle(mask, values.above);
     const Tube tube = loops.count > 1 ? find_tube(mask, values, loops) : Tube{};
     VoxelPieces pieces(voxel, values.above, loops, tube);
     auto& vertex = pieces.vertex;

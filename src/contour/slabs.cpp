@@ -35,7 +35,6 @@ std::vector<SlabNumbers> weld(std::vector<SlabWalk>& walks,
       all.boundary.push_back({now.of(s.from), now.of(s.to), now.offset + s.component, s.face});
     }
     all.active_voxels += walk.active_voxels;
-    all.tied_saddles += walk.tied_saddles;
     above = std::move(walk.above);
   }
   return numbers;

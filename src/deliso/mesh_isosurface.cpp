@@ -40,9 +40,9 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
   begin_stage(parameters.observer, "contour");
-  double kappa = isovalue;  // lowered where samples or saddles equal it
+  const double kappa = geometric_isovalue(volume.type(), isovalue);
   ContourMesh contour = timed(report.seconds_contour, [&] {
-    return build_settled_contour(volume, kappa, parameters.threads);
+    return build_contour(volume, kappa, parameters.threads);
   });
   report.kappa_effective = kappa;
   report.exact = contour.summary.topology();
@@ -68,7 +68,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
 }
 
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options) {
-  value_range(volume, "volume", options.threads);
+  value_range(volume);
   Report report;
   return mesh_isosurface(volume, isovalue, options, report);
 }

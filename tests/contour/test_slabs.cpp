@@ -75,8 +75,8 @@ TEST_CASE("T is the same with any number of threads") {
     const Index3 dims{40 + static_cast<int>(seed), 45, 280};
     const Volume volume = random_volume(seed, dims);
     REQUIRE(cut_into_slabs(dims, 3, [](int) { return true; }).size() > 5);
-    double kappa = 0.5;
-    const ContourMesh one = build_settled_contour(volume, kappa, 1);
+    const double kappa = geometric_isovalue(volume.type(), 0.5);
+    const ContourMesh one = build_contour(volume, kappa, 1);
     ContourMesh ordered = one;
     order_by_blocks(ordered, volume, 1);
     for (const int threads : {2, 3, 8}) {
@@ -95,7 +95,7 @@ TEST_CASE("T in cells is the same with any number of threads") {
     CAPTURE(seed);
     const Index3 dims{40, 45, 280};
     const Volume volume = random_volume(seed, dims);
-    const double kappa = settled_isovalue(volume, 0.5);
+    const double kappa = geometric_isovalue(volume.type(), 0.5);
     Random random(seed);
     ContourSplit split;
     split.factor = {2, 3, 4};
