@@ -89,7 +89,9 @@ double geometric_isovalue(SampleType type, double isovalue) {
   }
   const double in_steps = std::ldexp(isovalue, 8 * static_cast<int>(size_of(type)));
   if (in_steps != std::floor(in_steps)) return isovalue;
-  return isovalue - std::min(0x1p-20, 0.5 * (isovalue - (std::ceil(isovalue) - 1)));
+  const double below = std::ceil(isovalue) - 1;
+  const double lowered = isovalue - std::min(0x1p-20, 0.5 * (isovalue - below));
+  return lowered > below ? lowered : isovalue;  // they might be adjacent
 }
 
 }  // namespace deliso

@@ -196,7 +196,7 @@ std::optional<T> inside_threshold(double kappa) {
 // the type and the isovalue alone, so all blocks of a volume have the same, and so does a check. No
 // number of the type lies between the two, so each sample stays on its side:
 //   - integers of n bits: less by 2^-20, or by half the way to the next lower integer if that is
-//     shorter. But an isovalue that is no multiple of 2^-n stays: no sample equals it, and no
+//     shorter and a double. But an isovalue that is no multiple of 2^-n stays: no sample equals it, and no
 //     saddle of a face. A saddle is a fraction of two integers, and the lower one is below 2^(n+1).
 //   - float32: halfway to the next lower float if the isovalue is a float, else the isovalue.
 //   - float64: the isovalue. A sample or a saddle may equal it; crossings stay off samples all the
