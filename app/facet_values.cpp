@@ -110,7 +110,7 @@ std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, d
 std::vector<double> distances_in_voxels(const TriMesh& home, const Volume& volume,
                                         double isovalue) {
   std::vector<double> distances =
-      facet_distances(home, volume, settled_isovalue(volume, isovalue), 1);
+      facet_distances(home, volume, geometric_isovalue(volume.type(), isovalue), 1);
   for (double& distance : distances) distance /= volume.voxel();
   return distances;
 }

@@ -28,7 +28,7 @@ std::vector<double> smallest_angles(const TriMesh& mesh);  // degrees; 0 without
 
 // Returns the distances of facets from the isosurface, in the unit of the scaled frame. It is the
 // largest of the distances that `check` measures, infinite if the surface is not near. `home`: the
-// mesh in the volume's frame. pre: kappa is effective_isovalue().
+// mesh in the volume's frame. pre: kappa is geometric_isovalue().
 std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, double kappa,
                                     int threads);
 // Returns the same in voxels, for an isovalue of the user.

@@ -109,8 +109,8 @@ Info find_info(const Input& input, const CommandLine& line) {
   info.isovalue = input.isovalue;
   if (input.isovalue) {
     const Stopwatch watch;
-    info.effective = *input.isovalue;
-    info.contour = summarize_settled_contour(volume, info.effective);
+    info.effective = geometric_isovalue(volume.type(), *input.isovalue);
+    info.contour = summarize_contour(volume, info.effective);
     info.seconds_contour = watch.seconds();
   }
   return info;
@@ -128,7 +128,7 @@ std::string info_text(const Info& info) {
   if (info.isovalue) {
     text += "\nisovalue  " + number_text(*info.isovalue);
     if (info.effective != *info.isovalue) {
-      text += ", lowered to " + number_text(info.effective) + " as samples or saddles equal it";
+      text += ", lowered to " + number_text(info.effective) + " as samples or saddles may equal it";
     }
     text += "\nsurface   " + topology_text(info.contour.topology()) + "\n          in " +
             std::to_string(info.contour.active_voxels) + " voxels";

@@ -61,7 +61,7 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   others.insert(others.end(), log.files.begin(), log.files.end());
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
-  const ValueRange range = value_range(volume, line.input, line.options.threads);
+  const ValueRange range = value_range(volume, line.input);
   std::vector<LabelSamples> labels;
   if (line.field.of_labels()) labels = find_labels(volume, line.input, line.options.threads);
   std::string warning = gray_image_warning(line, volume, range);
@@ -73,7 +73,7 @@ Input input_of(const Source& source, const CommandLine& line) {
   const int threads = line.options.threads;
   Field field = make_field(source.volume, line.field, source.labels, line.input, threads);
   const ValueRange range =
-      field.is_filtered() ? value_range(field.volume, line.input, threads) : source.range;
+      field.is_filtered() ? value_range(field.volume, line.input) : source.range;
   Input input{line.input,     std::move(field), range,         source.log,
               source.seconds, line.isovalue,    source.warning};
   if (input.field.label) input.isovalue = input.field.label->isovalue;

@@ -114,9 +114,8 @@ TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& opti
   const Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
   begin_stage(parameters.observer, "cubes");
-  report.kappa_effective = isovalue;
-  report.exact =
-      summarize_settled_contour(volume, report.kappa_effective, parameters.threads).topology();
+  report.kappa_effective = geometric_isovalue(volume.type(), isovalue);
+  report.exact = summarize_contour(volume, report.kappa_effective).topology();
   SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
   if (options.cap) {
     begin_stage(parameters.observer, "cap");

@@ -25,11 +25,6 @@ double other_float(double x, double rounded) {
   return std::nextafter(static_cast<float>(rounded), rounded < x ? kInfinity : -kInfinity);
 }
 
-bool meet(const Box3& a, const Box3& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
-
 // The triangles whose boxes meet those of a vertex's own, as a mesh of their own.
 struct Surroundings {
   std::vector<Vec3> points;

@@ -166,7 +166,7 @@ std::string report_text(const MeshRun& run) {
   text += "isovalue  " + number_text(*run.input.isovalue);
   if (report.kappa_effective != *run.input.isovalue) {
     text +=
-        ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles equal it";
+        ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles may equal it";
   }
 
   text += "\n";

@@ -14,7 +14,6 @@
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/mesh/read_mesh.h"
-#include "io/parts/part_note.h"
 
 namespace deliso {
 
@@ -27,10 +26,8 @@ CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comme
   options.progress = std::move(progress);
   CheckRun run{{}, noted.has_value(), is_single_precision(mesh), {}};
   options.position_error = bring_home(mesh, volume.frame());
-  const double isovalue = is_of_blocks(comments)
-                              ? isovalue_of_blocks(volume.type(), *input.isovalue)
-                              : settled_isovalue(volume, *input.isovalue, options.threads);
-  run.verification = verify(mesh, volume, isovalue, options);
+  run.verification =
+      verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
 
   JsonWriter json("check");
   json.add("mesh", line.meshes.front());

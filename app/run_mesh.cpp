@@ -189,7 +189,7 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
   if (line.read.block) {
     options.seam = seam_of(mesh, volume);
     options.comment = part_comment(options.comment, volume, *line.read.block, *run.input.isovalue,
-                                   run.report.kappa_effective, written_part(mesh, options));
+                                   written_part(mesh, options));
   }
   return options;
 }

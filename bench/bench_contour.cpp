@@ -62,7 +62,7 @@ void hash_bytes(std::uint64_t& hash, const std::vector<T>& values) {
 }
 
 ContourSummary run(const std::string& name, const Volume& volume, double isovalue, int repeat) {
-  const double kappa = effective_isovalue(volume, isovalue);
+  const double kappa = geometric_isovalue(volume.type(), isovalue);
   ContourMesh mesh;
   const double t_mesh = best_milliseconds(repeat, [&] {
     mesh = {};

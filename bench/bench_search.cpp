@@ -209,7 +209,7 @@ int run(const Arguments& arguments) {
               tree.depth());
 
   const double kappa =
-      effective_isovalue(volume, arguments.kappa.value_or(0.5 * (range.min + range.max)));
+      geometric_isovalue(volume.type(), arguments.kappa.value_or(0.5 * (range.min + range.max)));
   const Isosurface surface(volume, tree, kappa);
   if (arguments.check > 0) return check(surface, tree, arguments.check) ? 0 : 1;
 

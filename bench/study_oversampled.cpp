@@ -55,8 +55,8 @@ int work(const BenchArguments& arguments) {
               header, 3);
   for (const Dataset& dataset : arguments.datasets) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
-    double kappa = opened.isovalue;
-    const ContourSummary exact = summarize_settled_contour(opened.volume, kappa);
+    const double kappa = geometric_isovalue(opened.volume.type(), opened.isovalue);
+    const ContourSummary exact = summarize_contour(opened.volume, kappa);
     const OversampledComponents expected = listed(exact);
     const std::vector<OversampledTopology> found = oversample(opened.volume, kappa);
     for (const bool apart : {true, false}) {

@@ -116,7 +116,7 @@ CommandLine parse(std::vector<std::string> inputs, double isovalue, const char* 
 Input input_of(const deliso_volume& volume, const CommandLine& line) {
   const Stopwatch watch;
   const int threads = line.options.threads;
-  Source source{volume.volume, value_range(volume.volume, kName, threads), {}, {}, 0};
+  Source source{volume.volume, value_range(volume.volume, kName), {}, {}, 0};
   if (line.field.of_labels()) source.labels = find_labels(volume.volume, kName, threads);
   source.seconds = watch.seconds();
   return deliso::input_of(source, line);

@@ -21,7 +21,7 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   require_limits(options, volume);
   const Parameters parameters = resolve(options, volume);
   report.r_min = parameters.r_min;
-  const double kappa = settled_isovalue(volume, isovalue);
+  const double kappa = geometric_isovalue(volume.type(), isovalue);
   report.kappa_effective = kappa;
   std::array<bool, 8> inside{};
   std::vector<std::uint8_t> kept;

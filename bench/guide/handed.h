@@ -32,8 +32,8 @@ struct Handed {
 
   Handed(const char* field, double isovalue, const Options& options)
       : volume(make_builtin_volume(field)),
-        kappa(isovalue),
-        contour(build_settled_contour(volume, kappa)),
+        kappa(geometric_isovalue(volume.type(), isovalue)),
+        contour(build_contour(volume, kappa)),
         tree(volume),
         surface(volume, tree, kappa),
         parameters(resolve(options, volume)),

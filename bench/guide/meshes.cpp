@@ -78,8 +78,8 @@ void draw_switch(const std::string& folder) {
 
 void draw_certified(const std::string& folder) {
   const Volume volume = make_builtin_volume("builtin:torus:32");
-  double kappa = 0;
-  const ContourMesh contour = build_settled_contour(volume, kappa);
+  const double kappa = geometric_isovalue(volume.type(), 0);
+  const ContourMesh contour = build_contour(volume, kappa);
   const VoxelTree tree(volume);
   const Isosurface surface(volume, tree, kappa);
   Options options;

@@ -199,7 +199,7 @@ Volume label_indicator(const Volume& volume, std::span<const std::int64_t> label
 }
 
 IndicatorLevel find_level(const Volume& indicator, double target, int threads) {
-  const double greatest = value_range(indicator, "indicator", threads).max;
+  const double greatest = value_range(indicator, "indicator").max;
   if (!(greatest > 0)) return {0, 0.5};
   const auto slices = static_cast<std::size_t>(std::max(0, indicator.voxels().k));
   std::vector<Counts> parts(runs_of(slices, kSlicesOfCount));

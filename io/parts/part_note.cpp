@@ -14,7 +14,6 @@
 namespace deliso {
 namespace {
 
-constexpr std::string_view kLowered = "lowered=";
 constexpr std::string_view kVolume = "volume=", kFrame = "frame=";
 constexpr std::string_view kBlock = "block=", kSamples = "samples=";
 constexpr std::size_t kFrameNumbers = 12;  // origin and three axes; a space may follow
@@ -102,14 +101,14 @@ std::optional<PartNote> note_in(const std::string& comment) {
 }  // namespace
 
 std::string part_comment(std::string comment, const Volume& volume, const BlockChoice& block,
-                         double isovalue, double effective_isovalue, const PartMesh& part) {
+                         double isovalue, const PartMesh& part) {
   const Frame& at = volume.frame();
   comment += text(" ", kVolume, listed(volume.whole_dims(), "x"), ",", name_of(volume.type()), ",",
                   listed(volume.spacing()), " ", kFrame, listed(at.origin));
   for (const Vec3& axis : at.axes) comment += text(",", listed(axis));
   if (at.space != AnatomicalSpace::unknown) comment += text(",", short_name_of(at.space));
-  comment += text(" isovalue=", isovalue, " ", kLowered, effective_isovalue, " ", kBlock,
-                  listed(block.at, ","), "/", listed(block.of, ","));
+  comment += text(" isovalue=", isovalue, " ", kBlock, listed(block.at, ","), "/",
+                  listed(block.of, ","));
   for (int face = 0; face < 6; ++face) {
     comment += face == 0 ? text(" ", kSamples) : ",";
     comment += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";
@@ -130,14 +129,6 @@ void require_as_noted(const PartNote& note, const PartMesh& part, const std::str
     throw InputError(
         text(quote(path), " is not as it was made: it has", is, ", its note says", noted));
   }
-}
-
-bool is_of_blocks(std::span<const std::string> comments) {
-  return std::ranges::any_of(comments, [](const std::string& comment) {
-    const std::vector<std::string> words = words_of(comment, ' ');
-    return !words.empty() && words.front() == "deliso" &&
-           std::ranges::any_of(words, [](const auto& w) { return w.starts_with(kLowered); });
-  });
 }
 
 std::optional<PartNote> part_note(std::span<const std::string> comments) {

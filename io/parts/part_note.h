@@ -4,8 +4,7 @@
 // mesh have all words in common but the last four. An example:
 //
 //   volume=256x256x128,uint8,1,1,1  frame=0,0,0,1,0,0,0,1,0,0,0,1,LPS  isovalue=40.1
-//   lowered=40.09999904632568  block=0,1,0/2,2,2  samples=-,1c291ca3,-,-,-,9ab0c34d
-//   holds=1204,2311,87  checksum=5e0f1a90
+//   block=0,1,0/2,2,2  samples=-,1c291ca3,-,-,-,9ab0c34d  holds=1204,2311,87  checksum=5e0f1a90
 //
 // `holds` has the numbers of vertices, triangles and vertices of the seam. `checksum` is the CRC-32
 // of the comment before it, then of all of these as numbers. It is the same for text and binary. It
@@ -28,7 +27,7 @@ namespace deliso {
 // Returns `comment` with the words of the note after it. pre: `volume` is that block, and its mesh
 // will be written as `part`.
 std::string part_comment(std::string comment, const Volume& volume, const BlockChoice& block,
-                         double isovalue, double effective_isovalue, const PartMesh& part);
+                         double isovalue, const PartMesh& part);
 
 struct PartNote {
   std::string comment;  // all of it
@@ -45,8 +44,5 @@ std::optional<PartNote> part_note(std::span<const std::string> comments);
 // Throws an InputError with the path if the note has no `holds` and `checksum`, as in older
 // versions, or the part differs from them.
 void require_as_noted(const PartNote& note, const PartMesh& part, const std::string& path);
-
-// True if the mesh is a part, or joined from parts. Then it is at isovalue_of_blocks().
-bool is_of_blocks(std::span<const std::string> comments);
 
 }  // namespace deliso

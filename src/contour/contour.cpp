@@ -55,7 +55,6 @@ StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
   sink.replace_boundary(found.boundary);
   StreamResult result;
   result.summary.active_voxels = found.active_voxels;
-  result.summary.tied_saddles = found.tied_saddles;
   auto& components = result.summary.components;
   result.component_of_label = found.components.finish(components);
   for (auto& segment : found.boundary) {
@@ -122,41 +121,6 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
 ContourSummary summarize_contour(const Volume& volume, double kappa) {
   CountingSink sink;
   return stream(volume, kappa, sink).summary;
-}
-
-namespace {
-
-// Returns make() at the settled isovalue, and sets kappa to it.
-template <class Make, class TiedSaddles>
-auto make_settled(const Volume& volume, double& kappa, int threads, Make&& make,
-                  TiedSaddles&& tied_saddles) {
-  kappa = effective_isovalue(volume, kappa, threads);
-  auto made = make();
-  if (tied_saddles(made) == 0 || volume.is_block()) return made;
-  kappa = lowered_isovalue(volume, kappa, threads).kappa;
-  return make();
-}
-
-}  // namespace
-
-double settled_isovalue(const Volume& volume, double kappa, int threads) {
-  const double effective = effective_isovalue(volume, kappa, threads);
-  if (volume.is_block()) return effective;
-  return summarize_contour(volume, effective).tied_saddles > 0
-             ? lowered_isovalue(volume, effective, threads).kappa
-             : effective;
-}
-
-ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads) {
-  return make_settled(
-      volume, kappa, threads, [&] { return summarize_contour(volume, kappa); },
-      [](const ContourSummary& summary) { return summary.tied_saddles; });
-}
-
-ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads) {
-  return make_settled(
-      volume, kappa, threads, [&] { return build_contour(volume, kappa); },
-      [](const ContourMesh& contour) { return contour.summary.tied_saddles; });
 }
 
 }  // namespace deliso

@@ -21,7 +21,7 @@
 // No piece of Sigma is closed within a voxel: g is harmonic there, so it would be constant inside.
 //
 // Samples equal to kappa are inside, by the same rule everywhere. So T keeps its topology then, but
-// vertices may coincide. effective_isovalue() avoids that.
+// vertices may lie next to each other. geometric_isovalue() avoids that for most types.
 // Memory besides the result: two layers of edge slots and sample bits, O(slice).
 #pragma once
 
@@ -59,7 +59,6 @@ struct ContourComponent {
 struct ContourSummary {
   std::vector<ContourComponent> components;  // by first voxel in scan order
   std::uint64_t active_voxels = 0;
-  std::uint64_t tied_saddles = 0;  // voxels with a tied saddle, one at kappa to the last bits
 
   std::int64_t euler() const;
   std::uint64_t boundary_loops() const;
@@ -153,14 +152,5 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
 
 // Returns the summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa);
-
-// Returns the isovalue that the geometry uses: effective_isovalue(), lowered once more if saddles
-// are tied. Sigma meets itself at tied saddles; a checkerboard at its mean has nothing else. A tied
-// saddle counts as inside, so a lower kappa keeps the topology and separates the sheets that touch.
-// For a block it is isovalue_of_blocks().
-double settled_isovalue(const Volume& volume, double kappa, int threads = 1);
-// Return T, or its summary, at that isovalue, and set kappa to it.
-ContourSummary summarize_settled_contour(const Volume& volume, double& kappa, int threads = 1);
-ContourMesh build_settled_contour(const Volume& volume, double& kappa, int threads = 1);
 
 }  // namespace deliso

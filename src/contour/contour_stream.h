@@ -108,7 +108,7 @@ concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelP
 struct WalkResult {
   GrowingComponents components;
   std::vector<BoundarySegment> boundary;
-  std::uint64_t active_voxels = 0, tied_saddles = 0;
+  std::uint64_t active_voxels = 0;
 };
 
 template <ContourSink Sink>
@@ -295,7 +295,6 @@ class ContourStream {
     ++found_.active_voxels;
     VoxelLoops scratch;
     const VoxelLoops& loops = voxel_loops(mask, values, scratch);
-    if (&loops == &scratch) found_.tied_saddles += has_tied_saddle(mask, values.above);
     const Tube tube = loops.count > 1 ? find_tube(mask, values, loops) : Tube{};
     VoxelPieces pieces(voxel, values.above, loops, tube);
     auto& vertex = pieces.vertex;

@@ -264,19 +264,6 @@ const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& s
   return scratch;
 }
 
-bool has_tied_saddle(int mask, const Corners& c) {
-  // A relative difference: far more than rounding, far less than the change by lowered_isovalue().
-  constexpr double kTieTolerance = 1e-13;
-  const std::uint8_t ambiguous = kMasks.ambiguous[mask];
-  for (int f = 0; f < 6; ++f) {
-    if ((ambiguous >> f & 1) == 0) continue;
-    const auto& k = kFaceCorners[f];
-    const double diagonal = c[k[0]] * c[k[2]], other = c[k[1]] * c[k[3]];
-    if (std::abs(diagonal - other) <= kTieTolerance * (diagonal + other)) return true;
-  }
-  return false;
-}
-
 Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops) {
   if (loops.count < 2) return {};
   return Sweep(mask, values, loops).run();

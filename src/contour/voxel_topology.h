@@ -63,10 +63,6 @@ VoxelLoops trace_loops(int mask, std::uint8_t joined);
 // reference is to a table or to `scratch`.
 const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& scratch);
 
-// True if the saddle of an ambiguous face is at kappa, to the last bits. There two arcs of Sigma on
-// the face meet in a point, and Sigma is no surface.
-bool has_tied_saddle(int mask, const Corners& c);
-
 // Returns the tube, if there is one. pre: `loops` are those of the values.
 Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops);
 

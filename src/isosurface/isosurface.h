@@ -47,7 +47,7 @@ struct Hit {
 
 class Isosurface {
  public:
-  // Keeps references: volume and tree must outlive it. pre: kappa is effective_isovalue().
+  // Keeps references: volume and tree must outlive it. pre: kappa is geometric_isovalue().
   Isosurface(const Volume& volume, const VoxelTree& tree, double kappa,
              CubicMethod method = CubicMethod::isolation);
 

@@ -174,9 +174,8 @@ struct ValueRange {
   double min = 0, max = 0;
 };
 // Returns the range of all samples. Throws InputError for a NaN or infinite sample, with the
-// volume's `name` and the first such sample's index. The result is the same for every number of
-// threads.
-ValueRange value_range(const Volume& volume, std::string_view name = "volume", int threads = 1);
+// volume's `name` and the first such sample's index.
+ValueRange value_range(const Volume& volume, std::string_view name = "volume");
 
 // Returns the smallest sample value that is inside; nothing if the type has none.
 template <class T>
@@ -192,28 +191,18 @@ std::optional<T> inside_threshold(double kappa) {
   }
 }
 
-// Returns the kappa that the geometry uses; inside is f >= kappa. Where samples equal kappa, the
-// surface would touch itself at samples and along plateaus. There kappa is lowered by about 1e-9 of
-// the data's range, and by less than the gap to the next lower sample. Returns kappa if no sample
-// equals it, or if that sample is the adjacent double. A block has isovalue_of_blocks() whatever
-// its samples. pre: no sample is NaN or infinite.
-double effective_isovalue(const Volume& volume, double kappa, int threads = 1);
-
-// The lowered kappa, whether a sample equals kappa or not. It is kappa itself if no sample is
-// below, or no number lies in between. pre: no sample is NaN or infinite.
-struct LoweredIsovalue {
-  double kappa = 0;
-  bool is_sample = false;  // a sample equals the given kappa
-};
-LoweredIsovalue lowered_isovalue(const Volume& volume, double kappa, int threads = 1);
-
-// Returns the kappa that the geometry uses in blocks. It depends on the type alone, so all blocks
-// of a volume have the same. No number of the type lies between the two, so each sample stays on
-// its side:
-//   - integers: less by 2^-20, or by half the way to the next lower integer if that is shorter;
-//   - float32: halfway to the next lower float if kappa is a float, else kappa;
-//   - float64: kappa. A sample may equal it; crossings stay off samples all the same.
-double isovalue_of_blocks(SampleType type, double kappa);
+// Returns the kappa that the geometry uses; inside is f >= kappa. Where samples or saddles equal
+// kappa, the surface would touch itself there. So kappa is lowered where they might. It depends on
+// the type and the isovalue alone, so all blocks of a volume have the same, and so does a check. No
+// number of the type lies between the two, so each sample stays on its side:
+//   - integers of n bits: less by 2^-20, or by half the way to the next lower integer if that is
+//     shorter and a double. But an isovalue that is no multiple of 2^-n stays: no sample equals it,
+//     and no saddle of a face. A saddle is a fraction of two integers, and the lower one is below
+//     2^(n+1).
+//   - float32: halfway to the next lower float if the isovalue is a float, else the isovalue.
+//   - float64: the isovalue. A sample or a saddle may equal it; crossings stay off samples all the
+//     same (contour/piece_mesher.h).
+double geometric_isovalue(SampleType type, double isovalue);
 
 template <class T>
 constexpr SampleType sample_type_of() {

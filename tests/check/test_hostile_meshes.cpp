@@ -22,7 +22,7 @@ namespace {
 
 struct Ball {
   Volume volume = make_builtin_volume("builtin:sphere:24");
-  double kappa = settled_isovalue(volume, find_builtin_field("builtin:sphere:24")->isovalue);
+  double kappa = geometric_isovalue(volume.type(), find_builtin_field("builtin:sphere:24")->isovalue);
 
   Verification verify(const Hostile& mesh, int threads, double share = 0) const {
     VerifyOptions options;

@@ -37,7 +37,7 @@ Parts parts_of(const TriMesh& mesh) {
 struct Good {
   explicit Good(const std::string& name)
       : volume(make_builtin_volume("builtin:" + name)),
-        kappa(effective_isovalue(volume, find_builtin_field("builtin:" + name)->isovalue)) {
+        kappa(geometric_isovalue(volume.type(), find_builtin_field("builtin:" + name)->isovalue)) {
     Report report;
     mesh = mesh_isosurface(volume, kappa, {}, report);
   }
@@ -393,7 +393,7 @@ TEST_CASE("triangles without surface near by are too far if distances are requir
     }
   }
   const Volume volume = Volume::from_samples({49, 49, 49}, {1, 1, 1}, samples);
-  const double kappa = effective_isovalue(volume, 0);
+  const double kappa = geometric_isovalue(volume.type(), 0);
   const VoxelTree tree(volume);
   const Isosurface surface(volume, tree, kappa);
   Parts p;
@@ -510,7 +510,7 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
     VerifyOptions options;
     options.restricted_share = 0.5;
     options.solid = solid;
-    return verify(make_tri_mesh(p.points, p.triangles), volume, effective_isovalue(volume, 0),
+    return verify(make_tri_mesh(p.points, p.triangles), volume, geometric_isovalue(volume.type(), 0),
                   options);
   };
   const Parts good = parts_of(mesh);

@@ -35,7 +35,7 @@ Noise random_noise(std::uint64_t seed) {
   Vec3 spacing{1, 1, 1};
   if (seed % 5 == 0) spacing[static_cast<int>(random.below(3))] = random.uniform(1, 8);
   Volume volume = Volume::from_samples(dims, spacing, samples);
-  const double kappa = settled_isovalue(volume, 0.5 * levels - 0.5 * random.below(2));
+  const double kappa = geometric_isovalue(volume.type(), 0.5 * levels - 0.5 * random.below(2));
   return {std::move(volume), kappa};
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("triangles cross in crowded voxels only, also beside split ones") {
     std::vector<float> samples(kSide * kSide * kSide);
     for (float& s : samples) s = static_cast<float>(random.uniform());
     const Volume volume = Volume::from_samples<float>({kSide, kSide, kSide}, {1, 1, 1}, samples);
-    const double kappa = settled_isovalue(volume, 0.5);
+    const double kappa = geometric_isovalue(volume.type(), 0.5);
     ContourSplit split;
     for (int n = 0; n < 20; ++n) {
       split.voxels.push_back(random.below((kSide - 1) * (kSide - 1) * (kSide - 1)));

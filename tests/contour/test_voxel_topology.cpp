@@ -247,7 +247,7 @@ TEST_CASE("small random volumes have the topology glued from the oracle's voxels
     }
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
     const double kappa =
-        effective_isovalue(volume, random.below(levels) + (trial % 3 == 1 ? 0.5 : 0));
+        geometric_isovalue(volume.type(), random.below(levels) + (trial % 3 == 1 ? 0.5 : 0));
     bool faces_agree = true;
     const auto expected = glue_voxels(
         volume, kappa,

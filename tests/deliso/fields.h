@@ -22,7 +22,7 @@ struct Scene {
   explicit Scene(Volume v, double isovalue)
       : volume(std::move(v)),
         tree(volume),
-        surface(volume, tree, effective_isovalue(volume, isovalue)),
+        surface(volume, tree, geometric_isovalue(volume.type(), isovalue)),
         contour(build_contour(volume, surface.kappa())) {}
   Scene(const Scene&) = delete;
 

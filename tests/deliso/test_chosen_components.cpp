@@ -104,7 +104,7 @@ TEST_CASE("no vertex lies on a component that is left out, and no edge leads to 
     if (seed % 2 == 0) options.components.largest = 1 + seed % 3;
     if (seed % 2 == 1) options.components.min_voxels = 6;
     check_chosen(volume, options);
-    const ContourSummary all = summarize_contour(volume, effective_isovalue(volume, 0));
+    const ContourSummary all = summarize_contour(volume, geometric_isovalue(volume.type(), 0));
     some_left_out += std::ranges::count(chosen_components(all, options.components), 0) > 0;
   }
   CHECK(some_left_out >= 15);

@@ -29,7 +29,7 @@ Volume sampled(Index3 dims, Vec3 spacing, F&& f) {
 }
 
 inline TestField test_field(std::string name, Volume volume, double kappa) {
-  const double used = effective_isovalue(volume, kappa);
+  const double used = geometric_isovalue(volume.type(), kappa);
   return {std::move(name), std::move(volume), used};
 }
 

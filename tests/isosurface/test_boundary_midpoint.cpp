@@ -45,7 +45,7 @@ TEST_CASE("arcs within a pixel split down to a thousandth of a voxel") {
     CAPTURE(trial);
     const std::uint32_t levels = trial % 2 == 0 ? 1000 : 6;
     const Volume volume = random_volume(random, levels);
-    const double kappa = effective_isovalue(volume, random.below(levels));
+    const double kappa = geometric_isovalue(volume.type(), random.below(levels));
     const ContourMesh mesh = build_contour(volume, kappa);
     for (std::size_t c = 0; c < mesh.boundary.size(); ++c) {
       const auto chain = mesh.boundary.chain(c);

@@ -34,7 +34,7 @@ inline Scene noise_scene(std::uint64_t seed) {
   }
   const Vec3 spacing{1, 1, seed % 4 == 0 ? 2.5 : 1.0};
   Volume volume = Volume::from_samples(dims, spacing, samples);
-  const double kappa = settled_isovalue(volume, 0.5 * levels);
+  const double kappa = geometric_isovalue(volume.type(), 0.5 * levels);
   return Scene(std::move(volume), kappa);
 }
 

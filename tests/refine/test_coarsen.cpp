@@ -93,7 +93,7 @@ TEST_CASE("no component is reversed, however few vertices are left") {
   for (std::uint64_t seed = 160; seed < 260; ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
-    const Scene scene(tiny.volume, settled_isovalue(tiny.volume, tiny.isovalue));
+    const Scene scene(tiny.volume, geometric_isovalue(tiny.volume.type(), tiny.isovalue));
     if (scene.contour.points.empty()) continue;
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;

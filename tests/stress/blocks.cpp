@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     std::string fault;
     try {
       const TriMesh mesh = test::mesh_in_blocks(tiny.volume, of, tiny.isovalue, {}, report);
-      report.kappa_effective = isovalue_of_blocks(tiny.volume.type(), tiny.isovalue);
+      report.kappa_effective = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
       const Verdict verdict = judge(tiny.volume, mesh, {}, report);
       triangles += verdict.triangles;
       invalid += verdict.invalid;

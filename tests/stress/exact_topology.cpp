@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     bool is_wide = false;
     const TinyVolume tiny = make_volume(seed, kind, is_wide);
     Counts& row = counts[is_wide ? static_cast<std::size_t>(kind) : kWideKinds];
-    const double kappa = effective_isovalue(tiny.volume, tiny.isovalue);
+    const double kappa = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
     bool faces_agree = true;
     const auto expected = glue_voxels(tiny.volume, kappa, ExactVoxel::solve, faces_agree);
     ++row.volumes;

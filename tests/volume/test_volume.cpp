@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/random.h"
@@ -90,38 +92,8 @@ void check_interpolation(std::uint64_t seed) {
   }
 }
 
-// Checks effective_isovalue against its comment, sample by sample.
 template <class T>
-void check_isovalue(const Volume& volume, const std::vector<T>& samples, double kappa) {
-  double below = -std::numeric_limits<double>::infinity(), least_inside = -below;
-  bool equal = false;
-  for (T s : samples) {
-    const double v = static_cast<double>(s);
-    equal |= v == kappa;
-    if (v < kappa) below = std::max(below, v);
-    if (v >= kappa) least_inside = std::min(least_inside, v);
-  }
-  const double lowered = effective_isovalue(volume, kappa);
-  CAPTURE(kappa);
-  if (!equal || std::isinf(below)) {
-    CHECK(lowered == kappa);
-    return;
-  }
-  const ValueRange range = value_range(volume);
-  const double room = std::nextafter(kappa, below);
-  if (room == below) {  // no number lies between
-    CHECK(lowered == kappa);
-    return;
-  }
-  // The same samples are inside, none is hit, and the level moved by 1e-9 of the range or to the
-  // next number.
-  CHECK(lowered < kappa);
-  CHECK(lowered > below);
-  CHECK(kappa - lowered <= std::max(1.001e-9 * (range.max - range.min), kappa - room));
-}
-
-template <class T>
-void check_range_and_isovalues(std::uint64_t seed, std::size_t count, std::uint32_t values) {
+void check_range(std::uint64_t seed, std::size_t count, std::uint32_t values) {
   Random random(seed);
   std::vector<T> samples = random_samples<T>(random, count);
   if (values > 0)  // few different values: plateaus
@@ -131,14 +103,42 @@ void check_range_and_isovalues(std::uint64_t seed, std::size_t count, std::uint3
   CAPTURE(seed);
   CHECK(range.min == static_cast<double>(*std::min_element(samples.begin(), samples.end())));
   CHECK(range.max == static_cast<double>(*std::max_element(samples.begin(), samples.end())));
-  for (int n = 0; n < 6; ++n) {
-    const double sample =
-        static_cast<double>(samples[random.below(static_cast<std::uint32_t>(count))]);
-    for (double kappa : {sample, sample + 0.25, sample + 1, std::nextafter(sample, 1e300)})
-      check_isovalue(volume, samples, kappa);
+}
+
+// The rule at an isovalue and one sample: it may be lowered, but past no sample and onto none.
+template <class T>
+void check_side(T sample, double isovalue) {
+  const double kappa = geometric_isovalue(sample_type_of<T>(), isovalue);
+  const double value = static_cast<double>(sample);
+  CAPTURE(value);
+  CAPTURE(isovalue);
+  CHECK(kappa <= isovalue);
+  CHECK((value >= kappa) == (value >= isovalue));
+  if (sizeof(T) < 8) CHECK(value != kappa);
+}
+
+template <class T>
+void check_sides(Random& random) {
+  using Limits = std::numeric_limits<T>;
+  std::vector<T> samples = random_samples<T>(random, 200);
+  // The limits are no isovalues with something on either side, but their neighbors are.
+  for (const T s : {T{0}, T{1}, T{40}, static_cast<T>(-3), Limits::max()}) samples.push_back(s);
+  for (const T s : samples) {
+    if (s == Limits::lowest()) continue;
+    const double value = static_cast<double>(s);
+    T below = static_cast<T>(s - 1), above = s == Limits::max() ? s : static_cast<T>(s + 1);
+    if constexpr (std::is_floating_point_v<T>) {
+      below = std::nextafter(s, Limits::lowest());
+      above = std::nextafter(s, Limits::max());
+    }
+    for (const T sample : {below, s, above}) {
+      for (const double isovalue :
+           {value, value - 0.25, value + 0.5, value + 0.1, value - 0x1p-22,
+            0.5 * (value + static_cast<double>(below)), std::nextafter(value, 1e300)}) {
+        if (isovalue > static_cast<double>(Limits::lowest())) check_side(sample, isovalue);
+      }
+    }
   }
-  for (double kappa : {range.min, range.max, range.min - 1, range.max + 1, 1e300, -1e300})
-    check_isovalue(volume, samples, kappa);
 }
 
 template <class T>
@@ -204,47 +204,20 @@ TEST_CASE("corner m of a voxel is a sample; voxel_at is clamped to the box") {
   CHECK(volume.voxel_at({1e300, 1e300, 1e300}) == Index3{1, 2, 3});
 }
 
-TEST_CASE("range and effective isovalue of any number of samples, with or without plateaus") {
+TEST_CASE("the range of any number of samples, with or without plateaus") {
   std::uint64_t seed = 0;
   for (std::size_t count : {1u, 2u, 7u, 63u, 64u, 65u, 1000u, 4096u, 4097u, 20000u}) {
     for (std::uint32_t values : {0u, 1u, 2u, 5u, 100u}) {
-      check_range_and_isovalues<std::uint8_t>(seed++, count, values);
-      check_range_and_isovalues<std::int8_t>(seed++, count, values);
-      check_range_and_isovalues<std::uint16_t>(seed++, count, values);
-      check_range_and_isovalues<std::int16_t>(seed++, count, values);
-      check_range_and_isovalues<std::uint32_t>(seed++, count, values);
-      check_range_and_isovalues<std::int32_t>(seed++, count, values);
-      check_range_and_isovalues<float>(seed++, count, values);
-      check_range_and_isovalues<double>(seed++, count, values);
+      check_range<std::uint8_t>(seed++, count, values);
+      check_range<std::int8_t>(seed++, count, values);
+      check_range<std::uint16_t>(seed++, count, values);
+      check_range<std::int16_t>(seed++, count, values);
+      check_range<std::uint32_t>(seed++, count, values);
+      check_range<std::int32_t>(seed++, count, values);
+      check_range<float>(seed++, count, values);
+      check_range<double>(seed++, count, values);
     }
   }
-}
-
-TEST_CASE("effective isovalue at the limits of the types") {
-  const auto effective = []<class T>(std::vector<T> samples, double kappa) {
-    const Volume volume =
-        Volume::from_samples({static_cast<int>(samples.size()), 1, 1}, {1, 1, 1}, samples);
-    check_isovalue(volume, samples, kappa);
-    return effective_isovalue(volume, kappa);
-  };
-  CHECK(effective(std::vector<std::uint8_t>{0, 255, 7}, 255) == 255 - 1e-9 * 255);
-  CHECK(effective(std::vector<std::uint8_t>{0, 255, 7}, 256) == 256);
-  CHECK(effective(std::vector<std::int8_t>{-128, 127}, -128) == -128);
-  CHECK(effective(std::vector<std::uint32_t>{0, 4294967295u}, 4294967295.0) < 4294967295.0);
-  CHECK(effective(std::vector<std::uint32_t>{4294967294u, 4294967295u, 0}, 4294967295.0) >
-        4294967294.0);
-  // Adjacent doubles: nothing lies between, and the surface keeps its level.
-  CHECK(effective(std::vector<double>{1, std::nextafter(1, 2)}, std::nextafter(1, 2)) ==
-        std::nextafter(1, 2));
-  // A billionth of the range is below the last bit of the level: the next number below.
-  CHECK(effective(std::vector<double>{1e15, 1e15 + 1}, 1e15 + 1) == std::nextafter(1e15 + 1, 0));
-  CHECK(effective(std::vector<float>{0, 0.1f}, static_cast<double>(0.1f)) <
-        static_cast<double>(0.1f));
-  CHECK(effective(std::vector<float>{0, 0.1f}, 0.1) == 0.1);  // no float32 is 0.1
-  const double greatest = std::numeric_limits<double>::max();
-  CHECK(effective(std::vector<double>{-greatest, 0, greatest}, 0) < 0);
-  CHECK(std::isnan(effective_isovalue(
-      Volume::from_samples({2, 1, 1}, {1, 1, 1}, std::vector<float>{0, 1}), NAN)));
 }
 
 TEST_CASE("value_range names the first NaN or infinite sample") {
@@ -252,30 +225,6 @@ TEST_CASE("value_range names the first NaN or infinite sample") {
   check_bad_sample(std::numeric_limits<double>::quiet_NaN(), "NaN");
   check_bad_sample(std::numeric_limits<float>::infinity(), "infinite");
   check_bad_sample(-std::numeric_limits<double>::infinity(), "infinite");
-}
-
-TEST_CASE("range, isovalue and first bad sample are the same for any number of threads") {
-  // More than two tasks. The samples looked for are in the last ones.
-  const Index3 dims{256, 256, 70};
-  std::vector<float> samples(256 * 256 * 70, 5);
-  samples[4'400'000] = 9;
-  samples.back() = -3;
-  const Volume volume = Volume::from_samples(dims, {1, 1, 1}, samples);
-  samples[4'500'001] = std::numeric_limits<float>::infinity();
-  samples.back() = std::numeric_limits<float>::quiet_NaN();
-  const Volume bad = Volume::from_samples(dims, {1, 1, 1}, samples);
-  for (int threads : {1, 2, 5}) {
-    CAPTURE(threads);
-    const ValueRange range = value_range(volume, "v", threads);
-    CHECK(range.min == -3);
-    CHECK(range.max == 9);
-    CHECK(effective_isovalue(volume, 9, threads) == effective_isovalue(volume, 9));
-    CHECK(effective_isovalue(volume, 9, threads) < 9);
-    CHECK(effective_isovalue(volume, 8, threads) == 8);
-    CHECK(lowered_isovalue(volume, 7, threads).kappa == lowered_isovalue(volume, 7).kappa);
-    CHECK_THROWS_WITH_AS(value_range(bad, "v", threads), "v: infinite sample at (33, 170, 68)",
-                         InputError);
-  }
 }
 
 TEST_CASE("a frame maps to the world along its axes, and knows when they are left-handed") {
@@ -287,23 +236,63 @@ TEST_CASE("a frame maps to the world along its axes, and knows when they are lef
   CHECK(turned.left_handed());
 }
 
-TEST_CASE("in blocks the type alone decides how far the isovalue is lowered, past no sample") {
+TEST_CASE("the isovalue of the geometry is lowered onto no sample and past none") {
+  Random random(61);
+  check_sides<std::uint8_t>(random);
+  check_sides<std::int8_t>(random);
+  check_sides<std::uint16_t>(random);
+  check_sides<std::int16_t>(random);
+  check_sides<std::uint32_t>(random);
+  check_sides<std::int32_t>(random);
+  check_sides<float>(random);
+  check_sides<double>(random);
+}
+
+TEST_CASE("the isovalue of the geometry depends on the type and the isovalue alone") {
   using enum SampleType;
   for (const SampleType type : {u8, i8, u16, i16, u32, i32}) {
-    for (const double kappa : {0.0, 40.0, 40.1, 40.5, 40 + 0x1p-22, -3.0, 4294967295.0}) {
-      CAPTURE(kappa);
-      const double lowered = isovalue_of_blocks(type, kappa);
-      CHECK(lowered < kappa);
-      CHECK(lowered > std::ceil(kappa) - 1);
-      CHECK(kappa - lowered <= 0x1p-20);
+    for (const double isovalue : {0.0, 40.0, 40.5, -3.0, 4294967295.0}) {
+      CAPTURE(isovalue);
+      CHECK(geometric_isovalue(type, isovalue) == isovalue - 0x1p-20);
     }
+    CHECK(geometric_isovalue(type, 40.1) == 40.1);
   }
-  for (const float kappa : {0.0f, 40.0f, -1e-30f, 1e30f}) {
-    const double lowered = isovalue_of_blocks(f32, kappa);
-    CHECK(lowered < static_cast<double>(kappa));
-    CHECK(lowered >
-          static_cast<double>(std::nextafter(kappa, -std::numeric_limits<float>::infinity())));
+  CHECK(geometric_isovalue(u8, 40 + 0x1p-9) == 40 + 0x1p-9);
+  CHECK(geometric_isovalue(u16, 40 + 0x1p-9) < 40 + 0x1p-9);
+  CHECK(geometric_isovalue(f32, 40) == 40 - 0x1p-19);
+  CHECK(geometric_isovalue(f32, 40.1) == 40.1);  // no float32 is 40.1
+  CHECK(geometric_isovalue(f64, 40) == 40);
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const SampleType type : {u8, i32, f32, f64}) {
+    for (const double isovalue : {1e300, -1e300, infinite, -infinite}) {
+      CHECK(geometric_isovalue(type, isovalue) == isovalue);
+    }
+    CHECK(std::isnan(geometric_isovalue(type, NAN)));
   }
-  CHECK(isovalue_of_blocks(f32, 40.1) == 40.1);
-  CHECK(isovalue_of_blocks(f64, 40) == 40);
+}
+
+// The saddle of a bilinear face is (ab - pq) / (a + b - p - q).
+TEST_CASE("no saddle of a face of 8-bit samples lies at the isovalue of the geometry") {
+  constexpr std::int64_t kUnit = 1 << 20;
+  Random random(62);
+  int tied = 0;
+  for (int trial = 0; trial < 1'000'000; ++trial) {
+    const auto draw = [&] { return static_cast<std::int64_t>(random.below(256)); };
+    const std::int64_t a = draw(), b = draw(), p = draw(), q = draw();
+    if (std::min(a, b) <= std::max(p, q)) continue;
+    const std::int64_t above = a * b - p * q, below = a + b - p - q;
+    const double saddle = static_cast<double>(above) / static_cast<double>(below);
+    const double kappa = geometric_isovalue(SampleType::u8, saddle);
+    const double scaled = kappa * static_cast<double>(kUnit);
+    if (scaled != std::floor(scaled)) {
+      // No double is this saddle.
+      REQUIRE(kappa == saddle);
+      REQUIRE((below & (below - 1)) != 0);
+      continue;
+    }
+    ++tied;
+    const auto k = static_cast<std::int64_t>(scaled);
+    REQUIRE(above * kUnit != k * below);
+  }
+  CHECK(tied > 1000);
 }

@@ -52,8 +52,7 @@ inline TriMesh write_part(const Volume& whole, const BlockChoice& block, double 
   const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
   how.seam = seam_of(mesh, volume);
   how.format = MeshFormat::ply;
-  how.comment = part_comment("deliso test", volume, block, isovalue, report.kappa_effective,
-                             written_part(mesh, how));
+  how.comment = part_comment("deliso test", volume, block, isovalue, written_part(mesh, how));
   write_mesh(mesh, path, how);
   return mesh;
 }

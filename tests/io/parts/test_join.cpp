@@ -33,7 +33,7 @@ std::string content(const std::string& path) {
 void check_whole(const Volume& volume, double isovalue, const TriMesh& mesh,
                  std::uint64_t lifted_off = 0) {
   Report report;
-  report.kappa_effective = isovalue_of_blocks(volume.type(), isovalue);
+  report.kappa_effective = geometric_isovalue(volume.type(), isovalue);
   const stress::Verdict verdict = stress::judge(volume, mesh, {}, report);
   if (lifted_off == 0) CHECK_MESSAGE(verdict.fault == std::string(), verdict.fault);
   CHECK(verdict.off_surface <= lifted_off);
@@ -197,8 +197,7 @@ TEST_CASE("parts that do not belong together are refused, with the file's name")
   const PartMesh other = read_part(other_volume.paths[1]);
   MeshWriteOptions how;
   how.seam = other.seam;
-  how.comment = part_comment("deliso test", block, {{1, 0, 0}, {2, 1, 1}}, 0,
-                             isovalue_of_blocks(block.type(), 0), other);
+  how.comment = part_comment("deliso test", block, {{1, 0, 0}, {2, 1, 1}}, 0, other);
   write_mesh(read_mesh(other_volume.paths[1]), parts.folder / "forged.ply", how);
   CHECK(names(fault_of(with(parts.folder / "forged.ply"), to), "do not match"));
 
