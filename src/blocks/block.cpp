@@ -87,16 +87,19 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   BoundaryLoops loops = boundary_loops(contour);
   choose_seams(at.volume, run.grid, loops);
   block.loops = std::make_shared<const BoundaryLoops>(std::move(loops));
+  std::vector<Vec3> samples;
   for (const Vec3& p : contour.points) {
-    (is_near_seam(p, at.volume) ? block.samples_near_seams : block.samples).push_back(p);
+    (is_near_seam(p, at.volume) ? block.samples_near_seams : samples).push_back(p);
   }
+  block.samples_near_seams.shrink_to_fit();
   Options options = run.options;
   options.stop_after_recover |= run.parameters.has_target();
-  block.mesh = delaunay_mesh(at.surface, contour, {at.surface, block.loops}, block.samples, options,
-                             parameters, report);
-  if (!run.parameters.has_target()) {
+  block.mesh = delaunay_mesh(at.surface, contour, {at.surface, block.loops}, samples, options, parameters,
+                             report);
+  if (run.parameters.has_target()) {
+    block.samples = std::move(samples);
+  } else {
     clear(block, at, parameters);
-    block.samples = {};
   }
   return block;
 }

@@ -56,9 +56,7 @@ class BlockMesher {
 
   WeldedMesh run() {
     mesh_blocks();
-    std::vector<BlockComponents> components;
-    for (Block& block : blocks_) components.push_back(std::move(block.components));
-    report_.exact = joined(components, run_.volume.whole_dims()).topology;
+    count_topology();
     if (given_.has_target()) refine_to_target();
     for (const Block& block : blocks_) report_.add(block.report);
     const bool has_seams = blocks_.size() > 1;
@@ -153,6 +151,12 @@ class BlockMesher {
       });
       todo = merge_refused();
     }
+  }
+
+  void count_topology() {
+    std::vector<BlockComponents> components;
+    for (Block& block : blocks_) components.push_back(std::move(block.components));
+    report_.exact = joined(components, run_.volume.whole_dims()).topology;
   }
 
   // Returns the numbers of the new blocks.

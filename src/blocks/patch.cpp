@@ -25,40 +25,50 @@ std::vector<Id> extended(std::vector<Id> ids, std::size_t size, std::size_t last
 
 }  // namespace
 
-std::vector<VertexId> vertices_of(const TriMesh& mesh, std::span<const FaceId> facets) {
-  std::vector<VertexId> vertices;
-  for (const FaceId f : facets) std::ranges::copy(mesh.faces[f].v, std::back_inserter(vertices));
-  sort_unique(vertices);
-  return vertices;
-}
-
-void extract(const SurfaceMesh& whole, MeshPatch& patch) {
-  const std::span<const FaceId> facets = patch.facets;
-  const std::span<const FaceId> frozen = facets.first(patch.region.first_free);
-  const std::span<const FaceId> free = facets.subspan(frozen.size());
-  const auto local_facet = [&](FaceId f) {
-    if (f == kNoId) return f;
-    const FaceId at = place_in(frozen, f);
-    if (at != kNoId) return at;
-    const FaceId after = place_in(free, f);
-    return after == kNoId ? after : FaceId(frozen.size() + after);
+void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
+  const auto holds = [&](VertexId v) { return patch.region.holds(whole.mesh.points[v]); };
+  const std::span<const FaceId> frozen =
+      std::span(patch.facets).first(patch.region.first_free);
+  std::vector<VertexId> held;
+  for (FaceId f = 0; f < patch.facets.size(); ++f) {
+    if (f >= frozen.size()) places.facet[patch.facets[f]] = f;
+    for (const VertexId v : whole.mesh.faces[patch.facets[f]].v) {
+      (holds(v) ? held : patch.vertices).push_back(v);
+    }
+  }
+  sort_unique(patch.vertices);
+  const std::vector<VertexId> outside = patch.vertices;
+  for (const VertexId v : held) places.vertex[v] = kNoId;
+  for (const VertexId v : held) {
+    if (places.vertex[v] != kNoId) continue;
+    places.vertex[v] = VertexId(patch.vertices.size());
+    patch.vertices.push_back(v);
+  }
+  const auto local_vertex = [&](VertexId v) {
+    return holds(v) ? places.vertex[v] : place_in(std::span<const VertexId>(outside), v);
   };
-  const std::span<const VertexId> vertices = patch.vertices;
+  const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
+  const auto local_facet = [&](FaceId f) {
+    return f == kNoId ? f : is_free(f) ? places.facet[f] : place_in(frozen, f);
+  };
   SurfaceMesh& s = patch.mesh;
-  for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
-  for (const FaceId f : facets) {
+  for (const VertexId v : patch.vertices) s.mesh.points.push_back(whole.mesh.points[v]);
+  for (const FaceId f : patch.facets) {
     Face& face = s.mesh.faces.emplace_back(whole.mesh.faces[f]);
-    for (VertexId& v : face.v) v = place_in(vertices, v);
+    for (VertexId& v : face.v) v = local_vertex(v);
     for (FaceId& g : face.n) g = local_facet(g);
     s.duals.push_back(whole.duals[f]);
   }
-  for (VertexId v = 0; v < vertices.size(); ++v) {
-    const BoundaryChain& chain = whole.chain;
-    if (!chain.is_boundary(vertices[v])) continue;
-    const VertexId before = place_in(vertices, chain.previous(vertices[v]));
-    const VertexId next = place_in(vertices, chain.next(vertices[v]));
-    s.chain.set(v, before == kNoId ? v : before, next == kNoId ? v : next,
-                chain.place(vertices[v]));
+  // The ends of an open chain are their own neighbors.
+  const BoundaryChain& chain = whole.chain;
+  for (VertexId v = 0; v < patch.vertices.size(); ++v) {
+    if (!chain.is_boundary(patch.vertices[v])) continue;
+    const auto beside = [&](VertexId in_whole) {
+      const VertexId u = local_vertex(in_whole);
+      return u == kNoId ? v : u;
+    };
+    s.chain.set(v, beside(chain.previous(patch.vertices[v])),
+                beside(chain.next(patch.vertices[v])), chain.place(patch.vertices[v]));
   }
 }
 

@@ -14,8 +14,8 @@ namespace deliso {
 
 struct MeshPatch {
   Region region;
-  // In the whole mesh: the frozen facets, then those in the region, ascending each; and the
-  // vertices of all, ascending.
+  // In the whole mesh: the frozen facets, then those in the region; the vertices outside the
+  // region, then those in it. What is outside is ascending.
   std::vector<FaceId> facets;
   std::vector<VertexId> vertices;
   // Its own mesh, by extract(). The chain may be open: then its ends are their own neighbors.
@@ -27,11 +27,15 @@ struct MeshPatch {
   Report report;
 };
 
-// Returns the vertices of the facets, ascending.
-std::vector<VertexId> vertices_of(const TriMesh& mesh, std::span<const FaceId> facets);
+// The numbers of facets and vertices in the one patch whose region holds them.
+struct PlacesInPatches {
+  IdArray<FaceId, FaceId> facet;
+  IdArray<VertexId, VertexId> vertex;
+};
 
-// Sets patch.mesh.
-void extract(const SurfaceMesh& whole, MeshPatch& patch);
+// Sets patch.vertices and patch.mesh. Writes only the places of what the patch's region holds, so
+// several patches may be extracted at once.
+void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 
 // Copies the patch's facets in its region back, and appends new vertices and facets. Dead facets
 // stay. Returns the ids of all facets of the patch in the whole mesh.

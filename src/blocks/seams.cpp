@@ -58,6 +58,15 @@ class RoundBoxes {
 
   std::size_t size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
 
+  // Returns the number of the place that holds p: a box of this round, or what is between them.
+  std::size_t at(const Vec3& p) const {
+    return number(axes_[0].at(p.x), axes_[1].at(p.y), axes_[2].at(p.z));
+  }
+  bool is_box(std::size_t number) const {
+    const auto [i, j, k] = intervals(number);
+    return is_box(i, j, k);
+  }
+
   // Calls visit(number) for the boxes that meet the box.
   template <class Visit>
   void for_each(const Box3& box, Visit&& visit) const {
@@ -69,15 +78,14 @@ class RoundBoxes {
     for (std::size_t k = lo[2]; k <= hi[2]; ++k) {
       for (std::size_t j = lo[1]; j <= hi[1]; ++j) {
         for (std::size_t i = lo[0]; i <= hi[0]; ++i) {
-          if ((i & 1) + (j & 1) + (k & 1) == round_ + 1) visit(number(i, j, k));
+          if (is_box(i, j, k)) visit(number(i, j, k));
         }
       }
     }
   }
 
   Region region(std::size_t number) const {
-    const std::size_t i = number % axes_[0].size(), rest = number / axes_[0].size(),
-                      j = rest % axes_[1].size(), k = rest / axes_[1].size();
+    const auto [i, j, k] = intervals(number);
     return {0,
             {axes_[0].lo(i), axes_[1].lo(j), axes_[2].lo(k)},
             {axes_[0].hi(i), axes_[1].hi(j), axes_[2].hi(k)}};
@@ -86,6 +94,13 @@ class RoundBoxes {
  private:
   static Intervals axis(const BlockRun& run, int a, std::size_t round) {
     return {run.grid.planes[static_cast<std::size_t>(a)], run.volume.spacing()[a], round};
+  }
+  std::array<std::size_t, 3> intervals(std::size_t number) const {
+    const std::size_t rest = number / axes_[0].size();
+    return {number % axes_[0].size(), rest % axes_[1].size(), rest / axes_[1].size()};
+  }
+  bool is_box(std::size_t i, std::size_t j, std::size_t k) const {
+    return (i & 1) + (j & 1) + (k & 1) == round_ + 1;
   }
   std::size_t number(std::size_t i, std::size_t j, std::size_t k) const {
     return i + axes_[0].size() * (j + axes_[1].size() * k);
@@ -107,14 +122,6 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
     box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kMarginSamples);
   }
   return box;
-}
-
-void refine_patch(const BlockRun& run, const WeldedMesh& whole, MeshPatch& patch) {
-  extract(whole.mesh, patch);
-  const BoxSurface at(run.volume, samples_around(run, patch.region), run.kappa, run.options.cubic);
-  patch.is_done =
-      refine_part(patch.mesh, at.surface, {at.surface, whole.loops}, patch.samples, run.parameters,
-                  patch.report, {patch.region, std::move(patch.is_done), std::move(patch.thin)});
 }
 
 // What of the mesh is left to do at the seams.
@@ -139,11 +146,13 @@ class SeamWork {
   void round(std::size_t number) {
     const RoundBoxes boxes(run_, number);
     std::vector<MeshPatch> patches = patches_of(boxes);
+    places_.facet.resize(whole_.mesh.mesh.faces.size());
+    places_.vertex.resize(whole_.mesh.mesh.points.size());
     const std::size_t batch = kPatchesPerThread * static_cast<std::size_t>(std::max(threads_, 1));
     for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
       const std::size_t count = std::min(batch, patches.size() - begin);
       for_each_task(threads_, count,
-                    [&](std::size_t n) { refine_patch(run_, whole_, patches[begin + n]); });
+                    [&](std::size_t n) { refine_patch(patches[begin + n]); });
       for (std::size_t n = begin; n < begin + count; ++n) take(std::exchange(patches[n], {}));
     }
   }
@@ -158,11 +167,23 @@ class SeamWork {
   // Returns the boxes with open facets, and what lies in them.
   std::vector<MeshPatch> patches_of(const RoundBoxes& boxes) {
     const IdArray<FaceId, Face>& faces = whole_.mesh.mesh.faces;
+    IdArray<VertexId, std::uint32_t> at;
+    for (const Vec3& p : whole_.mesh.mesh.points) {
+      at.push_back(static_cast<std::uint32_t>(boxes.at(p)));
+    }
+    const auto for_each_box = [&](FaceId f, auto&& visit) {
+      const Triangle& v = faces[f].v;
+      if (at[v[0]] != at[v[1]] || at[v[0]] != at[v[2]]) {
+        boxes.for_each(box_of_facet(f), visit);
+      } else if (boxes.is_box(at[v[0]])) {
+        visit(at[v[0]]);
+      }
+    };
     std::vector<std::uint32_t> number(boxes.size(), kNoId);
     std::vector<MeshPatch> patches;
     for (FaceId f = 0; f < faces.size(); ++f) {
-      if (is_dead(faces[f]) || is_open_[f] == 0) continue;
-      boxes.for_each(box_of_facet(f), [&](std::size_t box) { number[box] = 0; });
+      if (is_open_[f] == 0 || is_dead(faces[f])) continue;
+      for_each_box(f, [&](std::size_t box) { number[box] = 0; });
     }
     for (std::size_t box = 0; box < number.size(); ++box) {
       if (number[box] == kNoId) continue;
@@ -171,26 +192,41 @@ class SeamWork {
     }
     for (FaceId f = 0; f < faces.size(); ++f) {
       if (is_dead(faces[f])) continue;
-      boxes.for_each(box_of_facet(f), [&](std::size_t box) {
+      for_each_box(f, [&](std::size_t box) {
         if (number[box] != kNoId) patches[number[box]].facets.push_back(f);
       });
     }
     // A sample goes to the box that holds all facets which may be near enough to it.
     const double margin = kCoverageDistances * run_.parameters.refinement[Criterion::distance];
     std::erase_if(samples_, [&](const Vec3& p) {
-      bool is_taken = false;
-      boxes.for_each({p, p}, [&](std::size_t box) {
-        if (number[box] == kNoId || !patches[number[box]].region.holds(p, margin)) return;
-        patches[number[box]].samples.push_back(p);
-        is_taken = true;
-      });
-      return is_taken;
+      const std::size_t box = boxes.at(p);
+      if (number[box] == kNoId) return false;
+      MeshPatch& patch = patches[number[box]];
+      if (!patch.region.holds(p, margin)) return false;
+      patch.samples.push_back(p);
+      return true;
     });
-    for (MeshPatch& patch : patches) freeze_others(patch);
     return patches;
   }
 
-  // Frozen facets first. A facet is done, and a vertex is not thinned, unless it is open work.
+  void refine_patch(MeshPatch& patch) {
+    freeze_others(patch);
+    extract(whole_.mesh, patch, places_);
+    for (VertexId v = 0; v < patch.vertices.size(); ++v) {
+      const VertexId in_whole = patch.vertices[v];
+      if (may_thin_[in_whole] != 0 && patch.region.holds(whole_.mesh.mesh.points[in_whole])) {
+        patch.thin.push_back(v);
+      }
+    }
+    const BoxSurface at(run_.volume, samples_around(run_, patch.region), run_.kappa,
+                        run_.options.cubic);
+    patch.is_done =
+        refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
+                    run_.parameters, patch.report,
+                    {patch.region, std::move(patch.is_done), std::move(patch.thin)});
+  }
+
+  // Frozen facets first. A facet is done unless it is open work.
   void freeze_others(MeshPatch& patch) const {
     const TriMesh& mesh = whole_.mesh.mesh;
     const auto frozen = std::ranges::stable_partition(patch.facets, [&](FaceId f) {
@@ -199,13 +235,6 @@ class SeamWork {
     });
     patch.region.first_free = FaceId(frozen.begin() - patch.facets.begin());
     for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
-    patch.vertices = vertices_of(mesh, patch.facets);
-    for (VertexId v = 0; v < patch.vertices.size(); ++v) {
-      const VertexId in_whole = patch.vertices[v];
-      if (may_thin_[in_whole] != 0 && patch.region.holds(mesh.points[in_whole])) {
-        patch.thin.push_back(v);
-      }
-    }
   }
 
   void take(MeshPatch patch) {
@@ -232,6 +261,7 @@ class SeamWork {
   Report& report_;
   IdArray<FaceId, std::uint8_t> is_open_;     // to be refined
   IdArray<VertexId, std::uint8_t> may_thin_;  // to be thinned
+  PlacesInPatches places_;
   std::vector<Vec3> samples_;                 // not yet held against the mesh
 };
 

@@ -161,9 +161,12 @@ class Welder {
       new_id_[seam[n].block][seam[n].vertex] = id;
       out_.on_seam[id] = 1;
     }
+    out_.mesh.mesh.points.reserve(count + count / 8);
     out_.mesh.mesh.points.resize(count);
+    // With room for those that Refine adds at the seams.
     std::size_t faces = 0;
     for (const Block& block : blocks_) faces += block.mesh.mesh.faces.size();
+    faces += faces / 8;
     out_.mesh.mesh.faces.reserve(faces);
     out_.mesh.duals.reserve(faces);
   }
@@ -208,7 +211,7 @@ class Welder {
     whole.duals.insert(whole.duals.end(), part.duals.begin(), part.duals.end());
     const auto take = [](std::vector<Vec3>& from, std::vector<Vec3>& to) {
       to.insert(to.end(), from.begin(), from.end());
-      from = {};
+      std::vector<Vec3>().swap(from);
     };
     take(blocks_[b].samples_near_seams, out_.samples_near_seams);
     take(blocks_[b].samples, out_.samples);

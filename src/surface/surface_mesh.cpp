@@ -14,6 +14,7 @@ void remove_unnumbered(std::vector<T>& values, const std::vector<Id>& new_id) {
     if (new_id[i] != kNoId) values[kept++] = values[i];
   }
   values.resize(kept);
+  values.shrink_to_fit();
 }
 
 }  // namespace
