@@ -52,6 +52,7 @@ class BlockMesher {
         report_(report) {
     for (const SampleBox& box : grid_.boxes()) blocks_.emplace_back().box = box;
     if (blocks_.size() == 1) parameters_.observer = given_.observer;
+    parameters_.leaves_seams = blocks_.size() > 1;
   }
 
   WeldedMesh run() {

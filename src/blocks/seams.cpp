@@ -16,7 +16,7 @@ namespace deliso {
 namespace {
 
 // Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
-constexpr std::array kHalfSamples{8.0, 12.0, 16.0};
+constexpr std::array kHalfSamples{12.0, 18.0, 24.0};
 constexpr std::array kMaxShares{0.25, 0.375, 0.5};
 // Samples beyond a box, for searches from facets in it.
 constexpr int kMarginSamples = 4;

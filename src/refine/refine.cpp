@@ -66,6 +66,8 @@ class RefineGeom {
   bool accept(const std::optional<Refusal>& refusal);
   // Queues f if it violates a criterion or `at_least` is over 1.
   void enqueue(FaceId f, double at_least = 0);
+  // True if f is left to blocks/seams.h.
+  bool is_left(FaceId f) const;
   // Returns why f must be refined; nullopt if it need not.
   std::optional<Reason> fault(FaceId f) const;
   // Returns the side of f that is too far from its boundary curve; 3: none.
@@ -144,9 +146,9 @@ void RefineGeom::drain(bool with_moves) {
       if (!reason) continue;  // removed, or good since an operation near it
       require_room();
       ask(f, *reason);
-      if (refine(f) || (with_moves && move(f))) {
+      if (refine(f) || (with_moves && !is_left(f) && move(f))) {
         any = true;
-      } else {
+      } else if (!is_left(f)) {
         refused_.push_back(f);
         is_done_[f] = with_moves && !met_frozen_;
       }
@@ -171,6 +173,10 @@ bool RefineGeom::refine(FaceId f) {
   }
   const Dual dual = r_.s.duals[f];
   const bool is_near = is_center_near(f);
+  if (is_left(f)) {
+    return dual.on_surface && is_near &&
+           accept(insert_point(r_, Operation::surface_point, f, dual.center));
+  }
   return (side < 3 && accept(split_boundary_edge(r_, {f, side}))) ||
          accept(collapse_short_edge(r_, f)) ||
          (!met_frozen_ && dual.on_surface && is_near &&
@@ -216,6 +222,13 @@ bool RefineGeom::accept(const std::optional<Refusal>& refusal) {
     }
   }
   return true;
+}
+
+bool RefineGeom::is_left(FaceId f) const {
+  const BoundaryChain& chain = r_.s.chain;
+  return r_.parameters.leaves_seams && std::ranges::any_of(mesh_.faces[f].v, [&](VertexId v) {
+           return chain.is_boundary(v) && r_.curves.is_on_fixed(chain.place(v));
+         });
 }
 
 void RefineGeom::enqueue(FaceId f, double at_least) {
@@ -273,7 +286,7 @@ bool RefineGeom::insert_far_samples() {
 
 void RefineGeom::make_delaunay() {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (!is_live(f) || is_done_[f]) continue;
+    if (!is_live(f) || is_done_[f] || is_left(f)) continue;
     if (fault(f)) {
       enqueue(f, kLastInQueue);
     } else {

@@ -12,7 +12,7 @@ namespace {
 
 // Neighbors that are tried. The nearest takes 64 % of the removals that all would take, the two
 // nearest 79 %, and each further one costs as many tries.
-constexpr std::size_t kNeighbors = 2;
+constexpr std::size_t kNeighbors = 4;
 
 // Returns the neighbors of v, the nearest first.
 std::vector<VertexId> nearest_neighbors(const Refinement& r, VertexId v,

@@ -41,6 +41,8 @@ struct Parameters : RunSettings {
   Criteria refinement;
   // Stage 2 as published: only the paper's operations, and no crossing is refused.
   bool as_published = false;
+  // Stage 2 leaves facets with a corner on a fixed arc as they are: blocks/seams.h refines them.
+  bool leaves_seams = false;
 
   bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };
