@@ -15,7 +15,7 @@
 namespace deliso {
 namespace {
 
-constexpr std::size_t kCrossingsPerChord = 3;
+constexpr std::size_t kCrossingsPerChord = 2;
 // A curve of at most this many crossings keeps them all. It bounds a component so thin that a chord
 // could reverse it.
 constexpr std::size_t kMaxShortCurve = 8;

@@ -133,14 +133,12 @@ class SeamWork {
         threads_(threads),
         report_(report),
         is_open_(whole.mesh.mesh.faces.size(), 0),
-        may_thin_(whole.mesh.mesh.points.size(), 0),
         samples_(std::exchange(whole.samples_near_seams, {})) {
     const IdArray<FaceId, Face>& faces = whole.mesh.mesh.faces;
     for (FaceId f = 0; f < faces.size(); ++f) {
       for (const VertexId v : faces[f].v) is_open_[f] |= whole.on_seam[v];
-      if (is_open_[f] == 0) continue;
-      for (const VertexId v : faces[f].v) may_thin_[v] = 1;
     }
+    may_thin_ = with_neighbors(with_neighbors(whole.on_seam));
   }
 
   void round(std::size_t number) {
@@ -158,6 +156,15 @@ class SeamWork {
   }
 
  private:
+  IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint8_t>& some) {
+    IdArray<VertexId, std::uint8_t> more = some;
+    for (const Face& face : whole_.mesh.mesh.faces) {
+      if (some[face.v[0]] + some[face.v[1]] + some[face.v[2]] == 0) continue;
+      for (const VertexId v : face.v) more[v] = 1;
+    }
+    return more;
+  }
+
   Box3 box_of_facet(FaceId f) const {
     const Triangle& v = whole_.mesh.mesh.faces[f].v;
     const std::vector<Vec3>& p = whole_.mesh.mesh.points;

@@ -10,8 +10,8 @@
 namespace deliso {
 namespace {
 
-// Neighbors that are tried. The nearest takes 64 % of the removals that all would take, the two
-// nearest 79 %, and each further one costs as many tries.
+// Neighbors that are tried. Against two, four save another 1 % of the vertices (ENGINE, BABY) for
+// 3 % of the time in one thread; all of them save .2 % more.
 constexpr std::size_t kNeighbors = 4;
 
 // Returns the neighbors of v, the nearest first.
