@@ -61,6 +61,10 @@ void clear(Block& block, const BoxSurface& at, const Parameters& parameters) {
                     block.report);
   }
   block.refused = faulty_faces(block.mesh, curves, at.volume);
+  // Blocks wait for each other.
+  block.mesh.mesh.points.shrink_to_fit();
+  block.mesh.mesh.faces.shrink_to_fit();
+  block.mesh.duals.shrink_to_fit();
 }
 
 }  // namespace

@@ -16,11 +16,27 @@ Id place_in(std::span<const Id> ids, Id id) {
   return at != ids.end() && *at == id ? Id(at - ids.begin()) : Id(kNoId);
 }
 
-// Returns `ids` and, for new elements, ids after the last.
-template <class Id>
-std::vector<Id> extended(std::vector<Id> ids, std::size_t size, std::size_t last) {
-  while (ids.size() < size) ids.emplace_back(last++);
+// Returns for the elements of a patch, of which `ids` are those of the whole before, their ids in
+// the whole. New ones get those of removed ones, then ids from `size` on, which is increased.
+template <class Id, class IsUsed, class MayFree>
+std::vector<Id> ids_in_whole(std::vector<Id> ids, std::size_t count, std::size_t& size,
+                             IsUsed&& is_used, MayFree&& may_free) {
+  const std::size_t old = ids.size();
+  ids.resize(count, kNoId);
+  std::size_t spare = 0;
+  for (std::size_t n = old; n < count; ++n) {
+    if (!is_used(n)) continue;
+    while (spare < old && (is_used(spare) || !may_free(spare))) ++spare;
+    ids[n] = spare < old ? ids[spare++] : Id(size++);
+  }
   return ids;
+}
+
+// Makes the array longer; a whole mesh is too large to be doubled.
+template <class Array>
+void grow(Array& array, std::size_t size) {
+  if (size > array.capacity()) array.reserve(size + size / 16);
+  array.resize(size);
 }
 
 }  // namespace
@@ -73,32 +89,54 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
 }
 
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
-  const SurfaceMesh& s = patch.mesh;
+  const TriMesh& part = patch.mesh.mesh;
+  const BoundaryChain& chain = patch.mesh.chain;
   const std::size_t old_vertices = patch.vertices.size();
-  const auto vertex = extended(patch.vertices, s.mesh.points.size(), whole.mesh.points.size());
-  const auto facet = extended(patch.facets, s.mesh.faces.size(), whole.mesh.faces.size());
-  whole.mesh.points.resize(whole.mesh.points.size() + vertex.size() - old_vertices);
-  whole.mesh.faces.resize(whole.mesh.faces.size() + facet.size() - patch.facets.size());
-  whole.duals.resize(whole.mesh.faces.size());
-  for (VertexId v = 0; v < vertex.size(); ++v) {
-    whole.mesh.points[vertex[v]] = s.mesh.points[v];
-    // Chain vertices outside the region are corners of frozen facets: their edges are as before.
-    if (v < old_vertices && !patch.region.holds(s.mesh.points[v])) continue;
-    if (s.chain.is_boundary(v)) {
-      whole.chain.set(vertex[v], vertex[s.chain.previous(v)], vertex[s.chain.next(v)],
-                      s.chain.place(v));
-    } else if (whole.chain.is_boundary(vertex[v])) {
+  const auto is_held = [&](VertexId v) {
+    return v >= old_vertices || patch.region.holds(whole.mesh.points[patch.vertices[v]]);
+  };
+  std::vector<std::uint8_t> is_used(part.points.size(), 0);
+  for (const Face& face : part.faces) {
+    if (is_dead(face)) continue;
+    for (const VertexId v : face.v) is_used[v] = 1;
+  }
+  std::size_t vertices = whole.mesh.points.size(), facets = whole.mesh.faces.size();
+  const auto vertex = ids_in_whole(
+      patch.vertices, part.points.size(), vertices, [&](std::size_t v) { return is_used[v] != 0; },
+      [&](std::size_t v) { return is_held(VertexId(v)); });
+  auto facet = ids_in_whole(
+      patch.facets, part.faces.size(), facets,
+      [&](std::size_t f) { return !is_dead(part.faces[FaceId(f)]); },
+      [](std::size_t) { return true; });
+  grow(whole.mesh.points, vertices);
+  grow(whole.mesh.faces, facets);
+  grow(whole.duals, facets);
+  // Old ids first: new elements may have taken them.
+  for (VertexId v = 0; v < old_vertices; ++v) {
+    if (is_held(v) && whole.chain.is_boundary(vertex[v])) {
       whole.chain.set(vertex[v], kNoId, kNoId, {});
     }
   }
+  for (VertexId v = 0; v < vertex.size(); ++v) {
+    if (is_used[v] == 0) continue;
+    // Chain vertices outside the region are corners of frozen facets: their edges are as before.
+    const bool may_change = is_held(v);
+    whole.mesh.points[vertex[v]] = part.points[v];
+    if (may_change && chain.is_boundary(v)) {
+      whole.chain.set(vertex[v], vertex[chain.previous(v)], vertex[chain.next(v)],
+                      chain.place(v));
+    }
+  }
+  for (FaceId f = patch.region.first_free; f < patch.facets.size(); ++f) {
+    if (is_dead(part.faces[f])) whole.mesh.faces[facet[f]] = part.faces[f];
+  }
   for (FaceId f = 0; f < facet.size(); ++f) {
+    const Face& own = part.faces[f];
+    if (is_dead(own)) continue;
     Face& face = whole.mesh.faces[facet[f]];
-    const Face& own = s.mesh.faces[f];
-    const bool is_frozen = f < patch.region.first_free;
-    if (!is_frozen) {
+    if (f >= patch.region.first_free) {
       face = own;
-      whole.duals[facet[f]] = s.duals[f];
-      if (is_dead(own)) continue;
+      whole.duals[facet[f]] = patch.mesh.duals[f];
       for (VertexId& v : face.v) v = vertex[v];
     }
     // A frozen facet may have neighbors outside the patch.

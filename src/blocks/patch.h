@@ -37,8 +37,9 @@ struct PlacesInPatches {
 // several patches may be extracted at once.
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 
-// Copies the patch's facets in its region back, and appends new vertices and facets. Dead facets
-// stay. Returns the ids of all facets of the patch in the whole mesh.
+// Copies the patch's facets in its region back. New vertices and facets get the ids of removed
+// ones; when those are used up, they are appended. Dead facets stay. Returns the ids of the patch's
+// facets in the whole mesh; kNoId for new ones that died.
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch);
 
 }  // namespace deliso

@@ -253,6 +253,7 @@ class SeamWork {
     is_open_.resize(whole_.mesh.mesh.faces.size(), 0);
     may_thin_.resize(whole_.mesh.mesh.points.size(), 0);
     for (FaceId f = patch.region.first_free; f < facets.size(); ++f) {
+      if (is_dead(patch.mesh.mesh.faces[f])) continue;
       // A facet whose surface ball leaves the box may not be Delaunay: it is asked again.
       const Dual& dual = patch.mesh.duals[f];
       const bool was_open = f >= old || is_open_[facets[f]] != 0;

@@ -53,8 +53,9 @@ class Welder {
     std::vector<std::vector<std::pair<double, VertexId>>> chains(loops_.size());
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
       collect_chain(b, chains);
-      append(b);
+      blocks_[b].mesh.chain = {};
     }
+    move_meshes();
     link_seams();
     for (std::uint32_t l = 0; l < chains.size(); ++l) {
       std::ranges::sort(chains[l]);
@@ -161,14 +162,7 @@ class Welder {
       new_id_[seam[n].block][seam[n].vertex] = id;
       out_.on_seam[id] = 1;
     }
-    out_.mesh.mesh.points.reserve(count + count / 8);
-    out_.mesh.mesh.points.resize(count);
-    // With room for those that Refine adds at the seams.
-    std::size_t faces = 0;
-    for (const Block& block : blocks_) faces += block.mesh.mesh.faces.size();
-    faces += faces / 8;
-    out_.mesh.mesh.faces.reserve(faces);
-    out_.mesh.duals.reserve(faces);
+    vertices_ = count;
   }
 
   void collect_chain(std::uint32_t b, std::vector<std::vector<std::pair<double, VertexId>>>& to) {
@@ -188,15 +182,36 @@ class Welder {
     }
   }
 
-  // Moves a block's mesh to the end of the whole.
-  void append(std::uint32_t b) {
-    SurfaceMesh part = std::move(blocks_[b].mesh);
+  // Moves the blocks' meshes to the whole, one array after the other, so that only one at a time
+  // exists twice. Refine at the seams finds some room.
+  void move_meshes() {
     SurfaceMesh& whole = out_.mesh;
+    whole.mesh.points.reserve(with_room(vertices_));
+    whole.mesh.points.resize(vertices_);
+    std::size_t facets = 0;
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      IdArray<VertexId, Vec3> points = std::move(blocks_[b].mesh.mesh.points);
+      for (VertexId v = 0; v < points.size(); ++v) whole.mesh.points[new_id_[b][v]] = points[v];
+      facets += blocks_[b].mesh.mesh.faces.size();
+    }
+    whole.mesh.faces.reserve(with_room(facets));
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) append_faces(b);
+    whole.duals.reserve(with_room(facets));
+    for (Block& block : blocks_) {
+      const IdArray<FaceId, Dual> duals = std::move(block.mesh.duals);
+      whole.duals.insert(whole.duals.end(), duals.begin(), duals.end());
+    }
+  }
+
+  static std::size_t with_room(std::size_t size) { return size + size / 16; }
+
+  void append_faces(std::uint32_t b) {
+    const IdArray<FaceId, Face> faces = std::move(blocks_[b].mesh.mesh.faces);
     const IdArray<VertexId, VertexId>& id = new_id_[b];
-    for (VertexId v = 0; v < id.size(); ++v) whole.mesh.points[id[v]] = part.mesh.points[v];
-    const std::size_t first = whole.mesh.faces.size();
-    for (Face face : part.mesh.faces) {
-      const FaceId f(whole.mesh.faces.size());
+    IdArray<FaceId, Face>& whole = out_.mesh.mesh.faces;
+    const std::size_t first = whole.size();
+    for (Face face : faces) {
+      const FaceId f(whole.size());
       for (int i = 0; i < 3; ++i) {
         face.v[i] = id[face.v[i]];
         if (face.n[i] != kNoId) face.n[i] = FaceId(first + face.n[i]);
@@ -206,9 +221,8 @@ class Welder {
         if (face.n[i] != kNoId || !out_.on_seam[p] || !out_.on_seam[q]) continue;
         edges_.push_back({std::min(p, q), std::max(p, q), f, i});
       }
-      whole.mesh.faces.push_back(face);
+      whole.push_back(face);
     }
-    whole.duals.insert(whole.duals.end(), part.duals.begin(), part.duals.end());
     const auto take = [](std::vector<Vec3>& from, std::vector<Vec3>& to) {
       to.insert(to.end(), from.begin(), from.end());
       std::vector<Vec3>().swap(from);
@@ -236,6 +250,7 @@ class Welder {
   std::vector<OuterRun> runs_;
   BoundaryLoops loops_;
   std::vector<IdArray<VertexId, VertexId>> new_id_;
+  std::size_t vertices_ = 0;  // of the whole
   std::vector<HalfEdge> edges_;
   WeldedMesh out_;
 };
