@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 #include "io/files/append_format.h"
@@ -52,18 +53,22 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const auto add = [&](bool is_run, std::string_view stage, double cost) {
     if (is_run) stages.push_back({stage, cost});
   };
+  const auto add_in_block = [&](bool is_run, std::string_view stage, double cost) {
+    if (is_run) stages.push_back({stage, cost, "blocks"});
+  };
   const bool cubes = line.method == Method::marching_cubes;
   add(cubes, "cubes", 20);
-  add(!cubes, "contour", 4);
-  add(!cubes && certified, "cutting", 4);
-  add(!cubes, "initial", 3);
-  add(!cubes && certified, "labels", 4);
-  add(!cubes && certified, "recover", 20);
+  add_in_block(!cubes, "contour", 4);
+  add_in_block(!cubes && certified, "cutting", 4);
+  add_in_block(!cubes, "initial", 3);
+  add_in_block(!cubes && certified, "labels", 4);
+  add_in_block(!cubes && certified, "recover", 20);
   add(!cubes && !certified, "topology", 4);
   add(!cubes && !certified && std::isfinite(options.epsilon), "geometry", 28);
   add(!cubes && options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
   const bool refines = !cubes && !options.stop_after_recover;
-  add(refines, "refine", 45);
+  add_in_block(refines, "refine", 45);
+  add(refines && certified, "seams", 6);
   add(refines && by_count(options), "coarsen", 20);
   add(options.cap, "cap", 3);
   const bool examined = !line.quiet || line.check || !line.json.empty();
@@ -77,17 +82,18 @@ ProgressModel::ProgressModel(std::vector<StageCost> stages) : stages_(std::move(
 }
 
 double ProgressModel::at(std::string_view stage, double share) {
-  double before = 0;
-  for (const StageCost& s : stages_) {
-    if (s.stage == stage) {
-      // A share that is no number counts as 0.
-      const double done = share > 0 ? std::min(share, 1.0) : 0;
-      reached_ = std::max(reached_, std::min(1.0, (before + s.cost * done) / total_));
-      break;
-    }
-    before += s.cost;
-  }
-  return reached_;
+  const auto is_meant = [&](const StageCost& s) {
+    return s.stage == stage || (!s.together.empty() && s.together == stage);
+  };
+  const auto first = std::ranges::find_if(stages_, is_meant);
+  if (first == stages_.end()) return reached_;
+  double cost = 0;
+  for (const StageCost& s : stages_) cost += is_meant(s) ? s.cost : 0;
+  const double before = std::accumulate(stages_.begin(), first, 0.0,
+                                        [](double sum, const StageCost& s) { return sum + s.cost; });
+  // A share that is no number counts as 0.
+  const double done = share > 0 ? std::min(share, 1.0) : 0;
+  return reached_ = std::max(reached_, std::min(1.0, (before + cost * done) / total_));
 }
 
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,

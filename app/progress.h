@@ -23,9 +23,13 @@ namespace deliso {
 struct StageCost {
   std::string_view stage;
   double cost;  // in any unit
+  // A stage that stands for this one and those beside it with the same name: a run in blocks has
+  // all stages of a block at once.
+  std::string_view together = {};
 };
 
-// The stages of the mesh command, in order: reading, those of the Observer, check, writing.
+// The stages of the mesh command, in order: reading, those of the Observer, check, writing. A run
+// in one block has no "seams".
 std::vector<StageCost> mesh_stages(const CommandLine& line);
 
 // The share of the run that is done, with B1 and B2.

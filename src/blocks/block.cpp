@@ -15,6 +15,7 @@
 #include "refine/lift_off.h"
 #include "refine/refine.h"
 #include "stage1/boundary_loops.h"
+#include "surface/observer.h"
 #include "surface/step_timer.h"
 
 namespace deliso {
@@ -50,14 +51,16 @@ std::size_t share_of_samples(std::size_t samples, const Volume& block, const Vol
   return static_cast<std::size_t>(std::ceil(share * static_cast<double>(samples)));
 }
 
-void clear(Block& block, const BoxSurface& at, const Parameters& parameters) {
+void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
   const unsigned inner = at.volume.inner_faces();
   if (inner == 0) return;
   const BoundaryCurves curves(at.surface, block.loops);
+  // A block given by itself can have no larger one.
+  const OffSurface off = run.volume.is_block() ? OffSurface::allowed : OffSurface::refused;
   std::size_t unknown = 1, flat = 0;
   for (int round = 0; round < kMaxSeamRounds && unknown + flat > 0; ++round) {
-    unknown = clear_seam(block.mesh, at.surface, curves, parameters, block.report);
-    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, parameters,
+    unknown = clear_seam(block.mesh, at.surface, curves, run.parameters, block.report);
+    flat = lift_off(block.mesh, at.surface, curves, inner, off, run.parameters,
                     block.report);
   }
   block.refused = faulty_faces(block.mesh, curves, at.volume);
@@ -77,6 +80,7 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   block.box = box;
   Report& report = block.report;
   const BoxSurface at(run.volume, box, run.kappa, run.options.cubic);
+  begin_stage(run.parameters.observer, "contour");
   ContourMesh contour =
       timed(report.seconds_contour, [&] { return build_contour(at.volume, run.kappa); });
   block.components = components_of(contour, at.volume);
@@ -103,7 +107,7 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   if (run.parameters.has_target()) {
     block.samples = std::move(samples);
   } else {
-    clear(block, at, parameters);
+    clear(block, at, run);
   }
   return block;
 }
@@ -117,7 +121,7 @@ void refine_block(const BlockRun& run, const Parameters& parameters, Block& bloc
 
 void make_seam(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  clear(block, BoxSurface(run.volume, block.box, run.kappa, run.options.cubic), run.parameters);
+  clear(block, BoxSurface(run.volume, block.box, run.kappa, run.options.cubic), run);
 }
 
 }  // namespace deliso

@@ -63,6 +63,7 @@ class BlockMesher {
     const bool has_seams = blocks_.size() > 1;
     WeldedMesh whole = weld(blocks_);
     if (has_seams && !options_.stop_after_recover) {
+      begin_stage(given_.observer, "seams");
       refine_seams(run_, whole, options_.threads, report_);
     }
     if (!given_.has_target()) require_room(whole.mesh.mesh.points.size());

@@ -72,7 +72,7 @@ std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v) {
     if (!refusal) refusal = merge_vertex(r, v, meets_criteria);
     if (!refusal) break;
   }
-  return r.done(Operation::thin, refusal);
+  return r.done(Operation::collapse, refusal);
 }
 
 }  // namespace deliso

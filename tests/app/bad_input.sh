@@ -132,7 +132,9 @@ refuses 'dims' whole.raw --dims 4x4 --type uint8 --iso 0.5 -o $o
 refuses 'format' builtin:sphere --format gif -o $o
 refuses 'out/mesh.xyz' builtin:sphere -o out/mesh.xyz
 refuses 'standard output' builtin:sphere -o - --json -
-refuses 'max-vertices' builtin:sphere --keep-partial -o $o
+refuses 'max-vertices' builtin:sphere --max-vertices 50 -o $o
+refuses 'block-side' builtin:sphere --block-side 1 -o $o
+refuses 'block-side' builtin:sphere --block-side half -o $o
 refuses 'rmin' builtin:sphere --rmin 0 -o $o
 refuses 'max-distance' builtin:sphere --max-distance 0vox -o $o
 refuses 'max-distance' check mesh.ply builtin:sphere --max-distance -1

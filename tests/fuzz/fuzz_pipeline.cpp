@@ -147,7 +147,7 @@ Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
   if ((flags & 8) != 0) options.limits[Criterion::r_over_l].value = 1 + 2 * source.share();
   if ((flags & 16) != 0) options.samples = source.next();
   if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
-  options.keep_partial = (flags & 64) != 0;
+  if ((flags & 64) != 0) options.block_side = static_cast<int>(2 + source.below(8));
   if ((flags & 128) != 0) {
     const std::uint32_t rare = source.below(8);
     options.stop_after_recover = rare == 0;
@@ -167,12 +167,13 @@ void write_case(const Volume& volume, double isovalue, const Options& o, bool by
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17gvox "
-      "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu%s%s%s"
+      "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu "
+      "--block-side %d%s%s"
       " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
       path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
       o.fingers.value, o.components.min_voxels, static_cast<unsigned long long>(o.seed),
       o.limits[Criterion::r_over_l].value, o.samples, o.max_vertices,
-      o.keep_partial ? " --keep-partial" : "", o.stop_after_recover ? " --stop-after recover" : "",
+      o.block_side, o.stop_after_recover ? " --stop-after recover" : "",
       o.single_stage ? " --single-stage" : "", o.limits[Criterion::distance].value,
       o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
       o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value,
@@ -187,7 +188,7 @@ bool any_doubt(const Report& report) {
                           Counter::unresolved_facets, Counter::unresolved_vertices}) {
     if (report[c] > 0) return true;
   }
-  return report.stopped_at_max_vertices;
+  return false;
 }
 
 }  // namespace

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 # A room of the five trees includes only itself, what is named here for it, and what that may use: a
 # room, or one file of it. The rooms of src/ go by their names alone, as in includes; so src/ knows
-# nothing of io/, view/ and app/. Usage: check_layers.sh PROJECT
+# nothing of io/, view/ and app/. src/ itself holds mesh_isosurface(). Usage: check_layers.sh PROJECT
 set -eu
 cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine blocks cap"
+stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine"
+all="$stages deliso blocks cap"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/page view/render view/trace"
 
@@ -23,9 +24,10 @@ allowed() {
     surface) echo "base mesh embedding volume isosurface surface" ;;
     stage1 | paper | recover) echo "$surface delaunay contour stage1 $1" ;;
     refine) echo "$surface refine" ;;
-    blocks) echo "$surface contour refine blocks" ;;
-    cap) echo "$surface delaunay planar refine/refinement.h cap" ;;
     deliso) echo "$stages deliso" ;;
+    blocks) echo "$surface kdtree contour stage1 recover/recover.h refine deliso blocks" ;;
+    cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
+    .) echo "$all" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;
     io/files) echo "base io/files" ;;
@@ -36,8 +38,8 @@ allowed() {
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
     view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
-    app) echo "$stages deliso check $io $view app" ;;
-    c) echo "$stages deliso check $io $view app c" ;;
+    app) echo "$all check $io $view app" ;;
+    c) echo "$all check $io $view app c" ;;
     *) return 1 ;;
   esac
 }
@@ -47,6 +49,16 @@ faults=0
 for file in $(find src io view app c -name '*.h' -o -name '*.cpp'); do
   files=$((files + 1))
   room=$(dirname "${file#src/}")
+  # No stage has threads: blocks have.
+  case $room in
+    base | blocks | check | io/filter | view/* | app | c) ;;
+    *)
+      if grep -q '^ *# *include *"base/parallel.h"' "$file"; then
+        echo "$file: '$room' may not divide work among threads"
+        faults=$((faults + 1))
+      fi
+      ;;
+  esac
   if ! may_use=$(allowed "$room"); then
     echo "$file: room '$room' has no place in the layers"
     faults=$((faults + 1))

@@ -101,9 +101,9 @@ constexpr DrawnOption kDrawn[] = {
      }},
     {"--max-vertices",
      [](Random& r, auto&) {
-       return Words{"--max-vertices=" + whole(r, 20, 4000), "--keep-partial"};
+       return Words{"--max-vertices=" + whole(r, 20, 4000)};
      },
-     kCoarser | kAlways,
+     0,
      [](double asked, const Outcome& with, auto&) {
        return static_cast<double>(with.vertices) > asked ? text(with.vertices, " vertices")
                                                          : std::string();
@@ -152,6 +152,8 @@ constexpr DrawnOption kDrawn[] = {
      kLongerEdges | kMoreVertices},
     {"--seed", [](Random& r, auto&) { return Words{text("--seed=", r.below(1000))}; }},
     {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
+    {"--block-side", [](Random& r, auto&) { return Words{text("--block-side=", 4 + r.below(9))}; },
+     kCoarser | kMoreVertices},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
      [](double, const Outcome& with, const Outcome& without) {
        const bool same = !without.refusal.empty() || is_same_mesh(with.mesh, without.mesh);
@@ -159,12 +161,11 @@ constexpr DrawnOption kDrawn[] = {
      }},
 };
 
-// Options about files, formats and reports; --iso is always given, and --keep-partial comes with
-// --max-vertices.
+// Options about files, formats and reports; --iso is always given.
 constexpr std::string_view kNotDrawn[] = {
     "--iso",         "--output", "--format",       "--ply-ascii", "--float", "--double",
     "--attributes",  "--json",   "--quiet",        "--verbose",   "--check", "--restricted",
-    "--allow-empty", "--array",  "--keep-partial", "--dims",      "--type",  "--spacing",
+    "--allow-empty", "--array",  "--dims",      "--type",  "--spacing",
     "--endian",      "--skip",   "--help",         "--version"};
 
 }  // namespace

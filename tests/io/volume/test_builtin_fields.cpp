@@ -29,7 +29,6 @@ TEST_CASE("built-in fields have the topology they state, at several sizes") {
       CAPTURE(input);
       const Volume volume = make_builtin_volume(input);
       REQUIRE(volume.dims() == Index3{size, size, size});
-      CHECK(geometric_isovalue(volume.type(), field.isovalue) == field.isovalue);
       const ValueRange range = value_range(volume);
       CHECK(range.min < field.isovalue);
       CHECK(field.isovalue < range.max);
