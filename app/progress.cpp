@@ -68,6 +68,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   add(!cubes && options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
   const bool refines = !cubes && !options.stop_after_recover;
   add_in_block(refines, "refine", 45);
+  add(!cubes && certified, "weld", 1);
   add(refines && certified, "seams", 6);
   add(refines && by_count(options), "coarsen", 20);
   add(options.cap, "cap", 3);

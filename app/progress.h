@@ -29,7 +29,7 @@ struct StageCost {
 };
 
 // The stages of the mesh command, in order: reading, those of the Observer, check, writing. A run
-// in one block has no "seams".
+// in one block has no "weld" and no "seams".
 std::vector<StageCost> mesh_stages(const CommandLine& line);
 
 // The share of the run that is done, with B1 and B2.

@@ -61,10 +61,10 @@ class BlockMesher {
     if (given_.has_target()) refine_to_target();
     for (const Block& block : blocks_) report_.add(block.report);
     const bool has_seams = blocks_.size() > 1;
+    if (has_seams) begin_stage(given_.observer, "weld");
     WeldedMesh whole = weld(blocks_);
     if (has_seams && !options_.stop_after_recover) {
-      begin_stage(given_.observer, "seams");
-      refine_seams(run_, whole, options_.threads, report_);
+      refine_seams(run_, whole, options_.threads, given_.observer, report_);
     }
     if (!given_.has_target()) require_room(whole.mesh.mesh.points.size());
     return whole;

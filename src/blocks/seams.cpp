@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "base/parallel.h"
 #include "blocks/patch.h"
 #include "refine/coverage.h"
 #include "refine/refine.h"
+#include "surface/observer.h"
 
 namespace deliso {
 namespace {
@@ -127,10 +129,11 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
 // What of the mesh is left to do at the seams.
 class SeamWork {
  public:
-  SeamWork(const BlockRun& run, WeldedMesh& whole, int threads, Report& report)
+  SeamWork(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer, Report& report)
       : run_(run),
         whole_(whole),
         threads_(threads),
+        observer_(observer),
         report_(report),
         is_open_(whole.mesh.mesh.faces.size(), 0),
         samples_(std::exchange(whole.samples_near_seams, {})) {
@@ -146,11 +149,18 @@ class SeamWork {
     std::vector<MeshPatch> patches = patches_of(boxes);
     places_.facet.resize(whole_.mesh.mesh.faces.size());
     places_.vertex.resize(whole_.mesh.mesh.points.size());
+    std::size_t boxes_left = patches.size();
     const std::size_t batch = kPatchesPerThread * static_cast<std::size_t>(std::max(threads_, 1));
     for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
       const std::size_t count = std::min(batch, patches.size() - begin);
-      for_each_task(threads_, count,
-                    [&](std::size_t n) { refine_patch(patches[begin + n]); });
+      begin_stage(observer_, "seams");
+      std::mutex mutex;
+      for_each_task(threads_, count, [&](std::size_t n) {
+        refine_patch(patches[begin + n]);
+        const std::lock_guard lock(mutex);
+        ++boxes_done_;
+        if (observer_) observer_->steps_done(boxes_done_, --boxes_left);
+      });
       for (std::size_t n = begin; n < begin + count; ++n) take(std::exchange(patches[n], {}));
     }
   }
@@ -266,17 +276,20 @@ class SeamWork {
   const BlockRun& run_;
   WeldedMesh& whole_;
   const int threads_;
+  Observer* const observer_;
   Report& report_;
   IdArray<FaceId, std::uint8_t> is_open_;     // to be refined
   IdArray<VertexId, std::uint8_t> may_thin_;  // to be thinned
   PlacesInPatches places_;
+  std::size_t boxes_done_ = 0;
   std::vector<Vec3> samples_;                 // not yet held against the mesh
 };
 
 }  // namespace
 
-void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Report& report) {
-  SeamWork work(run, whole, threads, report);
+void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer,
+                  Report& report) {
+  SeamWork work(run, whole, threads, observer, report);
   for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.round(round);
   remove_dead(whole.mesh);
 }

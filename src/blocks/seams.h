@@ -17,7 +17,9 @@
 namespace deliso {
 
 // Refines at the seams. Dead facets and unused vertices are removed. Adds what was done to
-// `report`.
-void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Report& report);
+// `report`. Tells the observer, which may be null, of each box; stage "seams" begins whenever boxes
+// are refined side by side.
+void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer,
+                  Report& report);
 
 }  // namespace deliso
