@@ -126,10 +126,7 @@ std::string info_text(const Info& info) {
   append_format(text, "read      %.3f s, isovalues to try %.3f s\n", info.input.seconds,
                 info.seconds_suggestions);
   if (info.isovalue) {
-    text += "\nisovalue  " + number_text(*info.isovalue);
-    if (info.effective != *info.isovalue) {
-      text += ", lowered to " + number_text(info.effective) + " as samples or saddles may equal it";
-    }
+    text += "\nisovalue  " + isovalue_text(*info.isovalue, info.effective);
     text += "\nsurface   " + topology_text(info.contour.topology()) + "\n          in " +
             std::to_string(info.contour.active_voxels) + " voxels";
     append_format(text, ", found in %.3f s\n", info.seconds_contour);

@@ -163,13 +163,7 @@ std::string verdict_text(const MeshRun& run) {
 std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
   std::string text = input_text(run.input);
-  text += "isovalue  " + number_text(*run.input.isovalue);
-  if (report.kappa_effective != *run.input.isovalue) {
-    text +=
-        ", lowered to " + number_text(report.kappa_effective) + " as samples or saddles may equal it";
-  }
-
-  text += "\n";
+  text += "isovalue  " + isovalue_text(*run.input.isovalue, report.kappa_effective) + "\n";
   const bool verbose = run.line.verbose;
   if (verbose) append_stages(text, run);
 

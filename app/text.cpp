@@ -2,6 +2,7 @@
 #include "app/text.h"
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 namespace deliso {
@@ -27,6 +28,14 @@ std::string grouped(std::uint64_t n) {
 
 std::string short_name(const std::string& file) {
   return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+}
+
+std::string isovalue_text(double isovalue, double effective) {
+  // Half-way between integers no sample of an integer type lies.
+  const bool by_saddles = isovalue - std::floor(isovalue) == 0.5;
+  if (effective == isovalue || by_saddles) return number_text(isovalue);
+  return number_text(isovalue) + ", lowered to " + number_text(effective) +
+         " as samples may equal it";
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {

@@ -112,12 +112,16 @@ AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
   const std::size_t count = set.empty() ? 0 : 1 + *std::ranges::max_element(set);
   std::vector<ContourComponent> all(count);
   std::vector<std::uint64_t> twice(count, 0);
-  std::vector<std::uint8_t> is_known(count, 0);
+  // The piece that visits the component's first voxel. Two components may have the same first
+  // voxel; then both pieces are of its block, which has them in the order of the whole.
+  std::vector<std::size_t> first_of(count, pieces.size());
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     ContourComponent& into = all[set[n]];
     const ContourComponent& piece = pieces[n];
     twice[set[n]] += segments[n];
-    if (!std::exchange(is_known[set[n]], 1)) {
+    std::size_t& first = first_of[set[n]];
+    if (first == pieces.size()) {
+      first = n;
       into = piece;
       into.boundary_loops = 0;
       continue;
@@ -126,7 +130,10 @@ AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
     into.crossings += piece.crossings;
     into.pieces += piece.pieces;
     into.tubes += piece.tubes;
-    if (voxel_number(dims, piece.first) < voxel_number(dims, into.first)) into.first = piece.first;
+    if (voxel_number(dims, piece.first) < voxel_number(dims, into.first)) {
+      into.first = piece.first;
+      first = n;
+    }
     for (int axis = 0; axis < 3; ++axis) {
       into.lo[axis] = std::min(into.lo[axis], piece.lo[axis]);
       into.hi[axis] = std::max(into.hi[axis], piece.hi[axis]);
@@ -135,8 +142,9 @@ AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
   AllComponents out;
   std::vector<std::uint32_t> order(count), place(count);
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, {},
-                           [&](std::uint32_t c) { return voxel_number(dims, all[c].first); });
+  std::ranges::sort(order, {}, [&](std::uint32_t c) {
+    return std::pair(voxel_number(dims, all[c].first), first_of[c]);
+  });
   out.topology.components = count;
   for (std::uint32_t n = 0; n < count; ++n) {
     place[order[n]] = n;

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The division of a volume into blocks: the grid, the counts, the seams. tests/stress/division.cpp
+// has storms.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "blocks/components.h"
+#include "blocks/grid.h"
+#include "check/verify.h"
+#include "contour/contour.h"
+#include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
+#include "mesh/check_mesh.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using stress::make_tiny_volume;
+
+namespace {
+
+Options in_blocks(int side) {
+  Options options;
+  options.block_side = side;
+  options.threads = 1;
+  return options;
+}
+
+std::uint64_t voxels_in(const SampleBox& box) {
+  std::uint64_t voxels = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    voxels *= static_cast<std::uint64_t>(box.end[axis] - box.begin[axis]);
+  }
+  return voxels;
+}
+
+bool are_equal(const TriMesh& a, const TriMesh& b) {
+  return std::ranges::equal(a.points, b.points) &&
+         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
+}
+
+}  // namespace
+
+TEST_CASE("every voxel is in one block, and a block's samples are the volume's") {
+  std::mt19937 random(1);
+  for (int n = 0; n < 200; ++n) {
+    Index3 dims;
+    for (int axis = 0; axis < 3; ++axis) dims[axis] = 2 + static_cast<int>(random() % 30);
+    const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}}, dims, [](const Vec3& p) {
+      return p.x + 3 * p.y + 5 * p.z;
+    });
+    const int side = 1 + static_cast<int>(random() % 12);
+    CAPTURE(side);
+    const std::vector<SampleBox> boxes = BlockGrid(volume, side).boxes();
+    std::uint64_t voxels = 0;
+    for (const SampleBox& box : boxes) {
+      voxels += voxels_in(box);
+      for (int axis = 0; axis < 3; ++axis) {
+        const int length = box.end[axis] - box.begin[axis];
+        CHECK(length >= 1);
+        // Rounded to the nearest number of blocks.
+        if (dims[axis] - 1 > side) CHECK(length <= 1.5 * side + 1);
+      }
+      const Volume block = samples_of(volume, box);
+      const Index3 last{block.dims().i - 1, block.dims().j - 1, block.dims().k - 1};
+      CHECK(block.sample(0, 0, 0) == volume.sample(box.begin.i, box.begin.j, box.begin.k));
+      CHECK(block.sample(last.i, last.j, last.k) ==
+            volume.sample(box.end.i, box.end.j, box.end.k));
+    }
+    const Index3 all = volume.voxels();
+    CHECK(voxels == static_cast<std::uint64_t>(all.i) * static_cast<std::uint64_t>(all.j) *
+                        static_cast<std::uint64_t>(all.k));
+  }
+}
+
+TEST_CASE("a block grows beyond its refused faces by whole blocks") {
+  const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}}, {31, 31, 31},
+                                              [](const Vec3& p) { return p.x; });
+  const BlockGrid grid(volume, 10);
+  std::vector<SampleBox> boxes = grid.boxes();
+  REQUIRE(boxes.size() == 27);
+  const SampleBox middle = boxes[13];
+  for (unsigned faces = 1; faces < 64; ++faces) {
+    const SampleBox larger = merged(grid, boxes, middle, faces);
+    CHECK(is_in(middle, larger));
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2;
+      const bool grew = face % 2 == 0 ? larger.begin[axis] < middle.begin[axis]
+                                      : larger.end[axis] > middle.end[axis];
+      CHECK(grew == ((faces >> face & 1) != 0));
+    }
+  }
+  // A block that is larger already is taken whole.
+  const SampleBox row = merged(grid, boxes, boxes[0], 1u << 1);
+  std::erase_if(boxes, [&](const SampleBox& box) { return is_in(box, row); });
+  boxes.push_back(row);
+  const SampleBox both = merged(grid, boxes, middle, (1u << 2) | (1u << 4));
+  CHECK(is_in(row, both));
+  CHECK(is_in(middle, both));
+}
+
+TEST_CASE("components counted in blocks are those of the whole, in the same order") {
+  std::size_t components = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    const auto tiny = make_tiny_volume(seed, 5, 14);
+    const double kappa = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
+    const ContourSummary whole = summarize_contour(tiny.volume, kappa);
+    std::vector<BlockComponents> parts;
+    for (const SampleBox& box : BlockGrid(tiny.volume, 2 + static_cast<int>(seed % 4)).boxes()) {
+      const Volume block = samples_of(tiny.volume, box);
+      parts.push_back(components_of(build_contour(block, kappa), block));
+    }
+    const AllComponents all = joined(parts, tiny.volume.whole_dims());
+    CHECK(all.topology == whole.topology());
+    REQUIRE(all.components.size() == whole.components.size());
+    for (std::size_t c = 0; c < whole.components.size(); ++c) {
+      CHECK(all.components[c].euler == whole.components[c].euler);
+      CHECK(all.components[c].crossings == whole.components[c].crossings);
+    }
+    components += whole.components.size();
+  }
+  CHECK(components > 500);
+}
+
+TEST_CASE("facets of two boxes at a seam never cross, and any number of threads makes one mesh") {
+  for (const char* input : {"builtin:gyroid:32", "builtin:fuel:40", "builtin:noise:20"}) {
+    CAPTURE(input);
+    const Volume volume = make_builtin_volume(input);
+    const double isovalue = find_builtin_field(input)->isovalue;
+    Options options = in_blocks(8);
+    Report report;
+    const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+    CHECK(mesh_topology(mesh).counts() == report.exact);
+    const Verification found = verify(mesh, volume, report.kappa_effective, {});
+    CHECK(found.faults.count(FaultKind::self_intersections) == 0);
+    CHECK(found.faults.count(FaultKind::holes) == 0);
+    for (const int threads : {2, 3, 8}) {
+      options.threads = threads;
+      CHECK(are_equal(mesh_isosurface(volume, isovalue, options), mesh));
+    }
+  }
+}
+
+TEST_CASE("where a seam is refused a larger block is meshed, and the surface is whole") {
+  std::uint64_t larger = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    CAPTURE(seed);
+    const auto tiny = make_tiny_volume(seed, 8, 16);
+    Report report;
+    const TriMesh mesh = mesh_isosurface(tiny.volume, tiny.isovalue, in_blocks(4), report);
+    if (report[Counter::seams_refused] == 0) continue;
+    larger += report[Counter::seams_refused];
+    CHECK(mesh_topology(mesh).counts() == report.exact);
+    CHECK(check_mesh(mesh) == "");
+  }
+  CHECK(larger > 0);
+}
+
+TEST_CASE("seams cost few vertices, and hardly a triangle over a limit") {
+  const Volume volume = make_builtin_volume("builtin:gyroid:48");
+  Report divided;
+  const TriMesh one = mesh_isosurface(volume, 0, in_blocks(0));
+  const TriMesh mesh = mesh_isosurface(volume, 0, in_blocks(16), divided);
+  // Blocks of 16 voxels have four times the seams of usual ones, for the same surface.
+  CHECK(static_cast<double>(mesh.points.size()) < 1.15 * static_cast<double>(one.points.size()));
+  CHECK(static_cast<double>(divided[Counter::unrefined_facets]) <
+        0.005 * static_cast<double>(mesh.faces.size()));
+}
