@@ -100,15 +100,21 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
     (is_near_seam(p, at.volume) ? block.samples_near_seams : samples).push_back(p);
   }
   block.samples_near_seams.shrink_to_fit();
+  const bool has_seams = at.volume.inner_faces() != 0;
+  const BoundaryCurves curves(at.surface, block.loops);
   Options options = run.options;
-  options.stop_after_recover |= run.parameters.has_target();
-  block.mesh = delaunay_mesh(at.surface, contour, {at.surface, block.loops}, samples, options, parameters,
-                             report);
+  options.stop_after_recover |= run.parameters.has_target() || has_seams;
+  block.mesh = delaunay_mesh(at.surface, contour, curves, samples, options, parameters, report);
   if (run.parameters.has_target()) {
     block.samples = std::move(samples);
-  } else {
-    clear(block, at, run);
+    return block;
   }
+  if (!has_seams) return block;
+  // Stage 1 knows most of what a seam will lack, so a larger block is known to be needed soon.
+  clear(block, at, run);
+  if (block.refused != 0 || run.options.stop_after_recover) return block;
+  refine(block.mesh, at.surface, curves, samples, parameters, report);
+  clear(block, at, run);
   return block;
 }
 
