@@ -214,9 +214,9 @@ template <class Given>
 void check_block(const CommandLine& line, const Given& given) {
   if (!line.read.block) return;
   constexpr std::string_view kNotWithBlock[] = {
-      "--roi",           "--median",       "--smooth",     "--label",     "--cap",
-      "--min-component", "--largest",      "--vertices",   "--triangles",
-      "--paper",         "--single-stage", "--stop-after", "--attributes"};
+      "--roi",           "--median",     "--smooth",    "--label",     "--cap",
+      "--min-component", "--largest",    "--vertices",  "--triangles", "--paper",
+      "--single-stage",  "--stop-after", "--attributes"};
   const auto refuse = [](const std::string& other) {
     throw InputError("--block and " + other + " exclude each other");
   };

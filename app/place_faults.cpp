@@ -9,9 +9,9 @@
 #include "base/box3.h"
 #include "base/sorted_list.h"
 #include "base/to_float.h"
-#include "delaunay/predicates.h"
 #include "check/self_intersections.h"
 #include "check/triangle_tree.h"
+#include "delaunay/predicates.h"
 #include "mesh/first_at_place.h"
 
 namespace deliso {

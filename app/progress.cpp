@@ -90,8 +90,8 @@ double ProgressModel::at(std::string_view stage, double share) {
   if (first == stages_.end()) return reached_;
   double cost = 0;
   for (const StageCost& s : stages_) cost += is_meant(s) ? s.cost : 0;
-  const double before = std::accumulate(stages_.begin(), first, 0.0,
-                                        [](double sum, const StageCost& s) { return sum + s.cost; });
+  const double before = std::accumulate(
+      stages_.begin(), first, 0.0, [](double sum, const StageCost& s) { return sum + s.cost; });
   // A share that is no number counts as 0.
   const double done = share > 0 ? std::min(share, 1.0) : 0;
   return reached_ = std::max(reached_, std::min(1.0, (before + cost * done) / total_));

@@ -139,8 +139,7 @@ int main(int argc, char** argv) try {
   if (argc > 1) counts.clear();
   for (int n = 1; n < argc; ++n) counts.push_back(std::stoul(argv[n]));
   const Volume volume = make_builtin_volume(kField);
-  const double kappa =
-      geometric_isovalue(volume.type(), find_builtin_field(kField)->isovalue);
+  const double kappa = geometric_isovalue(volume.type(), find_builtin_field(kField)->isovalue);
   const ContourMesh contour = build_contour(volume, kappa);
   double area = 0;
   for (const auto& t : contour.triangles) {

@@ -137,7 +137,7 @@ figure 02-fuel FUEL '--view 150,25' --size 1600x540 --edges on <<'END'
 
 Look for small triangles around the holes of the head, and for the slivers along the barrel that the
 right panel has not. The right panel's mesh follows the creases that the trilinear surface has where
-voxels meet, such as the rim of the opening at x = 0: Marching Cubes cuts across them.
+voxels meet, such as the edge of the opening at x = 0: Marching Cubes cuts across them.
 END
 
 section 'Figure 6: ENGINE after Recover | at the end' ENGINE
@@ -146,7 +146,7 @@ panel_of ENGINE engine.ply
 figure 06-engine ENGINE '--view 210,25' --size 1400x640 <<'END'
 
 After the first stage the topology is right and edges are cut across; the second brings the bolts, the
-rims and the bores. Edges of the final mesh are too short to be told apart at this scale: see the next.
+flanges and the bores. Edges of the final mesh are too short to be told apart at this scale: see the next.
 END
 if ! is_analogue ENGINE; then
   section 'Figure 6, closer: a bolt of ENGINE' ENGINE
@@ -166,7 +166,7 @@ panel_of LEG leg.ply
 figure 07-leg LEG '--view 30,20' --size 1200x930 --edges on <<'END'
 
 The voxels are four times as high as wide; the surface is cut by the box at the top, where the inside
-is seen. Specks at the left belong to the data. Look, on the left, for triangles as wide as high.
+components at the left belong to the data. Look, on the left, for triangles as wide as high.
 END
 
 section 'Figure 8: TOOTH after Recover | at the end, clipped' TOOTH

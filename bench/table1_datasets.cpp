@@ -20,7 +20,8 @@ int work(const BenchArguments& arguments) {
     const OpenedDataset opened = open_dataset(dataset, arguments.data);
     const Volume& volume = opened.volume;
     const ValueRange range = value_range(volume);
-    const ContourMesh mesh = build_contour(volume, geometric_isovalue(volume.type(), opened.isovalue));
+    const ContourMesh mesh =
+        build_contour(volume, geometric_isovalue(volume.type(), opened.isovalue));
     const ContourSummary& contour = mesh.summary;
     table.add({dataset.name, opened.data, fixed_cell(dataset.isovalue, 1), dims_text(dataset.dims),
                fixed_cell(opened.isovalue, 1), dims_text(volume.dims()),

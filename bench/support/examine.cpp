@@ -49,7 +49,8 @@ Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
 }
 
 ContourSummary exact_topology(const OpenedDataset& opened) {
-  return summarize_contour(opened.volume, geometric_isovalue(opened.volume.type(), opened.isovalue));
+  return summarize_contour(opened.volume,
+                           geometric_isovalue(opened.volume.type(), opened.isovalue));
 }
 
 }  // namespace deliso

@@ -107,8 +107,8 @@ std::string part_comment(std::string comment, const Volume& volume, const BlockC
                   listed(volume.spacing()), " ", kFrame, listed(at.origin));
   for (const Vec3& axis : at.axes) comment += text(",", listed(axis));
   if (at.space != AnatomicalSpace::unknown) comment += text(",", short_name_of(at.space));
-  comment += text(" isovalue=", isovalue, " ", kBlock, listed(block.at, ","), "/",
-                  listed(block.of, ","));
+  comment +=
+      text(" isovalue=", isovalue, " ", kBlock, listed(block.at, ","), "/", listed(block.of, ","));
   for (int face = 0; face < 6; ++face) {
     comment += face == 0 ? text(" ", kSamples) : ",";
     comment += (volume.inner_faces() >> face & 1) != 0 ? face_checksum(volume, face) : "-";

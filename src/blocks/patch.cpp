@@ -43,8 +43,7 @@ void grow(Array& array, std::size_t size) {
 
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
   const auto holds = [&](VertexId v) { return patch.region.holds(whole.mesh.points[v]); };
-  const std::span<const FaceId> frozen =
-      std::span(patch.facets).first(patch.region.first_free);
+  const std::span<const FaceId> frozen = std::span(patch.facets).first(patch.region.first_free);
   std::vector<VertexId> held;
   for (FaceId f = 0; f < patch.facets.size(); ++f) {
     if (f >= frozen.size()) places.facet[patch.facets[f]] = f;
@@ -83,8 +82,8 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
       const VertexId u = local_vertex(in_whole);
       return u == kNoId ? v : u;
     };
-    s.chain.set(v, beside(chain.previous(patch.vertices[v])),
-                beside(chain.next(patch.vertices[v])), chain.place(patch.vertices[v]));
+    s.chain.set(v, beside(chain.previous(patch.vertices[v])), beside(chain.next(patch.vertices[v])),
+                chain.place(patch.vertices[v]));
   }
 }
 
@@ -123,8 +122,7 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
     const bool may_change = is_held(v);
     whole.mesh.points[vertex[v]] = part.points[v];
     if (may_change && chain.is_boundary(v)) {
-      whole.chain.set(vertex[v], vertex[chain.previous(v)], vertex[chain.next(v)],
-                      chain.place(v));
+      whole.chain.set(vertex[v], vertex[chain.previous(v)], vertex[chain.next(v)], chain.place(v));
     }
   }
   for (FaceId f = patch.region.first_free; f < patch.facets.size(); ++f) {

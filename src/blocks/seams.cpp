@@ -237,10 +237,9 @@ class SeamWork {
     }
     const BoxSurface at(run_.volume, samples_around(run_, patch.region), run_.kappa,
                         run_.options.cubic);
-    patch.is_done =
-        refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
-                    run_.parameters, patch.report,
-                    {patch.region, std::move(patch.is_done), std::move(patch.thin)});
+    patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
+                                run_.parameters, patch.report,
+                                {patch.region, std::move(patch.is_done), std::move(patch.thin)});
   }
 
   // Frozen facets first. A facet is done unless it is open work.
@@ -282,7 +281,7 @@ class SeamWork {
   IdArray<VertexId, std::uint8_t> may_thin_;  // to be thinned
   PlacesInPatches places_;
   std::size_t boxes_done_ = 0;
-  std::vector<Vec3> samples_;                 // not yet held against the mesh
+  std::vector<Vec3> samples_;  // not yet held against the mesh
 };
 
 }  // namespace

@@ -14,8 +14,8 @@
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/boundary_orientation.h"
-#include "contour/bounded_volume.h"
 #include "check/triangle_tree.h"
+#include "contour/bounded_volume.h"
 
 namespace deliso {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "check/validity.h"
 #include "check/triangle_tree.h"
+#include "check/validity.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {

@@ -147,10 +147,10 @@ struct Report {
   std::size_t insertions_refine = 0;
   std::size_t vertices_refined = 0, triangles_refined = 0;  // when Stage 2 ends
   TopologyCounts exact;                                     // of the exact contour, whole
-  double kappa_effective = 0;  // geometric_isovalue()
-  double r_min = 0;            // scaled frame, as all lengths here
-  double largest_h = 0;        // of facets above r_min, when Stage 2 ended
-  double max_distance = 0;     // the bound on h then: the option's, or what --vertices reached
+  double kappa_effective = 0;                               // geometric_isovalue()
+  double r_min = 0;                                         // scaled frame, as all lengths here
+  double largest_h = 0;     // of facets above r_min, when Stage 2 ended
+  double max_distance = 0;  // the bound on h then: the option's, or what --vertices reached
   CapReport cap;
   std::array<std::uint64_t, kCounterCount> counters{};
   std::array<OperationCounts, kOperations> operations{};

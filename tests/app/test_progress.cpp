@@ -105,8 +105,8 @@ TEST_CASE("the program knows every stage that a run reports") {
     mesher_of(line.method)(volume, 0.3, line.options, report);
     std::vector<std::string> known;
     for (const StageCost& s : mesh_stages(line)) {
-      if (s.stage != "reading" && s.stage != "weld" && s.stage != "seams" &&
-          s.stage != "check" && s.stage != "writing") {
+      if (s.stage != "reading" && s.stage != "weld" && s.stage != "seams" && s.stage != "check" &&
+          s.stage != "writing") {
         known.emplace_back(s.stage);
       }
     }

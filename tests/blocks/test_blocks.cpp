@@ -48,9 +48,8 @@ TEST_CASE("every voxel is in one block, and a block's samples are the volume's")
   for (int n = 0; n < 200; ++n) {
     Index3 dims;
     for (int axis = 0; axis < 3; ++axis) dims[axis] = 2 + static_cast<int>(random() % 30);
-    const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}}, dims, [](const Vec3& p) {
-      return p.x + 3 * p.y + 5 * p.z;
-    });
+    const Volume volume = Volume::from_function(
+        {{0, 0, 0}, {1, 1, 1}}, dims, [](const Vec3& p) { return p.x + 3 * p.y + 5 * p.z; });
     const int side = 1 + static_cast<int>(random() % 12);
     CAPTURE(side);
     const std::vector<SampleBox> boxes = BlockGrid(volume, side).boxes();
@@ -66,8 +65,7 @@ TEST_CASE("every voxel is in one block, and a block's samples are the volume's")
       const Volume block = samples_of(volume, box);
       const Index3 last{block.dims().i - 1, block.dims().j - 1, block.dims().k - 1};
       CHECK(block.sample(0, 0, 0) == volume.sample(box.begin.i, box.begin.j, box.begin.k));
-      CHECK(block.sample(last.i, last.j, last.k) ==
-            volume.sample(box.end.i, box.end.j, box.end.k));
+      CHECK(block.sample(last.i, last.j, last.k) == volume.sample(box.end.i, box.end.j, box.end.k));
     }
     const Index3 all = volume.voxels();
     CHECK(voxels == static_cast<std::uint64_t>(all.i) * static_cast<std::uint64_t>(all.j) *

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "check/hostile_meshes.h"
-#include "check/verify.h"
-#include "contour/contour.h"
 #include "check/nearest_triangles.h"
 #include "check/self_intersections.h"
+#include "check/verify.h"
+#include "contour/contour.h"
 #include "embedding/triangle_pair.h"
 #include "io/volume/builtin_volume.h"
 
@@ -22,7 +22,8 @@ namespace {
 
 struct Ball {
   Volume volume = make_builtin_volume("builtin:sphere:24");
-  double kappa = geometric_isovalue(volume.type(), find_builtin_field("builtin:sphere:24")->isovalue);
+  double kappa =
+      geometric_isovalue(volume.type(), find_builtin_field("builtin:sphere:24")->isovalue);
 
   Verification verify(const Hostile& mesh, int threads, double share = 0) const {
     VerifyOptions options;

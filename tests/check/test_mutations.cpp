@@ -64,7 +64,8 @@ TEST_CASE("each of 200 random changes of sound meshes is a fault") {
   std::size_t caught = 0;
   for (const std::string name : {"gyroid:16", "five_spheres:24", "fuel:20", "linked_tori:20"}) {
     const Volume volume = make_builtin_volume("builtin:" + name);
-    const double kappa = geometric_isovalue(volume.type(), find_builtin_field("builtin:" + name)->isovalue);
+    const double kappa =
+        geometric_isovalue(volume.type(), find_builtin_field("builtin:" + name)->isovalue);
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, kappa, {}, report);
     Soup sound{mesh.points, {}};

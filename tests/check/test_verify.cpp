@@ -510,8 +510,8 @@ TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault"
     VerifyOptions options;
     options.restricted_share = 0.5;
     options.solid = solid;
-    return verify(make_tri_mesh(p.points, p.triangles), volume, geometric_isovalue(volume.type(), 0),
-                  options);
+    return verify(make_tri_mesh(p.points, p.triangles), volume,
+                  geometric_isovalue(volume.type(), 0), options);
   };
   const Parts good = parts_of(mesh);
   const Verification sound = run(good);

@@ -55,7 +55,8 @@ TEST_CASE("random volumes of every sample type give a valid contour") {
         samples.push_back(static_cast<T>(random.below(levels)));
       }
       const Volume volume = Volume::from_samples(dims, spacing, samples);
-      const ContourSummary summary = checked_summary(volume, geometric_isovalue(volume.type(), kappa));
+      const ContourSummary summary =
+          checked_summary(volume, geometric_isovalue(volume.type(), kappa));
       with_boundary += summary.boundary_loops() > 0;
       for (const auto& component : summary.components) with_tubes += component.tubes > 0;
     };
@@ -93,9 +94,9 @@ TEST_CASE("with samples equal to kappa the contour is valid") {
   }
 }
 
-// Halfway between integers saddles are at the isovalue, which is lowered a little, or not at all for
-// doubles. Points inside two voxels, each near such a saddle of the face between them, were once
-// 1e-9 apart.
+// Halfway between integers saddles are at the isovalue, which is lowered a little, or not at all
+// for doubles. Points inside two voxels, each near such a saddle of the face between them, were
+// once 1e-9 apart.
 TEST_CASE("vertices keep a thousandth of a voxel where saddles are at kappa") {
   Random random(17);
   for (int trial = 0; trial < 60; ++trial) {
@@ -274,7 +275,8 @@ TEST_CASE("a volume without voxels, or without an inside or outside, has no cont
 
 TEST_CASE("chosen components are large enough, and no other crosses more grid edges") {
   const Volume volume = make_builtin_volume("builtin:noise:24");
-  const ContourSummary summary = summarize_contour(volume, geometric_isovalue(volume.type(), 127.5));
+  const ContourSummary summary =
+      summarize_contour(volume, geometric_isovalue(volume.type(), 127.5));
   const std::vector<ContourComponent>& all = summary.components;
   REQUIRE(all.size() > 8);
   for (const std::size_t largest :

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "base/random.h"
-#include "contour/mesh_checks.h"
 #include "check/self_intersections.h"
+#include "contour/mesh_checks.h"
 
 using namespace deliso;
 

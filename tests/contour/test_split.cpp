@@ -183,7 +183,8 @@ TEST_CASE(
     const Volume volume =
         random_volume(random, random_dims(random, 3, 5), [&] { return random.below(levels); });
     const double kappa = 0.5 * random.below(2 * levels);
-    check_split(random, volume, trial % 4 == 0 ? kappa : geometric_isovalue(volume.type(), kappa), tally);
+    check_split(random, volume, trial % 4 == 0 ? kappa : geometric_isovalue(volume.type(), kappa),
+                tally);
   }
   CHECK(tally.split > 15000);
   CHECK(tally.split < tally.expected);  // some saddles lie at kappa to the last bit

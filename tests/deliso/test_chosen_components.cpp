@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/random.h"
+#include "check/triangle_tree.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
-#include "check/triangle_tree.h"
 #include "refine/refine.h"
 
 using namespace deliso;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/triangle.h"
+#include "check/self_intersections.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
-#include "check/self_intersections.h"
 #include "mesh/check_mesh.h"
 #include "surface/criteria.h"
 #include "surface/surface_point.h"
@@ -194,7 +194,8 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
     }
     const double isovalue = 0.5 * levels - 0.5 * random.below(2) + (seed % 3 == 0 ? 0.1 : 0);
     const Volume volume = Volume::from_samples(dims, {1, 1, 1.0 + random.below(3)}, samples);
-    const ContourSummary exact = summarize_contour(volume, geometric_isovalue(volume.type(), isovalue));
+    const ContourSummary exact =
+        summarize_contour(volume, geometric_isovalue(volume.type(), isovalue));
     Options options;
     options.recover = RecoverWay::certified;
     options.r_min = {0.35, Length::Unit::voxel};

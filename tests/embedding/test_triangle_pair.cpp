@@ -10,8 +10,8 @@
 #include <cstdint>
 
 #include "base/random.h"
-#include "delaunay/predicates.h"
 #include "check/self_intersections.h"
+#include "delaunay/predicates.h"
 
 namespace deliso {
 namespace {

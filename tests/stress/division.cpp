@@ -3,8 +3,8 @@
 //   stress_division [--first-seed N] [--count M] [--list]
 // The seed also says which of --cap, --largest, --vertices and a spacing of 1:4 are on, and the
 // side of a block, 4 to 8 voxels. Each volume is meshed in one thread and in 2, 3, 8 or 16. Exit
-// status 1 when the two differ in a byte, or check finds a fault other than a triangle over a limit:
-// another topology than the surface, two triangles that cross, a solid that is open.
+// status 1 when the two differ in a byte, or check finds a fault other than a triangle over a
+// limit: another topology than the surface, two triangles that cross, a solid that is open.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

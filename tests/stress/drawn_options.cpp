@@ -100,10 +100,7 @@ constexpr DrawnOption kDrawn[] = {
        return count_differs(asked, with.triangles, with);
      }},
     {"--max-vertices",
-     [](Random& r, auto&) {
-       return Words{"--max-vertices=" + whole(r, 20, 4000)};
-     },
-     0,
+     [](Random& r, auto&) { return Words{"--max-vertices=" + whole(r, 20, 4000)}; }, 0,
      [](double asked, const Outcome& with, auto&) {
        return static_cast<double>(with.vertices) > asked ? text(with.vertices, " vertices")
                                                          : std::string();
@@ -163,10 +160,10 @@ constexpr DrawnOption kDrawn[] = {
 
 // Options about files, formats and reports; --iso is always given.
 constexpr std::string_view kNotDrawn[] = {
-    "--iso",         "--output", "--format",       "--ply-ascii", "--float", "--double",
-    "--attributes",  "--json",   "--quiet",        "--verbose",   "--check", "--restricted",
-    "--allow-empty", "--array",  "--dims",      "--type",  "--spacing",
-    "--endian",      "--skip",   "--help",         "--version"};
+    "--iso",         "--output", "--format", "--ply-ascii", "--float",   "--double",
+    "--attributes",  "--json",   "--quiet",  "--verbose",   "--check",   "--restricted",
+    "--allow-empty", "--array",  "--dims",   "--type",      "--spacing", "--endian",
+    "--skip",        "--help",   "--version"};
 
 }  // namespace
 
