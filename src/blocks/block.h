@@ -39,6 +39,7 @@ struct Block {
   std::vector<Vec3> samples_near_seams, samples;
   // The inner faces at which no seam could be made (blocks/seam.h).
   unsigned refused = 0;
+  bool is_refined = false;  // with a desired count: to the last bound, with its seam
   Report report;
 };
 

@@ -2,7 +2,6 @@
 #include "blocks/mesh_in_blocks.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -56,7 +55,7 @@ class BlockMesher {
   }
 
   WeldedMesh run() {
-    mesh_blocks();
+    mesh_blocks(all());
     count_topology();
     if (given_.has_target()) refine_to_target();
     for (const Block& block : blocks_) report_.add(block.report);
@@ -140,10 +139,8 @@ class BlockMesher {
     return of_block;
   }
 
-  // Meshes all blocks. Where a seam is refused, the blocks at it become one, which is meshed again.
-  void mesh_blocks() {
-    std::vector<std::size_t> todo = all();
-    std::atomic<std::size_t> vertices = 0;
+  // Meshes these blocks. Where a seam is refused, the blocks at it become one, which is meshed again.
+  void mesh_blocks(std::vector<std::size_t> todo) {
     while (!todo.empty()) {
       const std::vector<std::vector<std::uint8_t>> kept = choose_components();
       for_each_block(todo, [&](std::size_t n) {
@@ -210,7 +207,18 @@ class BlockMesher {
         count += by_triangles ? mesh.faces.size() : mesh.points.size();
       }
     }
-    for_each_block(all(), [&](std::size_t n) { make_seam(run_, blocks_[n]); });
+    // The seams, and larger blocks where one is refused.
+    bool is_fresh = false;
+    for (std::vector<std::size_t> todo = all(); !todo.empty(); is_fresh = true) {
+      for_each_block(todo, [&](std::size_t n) {
+        if (is_fresh) refine_block(run_, parameters_, blocks_[n]);
+        make_seam(run_, blocks_[n]);
+        blocks_[n].is_refined = true;
+      });
+      mesh_blocks(merge_refused());
+      todo = all();
+      std::erase_if(todo, [&](std::size_t n) { return blocks_[n].is_refined; });
+    }
   }
 
   const Options options_;
