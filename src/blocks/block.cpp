@@ -71,18 +71,20 @@ void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
 
 }  // namespace
 
-BoxSurface::BoxSurface(const Volume& whole, const SampleBox& box, double kappa, CubicMethod cubic)
-    : volume(samples_of(whole, box)), tree(volume), surface(volume, tree, kappa, cubic) {}
+BoxSurface::BoxSurface(Volume of_box, double kappa, CubicMethod cubic)
+    : volume(std::move(of_box)), tree(volume), surface(volume, tree, kappa, cubic) {}
 
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept) {
   Block block;
   block.box = box;
   Report& report = block.report;
-  const BoxSurface at(run.volume, box, run.kappa, run.options.cubic);
+  const Volume volume = samples_of(run.volume, box);
   begin_stage(run.parameters.observer, "contour");
   ContourMesh contour =
-      timed(report.seconds_contour, [&] { return build_contour(at.volume, run.kappa); });
-  block.components = components_of(contour, at.volume);
+      timed(report.seconds_contour, [&] { return build_contour(volume, run.kappa); });
+  if (contour.points.empty()) return block;
+  block.components = components_of(contour, volume);
+  const BoxSurface at(volume, run.kappa, run.options.cubic);
   Parameters parameters = run.parameters;
   parameters.samples = share_of_samples(parameters.samples, at.volume, run.volume);
   if (run.options.recover == RecoverWay::certified) {
@@ -116,14 +118,14 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 
 void refine_block(const BlockRun& run, const Parameters& parameters, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  const BoxSurface at(run.volume, block.box, run.kappa, run.options.cubic);
+  const BoxSurface at(samples_of(run.volume, block.box), run.kappa, run.options.cubic);
   refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
          block.report);
 }
 
 void make_seam(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  clear(block, BoxSurface(run.volume, block.box, run.kappa, run.options.cubic), run);
+  clear(block, BoxSurface(samples_of(run.volume, block.box), run.kappa, run.options.cubic), run);
 }
 
 }  // namespace deliso

@@ -21,8 +21,7 @@ namespace deliso {
 
 // The surface in a box of a volume.
 struct BoxSurface {
-  // Copies the samples, unless the box is all of the volume.
-  BoxSurface(const Volume& whole, const SampleBox& box, double kappa, CubicMethod cubic);
+  BoxSurface(Volume of_box, double kappa, CubicMethod cubic);
   BoxSurface(const BoxSurface&) = delete;
 
   Volume volume;

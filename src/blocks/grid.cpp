@@ -75,9 +75,15 @@ SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, Sam
   return box;
 }
 
+int usual_block_side(const Volume& volume) {
+  const Index3 voxels = volume.voxels();
+  return std::clamp(std::max({voxels.i, voxels.j, voxels.k}) / 5, 64, 128);
+}
+
 Volume samples_of(const Volume& volume, const SampleBox& box) {
   Index3 dims;
   for (int axis = 0; axis < 3; ++axis) dims[axis] = box.end[axis] - box.begin[axis] + 1;
+  if (dims == volume.dims()) return volume;
   const std::size_t size = size_of(volume.type());
   const std::size_t row = static_cast<std::size_t>(dims.i) * size;
   const auto bytes = std::make_shared<std::vector<std::byte>>(

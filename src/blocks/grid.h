@@ -35,8 +35,12 @@ struct BlockGrid {
 SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
                  unsigned faces);
 
-// Returns a copy of the samples in the box, as a block of the volume. The copy is contiguous, so
-// that a block's work stays in the cache.
+// Returns about how many voxels a block has along each axis: a fifth of the volume's longest side,
+// but 64 to 128. Where volumes are larger facets are too, and seams would cost more vertices.
+int usual_block_side(const Volume& volume);
+
+// Returns a copy of the samples in the box, as a block of the volume; of all samples the volume
+// itself. The copy is contiguous, so that a block's work stays in the cache.
 Volume samples_of(const Volume& volume, const SampleBox& box);
 
 }  // namespace deliso

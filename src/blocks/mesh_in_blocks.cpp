@@ -74,7 +74,9 @@ class BlockMesher {
   static int side(const Options& options, const Parameters& parameters, const Volume& volume) {
     const bool is_one = options.recover == RecoverWay::paper || parameters.asks_for_poles() ||
                         follower(parameters.observer) || volume.is_block();
-    return is_one ? 0 : options.block_side;
+    if (is_one) return 0;
+    return options.block_side == Options::kUsualSide ? usual_block_side(volume)
+                                                     : options.block_side;
   }
 
   static Parameters in_block(Parameters p) {
@@ -139,7 +141,8 @@ class BlockMesher {
     return of_block;
   }
 
-  // Meshes these blocks. Where a seam is refused, the blocks at it become one, which is meshed again.
+  // Meshes these blocks. Where a seam is refused, the blocks at it become one, which is meshed
+  // again.
   void mesh_blocks(std::vector<std::size_t> todo) {
     while (!todo.empty()) {
       const std::vector<std::vector<std::uint8_t>> kept = choose_components();

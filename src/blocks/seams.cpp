@@ -235,7 +235,7 @@ class SeamWork {
         patch.thin.push_back(v);
       }
     }
-    const BoxSurface at(run_.volume, samples_around(run_, patch.region), run_.kappa,
+    const BoxSurface at(samples_of(run_.volume, samples_around(run_, patch.region)), run_.kappa,
                         run_.options.cubic);
     patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
                                 run_.parameters, patch.report,

@@ -26,8 +26,6 @@ struct Length {
 // Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
-inline constexpr int kUsualBlockSide = 64;
-
 struct Options : RunSettings {
   static constexpr double kNone = kNotAsked;
 
@@ -39,9 +37,10 @@ struct Options : RunSettings {
   double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
   Length fingers{0.4, Length::Unit::voxel};  // certified: largest distance from T to K
 
-  // About how many voxels a block has along each axis (blocks/grid.h); 0: the volume is one block.
-  // So it is with the paper's Recover, with pole heights, and for an observer of insertions.
-  int block_side = kUsualBlockSide;
+  // About how many voxels a block has along each axis; 0: the volume is one block. So it is with
+  // the paper's Recover, with pole heights, and for an observer of insertions.
+  static constexpr int kUsualSide = -1;  // usual_block_side() of blocks/grid.h
+  int block_side = kUsualSide;
 
   CubicMethod cubic = CubicMethod::isolation;
   // The baseline of Table 2, the paper's way only: all refinement on the 3D triangulation.
