@@ -245,11 +245,13 @@ class SeamWork {
   // Frozen facets first. A facet is done unless it is open work.
   void freeze_others(MeshPatch& patch) const {
     const TriMesh& mesh = whole_.mesh.mesh;
-    const auto frozen = std::ranges::stable_partition(patch.facets, [&](FaceId f) {
+    const auto is_frozen = [&](FaceId f) {
       return std::ranges::any_of(mesh.faces[f].v,
                                  [&](VertexId v) { return !patch.region.holds(mesh.points[v]); });
-    });
-    patch.region.first_free = FaceId(frozen.begin() - patch.facets.begin());
+    };
+    const auto first_free =
+        std::stable_partition(patch.facets.begin(), patch.facets.end(), is_frozen);
+    patch.region.first_free = FaceId(first_free - patch.facets.begin());
     for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
   }
 

@@ -167,17 +167,17 @@ class Welder {
 
   void collect_chain(std::uint32_t b, std::vector<std::vector<std::pair<double, VertexId>>>& to) {
     const BoundaryChain& chain = blocks_[b].mesh.chain;
-    const auto of_block = std::ranges::equal_range(runs_, b, {}, &OuterRun::block);
+    const auto loop_of = [](const OuterRun& run) { return std::pair(run.block, run.loop); };
     for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
       if (!chain.is_boundary(v)) continue;
       const CurvePlace place = chain.place(v);
       const auto n = static_cast<double>((*blocks_[b].loops)[place.loop].points.size());
-      for (const OuterRun& run :
-           std::ranges::equal_range(of_block, place.loop, {}, &OuterRun::loop)) {
-        double along = place.s - static_cast<double>(run.first);
+      for (auto run = std::ranges::lower_bound(runs_, std::pair(b, place.loop), {}, loop_of);
+           run != runs_.end() && loop_of(*run) == std::pair(b, place.loop); ++run) {
+        double along = place.s - static_cast<double>(run->first);
         if (along < 0) along += n;
-        if (along >= static_cast<double>(run.arcs)) continue;
-        to[run.whole].emplace_back(run.place + along, new_id_[b][v]);
+        if (along >= static_cast<double>(run->arcs)) continue;
+        to[run->whole].emplace_back(run->place + along, new_id_[b][v]);
       }
     }
   }
