@@ -109,8 +109,11 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   // Stage 1 knows most of what a seam will lack, so a larger block is known to be needed soon.
   if (has_seams) clear(block, at, run);
   if (block.refused != 0 || run.options.stop_after_recover) return block;
-  if (run.parameters.has_target()) block.samples = std::move(samples);
-  if (run.parameters.has_target() || !has_seams) return block;
+  if (run.parameters.has_target()) {
+    block.samples = std::move(samples);
+    return block;
+  }
+  if (!has_seams) return block;
   refine(block.mesh, at.surface, curves, samples, parameters, report);
   clear(block, at, run);
   return block;

@@ -26,6 +26,7 @@ std::vector<VertexId> nearest_neighbors(const Refinement& r, VertexId v,
   sort_unique(neighbors);
   if (neighbors.size() > kNeighbors) neighbors.resize(kNeighbors);
   std::vector<VertexId> nearest;
+  nearest.reserve(neighbors.size());
   for (const auto& [d2, u] : neighbors) nearest.push_back(u);
   return nearest;
 }
