@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The whole way from a volume to a mesh: blocks, then what only the whole mesh can have.
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "blocks/mesh_in_blocks.h"
 #include "cap/close_on_box.h"
 #include "cap/dissolve.h"
 #include "contour/contour.h"
+#include "base/text.h"
 #include "deliso/deliso.h"
+#include "mesh_parts.h"
 #include "refine/coarsen.h"
 #include "refine/refine.h"
 #include "surface/observer.h"
@@ -15,44 +20,88 @@
 
 namespace deliso {
 
-TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
-                        Report& report) {
-  const StepTimer total(report.seconds_total);
-  require_limits(options, volume);
-  const Parameters parameters = resolve(options, volume);
-  report.r_min = parameters.r_min;
-  const double kappa = geometric_isovalue(volume.type(), isovalue);
-  report.kappa_effective = kappa;
-  std::array<bool, 8> inside{};
-  std::vector<std::uint8_t> kept;
-  if (options.cap) inside = corners_inside(volume, kappa);
-  if (options.cap && !options.components.is_all()) {
-    Dissolved dissolved =
-        dissolve_others(build_contour(volume, kappa), volume, kappa, options.components);
-    kept = std::move(dissolved.kept);
-    inside = dissolved.corner_inside;
-  }
+namespace {
 
-  WeldedMesh whole = mesh_in_blocks(volume, kappa, options, parameters, std::move(kept), report);
-  std::optional<VoxelTree> tree;
-  std::optional<Isosurface> surface;
-  if (options.cap || parameters.has_target()) {
-    tree.emplace(volume);
-    surface.emplace(volume, *tree, kappa, options.cubic);
-  }
+Parameters begin(const Volume& shape, double isovalue, const Options& options, Report& report) {
+  require_limits(options, shape);
+  const Parameters parameters = resolve(options, shape);
+  report.r_min = parameters.r_min;
+  report.kappa_effective = geometric_isovalue(shape.type(), isovalue);
+  return parameters;
+}
+
+// A solid whose components are chosen: which are kept, and the corners of the box inside it.
+std::optional<Dissolved> dissolved(const VolumeSource& source, double kappa,
+                                   const Options& options) {
+  if (!options.cap || options.components.is_all()) return std::nullopt;
+  const Volume volume = all_of(source);
+  return dissolve_others(build_contour(volume, kappa), volume, kappa, options.components);
+}
+
+// Does what only the whole mesh can have done: counts and caps.
+TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Dissolved>& solid,
+               const Options& options, const Parameters& parameters, Report& report) {
+  const double kappa = report.kappa_effective;
+  std::optional<BoxSurface> at;
+  if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa, options.cubic);
   count_unrefined(whole.mesh, parameters, report);
   if (parameters.has_target() && !options.stop_after_recover) {
-    coarsen_to_target(whole.mesh, *surface, {*surface, whole.loops}, whole.samples, parameters,
-                      report);
+    coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples,
+                      parameters, report);
   }
   report.vertices_refined = whole.mesh.mesh.points.size();
   report.triangles_refined = whole.mesh.mesh.faces.size();
   if (options.cap) {
     begin_stage(parameters.observer, "cap");
-    close_on_box(whole.mesh, *surface, {*surface, whole.loops}, inside, parameters, report);
+    const std::array<bool, 8> inside =
+        solid ? solid->corner_inside : corners_inside(at->volume, kappa);
+    close_on_box(whole.mesh, at->surface, {at->surface, whole.loops}, inside, parameters, report);
   }
-  whole.mesh.mesh.frame = volume.frame();
+  whole.mesh.mesh.frame = source.shape.frame();
   return std::move(whole.mesh.mesh);
+}
+
+void require_no_whole(const Options& options, const Parameters& parameters) {
+  const char* const what =
+      options.recover == RecoverWay::paper ? "the paper's Recover works on all of the volume"
+      : parameters.asks_for_poles()        ? "--eps2 needs poles of all of the mesh"
+      : parameters.has_target() ? "a number of vertices or triangles is that of all of the mesh"
+                                : nullptr;
+  if (what) throw InputError(text("not in parts: ", what));
+}
+
+}  // namespace
+
+TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options,
+                        Report& report) {
+  const StepTimer total(report.seconds_total);
+  const VolumeSource source = source_of(volume);
+  const Parameters parameters = begin(volume, isovalue, options, report);
+  const auto solid = dissolved(source, report.kappa_effective, options);
+  Block whole = mesh_in_blocks(source, report.kappa_effective, options, parameters,
+                               solid ? solid->kept : std::vector<std::uint8_t>(), {}, report);
+  return finish(std::move(whole), source, solid, options, parameters, report);
+}
+
+Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
+                PartChoice part, Report& report) {
+  const StepTimer total(report.seconds_total);
+  const Parameters parameters = begin(source.shape, isovalue, options, report);
+  require_no_whole(options, parameters);
+  const auto solid = dissolved(source, report.kappa_effective, options);
+  return mesh_in_blocks(source, report.kappa_effective, options, parameters,
+                        solid ? solid->kept : std::vector<std::uint8_t>(), part, report);
+}
+
+TriMesh mesh_of_parts(const VolumeSource& source, double isovalue, const Options& options,
+                      std::vector<Block> parts, Report& report) {
+  const StepTimer total(report.seconds_total);
+  const Parameters parameters = begin(source.shape, isovalue, options, report);
+  require_no_whole(options, parameters);
+  Block whole = join_parts(source, report.kappa_effective, options, parameters, std::move(parts),
+                           report);
+  return finish(std::move(whole), source,
+                dissolved(source, report.kappa_effective, options), options, parameters, report);
 }
 
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options) {

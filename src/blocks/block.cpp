@@ -55,12 +55,10 @@ void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
   const unsigned inner = at.volume.inner_faces();
   if (inner == 0) return;
   const BoundaryCurves curves(at.surface, block.loops);
-  // A block given by itself can have no larger one.
-  const OffSurface off = run.volume.is_block() ? OffSurface::allowed : OffSurface::refused;
   std::size_t unknown = 1, flat = 0;
   for (int round = 0; round < kMaxSeamRounds && unknown + flat > 0; ++round) {
     unknown = clear_seam(block.mesh, at.surface, curves, run.parameters, block.report);
-    flat = lift_off(block.mesh, at.surface, curves, inner, off, run.parameters, block.report);
+    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, run.parameters, block.report);
   }
   block.refused = faulty_faces(block.mesh, curves, at.volume);
   // Blocks wait for each other.
@@ -69,7 +67,29 @@ void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
   block.mesh.duals.shrink_to_fit();
 }
 
+// Returns the vertices, and those beside them.
+IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint8_t>& some,
+                                               const TriMesh& mesh) {
+  IdArray<VertexId, std::uint8_t> more = some;
+  for (const Face& face : mesh.faces) {
+    if (some[face.v[0]] + some[face.v[1]] + some[face.v[2]] == 0) continue;
+    for (const VertexId v : face.v) more[v] = 1;
+  }
+  return more;
+}
+
 }  // namespace
+
+VolumeSource source_of(const Volume& volume) {
+  Volume shape(volume.whole_dims(), volume.spacing(), volume.type(), nullptr, nullptr,
+               volume.frame());
+  return {std::move(shape), [volume](const SampleBox& box) { return samples_of(volume, box); },
+          volume};
+}
+
+Volume all_of(const VolumeSource& source) {
+  return source.in_memory ? *source.in_memory : source.read({{}, source.shape.voxels()});
+}
 
 BoxSurface::BoxSurface(Volume of_box, double kappa, CubicMethod cubic)
     : volume(std::move(of_box)), tree(volume), surface(volume, tree, kappa, cubic) {}
@@ -78,15 +98,15 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
   Block block;
   block.box = box;
   Report& report = block.report;
-  const Volume volume = samples_of(run.volume, box);
+  const Volume volume = run.source.read(box);
   begin_stage(run.parameters.observer, "contour");
   ContourMesh contour =
       timed(report.seconds_contour, [&] { return build_contour(volume, run.kappa); });
   if (contour.points.empty()) return block;
-  block.components = components_of(contour, volume);
+  block.components.push_back(components_of(contour, volume));
   const BoxSurface at(volume, run.kappa, run.options.cubic);
   Parameters parameters = run.parameters;
-  parameters.samples = share_of_samples(parameters.samples, at.volume, run.volume);
+  parameters.samples = share_of_samples(parameters.samples, at.volume, run.source.shape);
   if (run.options.recover == RecoverWay::certified) {
     make_fine(contour, at.surface, parameters, report);
   }
@@ -121,14 +141,34 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 
 void refine_block(const BlockRun& run, const Parameters& parameters, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  const BoxSurface at(samples_of(run.volume, block.box), run.kappa, run.options.cubic);
+  const BoxSurface at(run.source.read(block.box), run.kappa, run.options.cubic);
   refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
          block.report);
 }
 
 void make_seam(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  clear(block, BoxSurface(samples_of(run.volume, block.box), run.kappa, run.options.cubic), run);
+  clear(block, BoxSurface(run.source.read(block.box), run.kappa, run.options.cubic), run);
+}
+
+bool is_on_seam(const Block& block, VertexId v) {
+  if (!block.mesh.chain.is_boundary(v)) return false;
+  const auto [number, s] = block.mesh.chain.place(v);
+  const std::vector<std::uint8_t>& fixed = (*block.loops)[number].fixed;
+  const auto at = static_cast<std::size_t>(s);
+  if (fixed[at] != 0) return true;
+  return s == static_cast<double>(at) && fixed[(at + fixed.size() - 1) % fixed.size()] != 0;
+}
+
+void mark_seam_work(Block& block) {
+  const TriMesh& mesh = block.mesh.mesh;
+  IdArray<VertexId, std::uint8_t> on_seam(mesh.points.size(), 0);
+  for (VertexId v = 0; v < on_seam.size(); ++v) on_seam[v] = is_on_seam(block, v);
+  block.is_open.assign(mesh.faces.size(), 0);
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    for (const VertexId v : mesh.faces[f].v) block.is_open[f] |= on_seam[v];
+  }
+  block.may_thin = with_neighbors(with_neighbors(on_seam, mesh), mesh);
 }
 
 }  // namespace deliso

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One block: its samples, Figure 4 on them, and the seam. It runs in one thread, and knows nothing
-// of other blocks but the planes of the grid.
+// of other blocks but the planes of the grid. Blocks that are welded (blocks/weld.h) are a block
+// again.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,20 +34,37 @@ struct BoxSurface {
 
 struct Block {
   SampleBox box;
-  BlockComponents components;
+  std::vector<BlockComponents> components;  // of each that was welded
   SurfaceMesh mesh;
   std::shared_ptr<const BoundaryLoops> loops;  // of its chain
   // Reference samples, vertices of T: those near inner faces; and with a desired count the others.
   std::vector<Vec3> samples_near_seams, samples;
+  // What is left to do at seams: nonzero for facets to refine, and vertices to thin. Both are empty
+  // until mark_seam_work().
+  IdArray<FaceId, std::uint8_t> is_open;
+  IdArray<VertexId, std::uint8_t> may_thin;
   // The inner faces at which no seam could be made (blocks/seam.h).
   unsigned refused = 0;
   bool is_refined = false;  // with a desired count: to the last bound, with its seam
   Report report;
 };
 
+// A volume whose samples are read box by box, so that no process needs all of them. `shape` has its
+// size, spacing, type and frame; its samples are read by `read` alone, in any thread.
+struct VolumeSource {
+  Volume shape;
+  std::function<Volume(const SampleBox&)> read;  // as samples_of() returns them
+  std::optional<Volume> in_memory{};             // what `read` copies from, if it does so
+};
+// Returns the source of a volume in memory. It may be a region of a larger one (Volume::as_block),
+// which is the source's; then only boxes within the region can be read.
+VolumeSource source_of(const Volume& volume);
+// Returns the volume itself, read if it is not in memory.
+Volume all_of(const VolumeSource& source);
+
 // What all blocks of a run have in common.
 struct BlockRun {
-  const Volume& volume;
+  const VolumeSource& source;
   double kappa;
   const Options& options;
   const Parameters& parameters;
@@ -60,5 +80,12 @@ void refine_block(const BlockRun& run, const Parameters& parameters, Block& bloc
 
 // Removes everything but the seam from the inner faces. Sets block.refused.
 void make_seam(const BlockRun& run, Block& block);
+
+// True if the vertex lies on a seam.
+bool is_on_seam(const Block& block, VertexId v);
+
+// Marks the facets with a vertex on a seam as open, and vertices up to two edges from one as to be
+// thinned. pre: the block is not welded.
+void mark_seam_work(Block& block);
 
 }  // namespace deliso

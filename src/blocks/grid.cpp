@@ -36,17 +36,51 @@ BlockGrid::BlockGrid(const Volume& volume, int side) {
   }
 }
 
+Index3 BlockGrid::cells() const {
+  Index3 cells;
+  for (int axis = 0; axis < 3; ++axis) {
+    cells[axis] = static_cast<int>(planes[static_cast<std::size_t>(axis)].size()) - 1;
+  }
+  return cells;
+}
+
+Index3 BlockGrid::cell_of(Index3 voxel) const {
+  Index3 cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<int>& at = planes[static_cast<std::size_t>(axis)];
+    cell[axis] = static_cast<int>(std::ranges::upper_bound(at, voxel[axis]) - at.begin()) - 1;
+  }
+  return cell;
+}
+
+std::size_t BlockGrid::number_of(Index3 cell) const {
+  const auto [nx, ny, nz] = cells();
+  const int j = cell.k % 2 == 0 ? cell.j : ny - 1 - cell.j;
+  const std::size_t row =
+      static_cast<std::size_t>(cell.k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(j);
+  const int i = row % 2 == 0 ? cell.i : nx - 1 - cell.i;
+  return row * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+}
+
 std::vector<SampleBox> BlockGrid::boxes() const {
-  std::vector<SampleBox> boxes;
   const auto& [x, y, z] = planes;
+  std::vector<SampleBox> boxes((x.size() - 1) * (y.size() - 1) * (z.size() - 1));
   for (std::size_t k = 0; k + 1 < z.size(); ++k) {
     for (std::size_t j = 0; j + 1 < y.size(); ++j) {
       for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-        boxes.push_back({{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}});
+        boxes[number_of({static_cast<int>(i), static_cast<int>(j), static_cast<int>(k)})] = {
+            {x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}};
       }
     }
   }
   return boxes;
+}
+
+CellRun cells_of(PartChoice part, std::size_t cells) {
+  const auto bound = [&](int n) {
+    return cells * static_cast<std::size_t>(n) / static_cast<std::size_t>(part.of);
+  };
+  return {bound(part.number - 1), bound(part.number)};
 }
 
 SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,

@@ -25,9 +25,25 @@ struct BlockGrid {
 
   // Cuts the volume into equal parts along each axis, of about `side` voxels; 0: does not cut it.
   BlockGrid(const Volume& volume, int side);
-  // Returns the boxes between neighboring planes, x fastest.
+  // Returns the boxes between neighboring planes: the cells. Rows along x, and layers of rows, are
+  // passed back and forth, so each cell but the first shares a face with the one before it, and
+  // those of a run that meet at an edge meet at faces, too.
   std::vector<SampleBox> boxes() const;
+  Index3 cells() const;             // along each axis
+  Index3 cell_of(Index3 voxel) const;  // by its place in the grid
+  std::size_t number_of(Index3 cell) const;  // in the order of boxes()
 };
+
+// The N-th of M contiguous runs of a grid's cells, counted from 1: what one process meshes.
+struct PartChoice {
+  int number = 1, of = 1;
+  friend bool operator==(const PartChoice&, const PartChoice&) = default;
+};
+struct CellRun {
+  std::size_t begin = 0, end = 0;
+  bool holds(std::size_t cell) const { return begin <= cell && cell < end; }
+};
+CellRun cells_of(PartChoice part, std::size_t cells);
 
 // Returns the smallest box that holds `box` and all voxels within one across its `faces` (bit 2 *
 // axis, + 1 at the high end), and no part of another of `boxes`. pre: boxes end on planes of the

@@ -8,7 +8,9 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "blocks/order.h"
 #include "blocks/seams.h"
+#include "blocks/weld.h"
 #include "contour/contour.h"
 #include "refine/coarsen.h"
 #include "surface/observer.h"
@@ -38,68 +40,106 @@ std::size_t weight_of(const Volume& volume, double kappa, const SampleBox& box) 
   });
 }
 
+// Poles of a block, and the order of the paper's insertions, are not those of the whole.
+bool is_one_block(const Options& options, const Parameters& parameters) {
+  return options.recover == RecoverWay::paper || parameters.asks_for_poles() ||
+         follower(parameters.observer);
+}
+
+BlockGrid grid_for(const Options& options, const Parameters& parameters, const Volume& shape) {
+  if (is_one_block(options, parameters)) return BlockGrid(shape, 0);
+  const bool is_usual = options.block_side == Options::kUsualSide;
+  return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
+}
+
+Parameters in_block(const Parameters& given, bool is_divided) {
+  Parameters p = given;
+  if (is_divided) p.observer = nullptr;
+  p.leaves_seams = is_divided;
+  if (p.has_target()) p.max_vertices = Parameters::kNoTarget;
+  return p;
+}
+
+void require_room(const Block& block, const Parameters& given) {
+  if (given.has_target() || block.mesh.mesh.points.size() <= given.max_vertices) return;
+  throw InputError(text("more than --max-vertices ", given.max_vertices, " vertices needed"));
+}
+
+// Throws unless the mesh ends only where its chain runs: where parts fit together.
+void require_closed(const Block& whole) {
+  for (const Face& face : whole.mesh.mesh.faces) {
+    for (int i = 0; i < 3; ++i) {
+      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
+      if (is_dead(face) || face.n[i] != kNoId || whole.mesh.chain.is_edge(a, b)) continue;
+      throw InputError("the seams of the parts do not fit together");
+    }
+  }
+}
+
 class BlockMesher {
  public:
-  BlockMesher(const Volume& volume, double kappa, const Options& options,
-              const Parameters& parameters, std::vector<std::uint8_t> kept, Report& report)
+  BlockMesher(const VolumeSource& source, double kappa, const Options& options,
+              const Parameters& parameters, std::vector<std::uint8_t> kept, PartChoice part,
+              Report& report)
       : options_(options),
         given_(parameters),
-        parameters_(in_block(parameters)),
-        grid_(volume, side(options, parameters, volume)),
-        run_{volume, kappa, options_, parameters_, grid_},
+        grid_(grid_for(options, parameters, source.shape)),
+        cells_(grid_.boxes()),
+        part_(part),
+        own_(cells_of(part, cells_.size())),
+        parameters_(in_block(parameters, cells_.size() > 1)),
+        run_{source, kappa, options_, parameters_, grid_},
         kept_(std::move(kept)),
         report_(report) {
-    for (const SampleBox& box : grid_.boxes()) blocks_.emplace_back().box = box;
-    if (blocks_.size() == 1) parameters_.observer = given_.observer;
-    parameters_.leaves_seams = blocks_.size() > 1;
+    for (std::size_t n = own_.begin; n < own_.end; ++n) blocks_.emplace_back().box = cells_[n];
   }
 
-  WeldedMesh run() {
+  Block run() {
+    if (blocks_.empty()) return {};
     mesh_blocks(all());
-    count_topology();
+    if (part_.of == 1) report_.exact = topology();
     if (given_.has_target()) refine_to_target();
-    for (const Block& block : blocks_) report_.add(block.report);
-    const bool has_seams = blocks_.size() > 1;
-    if (has_seams) begin_stage(given_.observer, "weld");
-    WeldedMesh whole = weld(blocks_);
-    if (has_seams && !options_.stop_after_recover) {
-      refine_seams(run_, whole, options_.threads, given_.observer, report_);
+    // Where blocks were merged, the order would depend on which was refused first.
+    std::ranges::sort(blocks_, {}, [&](const Block& b) { return first_cell(b.box); });
+    if (cells_.size() > 1) {
+      begin_stage(given_.observer, "weld");
+      for_each_task(options_.threads, blocks_.size(),
+                    [&](std::size_t n) { mark_seam_work(blocks_[n]); });
     }
-    if (!given_.has_target()) require_room(whole.mesh.mesh.points.size());
+    Block whole = weld(blocks_, run_.source.shape.spacing(), [&](Index3 voxel) {
+      return !own_.holds(grid_.number_of(grid_.cell_of(voxel)));
+    });
+    if (cells_.size() > 1) {
+      if (!options_.stop_after_recover) {
+        const IsDue is_within = [&](std::span<const std::size_t> cells) {
+          return std::ranges::all_of(cells, [&](std::size_t cell) { return own_.holds(cell); });
+        };
+        refine_seams(run_, whole, is_within, options_.threads, given_.observer);
+      }
+      order_by_place(whole, grid_, run_.source.shape);
+    }
+    report_.add(whole.report);
+    require_room(whole, given_);
     return whole;
   }
 
  private:
-  // Poles of a block, and the order of the paper's insertions, are not those of the whole.
-  static int side(const Options& options, const Parameters& parameters, const Volume& volume) {
-    const bool is_one = options.recover == RecoverWay::paper || parameters.asks_for_poles() ||
-                        follower(parameters.observer) || volume.is_block();
-    if (is_one) return 0;
-    return options.block_side == Options::kUsualSide ? usual_block_side(volume)
-                                                     : options.block_side;
-  }
-
-  static Parameters in_block(Parameters p) {
-    p.observer = nullptr;
-    if (p.has_target()) p.max_vertices = Parameters::kNoTarget;
-    return p;
-  }
-
-  void require_room(std::size_t vertices) const {
-    if (vertices <= given_.max_vertices) return;
-    throw InputError(text("more than --max-vertices ", given_.max_vertices, " vertices needed"));
+  std::size_t first_cell(const SampleBox& box) const {
+    return grid_.number_of(grid_.cell_of(box.begin));
   }
 
   // Calls work(block) for the blocks with these numbers, those with the most crossings first.
   template <class Work>
   void for_each_block(std::vector<std::size_t> numbers, Work&& work) {
-    std::vector<std::size_t> weight(blocks_.size(), 0);
-    for_each_task(options_.threads, numbers.size(), [&](std::size_t n) {
-      weight[numbers[n]] = weight_of(run_.volume, run_.kappa, blocks_[numbers[n]].box);
-    });
+    std::vector<std::size_t> weight(blocks_.size(), 1);
+    if (const std::optional<Volume>& volume = run_.source.in_memory) {
+      for_each_task(options_.threads, numbers.size(), [&](std::size_t n) {
+        weight[numbers[n]] = weight_of(*volume, run_.kappa, blocks_[numbers[n]].box);
+      });
+    }
     std::ranges::stable_sort(numbers, std::ranges::greater(),
                              [&](std::size_t n) { return weight[n]; });
-    Observer* const observer = blocks_.size() > 1 ? given_.observer : nullptr;
+    Observer* const observer = cells_.size() > 1 ? given_.observer : nullptr;
     begin_stage(observer, "blocks");
     std::mutex mutex;
     std::size_t done = 0, left = std::accumulate(weight.begin(), weight.end(), std::size_t{0});
@@ -121,12 +161,17 @@ class BlockMesher {
   // Returns per block which of its components are kept; empty: all are.
   std::vector<std::vector<std::uint8_t>> choose_components() {
     if (kept_.empty() && options_.components.is_all()) return {};
-    std::vector<BlockComponents> components(blocks_.size());
-    for_each_task(options_.threads, blocks_.size(), [&](std::size_t n) {
-      const Volume volume = samples_of(run_.volume, blocks_[n].box);
+    std::vector<SampleBox> boxes;
+    for (const Block& block : blocks_) boxes.push_back(block.box);
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+      if (!own_.holds(cell)) boxes.push_back(cells_[cell]);
+    }
+    std::vector<BlockComponents> components(boxes.size());
+    for_each_task(options_.threads, boxes.size(), [&](std::size_t n) {
+      const Volume volume = run_.source.read(boxes[n]);
       components[n] = components_of(build_contour(volume, run_.kappa), volume);
     });
-    AllComponents known = joined(components, run_.volume.whole_dims());
+    AllComponents known = joined(components, run_.source.shape.dims());
     ContourSummary summary;
     summary.components = std::move(known.components);
     const std::vector<std::uint8_t> kept =
@@ -134,9 +179,9 @@ class BlockMesher {
     DELISO_CHECK(kept.size() == summary.components.size());
     report_[Counter::components_skipped] = static_cast<std::uint64_t>(std::ranges::count(kept, 0));
     std::vector<std::vector<std::uint8_t>> of_block;
-    for (const std::vector<std::uint32_t>& numbers : known.number) {
+    for (std::size_t n = 0; n < blocks_.size(); ++n) {
       std::vector<std::uint8_t>& own = of_block.emplace_back();
-      for (const std::uint32_t c : numbers) own.push_back(kept[c]);
+      for (const std::uint32_t c : known.number[n]) own.push_back(kept[c]);
     }
     return of_block;
   }
@@ -155,10 +200,12 @@ class BlockMesher {
     }
   }
 
-  void count_topology() {
+  TopologyCounts topology() const {
     std::vector<BlockComponents> components;
-    for (Block& block : blocks_) components.push_back(std::move(block.components));
-    report_.exact = joined(components, run_.volume.whole_dims()).topology;
+    for (const Block& block : blocks_) {
+      components.insert(components.end(), block.components.begin(), block.components.end());
+    }
+    return joined(components, run_.source.shape.dims()).topology;
   }
 
   // Returns the numbers of the new blocks.
@@ -169,11 +216,8 @@ class BlockMesher {
       if (block.refused == 0) continue;
       // An earlier merge may have taken it already.
       if (std::ranges::find(boxes, block.box) == boxes.end()) continue;
-      if (run_.volume.is_block()) {
-        throw InputError(
-            "the surface is too fine for a seam (another --seed may do, or other blocks)");
-      }
       const SampleBox box = merged(grid_, boxes, block.box, block.refused);
+      require_own(box);
       std::erase_if(boxes, [&](const SampleBox& other) { return is_in(other, box); });
       std::erase_if(fresh, [&](const SampleBox& other) { return is_in(other, box); });
       boxes.push_back(box);
@@ -190,6 +234,15 @@ class BlockMesher {
     }
     report_[Counter::seams_refused] += fresh.size();
     return numbers;
+  }
+
+  // A larger block across parts would have to be meshed by both.
+  void require_own(const SampleBox& box) const {
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+      if (own_.holds(cell) || !is_in(cells_[cell], box)) continue;
+      throw InputError(text("the surface is too fine for the seam between part ", part_.number,
+                            " of ", part_.of, " and another: try another --block-side"));
+    }
   }
 
   // Refines all blocks by bounds on the distance that shrink, until they have enough vertices or
@@ -226,8 +279,11 @@ class BlockMesher {
 
   const Options options_;
   const Parameters& given_;
-  Parameters parameters_;  // in blocks
   const BlockGrid grid_;
+  const std::vector<SampleBox> cells_;
+  const PartChoice part_;
+  const CellRun own_;
+  Parameters parameters_;  // in blocks
   const BlockRun run_;
   const std::vector<std::uint8_t> kept_;
   Report& report_;
@@ -236,10 +292,43 @@ class BlockMesher {
 
 }  // namespace
 
-WeldedMesh mesh_in_blocks(const Volume& volume, double kappa, const Options& options,
-                          const Parameters& parameters, std::vector<std::uint8_t> kept,
-                          Report& report) {
-  return BlockMesher(volume, kappa, options, parameters, std::move(kept), report).run();
+Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& options,
+                     const Parameters& parameters, std::vector<std::uint8_t> kept, PartChoice part,
+                     Report& report) {
+  return BlockMesher(source, kappa, options, parameters, std::move(kept), part, report).run();
+}
+
+Block join_parts(const VolumeSource& source, double kappa, const Options& options,
+                 const Parameters& parameters, std::vector<Block> parts, Report& report) {
+  const BlockGrid grid = grid_for(options, parameters, source.shape);
+  const Parameters in_blocks = in_block(parameters, true);
+  const BlockRun run{source, kappa, options, in_blocks, grid};
+  const std::size_t cells = grid.boxes().size();
+  std::vector<std::size_t> part_of(cells);
+  const int of = static_cast<int>(parts.size());
+  std::vector<Block> with_cells;
+  for (int number = 1; number <= of; ++number) {
+    const CellRun own = cells_of({number, of}, cells);
+    for (std::size_t n = own.begin; n < own.end; ++n) part_of[n] = with_cells.size();
+    if (own.begin < own.end) with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
+  }
+  begin_stage(parameters.observer, "weld");
+  Block whole = weld(with_cells, source.shape.spacing(), [](Index3) { return false; });
+  if (cells > 1) {
+    require_closed(whole);
+    const IsDue is_between = [&](std::span<const std::size_t> box) {
+      return std::ranges::any_of(
+          box, [&](std::size_t cell) { return part_of[cell] != part_of[box[0]]; });
+    };
+    if (!options.stop_after_recover) {
+      refine_seams(run, whole, is_between, options.threads, parameters.observer);
+    }
+    order_by_place(whole, grid, source.shape);
+  }
+  report.exact = joined(whole.components, source.shape.dims()).topology;
+  report.add(whole.report);
+  require_room(whole, parameters);
+  return whole;
 }
 
 }  // namespace deliso

@@ -8,16 +8,23 @@
 #include <vector>
 
 #include "blocks/block.h"
-#include "blocks/weld.h"
 
 namespace deliso {
 
-// Returns the mesh of {g = kappa}, refined at the seams, without caps. With a desired count it has
-// more vertices or triangles than desired, and all reference samples. `kept`: per component of the
-// whole contour, nonzero if it is kept; empty: options.components decides. Throws InputError beyond
-// --max-vertices.
-WeldedMesh mesh_in_blocks(const Volume& volume, double kappa, const Options& options,
-                          const Parameters& parameters, std::vector<std::uint8_t> kept,
-                          Report& report);
+// Returns the mesh of {g = kappa} in a part of the volume's cells, as a welded block. It is refined
+// at the seams within the part, and without caps. With a desired count it has more vertices or
+// triangles than desired, and all reference samples. `kept`: per component of the whole contour,
+// nonzero if it is kept; empty: options.components decides. pre: the source can be read where the
+// part is; everywhere, if components are chosen. Throws InputError beyond --max-vertices, and where
+// a seam between parts is refused.
+Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& options,
+                     const Parameters& parameters, std::vector<std::uint8_t> kept, PartChoice part,
+                     Report& report);
+
+// Returns the mesh of the whole from its parts, which are all there, in their order: welds them,
+// and refines at the seams between them. It is the one that mesh_in_blocks() makes of the whole.
+// Throws InputError if the parts do not fit together, or beyond --max-vertices.
+Block join_parts(const VolumeSource& source, double kappa, const Options& options,
+                 const Parameters& parameters, std::vector<Block> parts, Report& report);
 
 }  // namespace deliso

@@ -3,17 +3,30 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "base/sorted_list.h"
+#include "blocks/components.h"
 
 namespace deliso {
 namespace {
 
-// Returns the place of `id` in the ascending `ids`; kNoId if it is not there.
+// Ids in the whole, ascending, with those in the patch.
 template <class Id>
-Id place_in(std::span<const Id> ids, Id id) {
-  const auto at = std::ranges::lower_bound(ids, id);
-  return at != ids.end() && *at == id ? Id(at - ids.begin()) : Id(kNoId);
+using Numbers = std::vector<std::pair<Id, Id>>;
+
+template <class Id>
+Id number_in(const Numbers<Id>& numbers, Id in_whole) {
+  const auto at = std::ranges::lower_bound(numbers, in_whole, {}, &std::pair<Id, Id>::first);
+  return at != numbers.end() && at->first == in_whole ? at->second : Id(kNoId);
+}
+
+template <class Id>
+Numbers<Id> numbered(std::span<const Id> in_whole) {
+  Numbers<Id> numbers;
+  for (std::size_t n = 0; n < in_whole.size(); ++n) numbers.emplace_back(in_whole[n], Id(n));
+  std::ranges::sort(numbers);
+  return numbers;
 }
 
 // Returns for the elements of a patch, of which `ids` are those of the whole before, their ids in
@@ -43,35 +56,52 @@ void grow(Array& array, std::size_t size) {
 
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
   const auto holds = [&](VertexId v) { return patch.region.holds(whole.mesh.points[v]); };
-  const std::span<const FaceId> frozen = std::span(patch.facets).first(patch.region.first_free);
+  std::vector<VertexId>& vertices = patch.vertices;
   std::vector<VertexId> held;
-  for (FaceId f = 0; f < patch.facets.size(); ++f) {
-    if (f >= frozen.size()) places.facet[patch.facets[f]] = f;
-    for (const VertexId v : whole.mesh.faces[patch.facets[f]].v) {
-      (holds(v) ? held : patch.vertices).push_back(v);
+  for (const FaceId f : patch.facets) {
+    for (const VertexId v : whole.mesh.faces[f].v) (holds(v) ? held : vertices).push_back(v);
+  }
+  for (std::vector<VertexId>* const some : {&vertices, &held}) {
+    sort_unique(*some);
+    std::ranges::stable_sort(*some, {}, [&](VertexId v) { return by_place(whole.mesh.points[v]); });
+  }
+  const VertexId first_held(vertices.size());
+  const Numbers<VertexId> outside = numbered(std::span<const VertexId>(vertices));
+  vertices.insert(vertices.end(), held.begin(), held.end());
+  for (VertexId v = first_held; v < vertices.size(); ++v) places.vertex[vertices[v]] = v;
+  const auto local_vertex = [&](VertexId v) {
+    return holds(v) ? places.vertex[v] : number_in(outside, v);
+  };
+
+  // A frozen facet has a vertex outside, so those come first.
+  std::vector<std::pair<Face, FaceId>> facets;
+  for (const FaceId f : patch.facets) {
+    Face face = whole.mesh.faces[f];
+    for (VertexId& v : face.v) v = local_vertex(v);
+    turn(face);
+    facets.emplace_back(face, f);
+  }
+  std::ranges::sort(facets, {}, [](const auto& facet) { return facet.first.v; });
+  SurfaceMesh& s = patch.mesh;
+  patch.region.first_free = 0;
+  for (FaceId n = 0; n < facets.size(); ++n) {
+    const auto& [face, f] = facets[n.number()];
+    patch.facets[n.number()] = f;
+    if (face.v[0] < first_held) {
+      patch.region.first_free = FaceId(n.number() + 1);
+    } else {
+      places.facet[f] = n;
     }
   }
-  sort_unique(patch.vertices);
-  const std::vector<VertexId> outside = patch.vertices;
-  for (const VertexId v : held) places.vertex[v] = kNoId;
-  for (const VertexId v : held) {
-    if (places.vertex[v] != kNoId) continue;
-    places.vertex[v] = VertexId(patch.vertices.size());
-    patch.vertices.push_back(v);
-  }
-  const auto local_vertex = [&](VertexId v) {
-    return holds(v) ? places.vertex[v] : place_in(std::span<const VertexId>(outside), v);
-  };
+  const Numbers<FaceId> frozen =
+      numbered(std::span<const FaceId>(patch.facets).first(patch.region.first_free.number()));
   const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
-  const auto local_facet = [&](FaceId f) {
-    return f == kNoId ? f : is_free(f) ? places.facet[f] : place_in(frozen, f);
-  };
-  SurfaceMesh& s = patch.mesh;
-  for (const VertexId v : patch.vertices) s.mesh.points.push_back(whole.mesh.points[v]);
-  for (const FaceId f : patch.facets) {
-    Face& face = s.mesh.faces.emplace_back(whole.mesh.faces[f]);
-    for (VertexId& v : face.v) v = local_vertex(v);
-    for (FaceId& g : face.n) g = local_facet(g);
+  for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
+  for (const auto& [face, f] : facets) {
+    Face& own = s.mesh.faces.emplace_back(face);
+    for (FaceId& g : own.n) {
+      if (g != kNoId) g = is_free(g) ? places.facet[g] : number_in(frozen, g);
+    }
     s.duals.push_back(whole.duals[f]);
   }
   // The ends of an open chain are their own neighbors.
@@ -137,9 +167,10 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
       whole.duals[facet[f]] = patch.mesh.duals[f];
       for (VertexId& v : face.v) v = vertex[v];
     }
-    // A frozen facet may have neighbors outside the patch.
+    // A frozen facet may have neighbors outside the patch, and begin with another vertex there.
+    const int first = corner_index(face, vertex[own.v[0]]);
     for (int i = 0; i < 3; ++i) {
-      if (own.n[i] != kNoId) face.n[i] = facet[own.n[i]];
+      if (own.n[i] != kNoId) face.n[(first + i) % 3] = facet[own.n[i]];
     }
   }
   return facet;

@@ -15,7 +15,8 @@ namespace deliso {
 struct MeshPatch {
   Region region;
   // In the whole mesh: the frozen facets, then those in the region; the vertices outside the
-  // region, then those in it. What is outside is ascending.
+  // region, then those in it. Each in the order of their places, so that what is done to the patch
+  // does not depend on the whole's ids.
   std::vector<FaceId> facets;
   std::vector<VertexId> vertices;
   // Its own mesh, by extract(). The chain may be open: then its ends are their own neighbors.
@@ -33,7 +34,8 @@ struct PlacesInPatches {
   IdArray<VertexId, VertexId> vertex;
 };
 
-// Sets patch.vertices and patch.mesh. Writes only the places of what the patch's region holds, so
+// Puts patch.facets in order, and sets the region's first_free, patch.vertices and patch.mesh; facets
+// begin with their first vertex in that order. Writes only the places of what the patch's region holds, so
 // several patches may be extracted at once.
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 

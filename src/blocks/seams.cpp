@@ -56,7 +56,7 @@ class Intervals {
 class RoundBoxes {
  public:
   RoundBoxes(const BlockRun& run, std::size_t round)
-      : round_(round), axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
+      : grid_(run.grid), round_(round), axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
 
   std::size_t size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
 
@@ -86,6 +86,24 @@ class RoundBoxes {
     }
   }
 
+  // Returns the cells that the box lies in, by their numbers in the grid.
+  std::vector<std::size_t> cells(std::size_t number) const {
+    const std::array<std::size_t, 3> at = intervals(number);
+    std::vector<std::size_t> cells;
+    for (int corner = 0; corner < 8; ++corner) {
+      Index3 cell;
+      bool is_new = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto interval = at[static_cast<std::size_t>(axis)];
+        const int beyond = corner >> axis & 1;
+        is_new &= beyond == 0 || (interval & 1) != 0;
+        cell[axis] = static_cast<int>(interval / 2) + beyond;
+      }
+      if (is_new) cells.push_back(grid_.number_of(cell));
+    }
+    return cells;
+  }
+
   Region region(std::size_t number) const {
     const auto [i, j, k] = intervals(number);
     return {0,
@@ -95,7 +113,7 @@ class RoundBoxes {
 
  private:
   static Intervals axis(const BlockRun& run, int a, std::size_t round) {
-    return {run.grid.planes[static_cast<std::size_t>(a)], run.volume.spacing()[a], round};
+    return {run.grid.planes[static_cast<std::size_t>(a)], run.source.shape.spacing()[a], round};
   }
   std::array<std::size_t, 3> intervals(std::size_t number) const {
     const std::size_t rest = number / axes_[0].size();
@@ -108,6 +126,7 @@ class RoundBoxes {
     return i + axes_[0].size() * (j + axes_[1].size() * k);
   }
 
+  const BlockGrid& grid_;
   std::size_t round_;
   std::array<Intervals, 3> axes_;
 };
@@ -115,11 +134,11 @@ class RoundBoxes {
 // Returns the samples in the region and some around it.
 SampleBox samples_around(const BlockRun& run, const Region& region) {
   SampleBox box;
-  const Index3 first = run.volume.first(), last = run.volume.voxels();
-  const Vec3 spacing = run.volume.spacing();
+  const Index3 last = run.source.shape.voxels();
+  const Vec3 spacing = run.source.shape.spacing();
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = first[axis], high = first[axis] + last[axis];
-    const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, low, high)); };
+    const double high = last[axis];
+    const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, high)); };
     box.begin[axis] = clamped(std::floor(region.lo[axis] / spacing[axis]) - kMarginSamples);
     box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kMarginSamples);
   }
@@ -129,20 +148,16 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
 // What of the mesh is left to do at the seams.
 class SeamWork {
  public:
-  SeamWork(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer, Report& report)
+  SeamWork(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
+           Observer* observer)
       : run_(run),
         whole_(whole),
+        is_due_(is_due),
         threads_(threads),
         observer_(observer),
-        report_(report),
-        is_open_(whole.mesh.mesh.faces.size(), 0),
-        samples_(std::exchange(whole.samples_near_seams, {})) {
-    const IdArray<FaceId, Face>& faces = whole.mesh.mesh.faces;
-    for (FaceId f = 0; f < faces.size(); ++f) {
-      for (const VertexId v : faces[f].v) is_open_[f] |= whole.on_seam[v];
-    }
-    may_thin_ = with_neighbors(with_neighbors(whole.on_seam));
-  }
+        is_open_(whole.is_open),
+        may_thin_(whole.may_thin),
+        samples_(whole.samples_near_seams) {}
 
   void round(std::size_t number) {
     const RoundBoxes boxes(run_, number);
@@ -166,15 +181,6 @@ class SeamWork {
   }
 
  private:
-  IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint8_t>& some) {
-    IdArray<VertexId, std::uint8_t> more = some;
-    for (const Face& face : whole_.mesh.mesh.faces) {
-      if (some[face.v[0]] + some[face.v[1]] + some[face.v[2]] == 0) continue;
-      for (const VertexId v : face.v) more[v] = 1;
-    }
-    return more;
-  }
-
   Box3 box_of_facet(FaceId f) const {
     const Triangle& v = whole_.mesh.mesh.faces[f].v;
     const std::vector<Vec3>& p = whole_.mesh.mesh.points;
@@ -203,6 +209,7 @@ class SeamWork {
       for_each_box(f, [&](std::size_t box) { number[box] = 0; });
     }
     for (std::size_t box = 0; box < number.size(); ++box) {
+      if (number[box] != kNoId && !is_due_(boxes.cells(box))) number[box] = kNoId;
       if (number[box] == kNoId) continue;
       number[box] = static_cast<std::uint32_t>(patches.size());
       patches.emplace_back().region = boxes.region(box);
@@ -227,32 +234,19 @@ class SeamWork {
   }
 
   void refine_patch(MeshPatch& patch) {
-    freeze_others(patch);
     extract(whole_.mesh, patch, places_);
+    for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
     for (VertexId v = 0; v < patch.vertices.size(); ++v) {
       const VertexId in_whole = patch.vertices[v];
       if (may_thin_[in_whole] != 0 && patch.region.holds(whole_.mesh.mesh.points[in_whole])) {
         patch.thin.push_back(v);
       }
     }
-    const BoxSurface at(samples_of(run_.volume, samples_around(run_, patch.region)), run_.kappa,
+    const BoxSurface at(run_.source.read(samples_around(run_, patch.region)), run_.kappa,
                         run_.options.cubic);
     patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
                                 run_.parameters, patch.report,
                                 {patch.region, std::move(patch.is_done), std::move(patch.thin)});
-  }
-
-  // Frozen facets first. A facet is done unless it is open work.
-  void freeze_others(MeshPatch& patch) const {
-    const TriMesh& mesh = whole_.mesh.mesh;
-    const auto is_frozen = [&](FaceId f) {
-      return std::ranges::any_of(mesh.faces[f].v,
-                                 [&](VertexId v) { return !patch.region.holds(mesh.points[v]); });
-    };
-    const auto first_free =
-        std::stable_partition(patch.facets.begin(), patch.facets.end(), is_frozen);
-    patch.region.first_free = FaceId(first_free - patch.facets.begin());
-    for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
   }
 
   void take(MeshPatch patch) {
@@ -271,28 +265,27 @@ class SeamWork {
       is_open_[facets[f]] = !patch.is_done[f] ||
                             (was_open && !patch.region.holds(dual.center, std::sqrt(dual.radius2)));
     }
-    report_.add(patch.report);
+    whole_.report.add(patch.report);
   }
 
   const BlockRun& run_;
-  WeldedMesh& whole_;
+  Block& whole_;
+  const IsDue& is_due_;
   const int threads_;
   Observer* const observer_;
-  Report& report_;
-  IdArray<FaceId, std::uint8_t> is_open_;     // to be refined
-  IdArray<VertexId, std::uint8_t> may_thin_;  // to be thinned
+  IdArray<FaceId, std::uint8_t>& is_open_;
+  IdArray<VertexId, std::uint8_t>& may_thin_;
   PlacesInPatches places_;
   std::size_t boxes_done_ = 0;
-  std::vector<Vec3> samples_;  // not yet held against the mesh
+  std::vector<Vec3>& samples_;  // not yet held against the mesh
 };
 
 }  // namespace
 
-void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer,
-                  Report& report) {
-  SeamWork work(run, whole, threads, observer, report);
+void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
+                  Observer* observer) {
+  SeamWork work(run, whole, is_due, threads, observer);
   for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.round(round);
-  remove_dead(whole.mesh);
 }
 
 }  // namespace deliso

@@ -9,17 +9,26 @@
 // samples. Its facets are those that lie in it. Other facets that reach into it are visible to the
 // gates, and frozen. So facets of two boxes never meet, and the gates of refine/refinement.h hold.
 // Boxes follow from the grid alone, so the result is the same with any number of threads.
+//
+// Nothing in a box depends on ids: its facets and vertices are in the order of their places. Boxes
+// that depend on each other share a point, so a process may refine those that lie in its blocks,
+// and leave the others to the one that has all blocks. The mesh is the same.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "blocks/block.h"
-#include "blocks/weld.h"
 
 namespace deliso {
 
-// Refines at the seams. Dead facets and unused vertices are removed. Adds what was done to
-// `report`. Tells the observer, which may be null, of each box; stage "seams" begins whenever boxes
-// are refined side by side.
-void refine_seams(const BlockRun& run, WeldedMesh& whole, int threads, Observer* observer,
-                  Report& report);
+// True for a box that is to be refined, by the numbers of the cells (blocks/grid.h) it lies in.
+using IsDue = std::function<bool(std::span<const std::size_t> cells)>;
+
+// Refines at the seams of welded blocks, in the boxes that are due. Dead facets and unused vertices
+// stay. Adds what was done to whole.report. Tells the observer, which may be null, of each box;
+// stage "seams" begins whenever boxes are refined side by side.
+void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
+                  Observer* observer);
 
 }  // namespace deliso

@@ -2,6 +2,7 @@
 #include "blocks/weld.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -11,8 +12,8 @@
 namespace deliso {
 namespace {
 
-// A part of a block's loop outside the seams: its arcs from point `first` on, counted on past the
-// loop's end.
+// A part of a block's loop outside the seams that are welded: its arcs from point `first` on,
+// counted on past the loop's end.
 struct OuterRun {
   std::uint32_t block, loop;
   std::size_t first, arcs;
@@ -20,22 +21,49 @@ struct OuterRun {
   double place = 0;
 };
 
-std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks) {
+// Returns the voxel on the other side of the block's inner face that has arc i of the loop.
+Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
+                    const Vec3& spacing) {
+  const Vec3 middle = 0.5 * (loop.points[i] + loop.points[(i + 1) % loop.points.size()]);
+  const BoxFace face = loop.faces[i];
+  Index3 voxel;
+  for (int axis = 0; axis < 3; ++axis) {
+    voxel[axis] = std::clamp(static_cast<int>(middle[axis] / spacing[axis]),
+                             block.box.begin[axis], block.box.end[axis] - 1);
+  }
+  const int across = axis_of(face);
+  voxel[across] = (face & 1) != 0 ? block.box.end[across] : block.box.begin[across] - 1;
+  return voxel;
+}
+
+// Returns per arc: nonzero if it lies on a seam that is welded.
+std::vector<std::uint8_t> welded_arcs(const Block& block, const BoundaryLoop& loop,
+                                      const Vec3& spacing, const IsElsewhere& is_elsewhere) {
+  std::vector<std::uint8_t> welded = loop.fixed;
+  for (std::size_t i = 0; i < welded.size(); ++i) {
+    if (welded[i] != 0 && is_elsewhere(voxel_beyond(block, loop, i, spacing))) welded[i] = 0;
+  }
+  return welded;
+}
+
+std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& spacing,
+                                 const IsElsewhere& is_elsewhere) {
   std::vector<OuterRun> runs;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
     if (!blocks[b].loops) continue;
     const BoundaryLoops& loops = *blocks[b].loops;
     for (std::uint32_t l = 0; l < loops.size(); ++l) {
-      const std::vector<std::uint8_t>& fixed = loops[l].fixed;
-      const std::size_t n = fixed.size();
-      if (std::ranges::find(fixed, 1) == fixed.end()) {
+      const std::vector<std::uint8_t> welded =
+          welded_arcs(blocks[b], loops[l], spacing, is_elsewhere);
+      const std::size_t n = welded.size();
+      if (std::ranges::find(welded, 1) == welded.end()) {
         runs.push_back({b, l, 0, n});
         continue;
       }
       for (std::size_t i = 0; i < n; ++i) {
-        if (fixed[i] != 0 || fixed[(i + n - 1) % n] == 0) continue;
+        if (welded[i] != 0 || welded[(i + n - 1) % n] == 0) continue;
         std::size_t end = i;
-        while (fixed[end % n] == 0) ++end;
+        while (welded[end % n] == 0) ++end;
         runs.push_back({b, l, i, end - i});
       }
     }
@@ -45,9 +73,10 @@ std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks) {
 
 class Welder {
  public:
-  explicit Welder(std::vector<Block>& blocks) : blocks_(blocks), runs_(outer_runs(blocks)) {}
+  Welder(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere)
+      : blocks_(blocks), runs_(outer_runs(blocks, spacing, is_elsewhere)) {}
 
-  WeldedMesh weld() {
+  Block weld() {
     join_loops();
     number_vertices();
     std::vector<std::vector<std::pair<double, VertexId>>> chains(loops_.size());
@@ -100,30 +129,26 @@ class Welder {
         OuterRun& run = runs_[r];
         run.whole = number;
         run.place = static_cast<double>(whole.points.size());
-        const std::vector<BoxFace>& faces = loop(run).faces;
+        const BoundaryLoop& own = loop(run);
         for (std::size_t i = 0; i < run.arcs; ++i) {
-          whole.points.push_back(point(run, i));
-          whole.faces.push_back(faces[(run.first + i) % faces.size()]);
+          const std::size_t at = (run.first + i) % own.points.size();
+          whole.points.push_back(own.points[at]);
+          whole.faces.push_back(own.faces[at]);
+          whole.fixed.push_back(own.fixed[at]);
+          whole.kept.push_back(own.kept[at]);
         }
         const auto next = begins.find(by_place(point(run, run.arcs)));
         DELISO_CHECK(next != begins.end());
         r = next->second;
       }
+      // What was kept for a seam that is welded is so no more.
       const std::size_t n = whole.points.size();
-      whole.fixed.resize(n, 0);
       for (std::size_t i = 0; i < n; ++i) {
-        whole.kept.push_back(whole.faces[i] != whole.faces[(i + n - 1) % n]);
+        const std::size_t before = (i + n - 1) % n;
+        if (whole.fixed[i] != 0 || whole.fixed[before] != 0) continue;
+        whole.kept[i] = whole.faces[i] != whole.faces[before];
       }
     }
-  }
-
-  bool is_on_seam(const Block& block, VertexId v) const {
-    if (!block.mesh.chain.is_boundary(v)) return false;
-    const auto [number, s] = block.mesh.chain.place(v);
-    const std::vector<std::uint8_t>& fixed = (*block.loops)[number].fixed;
-    const auto at = static_cast<std::size_t>(s);
-    if (fixed[at] != 0) return true;
-    return s == static_cast<double>(at) && fixed[(at + fixed.size() - 1) % fixed.size()] != 0;
   }
 
   // Numbers the vertices of all blocks in order. Vertices at one place of a seam have one number.
@@ -156,11 +181,11 @@ class Welder {
         if (id == kNoId) id = VertexId(count++);
       }
     }
-    out_.on_seam.resize(count, 0);
+    on_seam_.resize(count, 0);
     for (std::size_t n = 0; n < seam.size(); ++n) {
       const VertexId id = new_id_[seam[first[n]].block][seam[first[n]].vertex];
       new_id_[seam[n].block][seam[n].vertex] = id;
-      out_.on_seam[id] = 1;
+      on_seam_[id] = 1;
     }
     vertices_ = count;
   }
@@ -188,10 +213,15 @@ class Welder {
     SurfaceMesh& whole = out_.mesh;
     whole.mesh.points.reserve(with_room(vertices_));
     whole.mesh.points.resize(vertices_);
+    out_.may_thin.resize(vertices_, 0);
     std::size_t facets = 0;
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
       IdArray<VertexId, Vec3> points = std::move(blocks_[b].mesh.mesh.points);
-      for (VertexId v = 0; v < points.size(); ++v) whole.mesh.points[new_id_[b][v]] = points[v];
+      const IdArray<VertexId, std::uint8_t> may_thin = std::move(blocks_[b].may_thin);
+      for (VertexId v = 0; v < points.size(); ++v) {
+        whole.mesh.points[new_id_[b][v]] = points[v];
+        out_.may_thin[new_id_[b][v]] |= may_thin[v];
+      }
       facets += blocks_[b].mesh.mesh.faces.size();
     }
     whole.mesh.faces.reserve(with_room(facets));
@@ -218,17 +248,22 @@ class Welder {
       }
       for (int i = 0; i < 3; ++i) {
         const VertexId p = face.v[(i + 1) % 3], q = face.v[(i + 2) % 3];
-        if (face.n[i] != kNoId || !out_.on_seam[p] || !out_.on_seam[q]) continue;
+        if (face.n[i] != kNoId || !on_seam_[p] || !on_seam_[q]) continue;
         edges_.push_back({std::min(p, q), std::max(p, q), f, i});
       }
       whole.push_back(face);
     }
-    const auto take = [](std::vector<Vec3>& from, std::vector<Vec3>& to) {
+    const auto take = [](auto& from, auto& to) {
       to.insert(to.end(), from.begin(), from.end());
-      std::vector<Vec3>().swap(from);
+      std::exchange(from, {});
     };
     take(blocks_[b].samples_near_seams, out_.samples_near_seams);
     take(blocks_[b].samples, out_.samples);
+    take(blocks_[b].is_open, out_.is_open);
+    out_.components.insert(out_.components.end(),
+                           std::move_iterator(blocks_[b].components.begin()),
+                           std::move_iterator(blocks_[b].components.end()));
+    out_.report.add(blocks_[b].report);
   }
 
   // An edge between two vertices of seams may also be one of the box.
@@ -252,19 +287,18 @@ class Welder {
   std::vector<IdArray<VertexId, VertexId>> new_id_;
   std::size_t vertices_ = 0;  // of the whole
   std::vector<HalfEdge> edges_;
-  WeldedMesh out_;
+  IdArray<VertexId, std::uint8_t> on_seam_;
+  Block out_;
 };
 
 }  // namespace
 
-WeldedMesh weld(std::vector<Block>& blocks) {
-  // One block may be a part of a larger volume: its seams stay, for other programs to weld.
-  if (Block& only = blocks[0]; blocks.size() == 1) {
-    IdArray<VertexId, std::uint8_t> on_seam(only.mesh.mesh.points.size(), 0);
-    return {std::move(only.mesh), only.loops ? only.loops : std::make_shared<const BoundaryLoops>(),
-            std::move(on_seam), std::move(only.samples_near_seams), std::move(only.samples)};
+Block weld(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere) {
+  if (blocks.size() == 1) {
+    if (!blocks[0].loops) blocks[0].loops = std::make_shared<const BoundaryLoops>();
+    return std::move(blocks[0]);
   }
-  return Welder(blocks).weld();
+  return Welder(blocks, spacing, is_elsewhere).weld();
 }
 
 }  // namespace deliso

@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Welds the meshes of blocks. Blocks that meet have the same vertices on their seam, to the last
-// bit, and nothing else of either lies in the face between them (J1 and J2 of blocks/seam.h). So
-// vertices at one place are one vertex, and every edge of a seam has one facet on either side. The
-// boundary curves of blocks continue each other on the box, and are joined into loops of the whole.
+// Welds the meshes of blocks into one. Blocks that meet have the same vertices on their seam, to
+// the last bit, and nothing else of either lies in the face between them (J1 and J2 of
+// blocks/seam.h). So vertices at one place are one vertex, and every edge of a seam has one facet
+// on either side. The boundary curves of blocks continue each other, and are joined into loops of
+// the whole: on the box, and along seams to blocks that are not there.
 #pragma once
 
-#include <cstdint>
-#include <memory>
+#include <functional>
 #include <vector>
 
 #include "blocks/block.h"
 
 namespace deliso {
 
-struct WeldedMesh {
-  SurfaceMesh mesh;
-  std::shared_ptr<const BoundaryLoops> loops;  // of its chain
-  IdArray<VertexId, std::uint8_t> on_seam;     // per vertex: nonzero on a seam
-  std::vector<Vec3> samples_near_seams, samples;
-};
+// True if the cell (blocks/grid.h) with this voxel is in another part, so that seams to it stay.
+using IsElsewhere = std::function<bool(Index3 voxel)>;
 
-// Empties the blocks. pre: they cover the volume, and none is refused.
-WeldedMesh weld(std::vector<Block>& blocks);
+// Returns the blocks as one. Empties them. Their order is that of the result's vertices and facets.
+// pre: there is a block; none is refused; the work at seams is marked.
+Block weld(std::vector<Block>& blocks, const Vec3& spacing, const IsElsewhere& is_elsewhere);
 
 }  // namespace deliso

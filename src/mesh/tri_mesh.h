@@ -12,6 +12,7 @@
 // Facets are counter-clockwise seen from the side where f < kappa.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -63,6 +64,13 @@ inline int corner_index(const Face& f, VertexId v) {
 
 inline bool has_corner(const Triangle& t, VertexId v) {
   return t[0] == v || t[1] == v || t[2] == v;
+}
+
+// Turns the facet so that its first corner is the one with the smallest id.
+inline void turn(Face& face) {
+  const auto shift = std::ranges::min_element(face.v) - face.v.begin();
+  std::ranges::rotate(face.v, face.v.begin() + shift);
+  std::ranges::rotate(face.n, face.n.begin() + shift);
 }
 
 // The two facets at the edge of f opposite its corner i. Corner a is that one, the edge runs from b

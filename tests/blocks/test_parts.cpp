@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// A volume meshed in parts has the mesh of one process. tests/stress/parts.cpp has storms.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/check.h"
+#include "blocks/grid.h"
+#include "deliso/deliso.h"
+#include "mesh_parts.h"
+#include "stress/tiny_volume.h"
+
+using namespace deliso;
+using stress::make_tiny_volume;
+
+namespace {
+
+bool share_a_face(Index3 a, Index3 b) {
+  return std::abs(a.i - b.i) + std::abs(a.j - b.j) + std::abs(a.k - b.k) == 1;
+}
+
+}  // namespace
+
+TEST_CASE("cells follow each other across faces, and those of a part that meet at an edge meet at "
+          "a face") {
+  for (const Index3 dims : {Index3{5, 4, 3}, Index3{2, 3, 4}, Index3{3, 3, 1}, Index3{1, 5, 2}}) {
+    const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}},
+                                                {4 * dims.i + 1, 4 * dims.j + 1, 4 * dims.k + 1},
+                                                [](const Vec3& p) { return p.x; });
+    const BlockGrid grid(volume, 4);
+    REQUIRE(grid.cells() == dims);
+    std::vector<Index3> order;
+    const std::vector<SampleBox> boxes = grid.boxes();
+    for (std::size_t n = 0; n < boxes.size(); ++n) {
+      order.push_back(grid.cell_of(boxes[n].begin));
+      CHECK(grid.number_of(order[n]) == n);
+      if (n > 0) CHECK(share_a_face(order[n - 1], order[n]));
+    }
+    for (std::size_t a = 0; a < order.size(); ++a) {
+      for (std::size_t b = a + 1; b < order.size(); ++b) {
+        const Index3 p = order[a], q = order[b];
+        const int steps[] = {std::abs(p.i - q.i), std::abs(p.j - q.j), std::abs(p.k - q.k)};
+        if (std::ranges::count(steps, 1) != 2 || std::ranges::count(steps, 0) != 1) continue;
+        const auto is_between = [&](std::size_t n) {
+          return share_a_face(order[n], p) && share_a_face(order[n], q);
+        };
+        // The smallest run that has both.
+        bool any = false;
+        for (std::size_t n = a + 1; n < b; ++n) any |= is_between(n);
+        CHECK(any);
+      }
+    }
+  }
+}
+
+TEST_CASE("parts are contiguous and hold every cell once") {
+  for (const std::size_t cells : {1u, 7u, 64u}) {
+    for (const int of : {1, 3, 64, 100}) {
+      std::size_t next = 0;
+      for (int number = 1; number <= of; ++number) {
+        const CellRun run = cells_of({number, of}, cells);
+        CHECK(run.begin == next);
+        next = run.end;
+      }
+      CHECK(next == cells);
+    }
+  }
+}
+
+TEST_CASE("parts have the mesh of one process, caps and chosen components included") {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const auto tiny = make_tiny_volume(seed, 8, 20);
+    Options options;
+    options.block_side = 4 + static_cast<int>(seed % 5);
+    options.cap = seed % 3 == 0;
+    if (seed % 4 == 0) options.components.largest = 2;
+    Report whole_report, report;
+    const TriMesh whole = mesh_isosurface(tiny.volume, tiny.isovalue, options, whole_report);
+    const VolumeSource source = source_of(tiny.volume);
+    const int of = 2 + static_cast<int>(seed % 6);
+    CAPTURE(seed);
+    std::vector<Block> parts;
+    try {
+      for (int n = 1; n <= of; ++n) {
+        parts.push_back(mesh_part(source, tiny.isovalue, options, {n, of}, report));
+      }
+    } catch (const InputError&) {
+      continue;  // a seam between parts that is refused
+    }
+    const TriMesh joined =
+        mesh_of_parts(source, tiny.isovalue, options, std::move(parts), report);
+    CHECK(std::ranges::equal(joined.points, whole.points));
+    CHECK(std::ranges::equal(joined.faces, whole.faces, {}, &Face::v, &Face::v));
+    CHECK(report.exact == whole_report.exact);
+    ++compared;
+  }
+  CHECK(compared >= 50);
+}
