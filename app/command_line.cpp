@@ -197,40 +197,52 @@ void check_picture(CommandLine& line) {
   }
 }
 
-void check_join(const CommandLine& line) {
-  if (line.meshes.empty()) throw InputError("no parts given: deliso join PART... -o WHOLE.ply");
-  if (line.output.empty()) throw InputError("no whole named: -o FILE.ply, or -o -");
-  if (std::count(line.meshes.begin(), line.meshes.end(), "-") > 0) {
-    throw InputError("parts are read more than once, so none can come from standard input");
+// Determines the format of the mesh's file, and refuses what it cannot hold.
+void check_file(CommandLine& line) {
+  if (!line.output.empty() && !line.write.format && !line.part) {
+    line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
   }
-  if (line.output != "-" && mesh_format_of(line.output) != MeshFormat::ply) {
-    throw InputError("cannot write " + quote(line.output) + ": parts are joined to PLY");
+  if (line.write.ascii && line.write.format != MeshFormat::ply) {
+    throw InputError("--ply-ascii needs PLY output");
+  }
+  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
+    throw InputError("--attributes needs PLY, VTP or GLB output");
   }
 }
 
-// Refuses options that a block cannot have. A block is meshed from its samples alone, so no option
-// may need all of the volume or change the mesh at the block's faces.
+void check_join(CommandLine& line) {
+  if (line.meshes.empty()) {
+    throw InputError("no parts given: deliso join PART... --volume INPUT -o MESH");
+  }
+  if (line.input.empty()) throw InputError("no volume given: --volume INPUT, that of the parts");
+  if (line.output.empty()) throw InputError("no mesh named: -o FILE, or -o -");
+  check_streams(line);
+  check_file(line);
+}
+
+// Refuses options that a part cannot have: of the file that a mesh is written to, and those that
+// need all of the mesh (mesh_parts.h), by their names.
 template <class Given>
-void check_block(const CommandLine& line, const Given& given) {
-  if (!line.read.block) return;
-  constexpr std::string_view kNotWithBlock[] = {
-      "--roi",           "--median",     "--smooth",    "--label",     "--cap",
-      "--min-component", "--largest",    "--vertices",  "--triangles", "--paper",
-      "--single-stage",  "--stop-after", "--attributes"};
-  const auto refuse = [](const std::string& other) {
-    throw InputError("--block and " + other + " exclude each other");
+void check_part(CommandLine& line, const Given& given) {
+  if (!line.part) return;
+  const auto refuse = [](std::string_view other) {
+    throw InputError(text("--part and ", other, " exclude each other"));
   };
-  for (const std::string_view other : kNotWithBlock) {
-    if (given(other)) refuse(std::string(other));
+  constexpr std::string_view kOfAll[] = {"--vertices", "--triangles", "--eps2", "--paper"};
+  for (const std::string_view other : kOfAll) {
+    if (given(other)) refuse(other);
   }
   if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
   if (line.method == Method::marching_cubes) refuse("--method marching-cubes");
-  if (line.options.r_min.unit == Length::Unit::box) {
-    throw InputError("--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
+  if (line.field.all_labels) refuse("--label all");
+  constexpr std::string_view kOfJoin[] = {"--float",      "--double", "--ply-ascii", "--format",
+                                          "--attributes", "--check",  "--json"};
+  for (const std::string_view other : kOfJoin) {
+    if (given(other)) {
+      throw InputError(text("--part and ", other, " exclude each other: give it to deliso join"));
+    }
   }
-  if (line.write.format.value_or(MeshFormat::ply) != MeshFormat::ply) {
-    throw InputError("--block writes parts as PLY, which alone holds what joins them");
-  }
+  if (line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
 }
 
 // Checks the conditions between options, after all are read.
@@ -253,15 +265,7 @@ void check_combination(CommandLine& line) {
     throw InputError("the mesh and the JSON cannot both go to standard output");
   }
   if (line.command == Command::trace) return check_page_name(line);
-  if (!line.output.empty() && !line.write.format) {
-    line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
-  }
-  if (line.write.ascii && line.write.format != MeshFormat::ply) {
-    throw InputError("--ply-ascii needs PLY output");
-  }
-  if (line.attributes && !(line.write.format && holds_attributes(*line.write.format))) {
-    throw InputError("--attributes needs PLY, VTP or GLB output");
-  }
+  check_file(line);
 }
 
 // --vertices and --triangles choose the bound on the distance in Stage 2. They exclude options that
@@ -362,6 +366,8 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
       throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
     }
     spec.apply(line, spec.name, value);
+    line.words.push_back(spec.argument.empty() ? std::string(spec.name)
+                                               : text(spec.name, "=", value));
     line.help_of = named;
     if (line.command == Command::help || line.command == Command::version) return line;
   }
@@ -382,7 +388,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   if (line.read.raw && line.read.spacing) line.read.raw->spacing = *line.read.spacing;
   check_labels(line);
   check_combination(line);
-  check_block(line, given);
+  check_part(line, given);
   return line;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "blocks/grid.h"
 #include "deliso/options.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
@@ -57,6 +58,8 @@ struct CommandLine {
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
   std::optional<double> isovalue;
+  std::optional<PartChoice> part;  // only this part is meshed
+  std::vector<std::string> words;  // the options as they were given, as --name=value or --name
   ReadOptions read;
   FieldOptions field;
   MeshWriteOptions write;  // its format is set if there is an output

@@ -21,27 +21,6 @@ double in_voxels(const Length& length, const Volume& volume) {
   return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / volume.voxel();
 }
 
-// Returns the standard deviations in samples along the axes.
-Vec3 sigma_of(const Length& length, const Volume& volume) {
-  Vec3 sigma;
-  int widest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    sigma[axis] = in_voxels(length, volume) * volume.voxel() / volume.spacing()[axis];
-    // Written so that what overflows is refused.
-    if (!(sigma[axis] <= kLargestSigma)) {
-      throw InputError(text("--smooth is ", rounded(sigma[axis]), " samples along ",
-                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
-                            ", and must be at most ", kLargestSigma));
-    }
-    widest = std::max(widest, gaussian_radius(sigma[axis]));
-  }
-  if (widest == 0) {
-    throw InputError(
-        "--smooth is less than an eighth of a sample along all axes: that changes nothing");
-  }
-  return sigma;
-}
-
 std::string list_of(std::span<const std::int64_t> labels, std::string_view separator) {
   std::string list;
   for (const std::int64_t label : labels) {
@@ -77,6 +56,26 @@ LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions&
 }
 
 }  // namespace
+
+Vec3 sigma_of(const Length& smooth, const Volume& volume) {
+  Vec3 sigma;
+  int widest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    sigma[axis] = in_voxels(smooth, volume) * volume.voxel() / volume.spacing()[axis];
+    // Written so that what overflows is refused.
+    if (!(sigma[axis] <= kLargestSigma)) {
+      throw InputError(text("--smooth is ", rounded(sigma[axis]), " samples along ",
+                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
+                            ", and must be at most ", kLargestSigma));
+    }
+    widest = std::max(widest, gaussian_radius(sigma[axis]));
+  }
+  if (widest == 0) {
+    throw InputError(
+        "--smooth is less than an eighth of a sample along all axes: that changes nothing");
+  }
+  return sigma;
+}
 
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads) {

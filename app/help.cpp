@@ -90,11 +90,11 @@ std::string usage(Command command) {
       return text.append(kVolumes);
     case Command::join:
       text =
-          "usage: deliso join PART.ply [PART.ply ...] -o WHOLE.ply [options]\n\n"
-          "Joins the meshes of all blocks of a volume, made by deliso mesh --block, into one. "
-          "Parts\n"
-          "that do not belong together are refused: of another volume, isovalue or criteria, a\n"
-          "block missing or twice, seams that do not match.\n";
+          "usage: deliso join PART [PART ...] --volume INPUT -o MESH [options]\n\n"
+          "Joins the parts of a mesh, which deliso mesh --part made of this volume, to the mesh\n"
+          "that one run of deliso mesh makes, to the last byte. A part knows its options. Refused\n"
+          "are parts that do not belong together or to the volume, a part that is missing, twice,\n"
+          "or not as it was made.\n";
       return text;
     case Command::help:
     case Command::version:

@@ -93,13 +93,13 @@ std::string suggestions_text(const Info& info) {
 
 Info find_info(const Input& input, const CommandLine& line) {
   const Volume& volume = input.volume();
-  Info info{input, make_histogram(volume, input.range, kBins), {}, {}, {}, false, 0, {}, 0, {}, 0};
+  Info info{input, make_histogram(volume, *input.range, kBins), {}, {}, {}, false, 0, {}, 0, {}, 0};
   const Stopwatch to_suggest;
-  if (!input.field.is_filtered() && !volume.is_block() && looks_like_labels(volume)) {
+  if (!input.field.is_filtered() && looks_like_labels(volume)) {
     info.labels = find_labels(volume, input.name, line.options.threads);
   }
   // A label's isovalue is known.
-  const Modes modes = input.field.label ? Modes{} : find_modes(volume, input.range, kSuggestions);
+  const Modes modes = input.field.label ? Modes{} : find_modes(volume, *input.range, kSuggestions);
   info.padding = modes.padding;
   info.one_mode = modes.by_otsu;
   for (const Valley& valley : modes.valleys) {

@@ -98,15 +98,12 @@ std::string input_text(const Input& input) {
   std::string text = "volume    " + one_line(input.name) + "\n          " + std::to_string(dims.i) +
                      " x " + std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
                      std::string(name_of(volume.type())) + ", spacing " +
-                     text_of(volume.spacing()) + ", samples " + sample_text(input.range.min) +
-                     " to " + sample_text(input.range.max) + "\n";
-
-  if (volume.is_block()) {
-    const Index3 first = volume.first(), whole = volume.whole_dims();
-    text += "          a block of " + std::to_string(whole.i) + " x " + std::to_string(whole.j) +
-            " x " + std::to_string(whole.k) + ", from sample " + std::to_string(first.i) + ", " +
-            std::to_string(first.j) + ", " + std::to_string(first.k) + " on\n";
+                     text_of(volume.spacing());
+  if (input.range) {
+    text += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
   }
+  text += "\n";
+
   const Frame& at = volume.frame();
   if (at != Frame{}) {
     text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
@@ -130,11 +127,6 @@ void add_input(JsonWriter& json, const Input& input) {
   json.open("volume");
   json.add("input", input.name);
   json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
-  if (volume.is_block()) {
-    const Index3 first = volume.first(), whole = volume.whole_dims();
-    json.add("first", {double(first.i), double(first.j), double(first.k)});
-    json.add("whole_dims", {double(whole.i), double(whole.j), double(whole.k)});
-  }
   json.add("type", name_of(volume.type()));
   add_vector(json, "spacing", volume.spacing());
   add_vector(json, "origin", at.origin);
@@ -142,7 +134,7 @@ void add_input(JsonWriter& json, const Input& input) {
   add_vector(json, "axis_y", at.axes[1]);
   add_vector(json, "axis_z", at.axes[2]);
   json.add("space", name_of(at.space));
-  json.add("range", {input.range.min, input.range.max});
+  if (input.range) json.add("range", {input.range->min, input.range->max});
   if (!input.log.arrays.empty()) json.open("arrays");
   for (const NamedArray& array : input.log.arrays) {
     json.open(array.name);

@@ -16,7 +16,7 @@ namespace deliso {
 struct Input {
   std::string name;  // as the user gave it
   Field field;
-  ValueRange range;  // of the field
+  std::optional<ValueRange> range;  // of the field; a join does not read all of it
   ReadLog log;
   double seconds = 0;                // for reading, and for one pass over the samples
   std::optional<double> isovalue{};  // the user's, or the label's

@@ -65,12 +65,25 @@ struct MeshRun {
 TriMesh mesh_input(MeshRun& run, Progress& progress,
                    const std::function<void(const std::string&)>& warn);
 
+// Checks and measures the mesh, as mesh_input() does.
+void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress,
+                  const std::function<void(const std::string&)>& warn);
+
 // Returns how the mesh of the run is written, with the comments of its file.
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
 
 // Meshes the run's input, writes the files, and fills in the run. `total` counts from the beginning
 // of the run. Throws InputError.
 void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run);
+
+// Writes the files of a mesh that was examined.
+void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh);
+
+// Returns what writes a warning to standard error, unless the line is quiet.
+std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line);
+
+// Writes the report to standard output, or to standard error if a file goes there.
+void print_report(const MeshRun& run);
 
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);

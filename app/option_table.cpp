@@ -110,8 +110,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
      "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
-     ".ply"},
-    {"--format", 0, "FORMAT", kMeshOnly,
+     "deliso mesh writes them"},
+    {"--format", 0, "FORMAT", kMeshAndJoin,
      "ply, off, obj, stl, vtp, glb, 3mf, smesh or poly, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
@@ -120,19 +120,19 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text, Text) { l.write.single_precision = true; }},
     {"--double", 0, "", kMeshAndJoin, "coordinates in double precision (default)",
      [](Line& l, Text, Text) { l.write.single_precision = false; }},
-    {"--attributes", 0, "", kMeshOnly,
+    {"--attributes", 0, "", kMeshAndJoin,
      "with the mesh: normals of vertices, and of triangles component, distance from the surface "
      "and "
      "with --cap a mark; in PLY, VTP and GLB",
      [](Line& l, Text, Text) { l.attributes = true; }},
-    {"--json", 0, "FILE", kReports, "all statistics as JSON, or - for standard output",
+    {"--json", 0, "FILE", kReportsAndJoin, "all statistics as JSON, or - for standard output",
      [](Line& l, Text, Text v) { l.json = v; }},
     {"--quiet", 'q', "", kAll, "no report and no progress bar",
      [](Line& l, Text, Text) { l.quiet = true; }},
-    {"--verbose", 'v', "", flag_of(Command::mesh),
+    {"--verbose", 'v', "", kMeshAndJoin,
      "the report with all stages, counters and refusals",
      [](Line& l, Text, Text) { l.verbose = true; }},
-    {"--check", 0, "", kMeshOnly, "check the mesh as the check command does: exit 1 on a fault",
+    {"--check", 0, "", kMeshAndJoin, "check the mesh as the check command does: exit 1 on a fault",
      [](Line& l, Text, Text) { l.check = true; }},
     {"--restricted", 0, "SHARE", kMeshAndCheck,
      "with --check: exit 1 unless this share of the triangles is restricted Delaunay (default: the "
@@ -140,15 +140,14 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); },
      "exit 1 unless this share of the triangles is restricted Delaunay (default: the share is "
      "reported)"},
-    {"--allow-empty", 0, "", kMeshOnly, "an isovalue that gives no surface is no error",
+    {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
      "only these samples; the ones at X1, Y1, Z1 are left out",
      [](Line& l, Text o, Text v) { l.read.roi = in_option(o, v, parse_roi); }},
-    {"--block", 0, "I,J,K/NX,NY,NZ", kMeshOnly,
-     "one of the blocks that the volume is cut into, counted from 0 along each axis: a part, to be "
-     "joined with the others by deliso join",
-     [](Line& l, Text o, Text v) { l.read.block = in_option(o, v, parse_block); }},
+    {"--part", 0, "N/M", kMeshOnly,
+     "only the N-th of M parts of the mesh, counted from 1, in a file for deliso join",
+     [](Line& l, Text o, Text v) { l.part = parse_part(o, v); }},
     {"--array", 0, "NAME", kVolume,
      "which array of a VTK file (default: the one that it calls active, or the first that can be "
      "meshed; the info command lists them)",
@@ -213,7 +212,7 @@ constexpr OptionSpec kRest[] = {
            v == "whole" ? 0
                         : static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 4), 1 << 30));
      }},
-    {"--threads", 0, "N", kAllMeshing,
+    {"--threads", 0, "N", kMeshingAndJoin,
      "threads to use (default: as many as the machine has); the result is the same with any number",
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
@@ -332,7 +331,7 @@ constexpr OptionSpec kRest[] = {
                                                   {"distance", distance},
                                                   {"gradient", gradient}}));
      }},
-    {"--volume", 0, "INPUT", kShown, "the volume that --color-by asks",
+    {"--volume", 0, "INPUT", kShownAndJoin, "the volume that --color-by asks",
      [](Line& l, Text, Text v) { l.input = v; },
      "the volume whose isosurface triangles are measured against, with --iso"},
     {"--occlusion", 0, "WHEN", kRenderOnly,

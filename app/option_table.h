@@ -28,6 +28,9 @@ enum Commands : std::uint8_t {
   kAllMeshing = kMeshAndCheck | kTraceOnly,
   kMeshAndJoin = kMeshOnly | kJoinOnly,
   kOutput = kMeshAndJoin | kSeen,
+  kShownAndJoin = kShown | kJoinOnly,
+  kReportsAndJoin = kReports | kJoinOnly,
+  kMeshingAndJoin = kAllMeshing | kJoinOnly,
   kAll = kVolume | kJoinOnly
 };
 

@@ -89,6 +89,14 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
   return *value;
 }
 
+PartChoice parse_part(std::string_view option, std::string_view text) {
+  const auto numbers = read_list<int, 2>(text, '/');
+  if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > (*numbers)[1]) {
+    refuse(option, text, "N/M with N from 1 to M, as in '3/64'");
+  }
+  return {(*numbers)[0], (*numbers)[1]};
+}
+
 Length parse_length(std::string_view option, std::string_view text, Length::Unit unit) {
   constexpr std::string_view kUnit = "vox";
   const bool in_voxels = text.ends_with(kUnit);

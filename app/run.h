@@ -12,6 +12,7 @@ inline constexpr int kFaultFound = 1;
 inline constexpr int kBadUsage = 2;
 
 int run_mesh(const CommandLine& line);
+int run_part(const CommandLine& line);    // of mesh, with --part
 int run_labels(const CommandLine& line);  // of mesh, with --label all
 int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);

@@ -24,12 +24,10 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "blocks/seam.h"
 #include "check/distances.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "io/mesh/write_mesh.h"
-#include "io/parts/part_note.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
@@ -135,7 +133,7 @@ std::vector<Triangle> triangles_of(const TriMesh& mesh) {
 // Returns the mesh in the world, with the vertices where the file should have them so that rounding
 // makes no faults.
 TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
-  PartMesh world = written_part(mesh, {.format = MeshFormat::ply});
+  WrittenMesh world = written_mesh(mesh, {.format = MeshFormat::ply});
   const Vec3 origin = written_origin(mesh, line.write);
   for (Vec3& p : world.points) p = p - origin;
   world.points = round_without_faults(world.points, world.triangles, line.options.threads);
@@ -162,8 +160,7 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
   run.written = run.in_double = find(points);
   if (!is_single || run.written.count() == 0) return std::nullopt;
   run.in_double = find(written_points(mesh, {.format = MeshFormat::ply}));
-  // The seam of a part has to be that of its neighbor.
-  if (run.by_rounding().count() == 0 || line.read.block) return std::nullopt;
+  if (run.by_rounding().count() == 0) return std::nullopt;
   TriMesh rounded = rounded_mesh(mesh, line);
   const std::vector<Vec3> others = written_points(rounded, line.write);
   const PlaceFaults left = find(others);
@@ -186,35 +183,12 @@ MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
     const TriMesh surface = part_of(mesh, 0, line.options.cap ? first_cap : mesh.faces.size());
     options.attributes = mesh_attributes(mesh, surface, volume, run.report, line.options.threads);
   }
-  if (line.read.block) {
-    options.seam = seam_of(mesh, volume);
-    options.comment = part_comment(options.comment, volume, *line.read.block, *run.input.isovalue,
-                                   written_part(mesh, options));
-  }
   return options;
 }
 
-TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
+void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const Warn& warn) {
   const CommandLine& line = run.line;
   const Volume& volume = run.input.volume();
-  const double isovalue = *run.input.isovalue;
-  // A part may well be empty.
-  const bool may_be_empty = line.allow_empty || line.read.block;
-  if (!may_be_empty) require_isovalue_in_range(isovalue, run.input.range);
-  require_limits(line.options, volume);
-  const bool by_cubes = line.method == Method::marching_cubes;
-  const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
-  warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
-               warn);
-
-  Options options = line.options;
-  options.observer = &progress;
-  TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
-  if (mesh.faces.empty() && !may_be_empty) {
-    throw InputError("the mesh at isovalue " + number_text(isovalue) +
-                     " is empty (--allow-empty accepts that)");
-  }
-
   progress.show("check", 0);
   const Stopwatch watch;
   run.vertices = mesh.points.size();
@@ -229,16 +203,42 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   run.rounded = find_faults_as_written(mesh, run);
   if (line.check) verify_run(volume, mesh, progress, run);
   run.seconds_check = watch.seconds();
+}
+
+TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
+  const CommandLine& line = run.line;
+  const Volume& volume = run.input.volume();
+  const double isovalue = *run.input.isovalue;
+  if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  require_limits(line.options, volume);
+  const bool by_cubes = line.method == Method::marching_cubes;
+  const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
+  warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
+               warn);
+
+  Options options = line.options;
+  options.observer = &progress;
+  TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
+  if (mesh.faces.empty() && !line.allow_empty) {
+    throw InputError("the mesh at isovalue " + number_text(isovalue) +
+                     " is empty (--allow-empty accepts that)");
+  }
+
+  examine_mesh(run, mesh, progress, warn);
   return mesh;
 }
 
-void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) {
-  const CommandLine& line = run.line;
-  const TriMesh mesh = mesh_input(run, progress, [&](const std::string& warning) {
+std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line) {
+  return [&](const std::string& warning) {
     if (line.quiet) return;
     progress.clear();
     std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
-  });
+  };
+}
+
+void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run,
+                 const TriMesh& mesh) {
+  const CommandLine& line = run.line;
   progress.show("writing", 0);
   const Stopwatch watch;
   if (!line.output.empty()) {
@@ -253,8 +253,26 @@ void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) 
   if (!line.json.empty()) write_text(line.json, report_json(run));
 }
 
+void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) {
+  const TriMesh mesh = mesh_input(run, progress, warner(progress, run.line));
+  write_files(total, progress, run, mesh);
+}
+
+void print_report(const MeshRun& run) {
+  const CommandLine& line = run.line;
+  if (line.quiet) return;
+  const bool stdout_taken = line.output == "-" || line.json == "-";
+  const std::string text = report_text(run);
+  if (stdout_taken) {
+    std::fputs(text.c_str(), stderr);
+  } else {
+    print(text);
+  }
+}
+
 int run_mesh(const CommandLine& line) {
   if (line.field.all_labels) return run_labels(line);
+  if (line.part) return run_part(line);
   const Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
@@ -263,15 +281,7 @@ int run_mesh(const CommandLine& line) {
   print_warning(input.warning, line);
   MeshRun run(line, input);
   mesh_to_files(total, progress, run);
-  if (!line.quiet) {
-    const bool stdout_taken = line.output == "-" || line.json == "-";
-    const std::string text = report_text(run);
-    if (stdout_taken) {
-      std::fputs(text.c_str(), stderr);
-    } else {
-      print(text);
-    }
-  }
+  print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;
 }
 

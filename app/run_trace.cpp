@@ -37,14 +37,14 @@ int run_trace(const CommandLine& line) {
   options.observer = &recorder;
   const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, options, report);
   if (mesh.faces.empty()) {
-    throw InputError(no_surface_text(*input.isovalue, input.range));
+    throw InputError(no_surface_text(*input.isovalue, *input.range));
   }
 
   progress.show("writing", 0);
   PageData data;
   add_trace(trace, data);
   const bool has_samples = input.volume().sample_count() <= kMostSamplesShown;
-  if (has_samples) add_samples(input.volume(), input.range, data);
+  if (has_samples) add_samples(input.volume(), *input.range, data);
   const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
   {
     const DeferSignals defer;

@@ -162,7 +162,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   const Box3 box = volume.box();
   const Index3 dims = volume.dims();
   const Vec3 spacing = volume.spacing();
-  const Scale scale = scale_of(volume, input.range);
+  const Scale scale = scale_of(volume, *input.range);
   JsonWriter json;
   const Up up = line.up.value_or(superior_of(volume.frame()));
   json.add("kind", "trace");

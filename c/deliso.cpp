@@ -38,7 +38,7 @@ struct deliso_volume {
 };
 
 struct deliso_mesh {
-  PartMesh mesh;  // in the world
+  WrittenMesh mesh;  // in the world
   std::vector<Vec3> normals;
   MeshWriteOptions write;
   std::string report, warnings;
@@ -231,7 +231,7 @@ deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
     const TriMesh surface = mesh_input(
         run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
     made->normals = normals_of(surface, input.volume(), line.options.threads);
-    made->mesh = written_part(surface, {.format = MeshFormat::ply});
+    made->mesh = written_mesh(surface, {.format = MeshFormat::ply});
     made->write = write_options(run, surface);
     run.peak_bytes = peak_memory_bytes();
     run.seconds_total = total.seconds();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The whole way from a volume to a mesh: blocks, then what only the whole mesh can have.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -81,6 +82,25 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   Block whole = mesh_in_blocks(source, report.kappa_effective, options, parameters,
                                solid ? solid->kept : std::vector<std::uint8_t>(), {}, report);
   return finish(std::move(whole), source, solid, options, parameters, report);
+}
+
+BlockGrid grid_of_parts(const Volume& shape, const Options& options) {
+  const bool is_usual = options.block_side == Options::kUsualSide;
+  return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
+}
+
+SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
+  const std::vector<SampleBox> boxes = grid_of_parts(shape, options).boxes();
+  const CellRun own = cells_of(part, boxes.size());
+  if (own.begin == own.end) return {{0, 0, 0}, {1, 1, 1}};
+  SampleBox all = boxes[own.begin];
+  for (std::size_t cell = own.begin; cell < own.end; ++cell) {
+    for (int axis = 0; axis < 3; ++axis) {
+      all.begin[axis] = std::min(all.begin[axis], boxes[cell].begin[axis]);
+      all.end[axis] = std::max(all.end[axis], boxes[cell].end[axis]);
+    }
+  }
+  return all;
 }
 
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,

@@ -12,6 +12,11 @@
 
 namespace deliso {
 
+// Returns the grid of blocks of which parts are runs. `shape`: the volume, with samples or without.
+BlockGrid grid_of_parts(const Volume& shape, const Options& options);
+// Returns the smallest box that holds a part's blocks; of a part without one, some voxel.
+SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part);
+
 // Returns the mesh of one part, with what its seams to others still need. It is empty where there
 // is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in the part's blocks;
 // all of it is in memory if components are chosen. Throws InputError as mesh_isosurface() does, for

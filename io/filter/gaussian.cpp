@@ -92,6 +92,10 @@ class SliceFilter {
   std::vector<double> slice_, padded_, row_;
 };
 
+// True of types whose samples float32 does not round.
+template <class T>
+constexpr bool kFitsFloat = sizeof(T) < 4 || std::is_same_v<T, float>;
+
 template <class T, class Out>
 Volume filtered(const Volume& volume, const T* samples, const Vec3& sigma, int threads) {
   const Index3 dims = volume.dims();
@@ -108,8 +112,9 @@ Volume filtered(const Volume& volume, const T* samples, const Vec3& sigma, int t
                  }
                });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  return {dims,        volume.spacing(), sample_type_of<Out>(), bytes.data.data(),
-          bytes.owner, volume.frame()};
+  const Volume result(dims, volume.spacing(), sample_type_of<Out>(), bytes.data.data(), bytes.owner,
+                      volume.frame());
+  return volume.is_block() ? result.as_block(volume.first(), volume.whole_dims()) : result;
 }
 
 }  // namespace
@@ -119,11 +124,15 @@ int gaussian_radius(double sigma) {
 }
 
 Volume gaussian(const Volume& volume, const Vec3& sigma, int threads) {
-  DELISO_CHECK(!volume.is_block());
   return volume.visit([&]<class T>(const T* samples) {
-    constexpr bool fits_float = sizeof(T) < 4 || std::is_same_v<T, float>;
-    return filtered<T, std::conditional_t<fits_float, float, double>>(volume, samples, sigma,
-                                                                      threads);
+    return filtered<T, std::conditional_t<kFitsFloat<T>, float, double>>(volume, samples, sigma,
+                                                                         threads);
+  });
+}
+
+SampleType gaussian_type(const Volume& volume) {
+  return volume.visit([]<class T>(const T*) {
+    return kFitsFloat<T> ? SampleType::f32 : SampleType::f64;
   });
 }
 

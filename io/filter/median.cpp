@@ -177,13 +177,14 @@ Volume filtered(const Volume& volume, const T* samples, int radius, int threads)
     }
   });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  return {dims, volume.spacing(), volume.type(), bytes.data.data(), bytes.owner, volume.frame()};
+  const Volume result(dims, volume.spacing(), volume.type(), bytes.data.data(), bytes.owner,
+                      volume.frame());
+  return volume.is_block() ? result.as_block(volume.first(), volume.whole_dims()) : result;
 }
 
 }  // namespace
 
 Volume median(const Volume& volume, int radius, int threads) {
-  DELISO_CHECK(!volume.is_block());
   DELISO_CHECK(radius >= 1 && radius <= kLargestMedianRadius);
   return volume.visit(
       [&](const auto* samples) { return filtered(volume, samples, radius, threads); });

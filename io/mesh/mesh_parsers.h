@@ -10,7 +10,6 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "io/files/text_scan.h"
-#include "mesh/seam_vertex.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -71,7 +70,6 @@ struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<std::string> comments;
-  std::vector<SeamVertex> seam;
 
   // Adds the triangles of a polygon by rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {
@@ -86,7 +84,6 @@ inline constexpr std::uint64_t kMostVertices = kNoId - 1;
 inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 
 MeshParts parse_ply(std::string_view bytes, const std::string& name);
-std::vector<std::string> parse_ply_comments(std::string_view bytes, const std::string& name);
 MeshParts parse_off(std::string_view bytes, const std::string& name);
 MeshParts parse_obj(std::string_view bytes, const std::string& name);
 MeshParts parse_stl(std::string_view bytes, const std::string& name);

@@ -13,14 +13,12 @@
 #include "base/vec3.h"
 #include "io/files/atomic_file.h"
 #include "io/mesh/write_mesh.h"
-#include "mesh/seam_vertex.h"
 
 namespace deliso {
 
 struct PlyHeader {
   std::vector<std::string> comments;  // each of one line
   std::uint64_t vertices = 0, facets = 0;
-  std::span<const SeamVertex> seam{};  // of a part of a mesh: the third element
   bool single_precision = false, ascii = false;
   const MeshAttributes* attributes = nullptr;
   std::optional<std::size_t> first_cap{};  // with attributes
@@ -30,11 +28,9 @@ class PlyWriter {
  public:
   // Writes the header. Keeps references.
   PlyWriter(AtomicFile& out, const PlyHeader& header);
-  // All vertices of the header, then all facets, then finish().
+  // All vertices of the header, then all facets.
   void vertex(const Vec3& p);
   void facet(const Triangle& t);
-  // Writes the seam.
-  void finish();
 
  private:
   // Writes a property; `last`: of its line.

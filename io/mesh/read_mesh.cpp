@@ -80,13 +80,4 @@ TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
   return parse_mesh(open_file(path).text(), format, path, comments);
 }
 
-PartMesh read_part(const std::string& path) {
-  MeshParts parts = parse_parts(open_file(path).text(), MeshFormat::ply, path);
-  return {std::move(parts.points), std::move(parts.triangles), std::move(parts.seam)};
-}
-
-std::vector<std::string> read_ply_comments(const std::string& path) {
-  return parse_ply_comments(open_file(path).text(), path);
-}
-
 }  // namespace deliso

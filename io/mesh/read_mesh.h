@@ -31,11 +31,6 @@ namespace deliso {
 // the file's.
 TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments = nullptr);
 
-// Returns a part of a mesh from a PLY file; its seam is empty if the file has none.
-PartMesh read_part(const std::string& path);
-// Returns the comments of a PLY file. Reads only its header.
-std::vector<std::string> read_ply_comments(const std::string& path);
-
 // Returns the mesh in `bytes`. Errors call the file `name`. pre: is_read(format).
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
                    std::vector<std::string>* comments = nullptr);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PLY (Turk 1994): a text header that names elements and their properties, then the elements' data,
 // as words or as binary of either byte order. Reads x, y, z of `vertex`, the list vertex_indices
-// (or vertex_index) of `face`, and `seam` (mesh/seam_vertex.h). Other properties are skipped by
-// their declared type.
+// (or vertex_index) of `face`. Other properties are skipped by their declared type.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -284,34 +283,6 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
   }
 }
 
-// Reads the seam: rows of whole numbers, with all properties in order. Another element of that name
-// is not ours and is skipped.
-template <class Source>
-void read_seam(Source& source, const Element& element, std::uint64_t vertices, MeshParts& mesh) {
-  for (std::uint64_t n = 0; n < element.count; ++n) {
-    std::array<std::int32_t, kSeamProperties.size()> row{};
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const double value = source.next(element.properties[i].type);
-      const double most = i == 0   ? static_cast<double>(vertices) - 1
-                          : i == 1 ? 2
-                                   : static_cast<double>(std::numeric_limits<std::int32_t>::max());
-      if (!(value >= 0 && value <= most)) {
-        source.fail(text(kSeamProperties[i], " of seam vertex ", n, " is ", value));
-      }
-      row[i] = static_cast<std::int32_t>(value);
-    }
-    mesh.seam.push_back({VertexId(row[0]), {row[1], {row[2], row[3], row[4]}}});
-  }
-}
-
-bool is_seam(const Element& element) {
-  return element.name == "seam" &&
-         std::ranges::equal(
-             element.properties, kSeamProperties, [](const Property& property, const char* name) {
-               return property.name == name && property.type == Type::i32 && !property.is_list;
-             });
-}
-
 template <class Source>
 MeshParts read_elements(Source source, const Header& header) {
   MeshParts mesh;
@@ -326,8 +297,6 @@ MeshParts read_elements(Source source, const Header& header) {
       read_vertices(source, element, mesh);
     } else if (element.name == "face") {
       read_faces(source, element, vertex->count, mesh);
-    } else if (is_seam(element)) {
-      read_seam(source, element, vertex->count, mesh);
     } else if (!element.properties.empty()) {
       for (std::uint64_t i = 0; i < element.count; ++i) {
         for (const Property& property : element.properties) skip_property(source, property);
@@ -339,11 +308,6 @@ MeshParts read_elements(Source source, const Header& header) {
 }
 
 }  // namespace
-
-std::vector<std::string> parse_ply_comments(std::string_view bytes, const std::string& name) {
-  Lines lines(bytes, name);
-  return parse_header(lines).comments;
-}
 
 MeshParts parse_ply(std::string_view bytes, const std::string& name) {
   Lines lines(bytes, name);

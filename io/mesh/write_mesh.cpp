@@ -84,12 +84,14 @@ std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& op
   return points;
 }
 
-PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options) {
-  PartMesh part{written_points(mesh, options), {}, options.seam};
+WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options) {
+  WrittenMesh written{written_points(mesh, options), {}};
   const WorldMesh world(mesh, {});
-  part.triangles.reserve(world.face_count());
-  for (std::size_t f = 0; f < world.face_count(); ++f) part.triangles.push_back(world.triangle(f));
-  return part;
+  written.triangles.reserve(world.face_count());
+  for (std::size_t f = 0; f < world.face_count(); ++f) {
+    written.triangles.push_back(world.triangle(f));
+  }
+  return written;
 }
 
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

@@ -18,7 +18,6 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/seam_vertex.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso {
@@ -68,8 +67,6 @@ struct MeshWriteOptions {
   bool ascii = false;                  // PLY only
   bool sync = false;                   // wait until the bytes are on the medium
   std::string comment{};               // empty: none
-  // PLY only, for a part of a mesh: an element `seam` after the facets.
-  std::vector<SeamVertex> seam{};
   // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF
   // mark them if there are attributes. Absent: no caps were asked for.
   std::optional<std::size_t> first_cap{};
@@ -86,13 +83,12 @@ Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options);
 // rounded if it rounds. pre: options.format.
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options);
 
-// A part as its file has it; the facets are not linked.
-struct PartMesh {
+// A mesh as its file has it; the facets are not linked.
+struct WrittenMesh {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
-  std::vector<SeamVertex> seam;
 };
-PartMesh written_part(const TriMesh& mesh, const MeshWriteOptions& options);
+WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options);
 
 // Writes the mesh in world coordinates. A known space is written as SPACE=RAS or LPS, in VTP as
 // field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and

@@ -22,10 +22,6 @@ PlyWriter::PlyWriter(AtomicFile& out, const PlyHeader& header) : out_(out), head
     out.write("property int component\nproperty float distance\n");
     if (header.first_cap) out.write("property uchar cap\n");
   }
-  if (!header.seam.empty()) {
-    out.write(text("element seam ", header.seam.size(), "\n"));
-    for (const char* name : kSeamProperties) out.write(text("property int ", name, "\n"));
-  }
   out.write("end_header\n");
 }
 
@@ -58,21 +54,10 @@ void PlyWriter::facet(const Triangle& t) {
   if (header_.first_cap) put(std::uint8_t{f >= *header_.first_cap}, true);
 }
 
-void PlyWriter::finish() {
-  for (const SeamVertex& s : header_.seam) {
-    const auto& [i, j, k] = s.at.low;
-    const std::int32_t row[] = {static_cast<std::int32_t>(s.vertex), s.at.axis, i, j, k};
-    for (int n = 0; n < 5; ++n) {
-      header_.ascii ? put_text(out_, row[n], n == 4 ? '\n' : ' ') : put_binary(out_, row[n]);
-    }
-  }
-}
-
 void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
   PlyHeader header{{"DelIso" + mesh.space_note()},
                    mesh.vertex_count(),
                    mesh.face_count(),
-                   options.seam,
                    options.single_precision,
                    options.ascii,
                    options.attributes ? &*options.attributes : nullptr,
@@ -82,7 +67,6 @@ void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& o
   PlyWriter writer(out, header);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) writer.vertex(mesh.point(v));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) writer.facet(mesh.triangle(f));
-  writer.finish();
 }
 
 }  // namespace deliso

@@ -52,7 +52,7 @@ Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
   grid.dims.fill(size);
   grid.type = whole->type();
   grid.roi = options.roi;
-  grid.block = options.block;
+  grid.region = options.region;
   const auto bytes_at = [](const auto* samples) {
     return reinterpret_cast<const std::byte*>(samples);
   };

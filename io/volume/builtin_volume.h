@@ -14,8 +14,8 @@ namespace deliso {
 // Throws InputError for an unknown name.
 const BuiltinField* find_builtin_field(std::string_view input);
 
-// Returns the volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Uses only the region and the
-// block of the options. Throws InputError.
+// Returns the volume of "builtin:NAME[:SIZE]", SIZE from 16 to 1024. Uses only the two
+// regions of the options. Throws InputError.
 Volume make_builtin_volume(std::string_view input, const ReadOptions& options = {});
 
 }  // namespace deliso

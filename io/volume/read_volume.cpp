@@ -73,19 +73,6 @@ std::optional<int> to_index(std::string_view text) {
   return static_cast<int>(*value);
 }
 
-// "a,b,c"
-std::optional<Index3> to_index3(std::string_view text) {
-  const auto parts = split(text, ',', 3);
-  if (!parts) return std::nullopt;
-  Index3 out;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::optional<int> n = to_index((*parts)[static_cast<std::size_t>(axis)]);
-    if (!n) return std::nullopt;
-    out[axis] = *n;
-  }
-  return out;
-}
-
 }  // namespace
 
 Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog* log) {
@@ -114,21 +101,6 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   }
 }
 
-Roi region_of(const BlockChoice& block, Index3 dims) {
-  Roi region;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int64_t voxels = dims[axis] - 1, parts = block.of[axis], n = block.at[axis];
-    if (parts > voxels) {
-      throw InputError(text("cannot be cut into ", parts, " blocks along ",
-                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
-                            ": it has ", voxels, " voxels there"));
-    }
-    region.begin[axis] = static_cast<int>(n * voxels / parts);
-    region.end[axis] = static_cast<int>((n + 1) * voxels / parts) + 1;
-  }
-  return region;
-}
-
 void refuse_spacing(const std::string& name, const ReadOptions& options) {
   if (options.spacing)
     fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
@@ -138,7 +110,7 @@ SampleGrid grid_of(const VolumeInput& input) {
   SampleGrid grid;
   grid.name = input.name();
   grid.roi = input.options.roi;
-  grid.block = input.options.block;
+  grid.region = input.options.region;
   return grid;
 }
 
@@ -216,18 +188,6 @@ Roi parse_roi(std::string_view text) {
     roi.end[axis] = *end;
   }
   return roi;
-}
-
-BlockChoice parse_block(std::string_view text) {
-  const auto sides = split(text, '/', 2);
-  const auto at = sides ? to_index3((*sides)[0]) : std::nullopt;
-  const auto of = sides ? to_index3((*sides)[1]) : std::nullopt;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!at || !of || (*at)[axis] >= (*of)[axis]) {
-      fail_option(text, "a block like 0,1,0/2,2,2, counted from 0");
-    }
-  }
-  return {*at, *of};
 }
 
 Index3 parse_dims(std::string_view text) {

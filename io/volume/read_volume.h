@@ -45,6 +45,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -60,15 +61,6 @@ struct Roi {
   Index3 begin, end;
 };
 
-// Block `at` of a volume that is cut into `of` blocks along each axis. Blocks share the samples at
-// the faces between them, so that every voxel is in one block.
-struct BlockChoice {
-  Index3 at, of;
-};
-// Returns the samples of the block. Of v voxels and N blocks along an axis, block n begins at voxel
-// n v / N. Throws InputError if an axis has fewer voxels than blocks.
-Roi region_of(const BlockChoice& block, Index3 dims);
-
 // The layout of a file without a header.
 struct RawLayout {
   Index3 dims;
@@ -78,11 +70,14 @@ struct RawLayout {
   std::uint64_t skip = 0;  // bytes before the first sample
 };
 
+using RegionOf = std::function<Roi(Index3 dims, const Vec3& spacing)>;
+
 struct ReadOptions {
   std::optional<RawLayout> raw;  // if given, the input is plain raw data, with any name
   std::optional<Roi> roi;        // if given, only these samples are read; the origin moves along
-  // If given, only this block is read, as a block of the whole (Volume::as_block). Not with a roi.
-  std::optional<BlockChoice> block{};
+  // If given, only the region that it returns for the volume's size and spacing is read, as a block
+  // of the whole (Volume::as_block). Not with a roi.
+  RegionOf region{};
   std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
   std::optional<Vec3> spacing{};       // of NumPy and TIFF, along x, y and z; else 1,1,1 or TIFF's
 };
@@ -109,10 +104,9 @@ Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
-// "i,j,k/nx,ny,nz", "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned
+// "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned
 // short", "float", ...).
 Roi parse_roi(std::string_view text);
-BlockChoice parse_block(std::string_view text);
 Index3 parse_dims(std::string_view text);
 SampleType parse_sample_type(std::string_view text);
 

@@ -46,13 +46,13 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
 }
 
 // Returns the region of the grid to keep, as checked index ranges.
-Roi region(const SampleGrid& grid) {
+Roi region(const SampleGrid& grid, const Vec3& spacing) {
   Roi whole{{0, 0, 0},
             {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
              static_cast<int>(grid.dims[2])}};
-  if (grid.block) {
+  if (grid.region) {
     try {
-      return region_of(*grid.block, whole.end);
+      return grid.region(whole.end, spacing);
     } catch (const InputError& error) {
       fail(grid.name, error.what());
     }
@@ -173,7 +173,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const std::uint64_t expected = data_size(grid);
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
   auto [spacing, frame] = place(grid);
-  const Roi roi = region(grid);
+  const Roi roi = region(grid, spacing);
   if (grid.roi) {
     frame.origin =
         frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
@@ -181,7 +181,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
 
   const auto placed = [&](const Volume& volume) {
-    if (!grid.block) return volume;
+    if (!grid.region) return volume;
     return volume.as_block(roi.begin,
                            {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
                             static_cast<int>(grid.dims[2])});
@@ -268,8 +268,8 @@ Volume volume_from_slices(
     const SampleGrid& grid,
     const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice) {
   const std::size_t size = static_cast<std::size_t>(data_size(grid));
-  const Roi roi = region(grid);
-  place(grid);  // a fault of the geometry is found before the work
+  const Vec3 spacing = place(grid).first;  // a fault of the geometry is found before the work
+  const Roi roi = region(grid, spacing);
   const std::size_t slice = size / static_cast<std::size_t>(grid.dims[2]);
   // Not initialized: the system gives memory to the pages that are written.
   Buffer buffer(size);

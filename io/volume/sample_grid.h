@@ -28,7 +28,7 @@ namespace deliso {
 struct SampleGrid {
   std::string name;  // of the input, for messages
   std::optional<Roi> roi{};
-  std::optional<BlockChoice> block{};
+  RegionOf region{};
   std::array<std::int64_t, 3> dims{0, 0, 0};
   SampleType type = SampleType::u8;
   std::endian byte_order = std::endian::native;

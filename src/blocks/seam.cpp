@@ -2,17 +2,18 @@
 #include "blocks/seam.h"
 
 #include <cmath>
-
-#include "base/check.h"
+#include <cstdint>
+#include <vector>
 
 namespace deliso {
+
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume) {
   GridEdge edge;
   int off_planes = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double spacing = volume.spacing()[axis], u = p[axis] / spacing;
     const int nearest = static_cast<int>(std::lround(u));
-    std::int32_t& low = edge.low[static_cast<std::size_t>(axis)];
+    int& low = edge.low[axis];
     low = nearest;
     if (nearest * spacing == p[axis]) continue;
     ++off_planes;
@@ -42,18 +43,6 @@ unsigned faulty_faces(const SurfaceMesh& s, const BoundaryCurves& curves, const 
     }
   }
   return faulty;
-}
-
-std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& block) {
-  std::vector<SeamVertex> seam;
-  if (block.inner_faces() == 0) return seam;
-  for (VertexId v = 0; v < mesh.points.size(); ++v) {
-    if ((box_faces_at(mesh.points[v], block.box()) & block.inner_faces()) == 0) continue;
-    const auto edge = grid_edge_at(mesh.points[v], block);
-    DELISO_CHECK(edge);
-    seam.push_back({v, *edge});
-  }
-  return seam;
 }
 
 }  // namespace deliso

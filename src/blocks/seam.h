@@ -10,9 +10,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <tuple>
 
-#include "mesh/seam_vertex.h"
 #include "mesh/tri_mesh.h"
 #include "surface/boundary.h"
 #include "surface/surface_mesh.h"
@@ -20,13 +19,22 @@
 
 namespace deliso {
 
+// The edge from sample `low` of the whole volume along `axis`.
+struct GridEdge {
+  int axis = 0;
+  Index3 low;
+  friend bool operator<(const GridEdge& a, const GridEdge& b) {
+    const auto key = [](const GridEdge& e) {
+      return std::tuple(e.axis, e.low.i, e.low.j, e.low.k);
+    };
+    return key(a) < key(b);
+  }
+};
+
 // Returns the grid edge that p lies on, between its ends; nothing if it lies on none.
 std::optional<GridEdge> grid_edge_at(const Vec3& p, const Volume& volume);
 
 // Returns the inner faces at which J1 or J2 fails. pre: `curves` are of the mesh's chain.
 unsigned faulty_faces(const SurfaceMesh& mesh, const BoundaryCurves& curves, const Volume& block);
-
-// Returns the seam of a finished block's mesh, by ascending vertices. pre: J1 and J2 hold.
-std::vector<SeamVertex> seam_of(const TriMesh& mesh, const Volume& block);
 
 }  // namespace deliso

@@ -1,240 +1,210 @@
 // SPDX-License-Identifier: MIT
 // Parts of random volumes (tiny_volume.h) edited by a hostile hand, then joined.
 //   stress_hostile_parts [--first-seed N] [--count M] [--list]
-// A seed says everything: volume, blocks, encoding, part and edit. The join must refuse the edit
-// with one line that leaves no file, or write the bytes that it writes of the parts as they were.
-// Exit status 1 where it does neither.
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
+// A seed says everything: volume, parts, part and edit. Two of three edits come with a checksum
+// that fits. The join must refuse the edit with one line; or make the mesh of the parts as they
+// were; or make one that a check faults, or that is sound. Exit status 1 where it does none of
+// these, crashes, or works for more than 20 s.
+#include <algorithm>
 #include <array>
-#include <atomic>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
+#include <utility>
+#include <vector>
 
 #include "base/check.h"
-#include "io/parts/in_blocks.h"
+#include "base/random.h"
+#include "base/text.h"
+#include "check/verify.h"
+#include "deliso/deliso.h"
+#include "io/files/checksum.h"
+#include "io/parts/part_file.h"
+#include "mesh/check_mesh.h"
+#include "mesh_parts.h"
+#include "stress/in_child.h"
+#include "stress/judge.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
 using namespace deliso::stress;
-using namespace deliso::test;
 
 namespace {
 
-constexpr std::uint64_t kEditsPerVolume = 20;
+constexpr unsigned kMostSeconds = 20;
 
 enum class Edit : std::uint8_t {
-  bytes,         // one to four, anywhere
-  header_digit,  // another digit in the header
-  header_size,   // a number of the header becomes one that no part has
-  header_line,   // a line of the header goes, or comes twice
-  header_word,   // a word of the header goes
-  coordinate,    // eight bytes of the body become those of another place
-  row,           // two runs of bytes of the body change places
-  truncated,
-  shifted,      // a run of bytes goes, or comes twice
-  other_mesh,   // between two passes, the same block by another seed
-  other_bytes,  // between two passes, any edit above the last three
+  bytes,      // one to four, anywhere
+  number,     // eight bytes become those of another place
+  small,      // four bytes become a small number: an id, a count
+  large,      // eight bytes become a large one
+  row,        // two runs of bytes change places
+  shifted,    // a run of bytes goes, or comes twice
+  truncated,  // the end is missing
 };
-constexpr std::array<std::string_view, 11> kNames{
-    "bytes", "header-digit", "header-size", "header-line", "header-word", "coordinate",
-    "row",   "truncated",    "shifted",     "other-mesh",  "other-bytes"};
-
-bool is_between_passes(Edit edit) {
-  return edit == Edit::other_mesh || edit == Edit::other_bytes;
-}
-
-// Begin and length of a run of characters that `belongs` accepts, chosen at random in `text`.
-template <class Belongs>
-std::pair<std::size_t, std::size_t> run_in(std::string_view text, Random& random, Belongs belongs) {
-  std::vector<std::pair<std::size_t, std::size_t>> runs;
-  for (std::size_t n = 0, end; n < text.size(); n = end + 1) {
-    for (end = n; end < text.size() && belongs(text[end]);) ++end;
-    if (end > n) runs.emplace_back(n, end - n);
-  }
-  return runs[random.below(static_cast<std::uint32_t>(runs.size()))];
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+constexpr std::uint64_t kEdits = 7;
 
 std::string edited(std::string part, Edit edit, Random& random) {
-  constexpr std::string_view kEnd = "end_header\n";
-  const std::size_t body = part.find(kEnd) + kEnd.size();
-  const std::string_view header = std::string_view(part).substr(0, body - 1);
   const auto below = [&](std::size_t n) { return random.below(static_cast<std::uint32_t>(n)); };
+  const std::size_t size = part.size();
   switch (edit) {
     case Edit::bytes:
       for (std::uint32_t n = 1 + below(4); n > 0; --n) {
-        part[below(part.size())] = static_cast<char>(random.next());
+        part[below(size)] = static_cast<char>(random.next());
       }
       break;
-    case Edit::header_digit: {
-      const auto [at, size] = run_in(header, random, is_digit);
-      part[at + below(size)] = static_cast<char>('0' + below(10));
+    case Edit::number: {
+      const std::string from = part.substr(below(size - 8), 8);
+      part.replace(below(size - 8), 8, from);
       break;
     }
-    case Edit::header_size: {
-      constexpr const char* kSizes[] = {
-          "0",     "1", "-1", "641", "6700417", "2147483647", "4294967295", "18446744073709551615",
-          "1e300", ""};
-      const auto [at, size] = run_in(header, random, is_digit);
-      part.replace(at, size, kSizes[below(std::size(kSizes))]);
+    case Edit::small: {
+      const std::uint32_t number = below(300);
+      std::memcpy(&part[below(size - 4)], &number, sizeof number);
       break;
     }
-    case Edit::header_line: {
-      const auto [at, size] = run_in(header, random, [](char c) { return c != '\n'; });
-      const std::string line = part.substr(at, size + 1);
-      below(2) == 0 ? part.erase(at, size + 1) : part.insert(at, line);
-      break;
-    }
-    case Edit::header_word: {
-      const auto [at, size] = run_in(header, random, [](char c) { return c > ' '; });
-      part.erase(at, size + below(2));
-      break;
-    }
-    case Edit::coordinate: {
-      if (part.size() < body + 16) break;
-      const std::string from = part.substr(body + below(part.size() - body - 8), 8);
-      part.replace(body + below(part.size() - body - 8), 8, from);
+    case Edit::large: {
+      const std::uint64_t number = ~std::uint64_t{below(300)} >> below(40);
+      std::memcpy(&part[below(size - 8)], &number, sizeof number);
       break;
     }
     case Edit::row: {
-      const std::size_t size = 1 + below(26);
-      if (part.size() < body + 2 * size) break;
-      const std::size_t a = body + below(part.size() - body - 2 * size + 1);
-      const std::size_t b = a + size + below(part.size() - a - 2 * size + 1);
-      for (std::size_t n = 0; n < size; ++n) std::swap(part[a + n], part[b + n]);
+      const std::size_t length = 1 + below(48);
+      const std::size_t a = below(size - 2 * length);
+      const std::size_t b = a + length + below(size - a - 2 * length);
+      for (std::size_t n = 0; n < length; ++n) std::swap(part[a + n], part[b + n]);
+      break;
+    }
+    case Edit::shifted: {
+      const std::size_t at = below(size - 60), length = 1 + below(48);
+      const std::string run = part.substr(at, length);
+      below(2) == 0 ? part.erase(at, length) : part.insert(at, run);
       break;
     }
     case Edit::truncated:
-      part.resize(below(2) == 0 ? below(part.size()) : part.size() - 1 - below(20));
+      part.resize(below(2) == 0 ? below(size) : size - 1 - below(40));
       break;
-    case Edit::shifted: {
-      const std::size_t at = below(part.size()), size = 1 + below(40);
-      const std::string run = part.substr(at, size);
-      below(2) == 0 ? part.erase(at, size) : part.insert(at, run);
-      break;
-    }
-    case Edit::other_mesh:
-      break;
-    case Edit::other_bytes:
-      return edited(part, static_cast<Edit>(below(static_cast<std::size_t>(Edit::truncated))),
-                    random);
   }
   return part;
 }
 
-// A named pipe in place of a part: every reader of the path gets the bytes of its turn.
-class PipeInPlace {
- public:
-  // `from`: the first turn, counted from 0, that is given the second bytes.
-  PipeInPlace(std::string path, std::string first, std::string second, int from)
-      : path_(std::move(path)),
-        next_(path_ + ".next"),
-        bytes_{std::move(first), std::move(second)},
-        from_(from) {
-    make();
-    feeder_ = std::thread([this] { feed(); });
-  }
-  ~PipeInPlace() {
-    done_ = true;
-    // Lets go a feeder that waits for a reader.
-    while (!ended_) {
-      const int descriptor = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      if (descriptor >= 0) ::close(descriptor);
-    }
-    feeder_.join();
-  }
-  PipeInPlace(const PipeInPlace&) = delete;
-  PipeInPlace& operator=(const PipeInPlace&) = delete;
+// Returns the part with a checksum that fits its other bytes.
+std::string summed(std::string part) {
+  constexpr std::size_t kSize = sizeof(std::uint32_t);
+  if (part.size() < kSize) return part;
+  part.resize(part.size() - kSize);
+  const std::uint32_t sum = crc32(std::as_bytes(std::span(part)));
+  char bytes[kSize];
+  std::memcpy(bytes, &sum, kSize);
+  return part.append(bytes, kSize);
+}
 
- private:
-  void make() {
-    if (::mkfifo(next_.c_str(), 0600) != 0 || std::rename(next_.c_str(), path_.c_str()) != 0) {
-      std::perror("stress_hostile_parts: no pipe");
-      std::exit(2);
-    }
-  }
-  void feed() {
-    for (int turn = 0; !done_; ++turn) {
-      const int descriptor = ::open(path_.c_str(), O_WRONLY);
-      const std::string& bytes = bytes_[turn >= from_];
-      for (std::size_t n = 0; n < bytes.size() && !done_;) {
-        const ssize_t written = ::write(descriptor, bytes.data() + n, bytes.size() - n);
-        if (written <= 0) break;
-        n += static_cast<std::size_t>(written);
-      }
-      make();  // the next reader's, before this one's ends
-      ::close(descriptor);
-    }
-    ended_ = true;
-  }
+Options options_for(std::uint64_t volume) {
+  Options options;
+  options.block_side = 4 + static_cast<int>(volume % 4);
+  options.cap = volume % 5 == 0;
+  options.threads = 1;
+  return options;
+}
 
-  std::string path_, next_;
-  std::array<std::string, 2> bytes_;
-  int from_;
-  std::atomic<bool> done_ = false, ended_ = false;
-  std::thread feeder_;
+TriMesh joined(const VolumeSource& source, double isovalue, const Options& options,
+               const std::vector<std::string>& bytes, Report& report) {
+  std::vector<PartFile> parts;
+  std::vector<std::string> names;
+  for (const std::string& part : bytes) {
+    names.push_back(text("part", names.size()));
+    parts.push_back(part_in(std::as_bytes(std::span(part)), names.back()));
+  }
+  sort_parts(parts, names);
+  std::vector<Block> blocks;
+  for (PartFile& part : parts) {
+    // What app/parts.h asks, but for the samples at seams.
+    if (part.dims != source.shape.dims() || part.spacing != source.shape.spacing() ||
+        part.type != source.shape.type() || part.frame != source.shape.frame()) {
+      throw InputError("a part of another volume");
+    }
+    blocks.push_back(std::move(part.block));
+  }
+  return mesh_of_parts(source, isovalue, options, std::move(blocks), report);
+}
+
+bool are_equal(const TriMesh& a, const TriMesh& b) {
+  return std::ranges::equal(a.points, b.points) &&
+         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
+}
+
+enum class Outcome : std::uint8_t { none, refused, same, faulted, sound, wrong };
+constexpr std::array<std::string_view, 6> kOutcomes{
+    "not made", "refused", "the same mesh", "faulted by a check", "sound", "WRONG"};
+
+// POD, so that it can go through a pipe.
+struct EditVerdict {
+  Outcome outcome = Outcome::none;
+  char what[200] = "";
 };
 
-// A random volume's parts, and the whole that they make.
-struct Parts {
-  explicit Parts(std::uint64_t seed) : tiny(make_tiny_volume(seed, 6, 10)) {
-    constexpr Index3 kOf[] = {{2, 1, 1}, {1, 2, 2}, {1, 1, 1}, {2, 2, 2}};
-    const Index3 of = kOf[seed % 4];
-    how.ascii = seed % 3 == 1;
-    how.single_precision = seed % 5 == 2;
-    for (const BlockChoice& block : all_blocks(of)) {
-      paths.push_back(folder / ("part" + std::to_string(paths.size()) + ".ply"));
-      bytes.push_back(made(block, 1, paths.back()));
-      others.push_back(made(block, 2, folder / "other.ply"));
-    }
-    join_parts(paths, folder / "whole.ply", false, false);
-    whole = file_bytes(folder / "whole.ply");
-  }
-  std::string made(const BlockChoice& block, std::uint64_t seed, const std::string& path) const {
-    Options options;
-    options.seed = seed;
-    options.r_min = {0.3, Length::Unit::voxel};
-    Report report;
-    write_part(tiny.volume, block, tiny.isovalue, options, path, report, how);
-    return file_bytes(path);
-  }
-
-  TinyVolume tiny;
-  MeshWriteOptions how;
-  TemporaryFolder folder;
-  std::vector<std::string> paths, bytes, others;
-  std::string whole;
-};
-
-enum class Outcome : std::uint8_t { refused, same, wrong };
-
-// What join makes of the parts as they lie there; `fault` becomes what it says.
-Outcome outcome_of(const Parts& parts, std::string& fault) {
-  const std::string to = parts.folder / "joined.ply";
+EditVerdict run_seed(std::uint64_t seed) {
+  constexpr std::uint64_t kEditsPerVolume = 20;
+  const std::uint64_t number = 1 + seed / kEditsPerVolume;
+  const TinyVolume tiny = make_tiny_volume(number, 6, 12);
+  const Options options = options_for(number);
+  const VolumeSource source = source_of(tiny.volume);
+  const int of = 2 + static_cast<int>(number % 4);
+  EditVerdict verdict;
+  const auto end = [&](Outcome outcome, const std::string& what) {
+    verdict.outcome = outcome;
+    what.copy(verdict.what, sizeof verdict.what - 1);
+    return verdict;
+  };
+  std::vector<std::string> bytes;
+  Report of_parts, report;
+  TriMesh usual;
   try {
-    join_parts(parts.paths, to, false, false);
+    for (int n = 1; n <= of; ++n) {
+      PartFile part{.choice = {n, of},
+                    .words = {"--iso=1"},
+                    .dims = tiny.volume.dims(),
+                    .spacing = tiny.volume.spacing(),
+                    .type = tiny.volume.type(),
+                    .frame = tiny.volume.frame(),
+                    .isovalue = tiny.isovalue,
+                    .samples_at_seams = 0,
+                    .block = mesh_part(source, tiny.isovalue, options, {n, of}, of_parts)};
+      bytes.push_back(part_bytes(std::move(part)));
+    }
+    usual = joined(source, tiny.isovalue, options, bytes, of_parts);
   } catch (const InputError& error) {
-    fault = error.what();
-    const bool one_line = !fault.empty() && fault.find('\n') == std::string::npos;
-    return one_line && !std::filesystem::exists(to) ? Outcome::refused : Outcome::wrong;
+    return end(Outcome::none, error.what());  // a seam that is refused
   }
-  const bool same = file_bytes(to) == parts.whole;
-  std::filesystem::remove(to);
-  return same ? Outcome::same : Outcome::wrong;
+  Random random(seed);
+  const std::size_t p = random.below(static_cast<std::uint32_t>(of));
+  bytes[p] = edited(bytes[p], static_cast<Edit>(seed % kEdits), random);
+  if (seed % 3 != 0) bytes[p] = summed(bytes[p]);
+  TriMesh mesh;
+  try {
+    mesh = joined(source, tiny.isovalue, options, bytes, report);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    const bool is_line = !what.empty() && what.find('\n') == std::string::npos;
+    return end(is_line ? Outcome::refused : Outcome::wrong, what);
+  }
+  if (are_equal(mesh, usual)) return end(Outcome::same, "");
+  VerifyOptions how;
+  how.solid = options.cap;
+  const Verification found = verify(mesh, tiny.volume, report.kappa_effective, how);
+  bool is_faulted = !report.cap.failure.empty();
+  for (std::size_t n = 0; n < kFaultKinds; ++n) {
+    const auto kind = static_cast<FaultKind>(n);
+    is_faulted |= kind != FaultKind::over_limits && found.faults.count(kind) > 0;
+  }
+  if (is_faulted) return end(Outcome::faulted, "");
+  if (const std::string fault = check_mesh(mesh); !fault.empty()) return end(Outcome::wrong, fault);
+  if (options.cap) return end(Outcome::sound, "");
+  const std::string fault = judge(tiny.volume, mesh, {}, report).fault;
+  return end(fault.empty() ? Outcome::sound : Outcome::wrong, fault);
 }
 
 }  // namespace
@@ -243,63 +213,32 @@ int main(int argc, char** argv) {
   const auto seeds = parse_seeds(argc, argv, "stress_hostile_parts", 440);
   if (!seeds) return 2;
   const auto [first, count, list] = *seeds;
-  std::signal(SIGPIPE, SIG_IGN);
-  std::array<std::array<std::uint64_t, 3>, kNames.size()> outcomes{};
-  std::uint64_t unchanged = 0;
-  std::optional<Parts> parts;
-  std::uint64_t of_volume = 0;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    if (!parts || of_volume != seed / kEditsPerVolume) {
-      of_volume = seed / kEditsPerVolume;
-      try {
-        parts.emplace(1 + of_volume);
-      } catch (const InputError&) {
-        parts.reset();  // a block that is refused for its seam
-      }
-    }
-    if (!parts) continue;
-    Random random(seed);
-    const auto edit = static_cast<Edit>(seed % kNames.size());
-    const std::size_t p = random.below(static_cast<std::uint32_t>(parts->paths.size()));
-    const std::string bytes =
-        edit == Edit::other_mesh ? parts->others[p] : edited(parts->bytes[p], edit, random);
-    if (bytes == parts->bytes[p]) {
-      ++unchanged;
-      continue;
-    }
-    std::string fault;
-    Outcome outcome;
-    if (is_between_passes(edit)) {
-      // The turns: the header, then three passes.
-      const PipeInPlace pipe(parts->paths[p], parts->bytes[p], bytes,
-                             1 + static_cast<int>(random.below(3)));
-      outcome = outcome_of(*parts, fault);
-    } else {
-      write_bytes(parts->paths[p], bytes);
-      outcome = outcome_of(*parts, fault);
-    }
-    std::filesystem::remove(parts->paths[p]);
-    write_bytes(parts->paths[p], parts->bytes[p]);
-    ++outcomes[static_cast<std::size_t>(edit)][static_cast<std::size_t>(outcome)];
-    if (outcome == Outcome::wrong || list) {
-      std::printf("seed %llu, %s: %s %s\n", static_cast<unsigned long long>(seed),
-                  std::string(kNames[static_cast<std::size_t>(edit)]).c_str(),
-                  outcome == Outcome::wrong  ? "WRONG"
-                  : outcome == Outcome::same ? "the same whole"
-                                             : "refused:",
-                  fault.c_str());
-    }
+  std::array<std::uint64_t, kOutcomes.size()> outcomes{};
+  std::uint64_t lost = 0;
+  const auto print = [](std::uint64_t seed, std::string_view outcome, const char* what) {
+    std::printf("seed %llu: %s %s\n", static_cast<unsigned long long>(seed),
+                std::string(outcome).c_str(), what);
+    std::fflush(stdout);
+  };
+  const bool forked = run_in_children<EditVerdict>(
+      first, first + count, kMostSeconds, run_seed,
+      [&](std::uint64_t seed, const EditVerdict& verdict) {
+        const auto n = static_cast<std::size_t>(verdict.outcome);
+        ++outcomes[n];
+        if (verdict.outcome == Outcome::wrong || list) print(seed, kOutcomes[n], verdict.what);
+      },
+      [&](std::uint64_t seed, bool hung) {
+        ++lost;
+        print(seed, hung ? "HUNG" : "CRASHED", "");
+      });
+  if (!forked) return 2;
+  std::printf("%llu edits: %llu crashed or hung", static_cast<unsigned long long>(count),
+              static_cast<unsigned long long>(lost));
+  for (std::size_t n = 0; n < kOutcomes.size(); ++n) {
+    std::printf(", %llu %s", static_cast<unsigned long long>(outcomes[n]),
+                std::string(kOutcomes[n]).c_str());
   }
-  std::uint64_t all_wrong = 0;
-  for (std::size_t n = 0; n < kNames.size(); ++n) {
-    const auto [refused, same, wrong] = outcomes[n];
-    all_wrong += wrong;
-    std::printf("%-13s %5llu refused, %4llu the same whole, %4llu wrong\n",
-                std::string(kNames[n]).c_str(), static_cast<unsigned long long>(refused),
-                static_cast<unsigned long long>(same), static_cast<unsigned long long>(wrong));
-  }
-  std::printf("%llu edits, %llu of them without effect; %llu wrong\n",
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(unchanged),
-              static_cast<unsigned long long>(all_wrong));
-  return all_wrong > 0;
+  std::printf("\n");
+  const auto of = [&](Outcome outcome) { return outcomes[static_cast<std::size_t>(outcome)]; };
+  return lost > 0 || of(Outcome::wrong) > 0 || 2 * of(Outcome::none) > count;
 }

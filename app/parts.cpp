@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "app/parts.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "app/field.h"
+#include "base/check.h"
+#include "base/text.h"
+#include "deliso/options.h"
+#include "io/files/text_scan.h"
+#include "io/filter/gaussian.h"
+#include "mesh_parts.h"
+
+namespace deliso {
+namespace {
+
+// Options that do not change a mesh. A part does not note them.
+constexpr std::array<std::string_view, 16> kNotNoted{
+    "--output",  "--format", "--ply-ascii", "--float",       "--double",  "--attributes",
+    "--json",    "--quiet",  "--verbose",   "--check",       "--threads", "--restricted",
+    "--allow-empty", "--part", "--help",    "--version"};
+
+bool is_noted(std::string_view word) {
+  return std::ranges::find(kNotNoted, word.substr(0, word.find('='))) == kNotNoted.end();
+}
+
+// Returns how many samples on either side the filters reach.
+Index3 reach_of(const FieldOptions& options, const Volume& shape) {
+  Index3 reach;
+  const Vec3 sigma = options.smooth ? sigma_of(*options.smooth, shape) : Vec3{};
+  for (int axis = 0; axis < 3; ++axis) reach[axis] = options.median + gaussian_radius(sigma[axis]);
+  return reach;
+}
+
+SampleBox grown(SampleBox box, Index3 by, Index3 last) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.begin[axis] = std::max(box.begin[axis] - by[axis], 0);
+    box.end[axis] = std::min(box.end[axis] + by[axis], last[axis]);
+  }
+  return box;
+}
+
+Volume without_samples(Index3 dims, const Vec3& spacing, SampleType type, const Frame& frame) {
+  return Volume(dims, spacing, type, nullptr, nullptr, frame);
+}
+
+}  // namespace
+
+Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
+  if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, dims};
+  const Volume shape = without_samples(dims, spacing, SampleType::u8, {});
+  const SampleBox blocks = box_of_part(shape, line.options, *line.part);
+  const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
+  return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
+}
+
+FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
+                         const std::string& name) {
+  const int threads = line.options.threads;
+  if (line.field.of_labels()) {
+    const Volume all = all_of(raw);
+    value_range(all, name);
+    const Field field =
+        make_field(all, line.field, find_labels(all, name, threads), name, threads);
+    return {source_of(field.volume), field.label->isovalue};
+  }
+  const double isovalue = *line.isovalue;
+  if (!line.field.any()) {
+    if (raw.in_memory) {
+      value_range(*raw.in_memory, name);
+      return {raw, isovalue};
+    }
+    const auto read = [raw, name](const SampleBox& box) {
+      const Volume samples = raw.read(box);
+      value_range(samples, name);
+      return samples;
+    };
+    return {{raw.shape, read}, isovalue};
+  }
+  const Volume& shape = raw.shape;
+  const Index3 reach = reach_of(line.field, shape);
+  const SampleType type = line.field.smooth ? gaussian_type(shape) : shape.type();
+  const auto read = [=, field = line.field](const SampleBox& box) {
+    const Volume around = raw.read(grown(box, reach, raw.shape.voxels()));
+    value_range(around, name);
+    return samples_of(make_field(around, field, {}, name, 1).volume, box);
+  };
+  return {{without_samples(shape.dims(), shape.spacing(), type, shape.frame()), read}, isovalue};
+}
+
+PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
+                   Observer* observer) {
+  const FieldSource field = field_source(raw, line, name);
+  Options options = line.options;
+  options.observer = observer;
+  PartFile part;
+  part.choice = *line.part;
+  for (const std::string& word : line.words) {
+    if (is_noted(word)) part.words.push_back(word);
+  }
+  std::ranges::sort(part.words);
+  const Volume& shape = field.source.shape;
+  part.dims = shape.dims();
+  part.spacing = shape.spacing();
+  part.type = shape.type();
+  part.frame = shape.frame();
+  part.isovalue = field.isovalue;
+  Report report;
+  part.block = mesh_part(field.source, field.isovalue, options, part.choice, report);
+  part.block.report = report;
+  part.samples_at_seams =
+      checksum_at_seams(field.source, grid_of_parts(shape, options), part.choice);
+  return part;
+}
+
+CommandLine line_of(const PartFile& part, const std::string& part_name, const std::string& input) {
+  std::vector<std::string_view> words{"mesh", input};
+  for (const std::string& word : part.words) {
+    if (!word.starts_with("--") || !is_noted(word)) {
+      throw InputError(text(quote(part_name), " is no sound part: it notes the option ",
+                            quote(word)));
+    }
+    words.push_back(word);
+  }
+  try {
+    return parse_command_line(words);
+  } catch (const InputError& error) {
+    throw InputError(text(quote(part_name), " is no sound part: ", error.what()));
+  }
+}
+
+void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
+                   const FieldSource& field, const Options& options, const std::string& volume) {
+  const Volume& shape = field.source.shape;
+  const BlockGrid grid = grid_of_parts(shape, options);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const PartFile& part = parts[n];
+    const bool same = part.dims == shape.dims() && part.spacing == shape.spacing() &&
+                      part.type == shape.type() && part.frame == shape.frame() &&
+                      part.isovalue == field.isovalue &&
+                      part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
+    if (!same) throw InputError(text(quote(names[n]), " is no part of ", quote(volume)));
+  }
+}
+
+}  // namespace deliso

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Parts of a mesh, made and joined, from samples that are read box by box (blocks/block.h).
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "blocks/block.h"
+#include "io/parts/part_file.h"
+#include "io/volume/read_volume.h"
+#include "mesh/tri_mesh.h"
+#include "surface/observer.h"
+#include "surface/report.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// Returns the samples that a part of a volume of this size needs: those of its blocks, with some
+// around them for the filters. All of them if it needs to know all labels or components.
+Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing);
+
+// The field that is meshed, from a volume that is read box by box; and its isovalue.
+struct FieldSource {
+  VolumeSource source;
+  double isovalue = 0;
+};
+
+// Returns the field. Each box is filtered by itself, with the samples around it that the filters
+// reach, so its samples are those of the whole field. Of labels all of the volume is read now.
+// Reading throws InputError, with the volume's `name`, for a NaN or infinite sample.
+FieldSource field_source(const VolumeSource& raw, const CommandLine& line, const std::string& name);
+
+// Meshes the part that the line asks for. Throws InputError.
+PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
+                   Observer* observer);
+
+// Returns the command line that the parts were made with, for the volume named `input`. Throws
+// InputError, with the part's name, if its words are no options of a mesh.
+CommandLine line_of(const PartFile& part, const std::string& part_name, const std::string& input);
+
+// Throws InputError unless the parts, in order, were made of this field.
+void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
+                   const FieldSource& field, const Options& options, const std::string& volume);
+
+}  // namespace deliso

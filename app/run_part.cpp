@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// deliso mesh --part: one part of a mesh, for deliso join.
+#include <array>
+#include <string>
+
+#include "app/output.h"
+#include "app/parts.h"
+#include "app/progress.h"
+#include "app/run.h"
+#include "app/signals.h"
+#include "app/text.h"
+#include "base/text.h"
+#include "io/files/atomic_file.h"
+#include "io/volume/read_volume.h"
+
+namespace deliso {
+
+int run_part(const CommandLine& line) {
+  ProgressBar progress(mesh_stages(line), !line.quiet);
+  progress.show("reading", 0);
+  ReadOptions read = line.read;
+  if (!read.roi) {
+    read.region = [&](Index3 dims, const Vec3& spacing) {
+      return region_of_part(line, dims, spacing);
+    };
+  }
+  ReadLog log;
+  const Volume volume = read_volume(line.input, read, &log);
+  if (line.input == "-") log.files.push_back(line.input);
+  require_outputs(std::array{line.output}, log.files);
+  const PartFile part = make_part(source_of(volume), line, line.input, &progress);
+  progress.show("writing", 0);
+  const std::string bytes = part_bytes(part);
+  const DeferSignals defer;
+  AtomicFile file(line.output);
+  file.write(bytes);
+  file.commit();
+  progress.clear();
+  if (!line.quiet && line.output != "-") {
+    const TriMesh& mesh = part.block.mesh.mesh;
+    print(text("part      ", part.choice.number, " of ", part.choice.of, " -> ",
+               one_line(line.output), "\nmesh      ") +
+          counted(mesh.points.size(), "vertex", "vertices") + ", " +
+          counted(mesh.faces.size(), "triangle", "triangles") + "\n");
+  }
+  return kExitSuccess;
+}
+
+}  // namespace deliso
