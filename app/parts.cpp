@@ -69,16 +69,12 @@ FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
   }
   const double isovalue = *line.isovalue;
   if (!line.field.any()) {
-    if (raw.in_memory) {
-      value_range(*raw.in_memory, name);
-      return {raw, isovalue};
-    }
     const auto read = [raw, name](const SampleBox& box) {
       const Volume samples = raw.read(box);
       value_range(samples, name);
       return samples;
     };
-    return {{raw.shape, read}, isovalue};
+    return {{raw.shape, read, raw.in_memory}, isovalue};
   }
   const Volume& shape = raw.shape;
   const Index3 reach = reach_of(line.field, shape);
