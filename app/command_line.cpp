@@ -228,7 +228,8 @@ void check_part(CommandLine& line, const Given& given) {
   const auto refuse = [](std::string_view other) {
     throw InputError(text("--part and ", other, " exclude each other"));
   };
-  constexpr std::string_view kOfAll[] = {"--vertices", "--triangles", "--eps2", "--paper"};
+  constexpr std::string_view kOfAll[] = {"--vertices", "--triangles", "--eps2", "--paper",
+                                         "--single-stage"};
   for (const std::string_view other : kOfAll) {
     if (given(other)) refuse(other);
   }
@@ -387,8 +388,8 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   if (line.read.raw && line.read.spacing) line.read.raw->spacing = *line.read.spacing;
   check_labels(line);
-  check_combination(line);
   check_part(line, given);
+  check_combination(line);
   return line;
 }
 

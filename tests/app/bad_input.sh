@@ -256,26 +256,27 @@ refuses "$same writes" builtin:torus -o out/a.ply --json out/a.ply
 refuses "$same writes" builtin:torus -o out/a.ply --json out/../out/a.ply
 cmp -s whole.raw data.copy && cmp -s kept.ply mesh.copy || fault 'an input was replaced'
 
-# Parts that do not belong together.
-for n in 0 1; do
-  "$deliso" builtin:torus:24 --block $n,0,0/2,1,1 -q -o part$n.ply
-  "$deliso" builtin:torus:24 --iso 0.1 --block $n,0,0/2,1,1 -q -o other$n.ply
+# Parts that do not belong together, or not to the volume, or are not as they were made.
+volume=builtin:torus:24
+for n in 1 2; do
+  "$deliso" $volume --block-side 8 --part $n/2 -q -o part$n
+  "$deliso" $volume --block-side 8 --iso 0.1 --part $n/2 -q -o other$n
 done
-refuses 'cut into 24 blocks' builtin:torus:24 --block 0,0,0/1,1,24 -o $o
-refuses 'block 1,0,0 of 2,1,1 is missing' join part0.ply -o $o
-refuses 'are both block 0,0,0' join part0.ply part1.ply part0.ply -o $o
-refuses 'other1.ply' join part0.ply other1.ply -o $o
-refuses 'kept.ply' join part0.ply kept.ply -o $o
-refuses 'nowhere.ply' join part0.ply nowhere.ply -o $o
-refuses "$same reads" join part0.ply part1.ply -o part1.ply
-# Parts that are not what their notes say: another number, none, and a grid whose blocks wrap 32 bits.
-"$deliso" builtin:torus:24 --block 1,0,0/2,1,1 -q --ply-ascii -o text.ply
-sed 's/^\(3 [0-9]* [0-9]*\) [0-9]*$/\1 0/' text.ply >edited.ply
-refuses 'edited.ply.* is not as it was made: it has holds=' join part0.ply edited.ply -o $o
-sed 's/ holds=.*$//' text.ply >old.ply
-refuses 'old.ply.* has no checksum in its note' join part0.ply old.ply -o $o
-sed 's/=24x24x24/=642x6700418x2/; s,block=1\,0\,0/2\,1\,1,block=0\,0\,0/641\,6700417\,1,' text.ply >wraps.ply
-refuses 'block 1,0,0 of 641,6700417,1 is missing' join wraps.ply -o $o
+refuses '--part wants N/M' $volume --part 0/2 -o $o
+refuses 'part 2 of 2 is missing' join part1 --volume $volume -o $o
+refuses 'are both part 1 of 2' join part1 part2 part1 --volume $volume -o $o
+refuses 'other2.*--iso=0.1 here' join part1 other2 --volume $volume -o $o
+refuses 'part1.* is no part of .builtin:torus:25' join part1 part2 --volume builtin:torus:25 -o $o
+refuses 'part1.* is no part of .builtin:linked_tori:24' join part1 part2 --volume builtin:linked_tori:24 -o $o
+refuses 'kept.ply.* is no part of a mesh' join part1 kept.ply --volume $volume -o $o
+refuses 'nowhere' join part1 nowhere --volume $volume -o $o
+refuses "$same writes\|$same reads" join part1 part2 --volume $volume -o part2 --format ply
+head -c 2000 part2 >short
+refuses 'short.*cut short' join part1 short --volume $volume -o $o
+tr '\100' '\101' <part2 >edited
+refuses 'edited.* not as it was made' join part1 edited --volume $volume -o $o
+sed '1s/part .*/part 0.0.0/' part2 >old
+refuses 'old.* of another version' join part1 old --volume $volume -o $o
 
 # Output that cannot be written.
 refuses 'no/such/mesh.ply' builtin:sphere -o no/such/mesh.ply

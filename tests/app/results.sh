@@ -345,15 +345,17 @@ for cap in '' --cap; do
   done
 done
 
-# One block is meshed, joined and checked at one isovalue, also where samples equal it.
+# One part is meshed, joined and checked at one isovalue, also where samples equal it.
 head -c 64 /dev/zero >one.raw
 for row in 21 25 37 41; do
   printf '\377\377' | dd of=one.raw bs=1 seek=$row conv=notrunc 2>/dev/null
 done
 set -- one.raw --dims 4x4x4 --type uint8 --iso 255
-"$deliso" "$@" -q --block 0,0,0/1,1,1 -o one.ply
-"$deliso" join one.ply -o joined.ply -q
-holds "one block, joined, passes check" "$deliso" check joined.ply "$@" --restricted 0 -q
+"$deliso" "$@" -q -o whole.ply
+"$deliso" "$@" -q --part 1/1 -o one.part
+"$deliso" join one.part --volume one.raw -o joined.ply -q
+holds "one part, joined, is the whole" cmp -s joined.ply whole.ply
+holds "one part, joined, passes check" "$deliso" check joined.ply "$@" --restricted 0 -q
 
 # A raw file by its options, from a file and from standard input, and with a --roi that is all of it.
 # The field is a block of 2 x 2 x 2 samples amid 4 x 4 x 4.
@@ -382,8 +384,8 @@ mkdir evil
   "$deliso" "$evil.nrrd" --iso 5 -o "$evil.ply" --ply-ascii
   sed "s/^comment deliso/& smooth=1$(printf '\033')/" "$evil.ply" >"$evil.2.ply"
   "$deliso" check "$evil.2.ply" "$evil.nrrd" --iso 5
-  "$deliso" "$evil.nrrd" --iso 5 --block 0,0,0/1,1,1 -o "$evil.part.ply"
-  "$deliso" join "$evil.part.ply" -o "evil/$evil.ply"
+  "$deliso" "$evil.nrrd" --iso 5 --part 1/1 -o "$evil.part"
+  "$deliso" join "$evil.part" --volume "$evil.nrrd" -o "evil/$evil.ply"
   "$deliso" trace "$evil.nrrd" --iso 5 -o "evil/$evil.html"
   "$deliso" view "$evil.ply" -o "evil/$evil.2.html"
   "$deliso" render "$evil.ply" -o "evil/$evil.png"

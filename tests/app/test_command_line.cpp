@@ -562,8 +562,8 @@ TEST_CASE("--attributes is for formats that hold them, and for whole meshes") {
     CHECK(refusal({"a", "--iso", "1", "--attributes", "-o", out}) == refused);
   }
   CHECK(refusal({"a", "--iso", "1", "--attributes"}) == refused);
-  CHECK(refusal({"a", "--iso", "1", "--attributes", "-o", "m.ply", "--block", "0,0,0/1,1,1"}) ==
-        "--block and --attributes exclude each other");
+  CHECK(refusal({"a", "--iso", "1", "--attributes", "-o", "m.part", "--part", "1/2"}) ==
+        "--part and --attributes exclude each other: give it to deliso join");
 }
 
 TEST_CASE("help and version win over everything after them, and need no input") {
@@ -767,57 +767,47 @@ TEST_CASE("--label all wants one place for the label in the names of outputs") {
             .starts_with("--label all wants one %d in the name of --json"));
 }
 
-TEST_CASE("--block is parsed, and options that a block cannot have are refused") {
-  const CommandLine line = parse({"a.nrrd", "--iso", "1", "--block", "1,0,2/2,3,4", "-o", "p.ply"});
-  REQUIRE(line.read.block.has_value());
-  CHECK(line.read.block->at == Index3{1, 0, 2});
-  CHECK(line.read.block->of == Index3{2, 3, 4});
-  for (const char* text :
-       {"", "1", "1,0,0", "2,0,0/2,1,1", "0,0/1,1", "-1,0,0/2,1,1", "a,0,0/2,1,1", "0,0,0/0,1,1",
-        "0,0,0/1,1,1/2", "0,0,0/99999999999,1,1"}) {
+TEST_CASE("--part is parsed, and options that a part cannot have are refused") {
+  const CommandLine line =
+      parse({"a.nrrd", "-k", "1", "--part", "3/64", "-o", "p.part", "--cap", "--largest=2"});
+  CHECK(line.part == PartChoice{3, 64});
+  CHECK(line.words == std::vector<std::string>{"--iso=1", "--part=3/64", "--output=p.part", "--cap",
+                                               "--largest=2"});
+  for (const char* text : {"", "1", "0/2", "3/2", "1/0", "-1/2", "a/2", "1/2/3", "1/99999999999",
+                           "1.5/2"}) {
     CAPTURE(text);
-    CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "--block", text}).empty());
+    CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "-o", "p.part", "--part", text}).empty());
   }
-  const std::vector<std::vector<std::string_view>> others{{"--roi", "0:4,0:4,0:4"},
-                                                          {"--median", "1"},
-                                                          {"--smooth", "1vox"},
-                                                          {"--cap"},
-                                                          {"--min-component", "3"},
-                                                          {"--largest", "2"},
-                                                          {"--vertices", "100"},
-                                                          {"--paper"},
-                                                          {"--triangles", "100"},
-                                                          {"--recover", "paper"},
-                                                          {"--single-stage"},
-                                                          {"--stop-after", "recover"},
-                                                          {"--method", "marching-cubes"}};
+  const std::vector<std::vector<std::string_view>> others{
+      {"--vertices", "100"},   {"--triangles", "100"},  {"--paper"}, {"--recover", "paper"},
+      {"--single-stage"},      {"--eps2", "0.2"},       {"--float"}, {"--format", "stl"},
+      {"--ply-ascii"},         {"--json", "a.json"},    {"--check"},
+      {"--method", "marching-cubes"}};
   for (const auto& other : others) {
     CAPTURE(other[0]);
-    std::vector<std::string_view> arguments{"a.nrrd", "--iso", "1", "--block", "0,0,0/2,1,1"};
+    std::vector<std::string_view> arguments{"a.nrrd", "--iso", "1", "-o", "p.part", "--part",
+                                            "1/2"};
     arguments.insert(arguments.end(), other.begin(), other.end());
-    CHECK(refusal(arguments).starts_with("--block and " + std::string(other[0])));
+    const std::string what = refusal(arguments);
+    CHECK(what.starts_with("--part and "));
   }
-  const auto with = [](std::string_view option, std::string_view value) {
-    return refusal({"a.nrrd", "--iso", "1", "--block", "0,0,0/2,1,1", option, value});
-  };
-  CHECK(with("--rmin", "0.01") ==
-        "--block wants --rmin in voxels, as 0.5vox, the same for all blocks");
-  CHECK(with("--rmin", "0.3vox").empty());
-  CHECK(with("-o", "part.stl") == "--block writes parts as PLY, which alone holds what joins them");
-  CHECK(refusal({"info", "a.nrrd", "--block", "0,0,0/2,1,1"}) ==
-        "--block has no meaning for deliso info");
+  CHECK(refusal({"a.nrrd", "--iso", "1", "--part", "1/2"}) == "no part named: -o FILE.part, or -o -");
+  CHECK(refusal({"info", "a.nrrd", "--part", "1/2"}) == "--part has no meaning for deliso info");
 }
 
 TEST_CASE("parts to join") {
-  const CommandLine line = parse({"join", "a.ply", "b.ply", "-o", "whole.ply", "--float"});
+  const CommandLine line = parse(
+      {"join", "a.part", "b.part", "--volume", "v.nrrd", "-o", "whole.stl", "--check"});
   CHECK(line.command == Command::join);
-  CHECK(line.meshes == std::vector<std::string>{"a.ply", "b.ply"});
-  CHECK(line.output == "whole.ply");
-  CHECK(line.write.single_precision);
-  CHECK(refusal({"join", "-o", "whole.ply"}).starts_with("no parts given"));
-  CHECK(refusal({"join", "a.ply"}).starts_with("no whole named"));
-  CHECK(refusal({"join", "a.ply", "-", "-o", "whole.ply"}).find("standard input") !=
-        std::string::npos);
-  CHECK(refusal({"join", "a.ply", "-o", "whole.stl"}) ==
-        "cannot write 'whole.stl': parts are joined to PLY");
+  CHECK(line.meshes == std::vector<std::string>{"a.part", "b.part"});
+  CHECK(line.input == "v.nrrd");
+  CHECK(line.output == "whole.stl");
+  CHECK(line.write.format == MeshFormat::stl);
+  CHECK(refusal({"join", "--volume", "v.nrrd", "-o", "whole.ply"}).starts_with("no parts given"));
+  CHECK(refusal({"join", "a.part", "-o", "whole.ply"}).starts_with("no volume given"));
+  CHECK(refusal({"join", "a.part", "--volume", "v.nrrd"}).starts_with("no mesh named"));
+  CHECK(refusal({"join", "-", "-", "--volume", "v.nrrd", "-o", "whole.ply"}).find(
+            "standard input") != std::string::npos);
+  CHECK(refusal({"join", "a.part", "--volume", "v.nrrd", "--iso", "1", "-o", "whole.ply"}) ==
+        "--iso has no meaning for deliso join");
 }

@@ -79,7 +79,6 @@ std::vector<json::Value> all_reports() {
                                              {"--max-radius", "3", "--eps1", "0.2"},
                                              {"--stop-after", "recover"},
                                              {"--method", "marching-cubes", "--check"},
-                                             {"--block", "1,0,0/2,1,1", "--check"},
                                              {"--iso", "1e9", "--allow-empty", "--check"}}) {
     std::vector<std::string> arguments{field};
     arguments.insert(arguments.end(), more.begin(), more.end());

@@ -173,7 +173,7 @@ TEST_CASE("options that a trace cannot have are refused") {
   CHECK(has(refusal({"builtin:torus:16"}), "no page named"));
   CHECK(has(refusal({"builtin:torus:16", "-o", "a.ply"}), "pages are .html"));
   CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--cap"}), "no meaning"));
-  CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--block", "0,0,0/2,1,1"}), "no meaning"));
+  CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--part", "1/2"}), "no meaning"));
   CHECK(has(refusal({"volume.nrrd", "-o", "a.html"}), "no isovalue"));
   CHECK(has(refusal({"builtin:torus:16", "-o", "a.html", "--trace-limit", "0"}), "--trace-limit"));
   const TemporaryFolder folder;

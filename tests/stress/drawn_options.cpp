@@ -36,17 +36,6 @@ Words roi(Random& random, const OptionVolume& v) {
   return {"--roi=" + box};
 }
 
-Words block(Random& random, const OptionVolume& v) {
-  std::string which, of;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int most = std::min(3, v.tiny.volume.voxels()[axis]);
-    const std::uint32_t n = 1 + random.below(static_cast<std::uint32_t>(most));
-    which += text(axis == 0 ? "" : ",", random.below(n));
-    of += text(axis == 0 ? "/" : ",", n);
-  }
-  return {"--block=" + which + of};
-}
-
 // A count may be missed, by more than one or 2 %, but not silently.
 std::string count_differs(double asked, std::size_t came, const Outcome& with) {
   const auto n = static_cast<double>(came);
@@ -66,6 +55,11 @@ bool is_same_mesh(const TriMesh& a, const TriMesh& b) {
          std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
 }
 
+std::string another_mesh(double, const Outcome& with, const Outcome& without) {
+  const bool same = !without.refusal.empty() || is_same_mesh(with.mesh, without.mesh);
+  return same ? "" : "another mesh";
+}
+
 constexpr unsigned kCoarser = kLongerEdges | kLargerDistances;
 // The paper's way need not end: docs/guide/recover-paper.md.
 constexpr const char* kPapersEnd = "--max-vertices=10000";
@@ -81,8 +75,7 @@ constexpr DrawnOption kDrawn[] = {
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
      kOtherField},
-    {"--roi", roi, kOtherField},   // filters see only these samples
-    {"--block", block, kCoarser},  // a seam is not refined
+    {"--roi", roi, kOtherField},  // filters see only these samples
     {"--largest", [](Random& r, auto&) { return Words{text("--largest=", 1 + r.below(5))}; }, 0,
      components_differ},
     {"--min-component",
@@ -151,11 +144,10 @@ constexpr DrawnOption kDrawn[] = {
     {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
     {"--block-side", [](Random& r, auto&) { return Words{text("--block-side=", 4 + r.below(9))}; },
      kCoarser | kMoreVertices},
+    {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; }, 0,
+     another_mesh},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
-     [](double, const Outcome& with, const Outcome& without) {
-       const bool same = !without.refusal.empty() || is_same_mesh(with.mesh, without.mesh);
-       return std::string(same ? "" : "another mesh");
-     }},
+     another_mesh},
 };
 
 // Options about files, formats and reports; --iso is always given.

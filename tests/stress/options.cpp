@@ -44,10 +44,14 @@
 #include "app/criteria_note.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
+#include "app/parts.h"
 #include "app/progress.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "contour/contour.h"
+#include "io/parts/part_file.h"
+#include "io/volume/read_volume.h"
+#include "mesh_parts.h"
 #include "stress/drawn_options.h"
 #include "stress/in_child.h"
 #include "stress/option_volume.h"
@@ -107,6 +111,9 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
   if (!is_label) words.push_back(text("--iso=", isovalue));
   if (!has_threads) words.emplace_back("--threads=1");
   words.insert(words.end(), options.begin(), options.end());
+  const bool is_part =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--part"); });
+  if (is_part) words.emplace_back("--output=v.part");
   return words;
 }
 
@@ -121,6 +128,27 @@ Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
                 verify_options(line, volume, noted_criteria(comments)));
 }
 
+// Meshes all parts, as many as the line says, and joins them.
+TriMesh mesh_in_parts(const Words& words, const CommandLine& line, Report& report) {
+  const VolumeSource source = source_of(read_volume(line.input, line.read));
+  std::vector<PartFile> parts;
+  std::vector<std::string> names;
+  for (int n = 1; n <= line.part->of; ++n) {
+    CommandLine of_part = line;
+    of_part.part->number = n;
+    names.push_back(text("part ", n));
+    const std::string bytes = part_bytes(make_part(source, of_part, line.input, nullptr));
+    parts.push_back(part_in(std::as_bytes(std::span(bytes)), names.back()));
+  }
+  sort_parts(parts, names);
+  const CommandLine noted = line_of(parts.front(), names.front(), words.front());
+  const FieldSource field = field_source(source, noted, line.input);
+  require_field(parts, names, field, noted.options, line.input);
+  std::vector<Block> blocks;
+  for (PartFile& part : parts) blocks.push_back(std::move(part.block));
+  return mesh_of_parts(field.source, field.isovalue, noted.options, std::move(blocks), report);
+}
+
 Outcome mesh_once(const Words& words) {
   Outcome outcome;
   const std::vector<std::string_view> arguments(words.begin(), words.end());
@@ -130,8 +158,13 @@ Outcome mesh_once(const Words& words) {
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
     const std::clock_t start = std::clock();
-    outcome.mesh = mesh_input(
-        run, none, [&](const std::string& warning) { outcome.warnings.push_back(warning); });
+    const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
+    if (line.part) {
+      outcome.mesh = mesh_in_parts(words, line, run.report);
+      examine_mesh(run, outcome.mesh, none, warn);
+    } else {
+      outcome.mesh = mesh_input(run, none, warn);
+    }
     outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const CapReport& cap = run.report.cap;
     outcome.fault = run.fault.empty() ? cap.failure : run.fault;

@@ -149,22 +149,30 @@ TEST_CASE("a region has the same samples in every format") {
   }
 }
 
-TEST_CASE("blocks know their place in the whole, and have every voxel once") {
+TEST_CASE("regions know their place in the whole, and have its samples") {
   const Volume whole = make_builtin_volume("builtin:noise:23");
   const Index3 of{3, 2, 4};
   std::vector<int> seen(whole.sample_count());  // voxels, by their first samples
   int different = 0;
   for (int n = 0; n < 24; ++n) {
-    const BlockChoice choice{{n % 3, n / 3 % 2, n / 6}, of};
-    const Volume block =
-        make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = choice});
+    const Index3 which{n % 3, n / 3 % 2, n / 6};
+    ReadOptions options;
+    options.region = [&](Index3 all, const Vec3&) {
+      Roi roi;
+      for (int axis = 0; axis < 3; ++axis) {
+        roi.begin[axis] = which[axis] * (all[axis] - 1) / of[axis];
+        roi.end[axis] = (which[axis] + 1) * (all[axis] - 1) / of[axis] + 1;
+      }
+      return roi;
+    };
+    const Volume block = make_builtin_volume("builtin:noise:23", options);
     CHECK(block.is_block());
     CHECK(block.whole_dims() == whole.dims());
     CHECK(block.frame() == whole.frame());
     const Index3 first = block.first(), dims = block.dims();
     for (int axis = 0; axis < 3; ++axis) {
-      CHECK(((block.inner_faces() >> (2 * axis)) & 1) == (choice.at[axis] > 0));
-      CHECK(((block.inner_faces() >> (2 * axis + 1)) & 1) == (choice.at[axis] + 1 < of[axis]));
+      CHECK(((block.inner_faces() >> (2 * axis)) & 1) == (which[axis] > 0));
+      CHECK(((block.inner_faces() >> (2 * axis + 1)) & 1) == (which[axis] + 1 < of[axis]));
     }
     for (int k = 0; k < dims.k; ++k) {
       for (int j = 0; j < dims.j; ++j) {
@@ -186,12 +194,10 @@ TEST_CASE("blocks know their place in the whole, and have every voxel once") {
   CHECK(std::ranges::count(seen, 1) == 22 * 22 * 22);
   CHECK(std::ranges::count(seen, 0) == 23 * 23 * 23 - 22 * 22 * 22);
   CHECK_FALSE(whole.is_block());
-  // One block is a block as well, at the isovalue of blocks.
-  const BlockChoice all{{}, {1, 1, 1}};
-  CHECK(make_builtin_volume("builtin:noise:23", {.raw = {}, .roi = {}, .block = all}).is_block());
-  CHECK_THROWS_AS(make_builtin_volume("builtin:noise:23",
-                                      {.raw = {}, .roi = {}, .block = BlockChoice{{}, {23, 1, 1}}}),
-                  InputError);
+  ReadOptions failing;
+  failing.region = [](Index3, const Vec3&) -> Roi { throw InputError("too small"); };
+  CHECK_THROWS_WITH_AS(make_builtin_volume("builtin:noise:23", failing),
+                       "builtin:noise:23: too small", InputError);
 }
 
 TEST_CASE("raw data in native order is mapped, not copied") {
