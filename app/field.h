@@ -45,8 +45,8 @@ struct Field {
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
 
-// Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for one
-// out of range.
+// Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for
+// one out of range.
 Vec3 sigma_of(const Length& smooth, const Volume& volume);
 
 // Returns " median=1 smooth=0.5 label=1,4" or the like, for the comment in a mesh's file. Lengths

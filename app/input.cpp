@@ -97,8 +97,7 @@ std::string input_text(const Input& input) {
   };
   std::string text = "volume    " + one_line(input.name) + "\n          " + std::to_string(dims.i) +
                      " x " + std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
-                     std::string(name_of(volume.type())) + ", spacing " +
-                     text_of(volume.spacing());
+                     std::string(name_of(volume.type())) + ", spacing " + text_of(volume.spacing());
   if (input.range) {
     text += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
   }

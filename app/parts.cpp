@@ -19,9 +19,9 @@ namespace {
 
 // Options that do not change a mesh. A part does not note them.
 constexpr std::array<std::string_view, 16> kNotNoted{
-    "--output",  "--format", "--ply-ascii", "--float",       "--double",  "--attributes",
-    "--json",    "--quiet",  "--verbose",   "--check",       "--threads", "--restricted",
-    "--allow-empty", "--part", "--help",    "--version"};
+    "--output",      "--format", "--ply-ascii", "--float",  "--double",  "--attributes",
+    "--json",        "--quiet",  "--verbose",   "--check",  "--threads", "--restricted",
+    "--allow-empty", "--part",   "--help",      "--version"};
 
 bool is_noted(std::string_view word) {
   return std::ranges::find(kNotNoted, word.substr(0, word.find('='))) == kNotNoted.end();
@@ -63,8 +63,7 @@ FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
   if (line.field.of_labels()) {
     const Volume all = all_of(raw);
     value_range(all, name);
-    const Field field =
-        make_field(all, line.field, find_labels(all, name, threads), name, threads);
+    const Field field = make_field(all, line.field, find_labels(all, name, threads), name, threads);
     return {source_of(field.volume), field.label->isovalue};
   }
   const double isovalue = *line.isovalue;
@@ -116,8 +115,8 @@ CommandLine line_of(const PartFile& part, const std::string& part_name, const st
   std::vector<std::string_view> words{"mesh", input};
   for (const std::string& word : part.words) {
     if (!word.starts_with("--") || !is_noted(word)) {
-      throw InputError(text(quote(part_name), " is no sound part: it notes the option ",
-                            quote(word)));
+      throw InputError(
+          text(quote(part_name), " is no sound part: it notes the option ", quote(word)));
     }
     words.push_back(word);
   }

@@ -61,8 +61,8 @@ int run_join(const CommandLine& join) {
   require_field(parts, names, field, line.options, line.input);
 
   ProgressBar progress(mesh_stages(line), !line.quiet);
-  const Input input{line.input, field_of(volume, field, line), {}, log, reading.seconds(),
-                    field.isovalue, ""};
+  const Input input{
+      line.input, field_of(volume, field, line), {}, log, reading.seconds(), field.isovalue, ""};
   MeshRun run(line, input);
   Options options = line.options;
   options.observer = &progress;

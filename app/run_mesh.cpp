@@ -236,8 +236,7 @@ std::function<void(const std::string&)> warner(ProgressBar& progress, const Comm
   };
 }
 
-void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run,
-                 const TriMesh& mesh) {
+void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh) {
   const CommandLine& line = run.line;
   progress.show("writing", 0);
   const Stopwatch watch;

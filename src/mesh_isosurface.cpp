@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
 #include "cap/close_on_box.h"
 #include "cap/dissolve.h"
 #include "contour/contour.h"
-#include "base/text.h"
 #include "deliso/deliso.h"
 #include "mesh_parts.h"
 #include "refine/coarsen.h"
@@ -118,10 +118,10 @@ TriMesh mesh_of_parts(const VolumeSource& source, double isovalue, const Options
   const StepTimer total(report.seconds_total);
   const Parameters parameters = begin(source.shape, isovalue, options, report);
   require_no_whole(options, parameters);
-  Block whole = join_parts(source, report.kappa_effective, options, parameters, std::move(parts),
-                           report);
-  return finish(std::move(whole), source,
-                dissolved(source, report.kappa_effective, options), options, parameters, report);
+  Block whole =
+      join_parts(source, report.kappa_effective, options, parameters, std::move(parts), report);
+  return finish(std::move(whole), source, dissolved(source, report.kappa_effective, options),
+                options, parameters, report);
 }
 
 TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& options) {

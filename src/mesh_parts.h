@@ -18,10 +18,10 @@ BlockGrid grid_of_parts(const Volume& shape, const Options& options);
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part);
 
 // Returns the mesh of one part, with what its seams to others still need. It is empty where there
-// is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in the part's blocks;
-// all of it is in memory if components are chosen. Throws InputError as mesh_isosurface() does, for
-// options that need all of the mesh at once (the paper's Recover, pole heights, a desired count),
-// and where a seam to another part is refused.
+// is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in the part's
+// blocks; all of it is in memory if components are chosen. Throws InputError as mesh_isosurface()
+// does, for options that need all of the mesh at once (the paper's Recover, pole heights, a desired
+// count), and where a seam to another part is refused.
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
                 PartChoice part, Report& report);
 

@@ -131,9 +131,8 @@ Volume gaussian(const Volume& volume, const Vec3& sigma, int threads) {
 }
 
 SampleType gaussian_type(const Volume& volume) {
-  return volume.visit([]<class T>(const T*) {
-    return kFitsFloat<T> ? SampleType::f32 : SampleType::f64;
-  });
+  return volume.visit(
+      []<class T>(const T*) { return kFitsFloat<T> ? SampleType::f32 : SampleType::f64; });
 }
 
 }  // namespace deliso

@@ -17,10 +17,10 @@ int gaussian_radius(double sigma);
 
 // Returns the volume under a Gaussian with `sigma` samples along x, y and z. Beyond the box samples
 // are reflected (d c b a | a b c d | d c b a); beyond a block's too, so what lies within the radius
-// of an inner face differs from the larger volume's. Sums are of doubles in a fixed order, so the result
-// is the same with any number of threads. It is float32; float64 for samples that float32 may round
-// (32-bit integers, float64). Memory: the result, and two slices per thread.
-// pre: each sigma is from 0 to kLargestSigma; no sample is NaN or infinite.
+// of an inner face differs from the larger volume's. Sums are of doubles in a fixed order, so the
+// result is the same with any number of threads. It is float32; float64 for samples that float32
+// may round (32-bit integers, float64). Memory: the result, and two slices per thread. pre: each
+// sigma is from 0 to kLargestSigma; no sample is NaN or infinite.
 Volume gaussian(const Volume& volume, const Vec3& sigma, int threads = 1);
 
 // Returns the type of the result.

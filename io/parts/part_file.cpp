@@ -110,8 +110,8 @@ struct Place {
 };
 
 template <class Archive>
-void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles,
-          std::vector<Place>& places, BoundaryLoops& loops) {
+void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles, std::vector<Place>& places,
+          BoundaryLoops& loops) {
   a(part.choice.number, part.choice.of);
   a.list(part.words, [&](std::string& word) { pass(a, word); });
   pass(a, part.dims);
@@ -179,9 +179,8 @@ void require_sound_curves(const BoundaryLoops& loops, const std::vector<Place>& 
 
 // Makes the chain. Throws unless its edges are those where the mesh ends.
 void link_chain(SurfaceMesh& s, std::vector<Place> places, std::string_view name) {
-  std::ranges::sort(places, {}, [](const Place& p) {
-    return std::tuple(p.at.loop, p.at.s, p.vertex.number());
-  });
+  std::ranges::sort(
+      places, {}, [](const Place& p) { return std::tuple(p.at.loop, p.at.s, p.vertex.number()); });
   for (std::size_t begin = 0, end; begin < places.size(); begin = end) {
     std::vector<VertexId> vertices;
     std::vector<CurvePlace> at;

@@ -58,7 +58,8 @@ void clear(Block& block, const BoxSurface& at, const BlockRun& run) {
   std::size_t unknown = 1, flat = 0;
   for (int round = 0; round < kMaxSeamRounds && unknown + flat > 0; ++round) {
     unknown = clear_seam(block.mesh, at.surface, curves, run.parameters, block.report);
-    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, run.parameters, block.report);
+    flat = lift_off(block.mesh, at.surface, curves, inner, OffSurface::refused, run.parameters,
+                    block.report);
   }
   block.refused = faulty_faces(block.mesh, curves, at.volume);
   // Blocks wait for each other.

@@ -310,7 +310,8 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
   for (int number = 1; number <= of; ++number) {
     const CellRun own = cells_of({number, of}, cells);
     for (std::size_t n = own.begin; n < own.end; ++n) part_of[n] = with_cells.size();
-    if (own.begin < own.end) with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
+    if (own.begin < own.end)
+      with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
   }
   begin_stage(parameters.observer, "weld");
   Block whole = weld(with_cells, source.shape.spacing(), [](Index3) { return false; });

@@ -2,11 +2,10 @@
 #include "blocks/order.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <tuple>
-#include <utility>
 #include <vector>
-
-#include "blocks/components.h"
 
 namespace deliso {
 namespace {
@@ -28,16 +27,46 @@ std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid,
     if (is_dead(face)) continue;
     for (const VertexId v : face.v) is_used[v] = 1;
   }
-  std::vector<std::pair<std::size_t, VertexId>> in_cells;
+  struct Placed {
+    std::size_t cell;
+    Vec3 at;
+    VertexId vertex;
+  };
+  std::vector<Placed> placed;
+  placed.reserve(mesh.points.size());
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v] == 0) continue;
-    in_cells.emplace_back(grid.number_of(grid.cell_of(shape.voxel_at(mesh.points[v]))), v);
+    const Vec3& p = mesh.points[v];
+    placed.push_back({grid.number_of(grid.cell_of(shape.voxel_at(p))), p, v});
   }
-  std::ranges::sort(in_cells, {}, [&](const auto& item) {
-    return std::tuple(item.first, by_place(mesh.points[item.second]), item.second.number());
+  std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
+    if (a.cell != b.cell) return a.cell < b.cell;
+    if (a.at.x != b.at.x) return a.at.x < b.at.x;
+    return std::tuple(a.at.y, a.at.z, a.vertex.number()) <
+           std::tuple(b.at.y, b.at.z, b.vertex.number());
   });
   std::vector<VertexId> order;
-  for (const auto& [cell, v] : in_cells) order.push_back(v);
+  order.reserve(placed.size());
+  for (const Placed& p : placed) order.push_back(p.vertex);
+  return order;
+}
+
+// Returns the live facets by their vertices; nearly all have few others with their first vertex.
+std::vector<FaceId> facet_order(const TriMesh& mesh) {
+  std::vector<std::uint32_t> begin(mesh.points.size() + 1, 0);
+  for (const Face& face : mesh.faces) {
+    if (!is_dead(face)) ++begin[face.v[0] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<FaceId> order(begin.back(), kNoId);
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
+    if (!is_dead(mesh.faces[f])) order[next[mesh.faces[f].v[0]]++] = f;
+  }
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    std::ranges::sort(order.begin() + begin[v], order.begin() + begin[v + 1], {},
+                      [&](FaceId f) { return mesh.faces[f].v; });
+  }
   return order;
 }
 
@@ -53,14 +82,12 @@ void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape) {
   block.may_thin = in_order(block.may_thin, vertices);
   s.chain = s.chain.renumbered(new_id);
 
-  std::vector<FaceId> facets;
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    if (is_dead(mesh.faces[f])) continue;
-    for (VertexId& v : mesh.faces[f].v) v = new_id[v];
-    turn(mesh.faces[f]);
-    facets.push_back(f);
+  for (Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
+    for (VertexId& v : face.v) v = new_id[v];
+    turn(face);
   }
-  std::ranges::sort(facets, {}, [&](FaceId f) { return mesh.faces[f].v; });
+  const std::vector<FaceId> facets = facet_order(mesh);
   IdArray<FaceId, FaceId> new_face(mesh.faces.size(), kNoId);
   for (FaceId f = 0; f < facets.size(); ++f) new_face[facets[f.number()]] = f;
   mesh.faces = in_order(mesh.faces, facets);

@@ -34,9 +34,9 @@ struct PlacesInPatches {
   IdArray<VertexId, VertexId> vertex;
 };
 
-// Puts patch.facets in order, and sets the region's first_free, patch.vertices and patch.mesh; facets
-// begin with their first vertex in that order. Writes only the places of what the patch's region holds, so
-// several patches may be extracted at once.
+// Puts patch.facets in order, and sets the region's first_free, patch.vertices and patch.mesh;
+// facets begin with their first vertex in that order. Writes only the places of what the patch's
+// region holds, so several patches may be extracted at once.
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 
 // Copies the patch's facets in its region back. New vertices and facets get the ids of removed

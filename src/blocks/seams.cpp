@@ -56,7 +56,9 @@ class Intervals {
 class RoundBoxes {
  public:
   RoundBoxes(const BlockRun& run, std::size_t round)
-      : grid_(run.grid), round_(round), axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
+      : grid_(run.grid),
+        round_(round),
+        axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
 
   std::size_t size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
 
@@ -148,8 +150,7 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
 // What of the mesh is left to do at the seams.
 class SeamWork {
  public:
-  SeamWork(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
-           Observer* observer)
+  SeamWork(const BlockRun& run, Block& whole, const IsDue& is_due, int threads, Observer* observer)
       : run_(run),
         whole_(whole),
         is_due_(is_due),

@@ -28,8 +28,8 @@ Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
   const BoxFace face = loop.faces[i];
   Index3 voxel;
   for (int axis = 0; axis < 3; ++axis) {
-    voxel[axis] = std::clamp(static_cast<int>(middle[axis] / spacing[axis]),
-                             block.box.begin[axis], block.box.end[axis] - 1);
+    voxel[axis] = std::clamp(static_cast<int>(middle[axis] / spacing[axis]), block.box.begin[axis],
+                             block.box.end[axis] - 1);
   }
   const int across = axis_of(face);
   voxel[across] = (face & 1) != 0 ? block.box.end[across] : block.box.begin[across] - 1;
@@ -260,8 +260,7 @@ class Welder {
     take(blocks_[b].samples_near_seams, out_.samples_near_seams);
     take(blocks_[b].samples, out_.samples);
     take(blocks_[b].is_open, out_.is_open);
-    out_.components.insert(out_.components.end(),
-                           std::move_iterator(blocks_[b].components.begin()),
+    out_.components.insert(out_.components.end(), std::move_iterator(blocks_[b].components.begin()),
                            std::move_iterator(blocks_[b].components.end()));
     out_.report.add(blocks_[b].report);
   }

@@ -773,31 +773,31 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused") {
   CHECK(line.part == PartChoice{3, 64});
   CHECK(line.words == std::vector<std::string>{"--iso=1", "--part=3/64", "--output=p.part", "--cap",
                                                "--largest=2"});
-  for (const char* text : {"", "1", "0/2", "3/2", "1/0", "-1/2", "a/2", "1/2/3", "1/99999999999",
-                           "1.5/2"}) {
+  for (const char* text :
+       {"", "1", "0/2", "3/2", "1/0", "-1/2", "a/2", "1/2/3", "1/99999999999", "1.5/2"}) {
     CAPTURE(text);
     CHECK_FALSE(refusal({"a.nrrd", "--iso", "1", "-o", "p.part", "--part", text}).empty());
   }
   const std::vector<std::vector<std::string_view>> others{
-      {"--vertices", "100"},   {"--triangles", "100"},  {"--paper"}, {"--recover", "paper"},
-      {"--single-stage"},      {"--eps2", "0.2"},       {"--float"}, {"--format", "stl"},
-      {"--ply-ascii"},         {"--json", "a.json"},    {"--check"},
-      {"--method", "marching-cubes"}};
+      {"--vertices", "100"}, {"--triangles", "100"}, {"--paper"}, {"--recover", "paper"},
+      {"--single-stage"},    {"--eps2", "0.2"},      {"--float"}, {"--format", "stl"},
+      {"--ply-ascii"},       {"--json", "a.json"},   {"--check"}, {"--method", "marching-cubes"}};
   for (const auto& other : others) {
     CAPTURE(other[0]);
-    std::vector<std::string_view> arguments{"a.nrrd", "--iso", "1", "-o", "p.part", "--part",
-                                            "1/2"};
+    std::vector<std::string_view> arguments{"a.nrrd", "--iso",  "1",  "-o",
+                                            "p.part", "--part", "1/2"};
     arguments.insert(arguments.end(), other.begin(), other.end());
     const std::string what = refusal(arguments);
     CHECK(what.starts_with("--part and "));
   }
-  CHECK(refusal({"a.nrrd", "--iso", "1", "--part", "1/2"}) == "no part named: -o FILE.part, or -o -");
+  CHECK(refusal({"a.nrrd", "--iso", "1", "--part", "1/2"}) ==
+        "no part named: -o FILE.part, or -o -");
   CHECK(refusal({"info", "a.nrrd", "--part", "1/2"}) == "--part has no meaning for deliso info");
 }
 
 TEST_CASE("parts to join") {
-  const CommandLine line = parse(
-      {"join", "a.part", "b.part", "--volume", "v.nrrd", "-o", "whole.stl", "--check"});
+  const CommandLine line =
+      parse({"join", "a.part", "b.part", "--volume", "v.nrrd", "-o", "whole.stl", "--check"});
   CHECK(line.command == Command::join);
   CHECK(line.meshes == std::vector<std::string>{"a.part", "b.part"});
   CHECK(line.input == "v.nrrd");
@@ -806,8 +806,9 @@ TEST_CASE("parts to join") {
   CHECK(refusal({"join", "--volume", "v.nrrd", "-o", "whole.ply"}).starts_with("no parts given"));
   CHECK(refusal({"join", "a.part", "-o", "whole.ply"}).starts_with("no volume given"));
   CHECK(refusal({"join", "a.part", "--volume", "v.nrrd"}).starts_with("no mesh named"));
-  CHECK(refusal({"join", "-", "-", "--volume", "v.nrrd", "-o", "whole.ply"}).find(
-            "standard input") != std::string::npos);
+  CHECK(
+      refusal({"join", "-", "-", "--volume", "v.nrrd", "-o", "whole.ply"}).find("standard input") !=
+      std::string::npos);
   CHECK(refusal({"join", "a.part", "--volume", "v.nrrd", "--iso", "1", "-o", "whole.ply"}) ==
         "--iso has no meaning for deliso join");
 }

@@ -22,8 +22,9 @@ bool share_a_face(Index3 a, Index3 b) {
 
 }  // namespace
 
-TEST_CASE("cells follow each other across faces, and those of a part that meet at an edge meet at "
-          "a face") {
+TEST_CASE(
+    "cells follow each other across faces, and those of a part that meet at an edge meet at "
+    "a face") {
   for (const Index3 dims : {Index3{5, 4, 3}, Index3{2, 3, 4}, Index3{3, 3, 1}, Index3{1, 5, 2}}) {
     const Volume volume = Volume::from_function({{0, 0, 0}, {1, 1, 1}},
                                                 {4 * dims.i + 1, 4 * dims.j + 1, 4 * dims.k + 1},
@@ -89,8 +90,7 @@ TEST_CASE("parts have the mesh of one process, caps and chosen components includ
     } catch (const InputError&) {
       continue;  // a seam between parts that is refused
     }
-    const TriMesh joined =
-        mesh_of_parts(source, tiny.isovalue, options, std::move(parts), report);
+    const TriMesh joined = mesh_of_parts(source, tiny.isovalue, options, std::move(parts), report);
     CHECK(std::ranges::equal(joined.points, whole.points));
     CHECK(std::ranges::equal(joined.faces, whole.faces, {}, &Face::v, &Face::v));
     CHECK(report.exact == whole_report.exact);

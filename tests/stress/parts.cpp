@@ -2,9 +2,10 @@
 // Random volumes (tiny_volume.h) meshed in parts, written, read and joined, as the program does it.
 //   stress_parts [--first-seed N] [--count M] [--list]
 // The seed also says which of --smooth, --median, --label, --cap, --largest and --min-component are
-// on, the side of a block (4 to 8 voxels), how many parts there are (1, 4, 7 or 64), and whether the
-// samples are in memory or read box by box. Parts are joined in three orders. Exit status 1 when a
-// join has another mesh than one process. A seam between parts may be refused; that is counted.
+// on, the side of a block (4 to 8 voxels), how many parts there are (1, 4, 7 or 64), and whether
+// the samples are in memory or read box by box. Parts are joined in three orders. Exit status 1
+// when a join has another mesh than one process. A seam between parts may be refused; that is
+// counted.
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
