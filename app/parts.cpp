@@ -35,14 +35,6 @@ Index3 reach_of(const FieldOptions& options, const Volume& shape) {
   return reach;
 }
 
-SampleBox grown(SampleBox box, Index3 by, Index3 last) {
-  for (int axis = 0; axis < 3; ++axis) {
-    box.begin[axis] = std::max(box.begin[axis] - by[axis], 0);
-    box.end[axis] = std::min(box.end[axis] + by[axis], last[axis]);
-  }
-  return box;
-}
-
 Volume without_samples(Index3 dims, const Vec3& spacing, SampleType type, const Frame& frame) {
   return Volume(dims, spacing, type, nullptr, nullptr, frame);
 }

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "blocks/mesh_in_blocks.h"
+#include "blocks/seams.h"
 #include "cap/close_on_box.h"
 #include "cap/dissolve.h"
 #include "contour/contour.h"
@@ -92,15 +93,14 @@ BlockGrid grid_of_parts(const Volume& shape, const Options& options) {
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
   const std::vector<SampleBox> boxes = grid_of_parts(shape, options).boxes();
   const CellRun own = cells_of(part, boxes.size());
-  if (own.begin == own.end) return {{0, 0, 0}, {1, 1, 1}};
-  SampleBox all = boxes[own.begin];
+  SampleBox all = own.begin == own.end ? SampleBox{{0, 0, 0}, {1, 1, 1}} : boxes[own.begin];
   for (std::size_t cell = own.begin; cell < own.end; ++cell) {
     for (int axis = 0; axis < 3; ++axis) {
       all.begin[axis] = std::min(all.begin[axis], boxes[cell].begin[axis]);
       all.end[axis] = std::max(all.end[axis], boxes[cell].end[axis]);
     }
   }
-  return all;
+  return grown(all, {kSeamMarginSamples, kSeamMarginSamples, kSeamMarginSamples}, shape.voxels());
 }
 
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,

@@ -18,6 +18,14 @@ bool overlap(const SampleBox& a, const SampleBox& b) {
 
 }  // namespace
 
+SampleBox grown(SampleBox box, Index3 by, Index3 last) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.begin[axis] = std::max(box.begin[axis] - by[axis], 0);
+    box.end[axis] = std::min(box.end[axis] + by[axis], last[axis]);
+  }
+  return box;
+}
+
 bool is_in(const SampleBox& inner, const SampleBox& outer) {
   for (int axis = 0; axis < 3; ++axis) {
     if (inner.begin[axis] < outer.begin[axis] || inner.end[axis] > outer.end[axis]) return false;

@@ -18,6 +18,8 @@ struct SampleBox {
   friend bool operator==(const SampleBox&, const SampleBox&) = default;
 };
 bool is_in(const SampleBox& inner, const SampleBox& outer);
+// Returns the box with more samples on either side, cut off at sample 0 and `last`.
+SampleBox grown(SampleBox box, Index3 by, Index3 last);
 
 struct BlockGrid {
   // Per axis the planes of samples between which the blocks lie, first and last included.

@@ -20,8 +20,6 @@ namespace {
 // Half the thickness of the boxes of each round, in samples; at most this share of a block's side.
 constexpr std::array kHalfSamples{12.0, 18.0, 24.0};
 constexpr std::array kMaxShares{0.25, 0.375, 0.5};
-// Samples beyond a box, for searches from facets in it.
-constexpr int kMarginSamples = 4;
 // Boxes at work at once, for each thread: bounds the memory of those that are not put back yet.
 constexpr std::size_t kPatchesPerThread = 8;
 
@@ -141,8 +139,8 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
   for (int axis = 0; axis < 3; ++axis) {
     const double high = last[axis];
     const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, high)); };
-    box.begin[axis] = clamped(std::floor(region.lo[axis] / spacing[axis]) - kMarginSamples);
-    box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kMarginSamples);
+    box.begin[axis] = clamped(std::floor(region.lo[axis] / spacing[axis]) - kSeamMarginSamples);
+    box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kSeamMarginSamples);
   }
   return box;
 }

@@ -25,6 +25,9 @@ namespace deliso {
 // True for a box that is to be refined, by the numbers of the cells (blocks/grid.h) it lies in.
 using IsDue = std::function<bool(std::span<const std::size_t> cells)>;
 
+// Samples beyond a box that are read too, for searches from facets in it.
+inline constexpr int kSeamMarginSamples = 4;
+
 // Refines at the seams of welded blocks, in the boxes that are due. Dead facets and unused vertices
 // stay. Adds what was done to whole.report. Tells the observer, which may be null, of each box;
 // stage "seams" begins whenever boxes are refined side by side.

@@ -50,9 +50,13 @@ template <class T>
   while (std::isfinite(samples[n])) ++n;
   const std::size_t nx = static_cast<std::size_t>(volume.dims().i);
   const std::size_t ny = static_cast<std::size_t>(volume.dims().j);
+  const auto place = [](std::size_t index, int first) {
+    return std::to_string(index + static_cast<std::size_t>(first));
+  };
+  const Index3 first = volume.first();
   throw InputError(std::string(name) + ": " + (std::isnan(samples[n]) ? "NaN" : "infinite") +
-                   " sample at (" + std::to_string(n % nx) + ", " + std::to_string(n / nx % ny) +
-                   ", " + std::to_string(n / nx / ny) + ")");
+                   " sample at (" + place(n % nx, first.i) + ", " + place(n / nx % ny, first.j) +
+                   ", " + place(n / nx / ny, first.k) + ")");
 }
 
 }  // namespace

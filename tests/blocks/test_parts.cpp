@@ -140,3 +140,35 @@ TEST_CASE("both sides of a seam have the same vertices in the same places") {
   }
   CHECK(compared > 500);
 }
+
+TEST_CASE(
+    "a part reads no sample outside of its box: narrow blocks have wider seams than half a block") {
+  int read = 0, beyond_blocks = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const auto tiny = make_tiny_volume(seed, 16, 28);
+    Options options;
+    options.block_side = 4 + static_cast<int>(seed);
+    const VolumeSource all = source_of(tiny.volume);
+    const BlockGrid grid = grid_of_parts(all.shape, options);
+    const PartChoice part{2, 3};
+    const SampleBox own = box_of_part(all.shape, options, part);
+    const std::vector<SampleBox> cells = grid.boxes();
+    const VolumeSource watched{
+        all.shape, [&](const SampleBox& box) {
+          CAPTURE(seed);
+          CHECK(is_in(box, own));
+          ++read;
+          beyond_blocks +=
+              std::ranges::none_of(cells, [&](const SampleBox& cell) { return is_in(box, cell); });
+          return all.read(box);
+        }};
+    Report report;
+    try {
+      mesh_part(watched, tiny.isovalue, options, part, report);
+    } catch (const InputError&) {
+      // A seam to another part may be refused.
+    }
+  }
+  CHECK(read > 50);
+  CHECK(beyond_blocks > 10);
+}

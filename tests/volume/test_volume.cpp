@@ -225,6 +225,12 @@ TEST_CASE("value_range names the first NaN or infinite sample") {
   check_bad_sample(std::numeric_limits<double>::quiet_NaN(), "NaN");
   check_bad_sample(std::numeric_limits<float>::infinity(), "infinite");
   check_bad_sample(-std::numeric_limits<double>::infinity(), "infinite");
+  std::vector<float> samples(8);
+  samples[6] = std::numeric_limits<float>::quiet_NaN();
+  const Volume block =
+      Volume::from_samples({2, 2, 2}, {1, 1, 1}, samples).as_block({10, 20, 30}, {50, 50, 50});
+  CHECK_THROWS_WITH_AS(value_range(block, "v.nrrd"), "v.nrrd: NaN sample at (10, 21, 31)",
+                       InputError);
 }
 
 TEST_CASE("a frame maps to the world along its axes, and knows when they are left-handed") {
