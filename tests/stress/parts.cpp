@@ -72,10 +72,15 @@ CommandLine line_of(const Case& made, int part, int of) {
   return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
 }
 
-VolumeSource source_for(std::uint64_t seed, const Volume& volume) {
-  VolumeSource source = source_of(volume);
-  if (seed % 2 == 0) source.in_memory.reset();
-  return source;
+// The samples for a part: read box by box, or in memory, and then only what the part needs.
+VolumeSource source_for(std::uint64_t seed, const Volume& volume, const CommandLine& line) {
+  if (seed % 2 == 0) {
+    VolumeSource source = source_of(volume);
+    source.in_memory.reset();
+    return source;
+  }
+  const auto [begin, end] = region_of_part(line, volume.dims(), volume.spacing());
+  return source_of(samples_of(volume, {begin, {end.i - 1, end.j - 1, end.k - 1}}));
 }
 
 bool are_equal(const TriMesh& a, const TriMesh& b) {
@@ -86,14 +91,16 @@ bool are_equal(const TriMesh& a, const TriMesh& b) {
 // Returns what is wrong; empty: nothing.
 std::string fault_of(std::uint64_t seed, const Case& made, int of) {
   const CommandLine line = line_of(made, 0, 0);
-  const VolumeSource source = source_for(seed, made.volume);
+  const VolumeSource source = source_of(made.volume);
   const FieldSource field = field_source(source, line, kName);
   Report whole_report;
   const TriMesh whole =
       mesh_isosurface(all_of(field.source), field.isovalue, line.options, whole_report);
   std::vector<std::string> bytes;
   for (int n = 1; n <= of; ++n) {
-    bytes.push_back(part_bytes(make_part(source, line_of(made, n, of), kName, nullptr)));
+    const CommandLine of_part = line_of(made, n, of);
+    const VolumeSource samples = source_for(seed, made.volume, of_part);
+    bytes.push_back(part_bytes(make_part(samples, of_part, kName, nullptr)));
   }
   Random random(seed);
   std::vector<std::size_t> order(bytes.size());
