@@ -69,8 +69,8 @@ inline bool has_corner(const Triangle& t, VertexId v) {
 // Turns the facet so that its first corner is the one with the smallest id.
 inline void turn(Face& face) {
   const auto shift = std::ranges::min_element(face.v) - face.v.begin();
-  std::ranges::rotate(face.v, face.v.begin() + shift);
-  std::ranges::rotate(face.n, face.n.begin() + shift);
+  std::rotate(face.v.begin(), face.v.begin() + shift, face.v.end());
+  std::rotate(face.n.begin(), face.n.begin() + shift, face.n.end());
 }
 
 // The two facets at the edge of f opposite its corner i. Corner a is that one, the edge runs from b
