@@ -212,7 +212,8 @@ EditVerdict run_seed(std::uint64_t seed) {
 int main(int argc, char** argv) {
   const auto seeds = parse_seeds(argc, argv, "stress_hostile_parts", 440);
   if (!seeds) return 2;
-  const auto [first, count, list] = *seeds;
+  const std::uint64_t first = seeds->first, count = seeds->count;
+  const bool list = seeds->list;
   std::array<std::uint64_t, kOutcomes.size()> outcomes{};
   std::uint64_t lost = 0;
   const auto print = [](std::uint64_t seed, std::string_view outcome, const char* what) {
