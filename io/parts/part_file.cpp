@@ -43,11 +43,6 @@ template <class Archive>
 void pass(Archive& a, std::string& word) {
   a.list(word, [&](char& c) { a(c); });
 }
-template <class Archive>
-void pass(Archive& a, SampleBox& box) {
-  pass(a, box.begin);
-  pass(a, box.end);
-}
 template <class Archive, class List>
 void pass_points(Archive& a, List& points) {
   a.list(points, [&](Vec3& p) { pass(a, p); });
@@ -121,7 +116,6 @@ void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles, std::vec
   for (Vec3& axis : part.frame.axes) pass(a, axis);
   a(part.frame.space, part.isovalue, part.samples_at_seams);
   Block& block = part.block;
-  pass(a, block.box);
   a.list(block.components, [&](BlockComponents& c) { pass(a, c); });
   pass_points(a, block.mesh.mesh.points);
   a.list(triangles, [&](Triangle& t) { a(t[0], t[1], t[2]); });

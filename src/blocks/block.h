@@ -33,7 +33,7 @@ struct BoxSurface {
 };
 
 struct Block {
-  SampleBox box;
+  SampleBox box;                            // of one that is not welded
   std::vector<BlockComponents> components;  // of each that was welded
   SurfaceMesh mesh;
   std::shared_ptr<const BoundaryLoops> loops;  // of its chain

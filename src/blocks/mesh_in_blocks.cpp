@@ -314,7 +314,7 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
       with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
   }
   begin_stage(parameters.observer, "weld");
-  Block whole = weld(with_cells, source.shape.spacing(), [](Index3) { return false; });
+  Block whole = weld(with_cells, source.shape.spacing(), nullptr);
   if (cells > 1) {
     require_closed(whole);
     const IsDue is_between = [&](std::span<const std::size_t> box) {

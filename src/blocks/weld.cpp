@@ -41,7 +41,8 @@ std::vector<std::uint8_t> welded_arcs(const Block& block, const BoundaryLoop& lo
                                       const Vec3& spacing, const IsElsewhere& is_elsewhere) {
   std::vector<std::uint8_t> welded = loop.fixed;
   for (std::size_t i = 0; i < welded.size(); ++i) {
-    if (welded[i] != 0 && is_elsewhere(voxel_beyond(block, loop, i, spacing))) welded[i] = 0;
+    if (is_elsewhere && welded[i] != 0 && is_elsewhere(voxel_beyond(block, loop, i, spacing)))
+      welded[i] = 0;
   }
   return welded;
 }

@@ -14,6 +14,7 @@
 namespace deliso {
 
 // True if the cell (blocks/grid.h) with this voxel is in another part, so that seams to it stay.
+// Null: no cell is.
 using IsElsewhere = std::function<bool(Index3 voxel)>;
 
 // Returns the blocks as one. Empties them. Their order is that of the result's vertices and facets.
