@@ -51,26 +51,26 @@ std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid,
   return order;
 }
 
-// Returns the live facets by their vertices; nearly all have few others with their first vertex.
-std::vector<FaceId> facet_order(const TriMesh& mesh) {
-  std::vector<std::uint32_t> begin(mesh.points.size() + 1, 0);
-  for (const Face& face : mesh.faces) {
+}  // namespace
+
+std::vector<FaceId> facet_order(const IdArray<FaceId, Face>& faces, std::size_t vertices) {
+  // Few have the same first vertex.
+  std::vector<std::uint32_t> begin(vertices + 1, 0);
+  for (const Face& face : faces) {
     if (!is_dead(face)) ++begin[face.v[0] + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<FaceId> order(begin.back(), kNoId);
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    if (!is_dead(mesh.faces[f])) order[next[mesh.faces[f].v[0]]++] = f;
+  for (FaceId f = 0; f < faces.size(); ++f) {
+    if (!is_dead(faces[f])) order[next[faces[f].v[0]]++] = f;
   }
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     std::ranges::sort(order.begin() + begin[v], order.begin() + begin[v + 1], {},
-                      [&](FaceId f) { return mesh.faces[f].v; });
+                      [&](FaceId f) { return faces[f].v; });
   }
   return order;
 }
-
-}  // namespace
 
 void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape) {
   SurfaceMesh& s = block.mesh;
@@ -87,7 +87,7 @@ void order_by_place(Block& block, const BlockGrid& grid, const Volume& shape) {
     for (VertexId& v : face.v) v = new_id[v];
     turn(face);
   }
-  const std::vector<FaceId> facets = facet_order(mesh);
+  const std::vector<FaceId> facets = facet_order(mesh.faces, mesh.points.size());
   IdArray<FaceId, FaceId> new_face(mesh.faces.size(), kNoId);
   for (FaceId f = 0; f < facets.size(); ++f) new_face[facets[f.number()]] = f;
   mesh.faces = in_order(mesh.faces, facets);

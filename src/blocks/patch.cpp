@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "base/sorted_list.h"
-#include "blocks/components.h"
+#include "blocks/order.h"
 
 namespace deliso {
 namespace {
@@ -59,12 +60,29 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
   std::vector<VertexId>& vertices = patch.vertices;
   std::vector<VertexId> held;
   for (const FaceId f : patch.facets) {
-    for (const VertexId v : whole.mesh.faces[f].v) (holds(v) ? held : vertices).push_back(v);
+    for (const VertexId v : whole.mesh.faces[f].v) {
+      if (holds(v)) {
+        places.vertex[v] = kNoId;
+      } else {
+        vertices.push_back(v);
+      }
+    }
   }
-  for (std::vector<VertexId>* const some : {&vertices, &held}) {
-    sort_unique(*some);
-    std::ranges::stable_sort(*some, {}, [&](VertexId v) { return by_place(whole.mesh.points[v]); });
+  sort_unique(vertices);
+  for (const FaceId f : patch.facets) {
+    for (const VertexId v : whole.mesh.faces[f].v) {
+      if (!holds(v) || places.vertex[v] != kNoId) continue;
+      places.vertex[v] = 0;
+      held.push_back(v);
+    }
   }
+  const auto is_before = [&](VertexId a, VertexId b) {
+    const Vec3 &p = whole.mesh.points[a], &q = whole.mesh.points[b];
+    if (p.x != q.x) return p.x < q.x;
+    return std::tuple(p.y, p.z, a.number()) < std::tuple(q.y, q.z, b.number());
+  };
+  std::ranges::sort(vertices, is_before);
+  std::ranges::sort(held, is_before);
   const VertexId first_held(vertices.size());
   const Numbers<VertexId> outside = numbered(std::span<const VertexId>(vertices));
   vertices.insert(vertices.end(), held.begin(), held.end());
@@ -73,36 +91,37 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
     return holds(v) ? places.vertex[v] : number_in(outside, v);
   };
 
-  // A frozen facet has a vertex outside, so those come first.
-  std::vector<std::pair<Face, FaceId>> facets;
+  IdArray<FaceId, Face> faces;
+  faces.reserve(patch.facets.size());
   for (const FaceId f : patch.facets) {
-    Face face = whole.mesh.faces[f];
+    Face& face = faces.emplace_back(whole.mesh.faces[f]);
     for (VertexId& v : face.v) v = local_vertex(v);
     turn(face);
-    facets.emplace_back(face, f);
   }
-  std::ranges::sort(facets, {}, [](const auto& facet) { return facet.first.v; });
+  // A frozen facet has a vertex outside, so those come first.
+  std::vector<FaceId> facets;
   SurfaceMesh& s = patch.mesh;
   patch.region.first_free = 0;
-  for (FaceId n = 0; n < facets.size(); ++n) {
-    const auto& [face, f] = facets[n.number()];
-    patch.facets[n.number()] = f;
-    if (face.v[0] < first_held) {
-      patch.region.first_free = FaceId(n.number() + 1);
+  for (const FaceId n : facet_order(faces, vertices.size())) {
+    const FaceId f = patch.facets[n.number()], own(facets.size());
+    facets.push_back(f);
+    s.mesh.faces.push_back(faces[n]);
+    s.duals.push_back(whole.duals[f]);
+    if (faces[n].v[0] < first_held) {
+      ++patch.region.first_free;
     } else {
-      places.facet[f] = n;
+      places.facet[f] = own;
     }
   }
+  patch.facets = std::move(facets);
   const Numbers<FaceId> frozen =
       numbered(std::span<const FaceId>(patch.facets).first(patch.region.first_free.number()));
   const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
   for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
-  for (const auto& [face, f] : facets) {
-    Face& own = s.mesh.faces.emplace_back(face);
-    for (FaceId& g : own.n) {
+  for (Face& face : s.mesh.faces) {
+    for (FaceId& g : face.n) {
       if (g != kNoId) g = is_free(g) ? places.facet[g] : number_in(frozen, g);
     }
-    s.duals.push_back(whole.duals[f]);
   }
   // The ends of an open chain are their own neighbors.
   const BoundaryChain& chain = whole.chain;

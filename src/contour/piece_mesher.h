@@ -105,9 +105,13 @@ class PieceMesher {
       }
       return sum;
     };
+    const Vec3 size{frame.size.x * spacing_.x, frame.size.y * spacing_.y,
+                    frame.size.z * spacing_.z};
+    const Vec3 scale{1 / size.x, 1 / size.y, 1 / size.z};
     std::size_t from = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const double edge2 = distance2(local(frame, loop[i]), local(frame, loop[(i + 1) % n]));
+      const Vec3 edge = mesh_.points[loop[i]] - mesh_.points[loop[(i + 1) % n]];
+      const double edge2 = length2(Vec3{edge.x * scale.x, edge.y * scale.y, edge.z * scale.z});
       if (edge2 < kMinFanEdge * kMinFanEdge) return false;
       if (chords(i) < chords(from)) from = i;
     }

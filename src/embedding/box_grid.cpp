@@ -31,6 +31,12 @@ BoxGrid::BoxGrid(const Box3& box, double cell) {
   origin_ = box.lo - Vec3{2 / per_cell_, 2 / per_cell_, 2 / per_cell_};
 }
 
+void BoxGrid::expect(std::size_t elements) {
+  levels_[0].lists.resize(std::max(kMinLists, std::bit_ceil(elements / 2 + 1)));
+  blocks_.reserve(elements);
+  places_.reserve(elements);
+}
+
 BoxGrid::Box BoxGrid::box_of(std::span<const Vec3> points) const {
   Box box;
   for (std::size_t axis = 0; axis < 3; ++axis) {

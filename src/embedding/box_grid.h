@@ -34,6 +34,8 @@ class BoxGrid {
 
   // A grid for points in `box`. `cell`: about as large as most of the boxes, or larger.
   BoxGrid(const Box3& box, double cell);
+  // Makes room for so many elements, most of which are at most as large as a cell. pre: empty.
+  void expect(std::size_t elements);
 
   // Returns the box of these points, rounded outwards.
   Box box_of(std::span<const Vec3> points) const;

@@ -42,6 +42,12 @@ bool DiskCrossing::begin(const std::vector<Vec3>& points, const Disk& disk,
       planes_.push_back(plane);
     }
   }
+  // The disk's own vertices are inside, but for the ends of a plane's side.
+  for (const VertexId v : disk.vertices()) known_[v] = {stamp_, 0};
+  for (std::size_t n = 0; n < planes_.size(); ++n) {
+    known_[planes_[n].from].planes |= std::uint32_t{1} << n;
+    known_[planes_[n].to].planes |= std::uint32_t{1} << n;
+  }
   return true;
 }
 

@@ -61,4 +61,23 @@ bool Disk::link() {
   return reached_.size() == n;
 }
 
+bool Disk::link_cone(const std::vector<BoundaryEdge>& rim, VertexId apex) {
+  if (facets.size() != rim.size()) return false;
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    if (facets[k] != Triangle{rim[k].from, rim[k].to, apex}) return false;
+  }
+  across.assign(rim.size(), {kNone, kNone, kNone});
+  boundary.clear();
+  corners_.assign(1, apex);
+  for (std::uint32_t k = 0; k < rim.size(); ++k) {
+    boundary.push_back({rim[k].from, rim[k].to, k, 2});
+    corners_.push_back(rim[k].from);
+    std::uint32_t next = 0;
+    while (rim[next].from != rim[k].to) ++next;
+    across[k][0] = next;
+    across[next][1] = k;
+  }
+  return true;
+}
+
 }  // namespace deliso

@@ -28,6 +28,9 @@ struct Disk {
   // Links `facets`. Returns true if they are a disk: connected, with one simple boundary and V - E
   // + F = 1, which only a disk has.
   bool link();
+  // Links a cone without a search: facet k is that of edge k of `rim`, the boundary of a disk, with
+  // the apex as its last corner. Returns false if the facets are something else.
+  bool link_cone(const std::vector<BoundaryEdge>& rim, VertexId apex);
   // Returns the vertices of the facets linked last.
   std::span<const VertexId> vertices() const { return corners_; }
   // Returns how many vertices are not on the boundary. pre: a disk.

@@ -13,8 +13,13 @@ namespace {
 // with a margin for rounding.
 constexpr double kMaxDistanceRatio2 = 4 * (1 + 1e-12);
 
-// Returns the Delaunay neighbors of every finite vertex.
-std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
+struct Neighbor {
+  SiteId site;
+  double distance2;
+};
+
+// Returns the Delaunay neighbors of every finite vertex, the nearest first.
+std::vector<std::vector<Neighbor>> neighbors_of_all(const Triangulation& t) {
   std::vector<std::vector<SiteId>> all(t.vertex_capacity());
   for (CellId c = 0; c < t.cell_capacity(); ++c) {
     if (!t.is_live(c)) continue;
@@ -24,8 +29,13 @@ std::vector<std::vector<SiteId>> neighbors_of_all(const Triangulation& t) {
       }
     }
   }
-  for (std::vector<SiteId>& neighbors : all) sort_unique(neighbors);
-  return all;
+  std::vector<std::vector<Neighbor>> sorted(all.size());
+  for (SiteId s = 1; s < all.size(); ++s) {
+    sort_unique(all[s]);
+    for (const SiteId n : all[s]) sorted[s].push_back({n, distance2(t.point(s), t.point(n))});
+    std::ranges::stable_sort(sorted[s], {}, &Neighbor::distance2);
+  }
+  return sorted;
 }
 
 }  // namespace
@@ -74,18 +84,21 @@ Labels::Labels(const ContourMesh& contour, const Triangulation& t)
       distance2_(contour.points.size()),
       regions_(t.vertex_capacity()),
       radius2_(t.vertex_capacity(), 0) {
-  const std::vector<std::vector<SiteId>> neighbors = neighbors_of_all(t);
+  const std::vector<std::vector<Neighbor>> neighbors = neighbors_of_all(t);
   SiteId site = 1;
   for (VertexId v = 0; v < label_.size(); ++v) {
     const Vec3& p = contour.points[v];
     double best2 = distance2(p, t.point(site));
     for (SiteId from = kNoId; from != site;) {
       from = site;
-      for (const SiteId n : neighbors[from]) {
-        const double d2 = distance2(p, t.point(n));
-        if (d2 >= best2) continue;
+      const double furthest2 = kMaxDistanceRatio2 * best2;
+      for (const Neighbor& n : neighbors[from]) {
+        if (n.distance2 > furthest2) break;
+        const double d2 = distance2(p, t.point(n.site));
+        // Of equally near ones the smallest id; `from` before all.
+        if (d2 > best2 || (d2 == best2 && (site == from || n.site > site))) continue;
         best2 = d2;
-        site = n;
+        site = n.site;
       }
     }
     label_[v] = site;

@@ -8,6 +8,25 @@
 #include "base/triangle.h"
 
 namespace deliso {
+namespace {
+
+// Steps from facet to facet towards a sample before the hash is asked.
+constexpr int kSteps = 4;
+
+// Returns the facet across the first edge of f that p lies beyond; kNoId if there is none.
+FaceId towards(const TriMesh& mesh, FaceId f, const Vec3& p) {
+  const Face& face = mesh.faces[f];
+  const std::array<Vec3, 3> at{mesh.points[face.v[0]], mesh.points[face.v[1]],
+                               mesh.points[face.v[2]]};
+  const Vec3 normal = area_normal(at[0], at[1], at[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &from = at[(i + 1) % 3], &to = at[(i + 2) % 3];
+    if (dot(cross(to - from, normal), p - from) > 0) return face.n[i];
+  }
+  return kNoId;
+}
+
+}  // namespace
 
 std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
@@ -35,7 +54,15 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
     for (int axis = 0; axis < 3; ++axis) {
       cell = kCells * cell + static_cast<std::size_t>(p[axis] / (kCellLimits * limit)) % kCells;
     }
-    if (is_near(last) || is_near(guesses[cell]) ||
+    // Walks over the mesh. Nothing depends on where that ends.
+    const auto is_reached = [&](FaceId f) {
+      for (int step = 0; step < kSteps && f != kNoId; ++step) {
+        if (is_near(f)) return true;
+        f = towards(mesh, f, p);
+      }
+      return false;
+    };
+    if (is_reached(last) || is_reached(guesses[cell]) ||
         grid.any(grid.box_around(p, limit), [&](FaceId f, const auto&) { return is_near(f); })) {
       guesses[cell] = last;
       return true;

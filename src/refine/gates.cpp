@@ -42,10 +42,17 @@ bool Refinement::keeps_manifold(Change& c) {
   const auto facet_across = [&](const Disk::BoundaryEdge& e) {
     return mesh.faces[c.cavity[e.facet]].n[e.side];
   };
+  if (c.is_linked) return true;
   if (in.facets == c.was.facets) {  // a vertex moves, and nothing else changes
     in = c.was;
+    c.is_linked = true;
     across_.clear();
     std::ranges::transform(in.boundary, std::back_inserter(across_), facet_across);
+    return true;
+  }
+  if (c.what == Change::Vertex::comes && in.link_cone(c.was.boundary, c.vertex)) {
+    across_.clear();
+    std::ranges::transform(c.was.boundary, std::back_inserter(across_), facet_across);
     return true;
   }
   if (!in.link()) return false;
@@ -122,8 +129,8 @@ bool Refinement::folds(const Change& c) const {
 }
 
 // G2, for small components: true if the volume that the component bounds changes its sign.
-bool Refinement::reverses(const Change& c) {
-  if (parameters.as_published) return false;
+bool Refinement::reverses(Change& c) {
+  if (parameters.as_published || c.is_large) return false;
   const Box3 box = surface.volume().box();
   unsigned met = 0;  // the faces of the box in which the component ends
   rest_.clear();
@@ -140,7 +147,10 @@ bool Refinement::reverses(const Change& c) {
   for (std::size_t n = 0; n < rest_.size();) {
     const FaceId f = rest_[n++];
     // A component with a frozen facet may continue outside the region.
-    if (rest_.size() > kMaxSmallComponent || is_frozen(f)) return false;
+    if (rest_.size() > kMaxSmallComponent || is_frozen(f)) {
+      c.is_large = true;
+      return false;
+    }
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }

@@ -64,11 +64,21 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     here += cost(r, t, r.s.duals[g]);
   }
   // Facets across the boundary of the cavity stay, but the vertex may move into their balls.
+  // Whether these hold another vertex does not change.
+  struct Ball {
+    Dual dual;
+    bool is_delaunay;  // if the vertex is not in it
+  };
+  std::vector<Ball> across;
+  for (const Disk::BoundaryEdge& e : c.was.boundary) {
+    const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
+    if (g == kNoId) continue;
+    across.push_back({r.s.duals[g], r.is_delaunay(r.mesh.faces[g].v, r.s.duals[g], v)});
+  }
   const auto cost_across = [&] {
     double sum = 0;
-    for (const Disk::BoundaryEdge& e : c.was.boundary) {
-      const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
-      if (g != kNoId) sum += cost_of_ball(r, r.mesh.faces[g].v, r.s.duals[g]);
+    for (const Ball& b : across) {
+      sum += b.is_delaunay && !b.dual.holds(r.point(v)) ? 0 : kNotDelaunay;
     }
     return sum;
   };
@@ -91,6 +101,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   };
   SearchCounters& searches = r.report.searches_refine;
   std::optional<Vec3> best;
+  c.is_trial = true;
   for (const double step : kStepRMins) {
     if (best) break;
     const double reach = step * r.parameters.r_min;
@@ -110,6 +121,7 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   }
   if (!best) return r.done(Operation::move, Refusal::no_gain);
   c.place = *best;
+  c.is_trial = false;
   return r.done(Operation::move, r.replace(c, [] { return true; }));
 }
 

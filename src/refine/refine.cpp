@@ -70,6 +70,11 @@ class RefineGeom {
   bool is_left(FaceId f) const;
   // Returns why f must be refined; nullopt if it need not.
   std::optional<Reason> fault(FaceId f) const;
+  // Returns the violation that f was queued with, or measures it.
+  double violation_of(FaceId f) const {
+    const bool is_known = f < violation_.size() && violation_[f] >= 0;
+    return is_known ? violation_[f] : r_.violation(mesh_.faces[f].v, r_.s.duals[f]);
+  }
   // Returns the side of f that is too far from its boundary curve; 3: none.
   int side_off_curve(FaceId f) const;
   void flip_changed();
@@ -93,9 +98,10 @@ class RefineGeom {
   Steps steps_;
   // Per facet: no operation is tried until a facet near it changes.
   std::vector<std::uint8_t> is_done_;
-  std::vector<FaceId> refused_;  // in this pass of drain()
-  std::vector<FaceId> changed_;  // to be tested for flips
-  bool met_frozen_ = false;      // a frozen facet refused the last operation
+  IdArray<FaceId, double> violation_;  // of facets that were queued; of others less than 0
+  std::vector<FaceId> refused_;        // in this pass of drain()
+  std::vector<FaceId> changed_;        // to be tested for flips
+  bool met_frozen_ = false;            // a frozen facet refused the last operation
 };
 
 std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
@@ -165,10 +171,9 @@ void RefineGeom::drain(bool with_moves) {
 
 bool RefineGeom::refine(FaceId f) {
   met_frozen_ = false;
-  const FacetShape shape = r_.shape(f);
   const int side = side_off_curve(f);
-  if (side == 3 && violation(shape, r_.parameters.refinement) <= 1 &&
-      shape.r <= kMinDelaunayRMins * r_.parameters.r_min) {
+  if (side == 3 && violation_of(f) <= 1 &&
+      r_.shape(f).r <= kMinDelaunayRMins * r_.parameters.r_min) {
     return false;
   }
   const Dual dual = r_.s.duals[f];
@@ -233,16 +238,16 @@ bool RefineGeom::is_left(FaceId f) const {
 
 void RefineGeom::enqueue(FaceId f, double at_least) {
   const Triangle& v = mesh_.faces[f].v;
-  const double violation =
-      side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, r_.violation(v, r_.s.duals[f]));
-  queue_.set(f, violation);
+  if (f >= violation_.size()) violation_.resize(mesh_.faces.size(), -1);
+  violation_[f] = r_.violation(v, r_.s.duals[f]);
+  queue_.set(f, side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, violation_[f]));
 }
 
 std::optional<Reason> RefineGeom::fault(FaceId f) const {
   if (side_off_curve(f) < 3) return Reason::off_curve;
-  const FacetShape shape = r_.shape(f);
-  const Criteria& criteria = r_.parameters.refinement;
-  if (violation(shape, criteria) > 1) return reason_of(worst_criterion(shape, criteria));
+  if (violation_of(f) > 1) {
+    return reason_of(worst_criterion(r_.shape(f), r_.parameters.refinement));
+  }
   if (!r_.s.duals[f].on_surface) return Reason::no_surface_point;
   return r_.is_delaunay(f) ? std::nullopt : std::optional(Reason::not_delaunay);
 }

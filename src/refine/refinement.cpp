@@ -58,6 +58,8 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
       vertices_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)) {
   if (parameters.as_published) return;
+  facets_.expect(mesh.faces.size());
+  vertices_.expect(mesh.points.size());
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& v = mesh.faces[f].v;
@@ -76,7 +78,7 @@ Change& Refinement::begin_change(double least_cosine) {
   change.in.facets.clear();
   change.what = Change::Vertex::none;
   change.least_cosine = least_cosine;
-  change.topology_only = false;
+  change.topology_only = change.is_trial = change.is_linked = change.is_large = false;
   return change;
 }
 
@@ -114,13 +116,21 @@ void Refinement::put_in_place(const Change& c) {
     mesh.points.push_back(c.place);
   } else if (c.what == Change::Vertex::moves) {
     moved_from_ = point(c.vertex);
-    move_to(c.vertex, c.place);
+    set_place(c, c.place);
   }
 }
 
 void Refinement::undo(const Change& c) {
   if (c.what == Change::Vertex::comes) mesh.points.pop_back();
-  if (c.what == Change::Vertex::moves) move_to(c.vertex, moved_from_);
+  if (c.what == Change::Vertex::moves) set_place(c, moved_from_);
+}
+
+void Refinement::set_place(const Change& c, const Vec3& place) {
+  if (c.is_trial) {
+    mesh.points[c.vertex] = place;
+  } else {
+    move_to(c.vertex, place);
+  }
 }
 
 void Refinement::move_to(VertexId v, const Vec3& place) {
@@ -183,11 +193,11 @@ std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refus
   return report[operation].count(refusal);
 }
 
-bool Refinement::is_delaunay(const Triangle& v, const Dual& dual) const {
+bool Refinement::is_delaunay(const Triangle& v, const Dual& dual, VertexId ignored) const {
   if (!dual.on_surface) return false;
   const BoxGrid::Box box = vertices_.box_around(dual.center, std::sqrt(dual.radius2));
   return !vertices_.any<VertexId>(box, [&](VertexId q, const BoxGrid::Box&) {
-    return dual.holds(point(q)) && !has_corner(v, q);
+    return q != ignored && dual.holds(point(q)) && !has_corner(v, q);
   });
 }
 

@@ -78,6 +78,10 @@ struct Change {
   // Skips G3 and G4. Set to lift a cavity that lies in a face of the domain box, at any distance
   // from Sigma. A component in that face bounds no volume yet, so either orientation is allowed.
   bool topology_only = false;
+  // The change is always refused, so a moved vertex keeps its place in the hash of vertices.
+  bool is_trial = false;
+  bool is_linked = false;   // `in` is linked, and so are the facets across: a vertex only moves
+  bool is_large = false;    // the component is too large to be reversed
   std::vector<Dual> duals;  // of `in`, by G3
   bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
@@ -143,7 +147,8 @@ class Refinement {
     return deliso::violation(shape(v, dual), parameters.refinement);
   }
   // True if the facet has a surface point and no mesh vertex is in its surface ball.
-  bool is_delaunay(const Triangle& v, const Dual& dual) const;
+  // `ignored`: a vertex that may be there.
+  bool is_delaunay(const Triangle& v, const Dual& dual, VertexId ignored = kNoId) const;
   bool is_delaunay(FaceId f) const { return is_delaunay(mesh.faces[f].v, s.duals[f]); }
   bool is_frozen(FaceId f) const { return f < region.first_free; }
   const BoxGrid& facets() const { return facets_; }
@@ -156,6 +161,7 @@ class Refinement {
   bool leaves_region(const Change& change) const;
   void put_in_place(const Change& change);
   void undo(const Change& change);
+  void set_place(const Change& change, const Vec3& place);  // of the vertex that moves
   void commit(Change& change);
   void move_to(VertexId v, const Vec3& place);
 
@@ -171,7 +177,7 @@ class Refinement {
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                        std::span<const FaceId> across) const;
   bool folds(const Change& change) const;
-  bool reverses(const Change& change);
+  bool reverses(Change& change);
   bool uncovers(const Change& change) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
   bool crosses(const Change& change);
