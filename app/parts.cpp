@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/field.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "deliso/options.h"
@@ -113,10 +112,27 @@ CommandLine line_of(const PartFile& part, const std::string& part_name, const st
     words.push_back(word);
   }
   try {
-    return parse_command_line(words);
+    CommandLine line = parse_command_line(words);
+    if (line.field.all_labels) throw InputError("it is of all labels");
+    return line;
   } catch (const InputError& error) {
     throw InputError(text(quote(part_name), " is no sound part: ", error.what()));
   }
+}
+
+CommandLine line_of_join(const CommandLine& join, const PartFile& part,
+                         const std::string& part_name) {
+  CommandLine line = line_of(part, part_name, join.input);
+  line.output = join.output;
+  line.write = join.write;
+  line.json = join.json;
+  line.attributes = join.attributes;
+  line.allow_empty = join.allow_empty;
+  line.check = join.check;
+  line.quiet = join.quiet;
+  line.verbose = join.verbose;
+  line.options.threads = join.options.threads;
+  return line;
 }
 
 void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
@@ -131,6 +147,28 @@ void require_field(std::span<const PartFile> parts, std::span<const std::string>
                       part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
     if (!same) throw InputError(text(quote(names[n]), " is no part of ", quote(volume)));
   }
+}
+
+Field field_to_report(FieldSource& field, const CommandLine& line) {
+  VolumeSource& source = field.source;
+  const bool needs_samples = line.check || line.attributes || line.options.cap;
+  if (needs_samples && !source.in_memory) source = source_of(all_of(source));
+  return {source.in_memory.value_or(source.shape)};
+}
+
+TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, MeshRun& run,
+                      Progress& progress, const std::function<void(const std::string&)>& warn) {
+  Options options = run.line.options;
+  options.observer = &progress;
+  std::vector<Block> blocks;
+  for (PartFile& part : parts) blocks.push_back(std::move(part.block));
+  TriMesh mesh =
+      mesh_of_parts(field.source, field.isovalue, options, std::move(blocks), run.report);
+  if (mesh.faces.empty() && !run.line.allow_empty) {
+    throw InputError("the mesh of the parts is empty (--allow-empty accepts that)");
+  }
+  examine_mesh(run, mesh, progress, warn);
+  return mesh;
 }
 
 }  // namespace deliso

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/field.h"
+#include "app/mesh_run.h"
+#include "app/progress.h"
 #include "blocks/block.h"
 #include "io/parts/part_file.h"
 #include "io/volume/read_volume.h"
@@ -40,9 +43,21 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
 // Returns the command line that the parts were made with, for the volume named `input`. Throws
 // InputError, with the part's name, if its words are no options of a mesh.
 CommandLine line_of(const PartFile& part, const std::string& part_name, const std::string& input);
+// The same, with what a join decides: threads, checks, reports and files.
+CommandLine line_of_join(const CommandLine& join, const PartFile& part,
+                         const std::string& part_name);
 
 // Throws InputError unless the parts, in order, were made of this field.
 void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
                    const FieldSource& field, const Options& options, const std::string& volume);
+
+// Returns the field for the report and a check. Reads all of it if a check or caps need it in
+// memory.
+Field field_to_report(FieldSource& field, const CommandLine& line);
+
+// Joins the parts, which are in order and of this field. Checks and measures the mesh as
+// mesh_input() does, and fills in the run. Calls `warn` with each warning. Throws InputError.
+TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, MeshRun& run,
+                      Progress& progress, const std::function<void(const std::string&)>& warn);
 
 }  // namespace deliso

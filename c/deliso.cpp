@@ -2,16 +2,9 @@
 #include "c/deliso.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <memory>
-#include <new>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,99 +12,18 @@
 #include "app/command_line.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
-#include "app/peak_memory.h"
-#include "app/progress.h"
-#include "app/text.h"
-#include "base/cancel.h"
 #include "base/check.h"
-#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "c/call.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/sample_grid.h"
 
 using namespace deliso;
-
-struct deliso_volume {
-  Volume volume;
-};
-
-struct deliso_mesh {
-  WrittenMesh mesh;  // in the world
-  std::vector<Vec3> normals;
-  MeshWriteOptions write;
-  std::string report, warnings;
-};
+using namespace deliso::c;
 
 namespace {
-
-constexpr char kName[] = "array";  // of the volume, in messages and reports
-
-constexpr std::size_t kErrorSize = 1024;  // an InputError has some 500 bytes at most
-thread_local char last_error[kErrorSize];
-
-deliso_status failed(deliso_status status, const char* message) noexcept {
-  std::snprintf(last_error, kErrorSize, "%s", message);
-  return status;
-}
-
-// Calls f, which returns whether a mesh is without faults, with the watch's flag in force.
-template <class F>
-deliso_status guarded(const deliso_watch* watch, F f) noexcept {
-  try {
-    const CancelScope scope(watch ? watch->cancel : nullptr);
-    return f() ? DELISO_OK : failed(DELISO_FAULT, "the mesh has faults, which the report names");
-  } catch (const InputError& error) {
-    return failed(DELISO_BAD_INPUT, error.what());
-  } catch (const Canceled& canceled) {
-    return failed(DELISO_CANCELED, canceled.what());
-  } catch (const std::bad_alloc&) {
-    return failed(DELISO_FAILED, "out of memory");
-  } catch (const std::exception& error) {
-    return failed(DELISO_FAILED, error.what());
-  } catch (...) {
-    return failed(DELISO_FAILED, "an unknown error");
-  }
-}
-
-void require(const void* pointer, const char* name) {
-  if (!pointer) throw InputError(text(name, " is null"));
-}
-
-class WatchedProgress : public Progress {
- public:
-  WatchedProgress(std::vector<StageCost> stages, const deliso_watch* watch)
-      : Progress(std::move(stages)), watch_(watch) {}
-
- private:
-  void draw(const std::string& stage, double share_of_run) override {
-    if (watch_ && watch_->progress) watch_->progress(watch_->context, stage.c_str(), share_of_run);
-  }
-
-  const deliso_watch* watch_;
-};
-
-// Parses the options as the command's. `inputs`: what the command line names before them.
-CommandLine parse(std::vector<std::string> inputs, double isovalue, const char* const* options) {
-  constexpr std::string_view kOfFiles[] = {
-      "iso",  "output", "format", "json", "quiet",   "verbose", "roi",  "block",
-      "type", "array",  "dims",   "skip", "spacing", "endian",  "help", "version"};
-  std::vector<std::string> words = std::move(inputs);
-  bool of_labels = false;
-  for (auto at = options; at && *at; ++at) of_labels |= std::string_view(*at).starts_with("label=");
-  if (!of_labels || !std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
-  for (; options && *options; ++options) {
-    const std::string_view option = *options, name = option.substr(0, option.find('='));
-    if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) {
-      throw InputError(text("--", name, " has no meaning for an array"));
-    }
-    words.push_back(text("--", option));
-  }
-  CommandLine line = parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
-  if (line.field.all_labels) throw InputError("--label all has no meaning for an array");
-  return line;
-}
 
 Input input_of(const deliso_volume& volume, const CommandLine& line) {
   const Stopwatch watch;
@@ -120,35 +32,6 @@ Input input_of(const deliso_volume& volume, const CommandLine& line) {
   if (line.field.of_labels()) source.labels = find_labels(volume.volume, kName, threads);
   source.seconds = watch.seconds();
   return deliso::input_of(source, line);
-}
-
-// Returns the unit vector at p, in the world, that the header calls the normal.
-Vec3 normal_at(const Vec3& p, const Volume& volume) {
-  const Box3 box = volume.box();
-  Vec3 falls;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double half = volume.spacing()[axis] / 2;
-    Vec3 low = p, high = p;
-    low[axis] = std::max(p[axis] - half, box.lo[axis]);
-    high[axis] = std::min(p[axis] + half, box.hi[axis]);
-    falls[axis] = (volume.value(low) - volume.value(high)) / (high[axis] - low[axis]);
-  }
-  const double largest = std::max({std::fabs(falls.x), std::fabs(falls.y), std::fabs(falls.z)});
-  if (!(largest > 0) || !std::isfinite(largest)) return {};
-  falls = falls / largest;  // so that no square overflows
-  falls = falls / length(falls);
-  const Frame& at = volume.frame();
-  return falls.x * at.axes[0] + falls.y * at.axes[1] + falls.z * at.axes[2];
-}
-
-std::vector<Vec3> normals_of(const TriMesh& mesh, const Volume& volume, int threads) {
-  constexpr std::size_t kPointsPerTask = 1u << 12;
-  const std::vector<Vec3>& points = mesh.points;
-  std::vector<Vec3> normals(points.size());
-  for_each_run(threads, points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) normals[n] = normal_at(points[n], volume);
-  });
-  return normals;
 }
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
@@ -183,29 +66,13 @@ const char* deliso_version() {
   return kVersion.data();
 }
 
-const char* deliso_last_error() {
-  return last_error;
-}
-
 deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3], int order,
                                    const double spacing[3], const double origin[3],
                                    deliso_volume** volume) {
   return guarded(nullptr, [&] {
     require(samples, "samples");
-    require(shape, "shape");
     require(volume, "volume");
-    if (type < DELISO_UINT8 || type > DELISO_FLOAT64) throw InputError("no such type of samples");
-    if (order != DELISO_C_ORDER && order != DELISO_FORTRAN_ORDER) throw InputError("no such order");
-    const bool is_fortran = order == DELISO_FORTRAN_ORDER;
-    SampleGrid grid;
-    grid.name = kName;
-    grid.type = static_cast<SampleType>(type);
-    for (std::size_t n = 0; n < 3; ++n) {
-      grid.dims[n] = static_cast<std::int64_t>(shape[is_fortran ? n : 2 - n]);
-    }
-    if (spacing) grid.set_spacing({spacing[0], spacing[1], spacing[2]});
-    if (is_fortran) std::swap(grid.steps[0], grid.steps[2]);
-    if (origin) grid.origin = {origin[0], origin[1], origin[2]};
+    const SampleGrid grid = grid_of(type, shape, order, spacing, origin);
     const Bytes bytes{kName, {static_cast<const std::byte*>(samples), data_size(grid)}, nullptr};
     *volume = new deliso_volume{volume_from_raw(grid, bytes)};
     return true;
@@ -230,12 +97,7 @@ deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
     auto made = std::make_unique<deliso_mesh>();
     const TriMesh surface = mesh_input(
         run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
-    made->normals = normals_of(surface, input.volume(), line.options.threads);
-    made->mesh = written_mesh(surface, {.format = MeshFormat::ply});
-    made->write = write_options(run, surface);
-    run.peak_bytes = peak_memory_bytes();
-    run.seconds_total = total.seconds();
-    made->report = report_json(run);
+    take(surface, source_of(input.volume()), run, total.seconds(), *made);
     *mesh = made.release();
     return run.sound();
   });
@@ -349,11 +211,7 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
     const CheckRun run = check_mesh_in_world(make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles),
                                              {mesh->write.comment}, line, input,
                                              [&](double share) { progress.show("check", share); });
-    if (json) {
-      *json = static_cast<char*>(std::malloc(run.json.size() + 1));
-      if (!*json) throw std::bad_alloc();
-      std::memcpy(*json, run.json.c_str(), run.json.size() + 1);
-    }
+    if (json) *json = copied(run.json);
     return !run.verification.faults.any();
   });
 }

@@ -158,6 +158,40 @@ DELISO_API deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volu
                                       const deliso_watch* watch, char** json);
 DELISO_API void deliso_text_free(char* text); /* null is allowed */
 
+/* An array that is read box by box, so that no process needs all of it: of a file of chunks, or of
+ * another machine. The samples are those of deliso_volume_create() in C order. */
+typedef struct deliso_source {
+  int type;          /* a deliso_type */
+  size_t shape[3];   /* along z, y, x */
+  double spacing[3]; /* along x, y, z, as the origin */
+  double origin[3];
+  /* Writes the samples [begin[0], end[0]) x [begin[1], end[1]) x [begin[2], end[2]), along z, y, x,
+   * into `samples`, the last index fastest and nothing between. Returns 0; anything else is
+   * DELISO_BAD_INPUT. The calls come from any thread, never two at once for one call of a function
+   * below. A box may be read more than once, and must then be the same. */
+  int (*read)(void* context, const size_t begin[3], const size_t end[3], void* samples);
+  void* context;
+} deliso_source;
+
+/* Meshes part `number` of `parts`, counted from 1: the N-th of M contiguous runs of blocks. Reads
+ * their samples and some around them; all of them with the options "label", "largest" and
+ * "min-component". The options are those of deliso_mesh_create(), but for those about the whole
+ * mesh. All parts of a mesh have the same options. After DELISO_OK the bytes are the part, which a
+ * file or a message may take to another process of the same version; the caller frees them with
+ * deliso_text_free(). */
+DELISO_API deliso_status deliso_part_create(const deliso_source* source, double isovalue,
+                                            int number, int parts, const char* const* options,
+                                            const deliso_watch* watch, char** bytes, size_t* size);
+
+/* Joins all parts of a mesh, in any order. The mesh is the one that deliso_mesh_create() makes of
+ * the whole array, and is saved with the same bytes. Its report is that of the program's join
+ * command. The options are "threads", "float", "double", "check" and "allow-empty"; all others are
+ * those of the parts. Reads the samples around the seams between parts, and around the vertices for
+ * their normals; all of them with "check", and if the parts have "cap" or "label". */
+DELISO_API deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t count,
+                                     const deliso_source* source, const char* const* options,
+                                     const deliso_watch* watch, deliso_mesh** mesh);
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,7 +9,7 @@ function(deliso_public_headers project generated destination)
   list(APPEND folders io view)
   string(REPLACE ";" "|" pattern "${folders}")
   file(GLOB headers ${source}/*/*.h ${generated}/*/*.h ${project}/io/*/*.h ${project}/view/*/*.h
-       ${project}/c/*.h)
+       ${project}/c/deliso.h)
   foreach(header ${headers})
     file(READ ${header} text)
     string(REGEX REPLACE "#include \"(${pattern})/" "#include \"deliso/\\1/" text "${text}")

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What the functions of c/deliso.h have in common: handles, statuses, options, progress.
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/mesh_run.h"
+#include "app/progress.h"
+#include "base/cancel.h"
+#include "base/check.h"
+#include "blocks/block.h"
+#include "c/deliso.h"
+#include "io/mesh/write_mesh.h"
+#include "io/volume/sample_grid.h"
+#include "mesh/tri_mesh.h"
+#include "volume/volume.h"
+
+struct deliso_volume {
+  deliso::Volume volume;
+};
+
+struct deliso_mesh {
+  deliso::WrittenMesh mesh;  // in the world
+  std::vector<deliso::Vec3> normals;
+  deliso::MeshWriteOptions write;
+  std::string report, warnings;
+};
+
+namespace deliso::c {
+
+inline constexpr char kName[] = "array";  // of the volume, in messages and reports
+
+// Keeps the message for deliso_last_error(). Returns the status.
+deliso_status failed(deliso_status status, const char* message) noexcept;
+
+// Calls f, which returns whether a mesh is without faults, with the watch's flag in force.
+template <class F>
+deliso_status guarded(const deliso_watch* watch, F f) noexcept {
+  try {
+    const CancelScope scope(watch ? watch->cancel : nullptr);
+    return f() ? DELISO_OK : failed(DELISO_FAULT, "the mesh has faults, which the report names");
+  } catch (const InputError& error) {
+    return failed(DELISO_BAD_INPUT, error.what());
+  } catch (const Canceled& canceled) {
+    return failed(DELISO_CANCELED, canceled.what());
+  } catch (const std::bad_alloc&) {
+    return failed(DELISO_FAILED, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(DELISO_FAILED, error.what());
+  } catch (...) {
+    return failed(DELISO_FAILED, "an unknown error");
+  }
+}
+
+// Throws InputError if the pointer, of the argument with this name, is null.
+void require(const void* pointer, const char* name);
+
+// Returns the grid of an array, as deliso_volume_create() has the arguments. Throws InputError.
+SampleGrid grid_of(int type, const size_t shape[3], int order, const double spacing[3],
+                   const double origin[3]);
+
+// Parses the options as the command's. `words`: what the command line has before them. A switch
+// among `options` that is about files is refused. Throws InputError.
+CommandLine parse(std::vector<std::string> words, const char* const* options);
+// The same of a command with a volume and an isovalue; NaN stands for none, with labels.
+CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options);
+
+class WatchedProgress : public Progress {
+ public:
+  WatchedProgress(std::vector<StageCost> stages, const deliso_watch* watch)
+      : Progress(std::move(stages)), watch_(watch) {}
+
+ private:
+  void draw(const std::string& stage, double share_of_run) override {
+    if (watch_ && watch_->progress) watch_->progress(watch_->context, stage.c_str(), share_of_run);
+  }
+
+  const deliso_watch* watch_;
+};
+
+// Fills in what `made` has of the surface, which the run has examined. `field`: what was meshed.
+void take(const TriMesh& surface, const VolumeSource& field, MeshRun& run, double seconds,
+          deliso_mesh& made);
+
+// Returns a copy on the heap of C, for deliso_text_free(), with a zero byte behind it.
+char* copied(const std::string& text);
+
+}  // namespace deliso::c
