@@ -8,7 +8,8 @@
 
 An array is indexed [z, y, x], as scikit-image and SimpleITK have it. Everything with three columns
 or three numbers, the vertices, `spacing` and `origin`, is in the order x, y, z. The mesh is the one
-that the program `deliso` makes of the array saved by numpy.save, to the byte.
+that the program `deliso` makes of the array saved by numpy.save, to the byte. deliso.mesh_blocks
+makes it of arrays beyond the memory, by other processes too.
 """
 
 import ctypes
@@ -22,7 +23,7 @@ import warnings
 
 import numpy
 
-__all__ = ["Error", "Mesh", "check", "mesh", "version"]
+__all__ = ["Error", "Mesh", "check", "join", "mesh", "mesh_blocks", "part", "version"]
 
 
 class Error(Exception):
@@ -82,6 +83,8 @@ def _load():
         ("mesh_save", int, pointer, text),
         ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("text_free", None, pointer),
+        ("part_create", int, pointer, ctypes.c_double, int, int) + (pointer,) * 4,
+        ("join", int, pointer, pointer, ctypes.c_size_t) + (pointer,) * 4,
     ]:
         function = getattr(library, "deliso_" + name)
         function.restype = ctypes.c_int if result is int else result
@@ -145,16 +148,10 @@ class _Volume:
 
     def __init__(self, array, spacing, origin):
         array = numpy.asarray(array)
-        kind = array.dtype.kind + str(array.dtype.itemsize)
-        kind = _CONVERTED.get(kind, kind)
-        if kind not in _TYPES:
-            raise Error(f"samples of type {array.dtype} are not supported: use astype('float32')")
+        kind = _kind_of(array.dtype)
         ones = [n for n in reversed(range(array.ndim)) if array.shape[n] == 1]
         array = array.squeeze(tuple(ones[: max(0, array.ndim - 3)]))
-        if array.ndim != 3:
-            raise Error(
-                f"an array of {array.ndim} dimensions: only three-dimensional ones can be meshed"
-            )
+        _require_three(array.shape)
         # As numpy.save has it: in Fortran order if that is the array's only one.
         fortran = array.flags.f_contiguous and not array.flags.c_contiguous
         self.array = numpy.require(array, "=" + kind, ["F" if fortran else "C", "A"])
@@ -170,6 +167,21 @@ class _Volume:
                 vector(*_three("origin", origin)),
                 ctypes.byref(self.handle),
             )
+        )
+
+
+def _kind_of(dtype):
+    kind = dtype.kind + str(dtype.itemsize)
+    kind = _CONVERTED.get(kind, kind)
+    if kind not in _TYPES:
+        raise Error(f"samples of type {dtype} are not supported: use astype('float32')")
+    return kind
+
+
+def _require_three(shape):
+    if len(shape) != 3:
+        raise Error(
+            f"an array of {len(shape)} dimensions: only three-dimensional ones can be meshed"
         )
 
 
@@ -314,9 +326,13 @@ def mesh(array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=
         ),
         progress,
     )
-    made = Mesh(handle, status == _OK)
+    return _warned(Mesh(handle, status == _OK))
+
+
+def _warned(made):
+    """Warns the caller's caller of what the mesh's maker warned of."""
     for line in made._data.warnings.decode().splitlines():
-        warnings.warn(line, stacklevel=2)
+        warnings.warn(line, stacklevel=3)
     return made
 
 
@@ -373,3 +389,6 @@ def _from_data(arrays, others):
     handle = _MeshHandle()
     _ok(_library.deliso_mesh_from_data(ctypes.byref(data), ctypes.byref(handle)))
     return Mesh(handle)
+
+
+from ._parts import join, mesh_blocks, part  # noqa: E402  (which needs all of the above)

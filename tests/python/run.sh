@@ -16,6 +16,7 @@ trap 'rm -rf "$work"' EXIT
 export PYTHONDONTWRITEBYTECODE=1
 
 PYTHONPATH=$1/python DELISO_LIBRARY=$2 "$python" "$1/tests/python/test_deliso.py" "$3"
+PYTHONPATH=$1/python DELISO_LIBRARY=$2 "$python" "$1/tests/python/test_parts.py" "$3"
 
 # The wheel holds all that the pages' programs need.
 "$python" - "$1" "$2" "$work" <<'END'
@@ -32,7 +33,9 @@ if "$python" -m pip --version >/dev/null 2>&1; then
 fi
 unset DELISO_LIBRARY
 for page in README.md docs/guide/python.md; do
-  sed -n '/^```python$/,/^```$/{/^```/d;p;}' "$1/$page" >"$work/page.py"
+  awk '/^```/ { runs = !runs && /^```python$/ && !skips; skips = 0; next }
+       /^<!-- not run/ { skips = 1 }
+       runs' "$1/$page" >"$work/page.py"
   [ -s "$work/page.py" ]
   (cd "$work" && PYTHONPATH=$work/installed "$python" page.py)
   echo "$page: run"
