@@ -12,6 +12,7 @@
 #include "blocks/seams.h"
 #include "blocks/weld.h"
 #include "contour/contour.h"
+#include "mesh/check_mesh.h"
 #include "refine/coarsen.h"
 #include "surface/observer.h"
 
@@ -65,15 +66,16 @@ void require_room(const Block& block, const Parameters& given) {
   throw InputError(text("more than --max-vertices ", given.max_vertices, " vertices needed"));
 }
 
-// Throws unless the mesh ends only where its chain runs: where parts fit together.
-void require_closed(const Block& whole) {
-  for (const Face& face : whole.mesh.mesh.faces) {
+// Throws unless the mesh ends only where its chain runs, on the box: where parts fit together.
+void require_closed(const Block& whole, const Box3& box) {
+  const SurfaceMesh& s = whole.mesh;
+  bool is_closed = check_boundary_on_box(s.mesh, box).empty();
+  for (const Face& face : s.mesh.faces) {
     for (int i = 0; i < 3; ++i) {
-      const VertexId a = face.v[(i + 1) % 3], b = face.v[(i + 2) % 3];
-      if (is_dead(face) || face.n[i] != kNoId || whole.mesh.chain.is_edge(a, b)) continue;
-      throw InputError("the seams of the parts do not fit together");
+      is_closed &= face.n[i] != kNoId || s.chain.is_edge(face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
     }
   }
+  if (!is_closed) throw InputError("the seams of the parts do not fit together");
 }
 
 class BlockMesher {
@@ -315,8 +317,8 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
   }
   begin_stage(parameters.observer, "weld");
   Block whole = weld(with_cells, source.shape.spacing(), nullptr);
+  require_closed(whole, source.shape.box());
   if (cells > 1) {
-    require_closed(whole);
     const IsDue is_between = [&](std::span<const std::size_t> box) {
       return std::ranges::any_of(
           box, [&](std::size_t cell) { return part_of[cell] != part_of[box[0]]; });

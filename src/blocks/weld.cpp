@@ -12,6 +12,11 @@
 namespace deliso {
 namespace {
 
+// Parts that a process reads may be forged.
+void require_fit(bool condition) {
+  if (!condition) throw InputError("the boundary curves of the parts do not fit together");
+}
+
 // A part of a block's loop outside the seams that are welded: its arcs from point `first` on,
 // counted on past the loop's end.
 struct OuterRun {
@@ -121,7 +126,7 @@ class Welder {
   void join_loops() {
     std::map<std::tuple<double, double, double>, std::size_t> begins;
     for (std::size_t r = 0; r < runs_.size(); ++r) begins[by_place(point(runs_[r], 0))] = r;
-    DELISO_CHECK(begins.size() == runs_.size());
+    require_fit(begins.size() == runs_.size());
     for (std::size_t start = 0; start < runs_.size(); ++start) {
       if (runs_[start].whole != kNoId) continue;
       const auto number = static_cast<std::uint32_t>(loops_.size());
@@ -139,7 +144,7 @@ class Welder {
           whole.kept.push_back(own.kept[at]);
         }
         const auto next = begins.find(by_place(point(run, run.arcs)));
-        DELISO_CHECK(next != begins.end());
+        require_fit(next != begins.end());
         r = next->second;
       }
       // What was kept for a seam that is welded is so no more.

@@ -78,11 +78,12 @@ Change& Refinement::begin_change(double least_cosine) {
   change.in.facets.clear();
   change.what = Change::Vertex::none;
   change.least_cosine = least_cosine;
-  change.topology_only = change.is_trial = change.is_linked = change.is_large = false;
+  change.topology_only = change.is_trial = false;
   return change;
 }
 
 std::optional<Refusal> Refinement::open_cavity(Change& c) {
+  c.is_linked = c.is_large = false;
   c.was.facets.clear();
   marks_.resize(mesh.faces.size());
   ++stamp_;

@@ -80,8 +80,9 @@ struct Change {
   bool topology_only = false;
   // The change is always refused, so a moved vertex keeps its place in the hash of vertices.
   bool is_trial = false;
-  bool is_linked = false;   // `in` is linked, and so are the facets across: a vertex only moves
-  bool is_large = false;    // the component is too large to be reversed
+  // Since the cavity was opened: `in` is linked, and so are the facets across, as a vertex only
+  // moves; the component is too large to be reversed.
+  bool is_linked = false, is_large = false;
   std::vector<Dual> duals;  // of `in`, by G3
   bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
