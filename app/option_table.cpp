@@ -227,7 +227,7 @@ constexpr OptionSpec kRest[] = {
      }},
     {"--fingers", 0, "X|Xvox", kMeshAndTrace,
      "certified: no point of the exact contour further than X from the mesh at the end of stage 1, "
-     "a fifth of a voxel where it is turned away (default 0.3vox)",
+     "a fifth of a voxel where it is turned away (default 0.4vox)",
      [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
     {"--stop-after", 0, "recover", kMeshAndTrace, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {

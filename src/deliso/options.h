@@ -35,7 +35,7 @@ struct Options : RunSettings {
   PerCriterion<Length> limits = usual_limits();
   Length r_min{0.5, Length::Unit::voxel};    // facets with r <= r_min violate no criterion but r/l
   double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
-  Length fingers{0.3, Length::Unit::voxel};  // certified: largest distance from T to K
+  Length fingers{0.4, Length::Unit::voxel};  // certified: largest distance from T to K
 
   // About how many voxels a block has along each axis; 0: the volume is one block. So it is with
   // the paper's Recover, with pole heights, and for an observer of insertions.

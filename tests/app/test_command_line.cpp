@@ -79,7 +79,7 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK(line.options.limits[Criterion::radius].value == Options::kNone);
   CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
   CHECK(same(line.options.r_min, {0.5, Length::Unit::voxel}));
-  CHECK(same(line.options.fingers, {0.3, Length::Unit::voxel}));
+  CHECK(same(line.options.fingers, {0.4, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
   CHECK_FALSE(line.given.limits[Criterion::distance]);
   CHECK_FALSE(line.given.r_min);
