@@ -26,7 +26,7 @@ constexpr double kMaxCellAspect = 2;
 // Cells per side that are tried in turn where triangles cross. Few pairs have a common divisor, so
 // what lies on a plane between cells once lies well within a cell the next time. Each is a pass
 // over the volume.
-constexpr std::array kCellsPerSide{5, 11, 15};
+constexpr std::array kCellsPerSide{2, 5, 11, 15};
 
 // Returns how many cells to cut a voxel into: of about the side `cell`, or larger, up to
 // `coarsest`, if those are too many.
