@@ -102,12 +102,12 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   return part;
 }
 
-CommandLine line_of(const PartFile& part, const std::string& part_name, const std::string& input) {
+CommandLine line_of(const PartFile& part, const std::string& input) {
   std::vector<std::string_view> words{"mesh", input};
   for (const std::string& word : part.words) {
     if (!word.starts_with("--") || !is_noted(word)) {
       throw InputError(
-          text(quote(part_name), " is no sound part: it notes the option ", quote(word)));
+          text(quote(part.name), " is no sound part: it notes the option ", quote(word)));
     }
     words.push_back(word);
   }
@@ -116,13 +116,12 @@ CommandLine line_of(const PartFile& part, const std::string& part_name, const st
     if (line.field.all_labels) throw InputError("it is of all labels");
     return line;
   } catch (const InputError& error) {
-    throw InputError(text(quote(part_name), " is no sound part: ", error.what()));
+    throw InputError(text(quote(part.name), " is no sound part: ", error.what()));
   }
 }
 
-CommandLine line_of_join(const CommandLine& join, const PartFile& part,
-                         const std::string& part_name) {
-  CommandLine line = line_of(part, part_name, join.input);
+CommandLine line_of_join(const CommandLine& join, const PartFile& part) {
+  CommandLine line = line_of(part, join.input);
   line.output = join.output;
   line.write = join.write;
   line.json = join.json;
@@ -135,17 +134,16 @@ CommandLine line_of_join(const CommandLine& join, const PartFile& part,
   return line;
 }
 
-void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
-                   const FieldSource& field, const Options& options, const std::string& volume) {
+void require_field(std::span<const PartFile> parts, const FieldSource& field,
+                   const Options& options, const std::string& volume) {
   const Volume& shape = field.source.shape;
   const BlockGrid grid = grid_of_parts(shape, options);
-  for (std::size_t n = 0; n < parts.size(); ++n) {
-    const PartFile& part = parts[n];
+  for (const PartFile& part : parts) {
     const bool same = part.dims == shape.dims() && part.spacing == shape.spacing() &&
                       part.type == shape.type() && part.frame == shape.frame() &&
                       part.isovalue == field.isovalue &&
                       part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
-    if (!same) throw InputError(text(quote(names[n]), " is no part of ", quote(volume)));
+    if (!same) throw InputError(text(quote(part.name), " is no part of ", quote(volume)));
   }
 }
 

@@ -42,14 +42,13 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
 
 // Returns the command line that the parts were made with, for the volume named `input`. Throws
 // InputError, with the part's name, if its words are no options of a mesh.
-CommandLine line_of(const PartFile& part, const std::string& part_name, const std::string& input);
+CommandLine line_of(const PartFile& part, const std::string& input);
 // The same, with what a join decides: threads, checks, reports and files.
-CommandLine line_of_join(const CommandLine& join, const PartFile& part,
-                         const std::string& part_name);
+CommandLine line_of_join(const CommandLine& join, const PartFile& part);
 
 // Throws InputError unless the parts, in order, were made of this field.
-void require_field(std::span<const PartFile> parts, std::span<const std::string> names,
-                   const FieldSource& field, const Options& options, const std::string& volume);
+void require_field(std::span<const PartFile> parts, const FieldSource& field,
+                   const Options& options, const std::string& volume);
 
 // Returns the field for the report and a check. Reads all of it if a check or caps need it in
 // memory.

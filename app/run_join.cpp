@@ -19,20 +19,20 @@ namespace deliso {
 int run_join(const CommandLine& join) {
   const Stopwatch total;
   std::vector<PartFile> parts;
-  std::vector<std::string> names = join.meshes, files = names;
-  for (const std::string& name : names) {
+  std::vector<std::string> files = join.meshes;
+  for (const std::string& name : join.meshes) {
     const Bytes bytes = name == "-" ? read_standard_input() : open_file(name);
     parts.push_back(part_in(bytes.data, bytes.name));
   }
-  sort_parts(parts, names);
-  const CommandLine line = line_of_join(join, parts.front(), names.front());
+  sort_parts(parts);
+  const CommandLine line = line_of_join(join, parts.front());
   ReadLog log;
   const Stopwatch reading;
   const Volume volume = read_volume(line.input, line.read, &log);
   files.insert(files.end(), log.files.begin(), log.files.end());
   require_outputs(std::vector{line.output, line.json}, files);
   FieldSource field = field_source(source_of(volume), line, line.input);
-  require_field(parts, names, field, line.options, line.input);
+  require_field(parts, field, line.options, line.input);
 
   ProgressBar progress(mesh_stages(line), !line.quiet);
   const Input input{

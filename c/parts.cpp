@@ -94,16 +94,15 @@ deliso_status deliso_join(const char* const* parts, const size_t* sizes, size_t 
     join.output.clear();
     join.write.format.reset();
     std::vector<PartFile> files;
-    std::vector<std::string> names;
     for (size_t n = 0; n < count; ++n) {
       require(parts[n], "a part");
-      names.push_back(text("parts[", n, "]"));
-      files.push_back(part_in(std::as_bytes(std::span(parts[n], sizes[n])), names.back()));
+      files.push_back(
+          part_in(std::as_bytes(std::span(parts[n], sizes[n])), text("parts[", n, "]")));
     }
-    sort_parts(files, names);
-    const CommandLine line = line_of_join(join, files.front(), names.front());
+    sort_parts(files);
+    const CommandLine line = line_of_join(join, files.front());
     FieldSource field = field_source(volume, line, kName);
-    require_field(files, names, field, line.options, kName);
+    require_field(files, field, line.options, kName);
     WatchedProgress progress(mesh_stages(line), watch);
     const Input input{kName, field_to_report(field, line), {}, {}, 0, field.isovalue, ""};
     MeshRun run(line, input);

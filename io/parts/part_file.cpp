@@ -21,13 +21,8 @@ namespace {
 
 constexpr std::string_view kMagic = "DelIso part ";
 constexpr std::size_t kChecksumSize = sizeof(std::uint32_t);
-
 std::string first_line() {
   return text(kMagic, kVersion, "\n");
-}
-
-std::uint32_t checksum_of(std::string_view bytes) {
-  return crc32(std::as_bytes(std::span(bytes)));
 }
 
 // The same list of members writes a part and reads it.
@@ -216,7 +211,7 @@ std::string part_bytes(PartFile part) {
   std::string bytes = first_line();
   PartWriter writer(bytes);
   pass(writer, part, triangles, places, loops);
-  std::uint32_t sum = checksum_of(bytes);
+  std::uint32_t sum = crc32(std::as_bytes(std::span(bytes)));
   writer(sum);
   return bytes;
 }
@@ -233,11 +228,12 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   PartReader sum_reader(all.substr(body.size()), name);
   std::uint32_t sum = 0;
   sum_reader(sum);
-  if (sum != checksum_of(body)) {
+  if (sum != crc32(std::as_bytes(std::span(body)))) {
     fail(name, "is a part that is not as it was made, or cut short: make it again");
   }
 
   PartFile part;
+  part.name = name;
   std::vector<Triangle> triangles;
   std::vector<Place> places;
   BoundaryLoops loops;
@@ -281,26 +277,16 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   return part;
 }
 
-void sort_parts(std::vector<PartFile>& parts, std::vector<std::string>& names) {
-  std::vector<std::size_t> order;
-  for (std::size_t n = 0; n < parts.size(); ++n) order.push_back(n);
+void sort_parts(std::vector<PartFile>& parts) {
   // If two parts differ, the message names the one of the later number, in any order of names.
-  std::ranges::sort(order, {}, [&](std::size_t n) {
-    return std::pair(parts[n].choice.number, std::string_view(names[n]));
+  std::ranges::sort(parts, {}, [](const PartFile& part) {
+    return std::pair(part.choice.number, std::string_view(part.name));
   });
-  std::vector<PartFile> sorted;
-  std::vector<std::string> sorted_names;
-  for (const std::size_t n : order) {
-    sorted.push_back(std::move(parts[n]));
-    sorted_names.push_back(std::move(names[n]));
-  }
-  parts = std::move(sorted);
-  names = std::move(sorted_names);
   const PartFile& first = parts.front();
   for (std::size_t n = 1; n < parts.size(); ++n) {
     const PartFile& part = parts[n];
     const auto refuse = [&](std::string_view difference) {
-      throw InputError(text(quote(names[n]), " is no part of the same mesh as ", quote(names[0]),
+      throw InputError(text(quote(part.name), " is no part of the same mesh as ", quote(first.name),
                             ": ", difference));
     };
     if (part.choice.of != first.choice.of) {
@@ -316,15 +302,15 @@ void sort_parts(std::vector<PartFile>& parts, std::vector<std::string>& names) {
       refuse("another volume or isovalue");
     }
     if (part.choice.number == parts[n - 1].choice.number) {
-      throw InputError(text(quote(names[n]), " and ", quote(names[n - 1]), " are both part ",
+      throw InputError(text(quote(part.name), " and ", quote(parts[n - 1].name), " are both part ",
                             part.choice.number, " of ", part.choice.of));
     }
   }
   for (int number = 1; number <= first.choice.of; ++number) {
     const auto n = static_cast<std::size_t>(number - 1);
     if (n < parts.size() && parts[n].choice.number == number) continue;
-    throw InputError(text("part ", number, " of ", first.choice.of, " is missing beside ",
-                          quote(names.front())));
+    throw InputError(
+        text("part ", number, " of ", first.choice.of, " is missing beside ", quote(first.name)));
   }
 }
 

@@ -23,6 +23,7 @@
 namespace deliso {
 
 struct PartFile {
+  std::string name;  // in messages
   PartChoice choice;
   // The options that it was made with, a word each, as the program takes them. Parts of one mesh
   // have the same.
@@ -48,8 +49,8 @@ std::string part_bytes(PartFile part);
 PartFile part_in(std::span<const std::byte> bytes, std::string_view name);
 
 // Puts the parts into their order. Throws InputError, with the name of a part, unless they are all
-// parts of one mesh, once each. `names`: of the parts, reordered too.
-void sort_parts(std::vector<PartFile>& parts, std::vector<std::string>& names);
+// parts of one mesh, once each.
+void sort_parts(std::vector<PartFile>& parts);
 
 // Returns the checksum of the field's samples on the planes between a part's cells and others, in
 // the machine's byte order.

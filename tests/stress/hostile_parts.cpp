@@ -113,12 +113,10 @@ Options options_for(std::uint64_t volume) {
 TriMesh joined(const VolumeSource& source, double isovalue, const Options& options,
                const std::vector<std::string>& bytes, Report& report) {
   std::vector<PartFile> parts;
-  std::vector<std::string> names;
   for (const std::string& part : bytes) {
-    names.push_back(text("part", names.size()));
-    parts.push_back(part_in(std::as_bytes(std::span(part)), names.back()));
+    parts.push_back(part_in(std::as_bytes(std::span(part)), text("part", parts.size())));
   }
-  sort_parts(parts, names);
+  sort_parts(parts);
   std::vector<Block> blocks;
   for (PartFile& part : parts) {
     // What app/parts.h asks, but for the samples at seams.
@@ -164,7 +162,8 @@ EditVerdict run_seed(std::uint64_t seed) {
   TriMesh usual;
   try {
     for (int n = 1; n <= of; ++n) {
-      PartFile part{.choice = {n, of},
+      PartFile part{.name = "",
+                    .choice = {n, of},
                     .words = {"--iso=1"},
                     .dims = tiny.volume.dims(),
                     .spacing = tiny.volume.spacing(),

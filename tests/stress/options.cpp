@@ -132,18 +132,16 @@ Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
 TriMesh mesh_in_parts(const Words& words, const CommandLine& line, Report& report) {
   const VolumeSource source = source_of(read_volume(line.input, line.read));
   std::vector<PartFile> parts;
-  std::vector<std::string> names;
   for (int n = 1; n <= line.part->of; ++n) {
     CommandLine of_part = line;
     of_part.part->number = n;
-    names.push_back(text("part ", n));
     const std::string bytes = part_bytes(make_part(source, of_part, line.input, nullptr));
-    parts.push_back(part_in(std::as_bytes(std::span(bytes)), names.back()));
+    parts.push_back(part_in(std::as_bytes(std::span(bytes)), text("part ", n)));
   }
-  sort_parts(parts, names);
-  const CommandLine noted = line_of(parts.front(), names.front(), words.front());
+  sort_parts(parts);
+  const CommandLine noted = line_of(parts.front(), words.front());
   const FieldSource field = field_source(source, noted, line.input);
-  require_field(parts, names, field, noted.options, line.input);
+  require_field(parts, field, noted.options, line.input);
   std::vector<Block> blocks;
   for (PartFile& part : parts) blocks.push_back(std::move(part.block));
   return mesh_of_parts(field.source, field.isovalue, noted.options, std::move(blocks), report);

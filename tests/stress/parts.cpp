@@ -110,14 +110,12 @@ std::string fault_of(std::uint64_t seed, const Case& made, int of) {
       std::swap(order[n - 1], order[random.below(static_cast<std::uint32_t>(n))]);
     }
     std::vector<PartFile> parts;
-    std::vector<std::string> names;
     for (const std::size_t n : order) {
-      names.push_back(text("part", n));
-      parts.push_back(part_in(std::as_bytes(std::span(bytes[n])), names.back()));
+      parts.push_back(part_in(std::as_bytes(std::span(bytes[n])), text("part", n)));
     }
-    sort_parts(parts, names);
-    const CommandLine noted = line_of(parts.front(), names.front(), kName);
-    require_field(parts, names, field, noted.options, kName);
+    sort_parts(parts);
+    const CommandLine noted = line_of(parts.front(), kName);
+    require_field(parts, field, noted.options, kName);
     std::vector<Block> blocks;
     for (PartFile& part : parts) blocks.push_back(std::move(part.block));
     Report report;
