@@ -60,7 +60,7 @@ FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
   const double isovalue = *line.isovalue;
   if (!line.field.any()) {
     const auto read = [raw, name](const SampleBox& box) {
-      const Volume samples = raw.read(box);
+      Volume samples = raw.read(box);
       value_range(samples, name);
       return samples;
     };
@@ -159,6 +159,7 @@ TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, Mes
   Options options = run.line.options;
   options.observer = &progress;
   std::vector<Block> blocks;
+  blocks.reserve(parts.size());
   for (PartFile& part : parts) blocks.push_back(std::move(part.block));
   TriMesh mesh =
       mesh_of_parts(field.source, field.isovalue, options, std::move(blocks), run.report);

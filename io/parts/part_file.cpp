@@ -126,6 +126,13 @@ void pass(Archive& a, PartFile& part, std::vector<Triangle>& triangles, std::vec
   pass(a, block.report);
 }
 
+// True if p is in the box, and predicates are exact for it (delaunay/predicates.h).
+bool is_place(const Vec3& p, const Box3& box) {
+  constexpr double kLeast = 0x1p-140;
+  const auto is_exact = [](double x) { return x == 0 || std::fabs(x) >= kLeast; };
+  return box.contains(p) && is_exact(p.x) && is_exact(p.y) && is_exact(p.z);
+}
+
 void require(bool condition, std::string_view name, const char* fault) {
   if (!condition) fail(name, text("is no sound part: ", fault));
 }
@@ -150,7 +157,7 @@ void require_sound_components(const Block& block, Index3 voxels, std::string_vie
 
 void require_sound_curves(const BoundaryLoops& loops, const std::vector<Place>& places,
                           std::size_t vertices, const Box3& box, std::string_view name) {
-  const auto is_inside = [&](const Vec3& p) { return box.contains(p); };
+  const auto is_inside = [&](const Vec3& p) { return is_place(p, box); };
   for (const BoundaryLoop& loop : loops) {
     const std::size_t n = loop.points.size();
     const bool sound = n > 0 && loop.kept.size() == n && loop.faces.size() == n &&
@@ -249,7 +256,7 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   const Volume shape = part.shape();
   const Box3 box = shape.box();
   SurfaceMesh& s = part.block.mesh;
-  const auto is_inside = [&](const Vec3& p) { return box.contains(p); };
+  const auto is_inside = [&](const Vec3& p) { return is_place(p, box); };
   require(std::ranges::all_of(s.mesh.points, is_inside), name, "a vertex is outside the volume");
   require(std::ranges::all_of(part.block.samples_near_seams, is_inside), name,
           "a sample is outside the volume");

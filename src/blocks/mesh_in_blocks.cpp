@@ -66,10 +66,17 @@ void require_room(const Block& block, const Parameters& given) {
   throw InputError(text("more than --max-vertices ", given.max_vertices, " vertices needed"));
 }
 
-// Throws unless the mesh ends only where its chain runs, on the box: where parts fit together.
+// Throws unless the mesh ends only where its chain runs, on the box, and the chain never comes back
+// to a place: where parts fit together.
 void require_closed(const Block& whole, const Box3& box) {
   const SurfaceMesh& s = whole.mesh;
-  bool is_closed = check_boundary_on_box(s.mesh, box).empty();
+  std::vector<Vec3> ends;
+  for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
+    if (s.chain.is_boundary(v)) ends.push_back(s.mesh.points[v]);
+  }
+  std::ranges::sort(ends, {}, by_place);
+  bool is_closed =
+      check_boundary_on_box(s.mesh, box).empty() && std::ranges::adjacent_find(ends) == ends.end();
   for (const Face& face : s.mesh.faces) {
     for (int i = 0; i < 3; ++i) {
       is_closed &= face.n[i] != kNoId || s.chain.is_edge(face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
