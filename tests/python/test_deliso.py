@@ -12,7 +12,6 @@ import pickle
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -20,6 +19,7 @@ import unittest
 import numpy
 
 import deliso
+import in_folder
 
 PROGRAM = sys.argv[-1]
 ENDINGS = ["ply", "off", "obj", "stl", "vtp", "glb", "3mf", "smesh", "poly"]
@@ -46,14 +46,7 @@ def resident_bytes():
     return pages * os.sysconf("SC_PAGE_SIZE")
 
 
-class TestCase(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
+class TestCase(in_folder.InFolder):
     def saved(self, m):
         """The bytes of the mesh's file in each format."""
         files = []

@@ -12,7 +12,6 @@ import random
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
@@ -20,6 +19,7 @@ import unittest
 import numpy
 
 import deliso
+import in_folder
 
 PROGRAM = sys.argv[-1]
 LEVEL = 10.25
@@ -86,14 +86,7 @@ def needs(*modules):
     return lambda test: test
 
 
-class TestCase(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
+class TestCase(in_folder.InFolder):
     def saved(self, m):
         m.save(self.path("m.ply"))
         return pathlib.Path(self.path("m.ply")).read_bytes()
