@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "blocks/mesh_in_blocks.h"
 #include "deliso/options.h"
 #include "io/files/text_scan.h"
 #include "io/filter/gaussian.h"
@@ -34,15 +35,11 @@ Index3 reach_of(const FieldOptions& options, const Volume& shape) {
   return reach;
 }
 
-Volume without_samples(Index3 dims, const Vec3& spacing, SampleType type, const Frame& frame) {
-  return Volume(dims, spacing, type, nullptr, nullptr, frame);
-}
-
 }  // namespace
 
 Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
   if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, dims};
-  const Volume shape = without_samples(dims, spacing, SampleType::u8, {});
+  const Volume shape = Volume::without_samples(dims, spacing, SampleType::u8, {});
   const SampleBox blocks = box_of_part(shape, line.options, *line.part);
   const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
@@ -74,7 +71,8 @@ FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
     value_range(around, name);
     return samples_of(make_field(around, field, {}, name, 1).volume, box);
   };
-  return {{without_samples(shape.dims(), shape.spacing(), type, shape.frame()), read}, isovalue};
+  return {{Volume::without_samples(shape.dims(), shape.spacing(), type, shape.frame()), read},
+          isovalue};
 }
 
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,
@@ -94,11 +92,8 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
   part.type = shape.type();
   part.frame = shape.frame();
   part.isovalue = field.isovalue;
-  Report report;
-  part.block = mesh_part(field.source, field.isovalue, options, part.choice, report);
-  part.block.report = report;
-  part.samples_at_seams =
-      checksum_at_seams(field.source, grid_of_parts(shape, options), part.choice);
+  part.block = mesh_part(field.source, field.isovalue, options, part.choice);
+  part.samples_at_seams = checksum_at_seams(field.source, block_grid(shape, options), part.choice);
   return part;
 }
 
@@ -137,11 +132,9 @@ CommandLine line_of_join(const CommandLine& join, const PartFile& part) {
 void require_field(std::span<const PartFile> parts, const FieldSource& field,
                    const Options& options, const std::string& volume) {
   const Volume& shape = field.source.shape;
-  const BlockGrid grid = grid_of_parts(shape, options);
+  const BlockGrid grid = block_grid(shape, options);
   for (const PartFile& part : parts) {
-    const bool same = part.dims == shape.dims() && part.spacing == shape.spacing() &&
-                      part.type == shape.type() && part.frame == shape.frame() &&
-                      part.isovalue == field.isovalue &&
+    const bool same = part.is_of(shape, field.isovalue) &&
                       part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
     if (!same) throw InputError(text(quote(part.name), " is no part of ", quote(volume)));
   }

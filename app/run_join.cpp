@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // deliso join: all parts of a mesh and their volume in, the mesh out, as deliso mesh writes it.
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>

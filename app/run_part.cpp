@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --part: one part of a mesh, for deliso join.
 #include <array>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "app/output.h"
 #include "app/parts.h"
@@ -28,20 +30,21 @@ int run_part(const CommandLine& line) {
   const Volume volume = read_volume(line.input, read, &log);
   if (line.input == "-") log.files.push_back(line.input);
   require_outputs(std::array{line.output}, log.files);
-  const PartFile part = make_part(source_of(volume), line, line.input, &progress);
+  PartFile part = make_part(source_of(volume), line, line.input, &progress);
   progress.show("writing", 0);
-  const std::string bytes = part_bytes(part);
+  const std::size_t vertices = part.block.mesh.mesh.points.size();
+  const std::size_t triangles = part.block.mesh.mesh.faces.size();
+  const std::string bytes = part_bytes(std::move(part));
   const DeferSignals defer;
   AtomicFile file(line.output);
   file.write(bytes);
   file.commit();
   progress.clear();
   if (!line.quiet && line.output != "-") {
-    const TriMesh& mesh = part.block.mesh.mesh;
-    print(text("part      ", part.choice.number, " of ", part.choice.of, " -> ",
+    print(text("part      ", line.part->number, " of ", line.part->of, " -> ",
                one_line(line.output), "\nmesh      ") +
-          counted(mesh.points.size(), "vertex", "vertices") + ", " +
-          counted(mesh.faces.size(), "triangle", "triangles") + "\n");
+          counted(vertices, "vertex", "vertices") + ", " +
+          counted(triangles, "triangle", "triangles") + "\n");
   }
   return kExitSuccess;
 }

@@ -91,7 +91,7 @@ Measured measure(const Volume& volume, double isovalue) {
   Cost sum;
   for (int n = 1; n <= cells; ++n) {
     const std::clock_t start = std::clock();
-    parts.push_back(mesh_part(source, isovalue, options, {n, cells}, report));
+    parts.push_back(mesh_part(source, isovalue, options, {n, cells}));
     const auto vertices = static_cast<double>(parts.back().mesh.mesh.points.size());
     m.blocks.push_back({seconds_since(start), vertices, bytes});
     sum.seconds += m.blocks.back().seconds;

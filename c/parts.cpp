@@ -39,12 +39,9 @@ VolumeSource volume_of(const deliso_source* given) {
                             static_cast<size_t>(box.begin.i)};
     const size_t end[] = {static_cast<size_t>(box.end.k) + 1, static_cast<size_t>(box.end.j) + 1,
                           static_cast<size_t>(box.end.i) + 1};
+    const Index3 dims = box.dims();
     size_t size = size_of(shape.type());
-    Index3 dims;
-    for (int axis = 0; axis < 3; ++axis) {
-      dims[axis] = box.end[axis] - box.begin[axis] + 1;
-      size *= static_cast<size_t>(dims[axis]);
-    }
+    for (int axis = 0; axis < 3; ++axis) size *= static_cast<size_t>(dims[axis]);
     const auto samples = std::make_shared<std::vector<std::byte>>(size);
     throw_if_canceled();
     {

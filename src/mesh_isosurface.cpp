@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "blocks/components.h"
 #include "blocks/mesh_in_blocks.h"
 #include "blocks/seams.h"
 #include "cap/close_on_box.h"
@@ -21,7 +22,6 @@
 #include "surface/step_timer.h"
 
 namespace deliso {
-
 namespace {
 
 Parameters begin(const Volume& shape, double isovalue, const Options& options, Report& report) {
@@ -40,12 +40,13 @@ std::optional<Dissolved> dissolved(const VolumeSource& source, double kappa,
   return dissolve_others(build_contour(volume, kappa), volume, kappa, options.components);
 }
 
-// Does what only the whole mesh can have done: counts and caps.
+// Does what only the whole mesh can have done: topology, counts and caps.
 TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Dissolved>& solid,
                const Options& options, const Parameters& parameters, Report& report) {
   const double kappa = report.kappa_effective;
   std::optional<BoxSurface> at;
   if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa, options.cubic);
+  report.exact = joined(whole.components, source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
   if (parameters.has_target() && !options.stop_after_recover) {
     coarsen_to_target(whole.mesh, at->surface, {at->surface, whole.loops}, whole.samples,
@@ -85,13 +86,8 @@ TriMesh mesh_isosurface(const Volume& volume, double isovalue, const Options& op
   return finish(std::move(whole), source, solid, options, parameters, report);
 }
 
-BlockGrid grid_of_parts(const Volume& shape, const Options& options) {
-  const bool is_usual = options.block_side == Options::kUsualSide;
-  return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
-}
-
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part) {
-  const std::vector<SampleBox> boxes = grid_of_parts(shape, options).boxes();
+  const std::vector<SampleBox> boxes = block_grid(shape, options).boxes();
   const CellRun own = cells_of(part, boxes.size());
   SampleBox all = own.begin == own.end ? SampleBox{{0, 0, 0}, {1, 1, 1}} : boxes[own.begin];
   for (std::size_t cell = own.begin; cell < own.end; ++cell) {
@@ -104,13 +100,15 @@ SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice pa
 }
 
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
-                PartChoice part, Report& report) {
-  const StepTimer total(report.seconds_total);
+                PartChoice part) {
+  Report report;
   const Parameters parameters = begin(source.shape, isovalue, options, report);
   require_no_whole(options, parameters);
   const auto solid = dissolved(source, report.kappa_effective, options);
-  return mesh_in_blocks(source, report.kappa_effective, options, parameters,
-                        solid ? solid->kept : std::vector<std::uint8_t>(), part, report);
+  Block block = mesh_in_blocks(source, report.kappa_effective, options, parameters,
+                               solid ? solid->kept : std::vector<std::uint8_t>(), part, report);
+  block.report = report;
+  return block;
 }
 
 TriMesh mesh_of_parts(const VolumeSource& source, double isovalue, const Options& options,

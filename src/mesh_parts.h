@@ -12,19 +12,17 @@
 
 namespace deliso {
 
-// Returns the grid of blocks of which parts are runs. `shape`: the volume, with samples or without.
-BlockGrid grid_of_parts(const Volume& shape, const Options& options);
 // Returns the box of all samples that mesh_part() reads, unless components are chosen: the smallest
 // that holds the part's blocks, and a margin. Of a part without a block it is around some voxel.
 SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice part);
 
-// Returns the mesh of one part, with what its seams to others still need. It is empty where there
-// is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in box_of_part();
-// everywhere if components are chosen. Throws InputError as mesh_isosurface() does, for
-// options that need all of the mesh at once (the paper's Recover, pole heights, a desired count),
-// and where a seam to another part is refused.
+// Returns the mesh of one part, with what its seams to others still need, and its report. It is
+// empty where there is no surface. Caps are left to mesh_of_parts(). pre: the source can be read in
+// box_of_part(); everywhere if components are chosen. Throws InputError as mesh_isosurface() does,
+// for options that need all of the mesh at once (the paper's Recover, pole heights, a desired
+// count), and where a seam to another part is refused.
 Block mesh_part(const VolumeSource& source, double isovalue, const Options& options,
-                PartChoice part, Report& report);
+                PartChoice part);
 
 // Returns the mesh of all parts, in their order, which were made with the same source and options.
 // Reads samples around the seams between parts; all of them with options.cap. Throws InputError if

@@ -187,22 +187,18 @@ void link_chain(SurfaceMesh& s, std::vector<Place> places, std::string_view name
     }
     s.chain.add_loop(vertices, at);
   }
-  std::size_t open = 0;
-  for (const Face& face : s.mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      if (face.n[i] != kNoId) continue;
-      ++open;
-      require(s.chain.is_edge(face.v[(i + 1) % 3], face.v[(i + 2) % 3]), name,
-              "it ends elsewhere than on its curves");
-    }
-  }
-  require(open == places.size(), name, "its curves are not where it ends");
+  require(ends_on_chain(s), name, "it ends elsewhere than on its curves");
 }
 
 }  // namespace
 
 Volume PartFile::shape() const {
-  return Volume(dims, spacing, type, nullptr, nullptr, frame);
+  return Volume::without_samples(dims, spacing, type, frame);
+}
+
+bool PartFile::is_of(const Volume& field, double level) const {
+  return dims == field.dims() && spacing == field.spacing() && type == field.type() &&
+         frame == field.frame() && isovalue == level;
 }
 
 std::string part_bytes(PartFile part) {
@@ -304,10 +300,7 @@ void sort_parts(std::vector<PartFile>& parts) {
     if (!a_ends || !b_ends) {
       refuse(text(a_ends ? "nothing" : *a, " there, ", b_ends ? "nothing" : *b, " here"));
     }
-    if (part.dims != first.dims || part.spacing != first.spacing || part.type != first.type ||
-        part.frame != first.frame || part.isovalue != first.isovalue) {
-      refuse("another volume or isovalue");
-    }
+    if (!part.is_of(first.shape(), first.isovalue)) refuse("another volume or isovalue");
     if (part.choice.number == parts[n - 1].choice.number) {
       throw InputError(text(quote(part.name), " and ", quote(parts[n - 1].name), " are both part ",
                             part.choice.number, " of ", part.choice.of));

@@ -40,6 +40,8 @@ struct PartFile {
 
   // Returns the field without samples.
   Volume shape() const;
+  // True if the part was made of this field at this isovalue, as far as its size and place tell.
+  bool is_of(const Volume& field, double level) const;
 };
 
 std::string part_bytes(PartFile part);

@@ -82,10 +82,9 @@ IdArray<VertexId, std::uint8_t> with_neighbors(const IdArray<VertexId, std::uint
 }  // namespace
 
 VolumeSource source_of(const Volume& volume) {
-  Volume shape(volume.whole_dims(), volume.spacing(), volume.type(), nullptr, nullptr,
-               volume.frame());
-  return {std::move(shape), [volume](const SampleBox& box) { return samples_of(volume, box); },
-          volume};
+  return {
+      Volume::without_samples(volume.whole_dims(), volume.spacing(), volume.type(), volume.frame()),
+      [volume](const SampleBox& box) { return samples_of(volume, box); }, volume};
 }
 
 Volume all_of(const VolumeSource& source) {
@@ -154,11 +153,8 @@ void make_seam(const BlockRun& run, Block& block) {
 
 bool is_on_seam(const Block& block, VertexId v) {
   if (!block.mesh.chain.is_boundary(v)) return false;
-  const auto [number, s] = block.mesh.chain.place(v);
-  const std::vector<std::uint8_t>& fixed = (*block.loops)[number].fixed;
-  const auto at = static_cast<std::size_t>(s);
-  if (fixed[at] != 0) return true;
-  return s == static_cast<double>(at) && fixed[(at + fixed.size() - 1) % fixed.size()] != 0;
+  const CurvePlace place = block.mesh.chain.place(v);
+  return is_on_fixed((*block.loops)[place.loop], place.s);
 }
 
 void mark_seam_work(Block& block) {

@@ -125,8 +125,7 @@ int usual_block_side(const Volume& volume) {
 }
 
 Volume samples_of(const Volume& volume, const SampleBox& box) {
-  Index3 dims;
-  for (int axis = 0; axis < 3; ++axis) dims[axis] = box.end[axis] - box.begin[axis] + 1;
+  const Index3 dims = box.dims();
   const Index3 begin = volume.first(), voxels = volume.voxels();
   const Index3 end{begin.i + voxels.i, begin.j + voxels.j, begin.k + voxels.k};
   DELISO_CHECK(is_in(box, {begin, end}));

@@ -15,6 +15,7 @@ namespace deliso {
 // first sample of the largest volume (volume/volume.h).
 struct SampleBox {
   Index3 begin, end;
+  Index3 dims() const { return {end.i - begin.i + 1, end.j - begin.j + 1, end.k - begin.k + 1}; }
   friend bool operator==(const SampleBox&, const SampleBox&) = default;
 };
 bool is_in(const SampleBox& inner, const SampleBox& outer);

@@ -48,9 +48,7 @@ bool is_one_block(const Options& options, const Parameters& parameters) {
 }
 
 BlockGrid grid_for(const Options& options, const Parameters& parameters, const Volume& shape) {
-  if (is_one_block(options, parameters)) return BlockGrid(shape, 0);
-  const bool is_usual = options.block_side == Options::kUsualSide;
-  return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
+  return is_one_block(options, parameters) ? BlockGrid(shape, 0) : block_grid(shape, options);
 }
 
 Parameters in_block(const Parameters& given, bool is_divided) {
@@ -75,13 +73,8 @@ void require_closed(const Block& whole, const Box3& box) {
     if (s.chain.is_boundary(v)) ends.push_back(s.mesh.points[v]);
   }
   std::ranges::sort(ends, {}, by_place);
-  bool is_closed =
-      check_boundary_on_box(s.mesh, box).empty() && std::ranges::adjacent_find(ends) == ends.end();
-  for (const Face& face : s.mesh.faces) {
-    for (int i = 0; i < 3; ++i) {
-      is_closed &= face.n[i] != kNoId || s.chain.is_edge(face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
-    }
-  }
+  const bool is_closed = ends_on_chain(s) && check_boundary_on_box(s.mesh, box).empty() &&
+                         std::ranges::adjacent_find(ends) == ends.end();
   if (!is_closed) throw InputError("the seams of the parts do not fit together");
 }
 
@@ -106,7 +99,6 @@ class BlockMesher {
   Block run() {
     if (blocks_.empty()) return {};
     mesh_blocks(all());
-    if (part_.of == 1) report_.exact = topology();
     if (given_.has_target()) refine_to_target();
     // Where blocks were merged, the order would depend on which was refused first.
     std::ranges::sort(blocks_, {}, [&](const Block& b) { return first_cell(b.box); });
@@ -209,14 +201,6 @@ class BlockMesher {
     }
   }
 
-  TopologyCounts topology() const {
-    std::vector<BlockComponents> components;
-    for (const Block& block : blocks_) {
-      components.insert(components.end(), block.components.begin(), block.components.end());
-    }
-    return joined(components, run_.source.shape.dims()).topology;
-  }
-
   // Returns the numbers of the new blocks.
   std::vector<std::size_t> merge_refused() {
     std::vector<SampleBox> boxes, fresh;
@@ -301,6 +285,11 @@ class BlockMesher {
 
 }  // namespace
 
+BlockGrid block_grid(const Volume& shape, const Options& options) {
+  const bool is_usual = options.block_side == Options::kUsualSide;
+  return BlockGrid(shape, is_usual ? usual_block_side(shape) : options.block_side);
+}
+
 Block mesh_in_blocks(const VolumeSource& source, double kappa, const Options& options,
                      const Parameters& parameters, std::vector<std::uint8_t> kept, PartChoice part,
                      Report& report) {
@@ -319,8 +308,8 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
   for (int number = 1; number <= of; ++number) {
     const CellRun own = cells_of({number, of}, cells);
     for (std::size_t n = own.begin; n < own.end; ++n) part_of[n] = with_cells.size();
-    if (own.begin < own.end)
-      with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
+    if (own.begin == own.end) continue;
+    with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
   }
   begin_stage(parameters.observer, "weld");
   Block whole = weld(with_cells, source.shape.spacing(), nullptr);
@@ -335,7 +324,6 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
     }
     order_by_place(whole, grid, source.shape);
   }
-  report.exact = joined(whole.components, source.shape.dims()).topology;
   report.add(whole.report);
   require_room(whole, parameters);
   return whole;

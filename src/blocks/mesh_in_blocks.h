@@ -11,6 +11,10 @@
 
 namespace deliso {
 
+// Returns the grid of blocks of a run by these options that is not one block. `shape`: the volume,
+// with samples or without.
+BlockGrid block_grid(const Volume& shape, const Options& options);
+
 // Returns the mesh of {g = kappa} in a part of the volume's cells, as a welded block. It is refined
 // at the seams within the part, and without caps. With a desired count it has more vertices or
 // triangles than desired, and all reference samples. `kept`: per component of the whole contour,

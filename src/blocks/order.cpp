@@ -39,11 +39,8 @@ std::vector<VertexId> vertex_order(const TriMesh& mesh, const BlockGrid& grid,
     const Vec3& p = mesh.points[v];
     placed.push_back({grid.number_of(grid.cell_of(shape.voxel_at(p))), p, v});
   }
-  std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
-    if (a.cell != b.cell) return a.cell < b.cell;
-    if (a.at.x != b.at.x) return a.at.x < b.at.x;
-    return std::tuple(a.at.y, a.at.z, a.vertex.number()) <
-           std::tuple(b.at.y, b.at.z, b.vertex.number());
+  std::ranges::sort(placed, {}, [](const Placed& p) {
+    return std::tuple(p.cell, by_place(p.at), p.vertex.number());
   });
   std::vector<VertexId> order;
   order.reserve(placed.size());

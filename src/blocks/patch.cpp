@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "base/sorted_list.h"
@@ -76,13 +75,11 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
       held.push_back(v);
     }
   }
-  const auto is_before = [&](VertexId a, VertexId b) {
-    const Vec3 &p = whole.mesh.points[a], &q = whole.mesh.points[b];
-    if (p.x != q.x) return p.x < q.x;
-    return std::tuple(p.y, p.z, a.number()) < std::tuple(q.y, q.z, b.number());
+  const auto place = [&](VertexId v) {
+    return std::pair(by_place(whole.mesh.points[v]), v.number());
   };
-  std::ranges::sort(vertices, is_before);
-  std::ranges::sort(held, is_before);
+  std::ranges::sort(vertices, {}, place);
+  std::ranges::sort(held, {}, place);
   const VertexId first_held(vertices.size());
   const Numbers<VertexId> outside = numbered(std::span<const VertexId>(vertices));
   vertices.insert(vertices.end(), held.begin(), held.end());

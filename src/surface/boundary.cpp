@@ -26,11 +26,11 @@ bool BoundaryCurves::is_kept(CurvePlace place) const {
          loop(place.loop).kept[static_cast<std::size_t>(place.s)] != 0;
 }
 
-bool BoundaryCurves::is_on_fixed(CurvePlace place) const {
-  if (begins_fixed(place)) return true;
-  if (place.s != std::floor(place.s)) return false;
-  const double last = static_cast<double>(loop(place.loop).faces.size()) - 1;
-  return begins_fixed({place.loop, place.s > 0 ? place.s - 1 : last});
+bool is_on_fixed(const BoundaryLoop& loop, double s) {
+  const auto at = static_cast<std::size_t>(s);
+  if (loop.fixed[at] != 0) return true;
+  const std::size_t n = loop.fixed.size();
+  return s == static_cast<double>(at) && loop.fixed[(at + n - 1) % n] != 0;
 }
 
 bool BoundaryCurves::runs_beside_fixed(const CurvePoint& a, const CurvePoint& b) const {

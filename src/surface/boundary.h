@@ -46,6 +46,9 @@ struct BoundaryLoop {
 
 using BoundaryLoops = std::vector<BoundaryLoop>;
 
+// True if the arc of the loop that begins at place s is fixed, or that before it ends there and is.
+bool is_on_fixed(const BoundaryLoop& loop, double s);
+
 class BoundaryCurves {
  public:
   // Keeps a reference to the surface.
@@ -66,7 +69,9 @@ class BoundaryCurves {
   bool begins_fixed(CurvePlace place) const {
     return loop(place.loop).fixed[static_cast<std::size_t>(place.s)] != 0;
   }
-  bool is_on_fixed(CurvePlace place) const;
+  bool is_on_fixed(CurvePlace place) const {
+    return deliso::is_on_fixed(loop(place.loop), place.s);
+  }
   // True if the chord ab runs along an edge of the box beside a fixed arc: the neighboring block
   // might have the same chord.
   bool runs_beside_fixed(const CurvePoint& a, const CurvePoint& b) const;

@@ -42,6 +42,19 @@ Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {center, distance2(center, a), false};
 }
 
+bool ends_on_chain(const SurfaceMesh& s) {
+  std::size_t ends = 0, chain = 0;
+  for (VertexId v = 0; v < s.mesh.points.size(); ++v) chain += s.chain.is_boundary(v);
+  for (const Face& face : s.mesh.faces) {
+    for (int i = 0; i < 3; ++i) {
+      if (face.n[i] != kNoId) continue;
+      if (!s.chain.is_edge(face.v[(i + 1) % 3], face.v[(i + 2) % 3])) return false;
+      ++ends;
+    }
+  }
+  return ends == chain;  // each vertex of the chain begins an edge
+}
+
 void remove_dead(SurfaceMesh& s) {
   TriMesh& mesh = s.mesh;
   std::vector<VertexId> new_id(mesh.points.size(), kNoId);

@@ -45,6 +45,9 @@ struct SurfaceMesh {
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
 Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c);
 
+// True if S2 holds. pre: there are no dead facets.
+bool ends_on_chain(const SurfaceMesh& surface);
+
 // Removes dead facets, and vertices without facets. The rest keep their order.
 void remove_dead(SurfaceMesh& surface);
 

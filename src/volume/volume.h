@@ -69,6 +69,12 @@ class Volume {
   Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* bytes,
          std::shared_ptr<const void> owner, Frame frame = {});
 
+  // Returns a volume that has no samples: what is known of one that is read elsewhere.
+  static Volume without_samples(Index3 dims, const Vec3& spacing, SampleType type,
+                                const Frame& frame) {
+    return Volume(dims, spacing, type, nullptr, nullptr, frame);
+  }
+
   // Returns this volume as a block of a larger one: samples `first` and following of `whole`. It is
   // a block even if it is all of `whole`: one block is meshed like any other.
   // pre: it fits into `whole`, and frame() is that of the larger volume.

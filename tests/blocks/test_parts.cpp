@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "blocks/grid.h"
+#include "blocks/mesh_in_blocks.h"
 #include "deliso/deliso.h"
 #include "mesh_parts.h"
 #include "stress/tiny_volume.h"
@@ -85,7 +86,7 @@ TEST_CASE("parts have the mesh of one process, caps and chosen components includ
     std::vector<Block> parts;
     try {
       for (int n = 1; n <= of; ++n) {
-        parts.push_back(mesh_part(source, tiny.isovalue, options, {n, of}, report));
+        parts.push_back(mesh_part(source, tiny.isovalue, options, {n, of}));
       }
     } catch (const InputError&) {
       continue;  // a seam between parts that is refused
@@ -108,14 +109,13 @@ TEST_CASE("both sides of a seam have the same vertices in the same places") {
     const int axis = static_cast<int>(seed % 3);
     Options options;
     options.block_side = 4;
-    const BlockGrid grid = grid_of_parts(tiny.volume, options);
+    const BlockGrid grid = block_grid(tiny.volume, options);
     const std::vector<SampleBox> boxes = grid.boxes();
     const int of = static_cast<int>(boxes.size());
-    Report report;
     std::vector<Block> parts;
     try {
       for (int n = 1; n <= of; ++n) {
-        parts.push_back(mesh_part(source_of(tiny.volume), tiny.isovalue, options, {n, of}, report));
+        parts.push_back(mesh_part(source_of(tiny.volume), tiny.isovalue, options, {n, of}));
       }
     } catch (const InputError&) {
       continue;  // a seam that is refused
@@ -149,7 +149,7 @@ TEST_CASE(
     Options options;
     options.block_side = 4 + static_cast<int>(seed);
     const VolumeSource all = source_of(tiny.volume);
-    const BlockGrid grid = grid_of_parts(all.shape, options);
+    const BlockGrid grid = block_grid(all.shape, options);
     const PartChoice part{2, 3};
     const SampleBox own = box_of_part(all.shape, options, part);
     const std::vector<SampleBox> cells = grid.boxes();
@@ -162,9 +162,8 @@ TEST_CASE(
               std::ranges::none_of(cells, [&](const SampleBox& cell) { return is_in(box, cell); });
           return all.read(box);
         }};
-    Report report;
     try {
-      mesh_part(watched, tiny.isovalue, options, part, report);
+      mesh_part(watched, tiny.isovalue, options, part);
     } catch (const InputError&) {
       // A seam to another part may be refused.
     }

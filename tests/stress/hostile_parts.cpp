@@ -120,10 +120,7 @@ TriMesh joined(const VolumeSource& source, double isovalue, const Options& optio
   std::vector<Block> blocks;
   for (PartFile& part : parts) {
     // What app/parts.h asks, but for the samples at seams.
-    if (part.dims != source.shape.dims() || part.spacing != source.shape.spacing() ||
-        part.type != source.shape.type() || part.frame != source.shape.frame()) {
-      throw InputError("a part of another volume");
-    }
+    if (!part.is_of(source.shape, isovalue)) throw InputError("a part of another volume");
     blocks.push_back(std::move(part.block));
   }
   return mesh_of_parts(source, isovalue, options, std::move(blocks), report);
@@ -171,7 +168,7 @@ EditVerdict run_seed(std::uint64_t seed) {
                     .frame = tiny.volume.frame(),
                     .isovalue = tiny.isovalue,
                     .samples_at_seams = 0,
-                    .block = mesh_part(source, tiny.isovalue, options, {n, of}, of_parts)};
+                    .block = mesh_part(source, tiny.isovalue, options, {n, of})};
       bytes.push_back(part_bytes(std::move(part)));
     }
     usual = joined(source, tiny.isovalue, options, bytes, of_parts);

@@ -51,7 +51,6 @@
 #include "contour/contour.h"
 #include "io/parts/part_file.h"
 #include "io/volume/read_volume.h"
-#include "mesh_parts.h"
 #include "stress/drawn_options.h"
 #include "stress/in_child.h"
 #include "stress/option_volume.h"
@@ -129,7 +128,9 @@ Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
 }
 
 // Meshes all parts, as many as the line says, and joins them.
-TriMesh mesh_in_parts(const Words& words, const CommandLine& line, Report& report) {
+template <class Warn>
+TriMesh mesh_in_parts(const Words& words, MeshRun& run, Progress& progress, const Warn& warn) {
+  const CommandLine& line = run.line;
   const VolumeSource source = source_of(read_volume(line.input, line.read));
   std::vector<PartFile> parts;
   for (int n = 1; n <= line.part->of; ++n) {
@@ -142,9 +143,7 @@ TriMesh mesh_in_parts(const Words& words, const CommandLine& line, Report& repor
   const CommandLine noted = line_of(parts.front(), words.front());
   const FieldSource field = field_source(source, noted, line.input);
   require_field(parts, field, noted.options, line.input);
-  std::vector<Block> blocks;
-  for (PartFile& part : parts) blocks.push_back(std::move(part.block));
-  return mesh_of_parts(field.source, field.isovalue, noted.options, std::move(blocks), report);
+  return join_parts_of(field, std::move(parts), run, progress, warn);
 }
 
 Outcome mesh_once(const Words& words) {
@@ -158,8 +157,7 @@ Outcome mesh_once(const Words& words) {
     const std::clock_t start = std::clock();
     const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
     if (line.part) {
-      outcome.mesh = mesh_in_parts(words, line, run.report);
-      examine_mesh(run, outcome.mesh, none, warn);
+      outcome.mesh = mesh_in_parts(words, run, none, warn);
     } else {
       outcome.mesh = mesh_input(run, none, warn);
     }
