@@ -95,6 +95,7 @@ TEST_CASE("parts have the mesh of one process, caps and chosen components includ
     CHECK(std::ranges::equal(joined.points, whole.points));
     CHECK(std::ranges::equal(joined.faces, whole.faces, {}, &Face::v, &Face::v));
     CHECK(report.exact == whole_report.exact);
+    CHECK(report.counters == whole_report.counters);
     ++compared;
   }
   CHECK(compared >= 22);
