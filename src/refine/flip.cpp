@@ -12,12 +12,20 @@ constexpr double kMinRadiusFall = 1e-9;
 
 }  // namespace
 
+bool is_edge_delaunay(const Refinement& r, FaceId f, int i) {
+  const Face& face = r.mesh.faces[f];
+  const FaceId g = face.n[i];
+  if (g == kNoId) return true;
+  const Face& across = r.mesh.faces[g];
+  return !r.s.duals[f].holds(r.point(across.v[neighbor_index(across, f)])) &&
+         !r.s.duals[g].holds(r.point(face.v[i]));
+}
+
 std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   if (r.mesh.faces[f].n[i] == kNoId) return Refusal::boundary;
+  if (is_edge_delaunay(r, f, i)) return Refusal::no_gain;
   const Quad q = quad_at(r.mesh, f, i);
-  const Dual &at_f = r.s.duals[q.f], &at_g = r.s.duals[q.g];
-  if (!at_f.holds(r.point(q.d)) && !at_g.holds(r.point(q.a))) return Refusal::no_gain;
-  const double radii = std::sqrt(at_f.radius2) + std::sqrt(at_g.radius2);
+  const double radii = std::sqrt(r.s.duals[q.f].radius2) + std::sqrt(r.s.duals[q.g].radius2);
   Change& c = r.begin_change(kSharpestFold);
   c.cavity = {q.f, q.g};
   c.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};

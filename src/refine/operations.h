@@ -23,10 +23,13 @@ std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge);
 // True if the arc of a boundary edge is further from the edge than Sigma may be from a facet.
 bool leaves_curve(const Refinement& r, EdgeRef edge);
 
-// Flips the edge of f opposite its corner i, if it is not Delaunay. Then the surface ball of a
-// facet there holds the other's corner, and after the flip none does. The flip must lower the sum
-// of the two radii. In the plane every Delaunay flip does (Musin 1997). On a surface it need not,
-// and flips could repeat forever.
+// True if neither facet at the edge of f opposite its corner i holds the other's corner in its
+// surface ball. An edge with one facet is Delaunay.
+bool is_edge_delaunay(const Refinement& r, FaceId f, int i);
+
+// Flips the edge of f opposite its corner i, if it is not Delaunay. After the flip it must
+// be, and the flip must lower the sum of the two radii. In the plane every Delaunay flip does
+// (Musin 1997). On a surface it need not, and flips could repeat forever.
 std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 
 // Collapses the shortest edge of f if the r/l of f is over its limit and the edge is shorter than

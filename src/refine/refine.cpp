@@ -101,13 +101,16 @@ class RefineGeom {
   IdArray<FaceId, double> violation_;  // of facets that were queued; of others less than 0
   std::vector<FaceId> refused_;        // in this pass of drain()
   std::vector<FaceId> changed_;        // to be tested for flips
-  bool met_frozen_ = false;            // a frozen facet refused the last operation
+  // Per facet: its edges are Delaunay, and neither it nor a neighbor has changed since.
+  std::vector<std::uint8_t> has_delaunay_edges_;
+  bool met_frozen_ = false;  // a frozen facet refused the last operation
 };
 
 std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
                                           std::span<const VertexId> vertices) {
   is_done_ = std::move(is_done);
   is_done_.resize(mesh_.faces.size(), 0);
+  has_delaunay_edges_.resize(mesh_.faces.size(), 0);
   thin(vertices);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
@@ -218,12 +221,13 @@ bool RefineGeom::accept(const std::optional<Refusal>& refusal) {
   met_frozen_ |= refusal == Refusal::frozen;
   if (refusal) return false;
   is_done_.resize(mesh_.faces.size(), 0);
+  has_delaunay_edges_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : r_.created()) {
     enqueue(f);
     changed_.push_back(f);
-    is_done_[f] = 0;
+    is_done_[f] = has_delaunay_edges_[f] = 0;
     for (const FaceId g : mesh_.faces[f].n) {
-      if (g != kNoId) is_done_[g] = 0;
+      if (g != kNoId) is_done_[g] = has_delaunay_edges_[g] = 0;
     }
   }
   return true;
@@ -266,11 +270,17 @@ void RefineGeom::flip_changed() {
   while (!changed_.empty()) {
     const FaceId f = changed_.back();
     changed_.pop_back();
-    if (is_dead(mesh_.faces[f])) continue;
+    if (is_dead(mesh_.faces[f]) || has_delaunay_edges_[f]) continue;
     ask(f, Reason::not_delaunay);
+    bool is_delaunay = true;
     for (int i = 0; i < 3; ++i) {
+      const FaceId g = mesh_.faces[f].n[i];
+      // An edge is tested once, from the first of its facets.
+      if (g == kNoId || has_delaunay_edges_[g] || is_edge_delaunay(r_, f, i)) continue;
+      is_delaunay = false;
       if (accept(flip_if_not_delaunay(r_, f, i))) break;
     }
+    has_delaunay_edges_[f] = is_delaunay;
   }
 }
 
