@@ -2,7 +2,9 @@
 #include "embedding/disk_crossing.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "base/triangle.h"
 #include "delaunay/predicates.h"
@@ -13,6 +15,14 @@ namespace {
 
 // A share of the size of the compared terms, far above rounding.
 constexpr double kMargin = 1e-10;
+
+// The same in single precision: what passes it passes kMargin in double. For a plane with a normal
+// of size 1, through a point f, and a point p, both relative to the center, rounding to single
+// precision and single products change the distance by less than 2^-21 (|p| + |f|). So it exceeds
+// 2^-20 (|p| + |f|), and |p - f| is no more than that sum.
+constexpr float kSingleMargin = 0x1p-19f;
+// More than what underflow takes away: the disk's size is about 1.
+constexpr float kUnderflow = 0x1p-100f;
 
 double size_of(const Vec3& v) {
   return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
@@ -30,25 +40,43 @@ bool DiskCrossing::begin(const std::vector<Vec3>& points, const Disk& disk,
     if (collinear(point(t[0]), point(t[1]), point(t[2]))) return false;
     boxes_.push_back(grid.box_of(points, t));
   }
-  planes_.clear();
-  ++stamp_;
-  known_.resize(points.size());
-  for (const Disk::BoundaryEdge& edge : disk.boundary) {
-    const Plane plane = plane_through(disk.facets[edge.facet], normals_[edge.facet], edge.side);
-    const auto is_inside = [&](VertexId v) {
-      return v == plane.from || v == plane.to || is_on_side(plane, v, -1);
-    };
-    if (planes_.size() < kMaxPlanes && std::ranges::all_of(disk.vertices(), is_inside)) {
-      planes_.push_back(plane);
-    }
-  }
-  // The disk's own vertices are inside, but for the ends of a plane's side.
-  for (const VertexId v : disk.vertices()) known_[v] = {stamp_, 0};
-  for (std::size_t n = 0; n < planes_.size(); ++n) {
-    known_[planes_[n].from].planes |= std::uint32_t{1} << n;
-    known_[planes_[n].to].planes |= std::uint32_t{1} << n;
-  }
+  set_planes();
   return true;
+}
+
+void DiskCrossing::set_planes() {
+  const std::span<const VertexId> vertices = disk_->vertices();
+  const std::size_t count = std::min(disk_->boundary.size(), kMaxPlanes);
+  ++stamp_;
+  known_.resize(points_->size());
+  for (const VertexId v : vertices) known_[v] = {stamp_, 0};
+  center_ = point(vertices[0]);
+  double size = 0;
+  for (const VertexId v : vertices) size = std::max(size, size_of(point(v) - center_));
+  scale_ = 1 / size;
+  used_ = (count + kLanes - 1) / kLanes;
+  for (std::size_t k = 0; k < used_; ++k) {
+    planes_[k] = Planes{};
+    planes_[k].margin += std::numeric_limits<float>::infinity();
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    const Disk::BoundaryEdge& edge = disk_->boundary[n];
+    known_[edge.from].planes |= std::uint32_t{1} << n;
+    known_[edge.to].planes |= std::uint32_t{1} << n;
+    const Vec3 outwards = cross(point(edge.to) - point(edge.from), normals_[edge.facet]);
+    const Vec3 normal = outwards / size_of(outwards);
+    const Vec3 from = scale_ * (point(edge.from) - center_);
+    Planes& to = planes_[n / kLanes];
+    to.x[n % kLanes] = static_cast<float>(normal.x);
+    to.y[n % kLanes] = static_cast<float>(normal.y);
+    to.z[n % kLanes] = static_cast<float>(normal.z);
+    to.offset[n % kLanes] = static_cast<float>(dot(normal, from));
+    to.margin[n % kLanes] = kSingleMargin * static_cast<float>(size_of(from)) + kUnderflow;
+  }
+  // The disk's own vertices must be inside, but for the ends of a plane's side.
+  separating_ = ~std::uint32_t{0};
+  for (const VertexId v : vertices) separating_ &= known_[v].planes | planes_with(v, -1);
+  for (const VertexId v : vertices) known_[v].planes &= separating_;
 }
 
 BoxGrid::Box DiskCrossing::box() const {
@@ -109,15 +137,25 @@ bool DiskCrossing::is_fan(VertexId apex) const {
   return rounds == 1;
 }
 
+std::uint32_t DiskCrossing::planes_with(VertexId v, float sign) const {
+  const Vec3 p = scale_ * (point(v) - center_);
+  const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y), z = static_cast<float>(p.z);
+  const float margin = kSingleMargin * (std::fabs(x) + std::fabs(y) + std::fabs(z));
+  std::uint32_t planes = 0;
+  for (std::size_t k = 0; k < used_; ++k) {
+    const Planes& of = planes_[k];
+    const Four above = sign * (of.x * x + of.y * y + of.z * z - of.offset);
+    const auto bits = (above > of.margin + margin) & Bits{1, 2, 4, 8};
+    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(bits);
+    const std::uint64_t all = halves[0] | halves[1];
+    planes |= static_cast<std::uint32_t>(all | all >> 32) << (kLanes * k);
+  }
+  return planes;
+}
+
 std::uint32_t DiskCrossing::planes_with_outside(VertexId v) {
   Known& known = known_[v];
-  if (known.stamp == stamp_) return known.planes;
-  known = {stamp_, 0};
-  for (std::size_t n = 0; n < planes_.size(); ++n) {
-    const Plane& plane = planes_[n];
-    const bool is_outside = v == plane.from || v == plane.to || is_on_side(plane, v, 1);
-    known.planes |= static_cast<std::uint32_t>(is_outside) << n;
-  }
+  if (known.stamp != stamp_) known = {stamp_, planes_with(v, 1) & separating_};
   return known.planes;
 }
 

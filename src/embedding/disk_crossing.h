@@ -5,9 +5,11 @@
 //
 // A plane separates a facet if the facet's corners lie outside of it and the whole disk inside,
 // except corners that both share. Planes are tested with a margin far above rounding, so a
-// separated facet never crosses.
+// separated facet never crosses. Those of the whole disk are tested side by side in single
+// precision, those of a pair of facets one by one in double.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +48,10 @@ class DiskCrossing {
   bool is_on_side(const Plane& plane, VertexId v, double sign) const;
   // True if the plane separates a triangle, whose third corner is `inside`, from another one.
   bool separates(const Plane& plane, VertexId inside, const Triangle& other) const;
+  // Sets the planes of the disk that have all of it inside.
+  void set_planes();
+  // Returns the planes that v lies outside of (sign 1) or inside (-1), by the margin.
+  std::uint32_t planes_with(VertexId v, float sign) const;
   // Returns the planes that v lies outside of or on whose side it is: bit n for plane n.
   std::uint32_t planes_with_outside(VertexId v);
   bool is_fan(VertexId apex) const;
@@ -56,8 +62,21 @@ class DiskCrossing {
   const Disk* disk_ = nullptr;
   std::span<const Vec3> normals_;
   std::vector<BoxGrid::Box> boxes_;
+  // The planes through the disk's boundary edges, in a frame in which the disk is at the origin and
+  // about as large as one: x of them all, y of them all and so on. A place without a plane has no
+  // inside and no outside.
   static constexpr std::size_t kMaxPlanes = 32;  // the bits of Known::planes
-  std::vector<Plane> planes_;                    // with the whole disk inside
+  static constexpr std::size_t kLanes = 4;
+  using Four [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+  using Bits [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
+  struct Planes {
+    Four x, y, z, offset, margin;
+  };
+  std::array<Planes, kMaxPlanes / kLanes> planes_;
+  std::size_t used_ = 0;          // of planes_
+  std::uint32_t separating_ = 0;  // planes with the whole disk inside
+  Vec3 center_;
+  double scale_ = 0;
   // Per vertex of the mesh: planes_with_outside, if `stamp` is that of the current disk.
   struct Known {
     std::uint32_t stamp = 0, planes = 0;
