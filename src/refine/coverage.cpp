@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "base/triangle.h"
 
@@ -11,7 +12,7 @@ namespace deliso {
 namespace {
 
 // Steps from facet to facet towards a sample before the hash is asked.
-constexpr int kSteps = 4;
+constexpr int kSteps = 6;
 
 // Returns the facet across the first edge of f that p lies beyond; kNoId if there is none.
 FaceId towards(const TriMesh& mesh, FaceId f, const Vec3& p) {
@@ -34,7 +35,7 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
   std::vector<FarSample> far;
   // Per cell, the facet that was near the last sample there: the next one is often near it too. The
   // table is periodic in space.
-  constexpr std::size_t kCells = 8;
+  constexpr std::size_t kCells = 16;
   constexpr double kCellLimits = 8;  // side of a cell, in `limit`
   std::array<FaceId, kCells * kCells * kCells> guesses;
   guesses.fill(kNoId);
@@ -54,11 +55,14 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
     for (int axis = 0; axis < 3; ++axis) {
       cell = kCells * cell + static_cast<std::size_t>(p[axis] / (kCellLimits * limit)) % kCells;
     }
-    // Walks over the mesh. Nothing depends on where that ends.
+    // Walks over the mesh to a facet that p is over, or to an edge that p is beyond from both sides.
+    // Nothing depends on where that ends.
     const auto is_reached = [&](FaceId f) {
+      FaceId before = kNoId;
       for (int step = 0; step < kSteps && f != kNoId; ++step) {
-        if (is_near(f)) return true;
-        f = towards(mesh, f, p);
+        const FaceId next = towards(mesh, f, p);
+        if (next == kNoId || next == before) return is_near(f) || is_near(before);
+        before = std::exchange(f, next);
       }
       return false;
     };
