@@ -55,8 +55,8 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
     for (int axis = 0; axis < 3; ++axis) {
       cell = kCells * cell + static_cast<std::size_t>(p[axis] / (kCellLimits * limit)) % kCells;
     }
-    // Walks over the mesh to a facet that p is over, or to an edge that p is beyond from both sides.
-    // Nothing depends on where that ends.
+    // Walks over the mesh to a facet that p is over, or to an edge that p is beyond from both
+    // sides. Nothing depends on where that ends.
     const auto is_reached = [&](FaceId f) {
       FaceId before = kNoId;
       for (int step = 0; step < kSteps && f != kNoId; ++step) {

@@ -130,7 +130,9 @@ bool Refinement::folds(const Change& c) const {
 
 // G2, for small components: true if the volume that the component bounds changes its sign.
 bool Refinement::reverses(Change& c) {
-  if (parameters.as_published || c.is_large) return false;
+  if (parameters.as_published) return false;
+  const std::size_t outside = component_size_[component_[c.cavity[0]]] - c.cavity.size();
+  if (outside > kMaxSmallComponent) return false;
   const Box3 box = surface.volume().box();
   unsigned met = 0;  // the faces of the box in which the component ends
   rest_.clear();
@@ -147,10 +149,7 @@ bool Refinement::reverses(Change& c) {
   for (std::size_t n = 0; n < rest_.size();) {
     const FaceId f = rest_[n++];
     // A component with a frozen facet may continue outside the region.
-    if (rest_.size() > kMaxSmallComponent || is_frozen(f)) {
-      c.is_large = true;
-      return false;
-    }
+    if (is_frozen(f)) return false;
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/disjoint_sets.h"
 
 namespace deliso {
 namespace {
@@ -60,12 +61,21 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
   if (parameters.as_published) return;
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());
+  DisjointSets joined(mesh.faces.size());
   std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     const Triangle& v = mesh.faces[f].v;
     if (is_dead(mesh.faces[f])) continue;
     facets_.add(f, facets_.box_of(mesh.points, v));
     for (const VertexId q : v) is_used[q] = 1;
+    for (const FaceId g : mesh.faces[f].n) {
+      if (g < f) joined.unite(f.number(), g.number());
+    }
+  }
+  for (const std::uint32_t component : joined.take_numbers()) {
+    component_.push_back(component);
+    component_size_.resize(std::max<std::size_t>(component_size_.size(), component + 1));
+    ++component_size_[component];
   }
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     if (is_used[v]) vertices_.add(v, vertices_.box_of(point(v)));
@@ -83,7 +93,7 @@ Change& Refinement::begin_change(double least_cosine) {
 }
 
 std::optional<Refusal> Refinement::open_cavity(Change& c) {
-  c.is_linked = c.is_large = false;
+  c.is_linked = false;
   c.was.facets.clear();
   marks_.resize(mesh.faces.size());
   ++stamp_;
@@ -158,6 +168,11 @@ void Refinement::commit(Change& c) {
     if (k >= c.cavity.size()) mesh.faces.emplace_back();
   }
   s.duals.resize(mesh.faces.size());
+  if (has_hashes) {
+    const std::uint32_t component = component_[c.cavity[0]];
+    component_.resize(mesh.faces.size(), component);
+    component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - c.cavity.size());
+  }
   for (std::size_t k = in.facets.size(); k < c.cavity.size(); ++k) {
     mesh.faces[c.cavity[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
   }

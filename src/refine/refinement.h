@@ -81,8 +81,8 @@ struct Change {
   // The change is always refused, so a moved vertex keeps its place in the hash of vertices.
   bool is_trial = false;
   // Since the cavity was opened: `in` is linked, and so are the facets across, as a vertex only
-  // moves; the component is too large to be reversed.
-  bool is_linked = false, is_large = false;
+  // moves.
+  bool is_linked = false;
   std::vector<Dual> duals;  // of `in`, by G3
   bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
@@ -192,6 +192,8 @@ class Refinement {
   bool is_in_cavity(FaceId f) const { return marks_[f] == stamp_; }
 
   BoxGrid facets_, vertices_;
+  IdArray<FaceId, std::uint32_t> component_;   // per facet, the component that has it
+  std::vector<std::uint32_t> component_size_;  // facets of each
 
   // Of the current change.
   std::vector<std::uint32_t> marks_;  // per facet: stamp_ if it is in the cavity
