@@ -2,10 +2,10 @@
 #include "check/nearest_triangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/parallel.h"
@@ -14,10 +14,13 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kPointsPerTask = 1u << 14;
-constexpr std::size_t kPatchPoints = 16;  // neighbors that share one query
+constexpr std::size_t kPatchPoints = 16;    // neighbors that share one query
+constexpr std::size_t kMaxCandidates = 64;  // for a patch
+constexpr double kMargin = 1.0 / 16;        // of a query around a patch, in sides of a cube
 
-// The numbers of points, sorted by cubes of space, of which there are about as many as points.
+// The numbers of points, sorted by cubes of space, of which there are about half as many as points.
 struct Cubes {
+  double side = 0;
   std::vector<std::uint32_t> end, order;  // the points of cube n are order[end[n - 1] .. end[n])
 };
 
@@ -28,8 +31,8 @@ Cubes sort_into_cubes(std::span<const Vec3> points) {
   const double area = std::max({size.x * size.y, size.y * size.z, size.z * size.x});
   const double longest = std::max({size.x, size.y, size.z});
   const auto n = static_cast<double>(points.size());
-  const double side =
-      std::max({cube_root(size.x * size.y * size.z / n), std::sqrt(area / n), longest / n});
+  const double side = std::max(
+      {cube_root(2 * size.x * size.y * size.z / n), std::sqrt(2 * area / n), 2 * longest / n});
   const auto cell = [&](const Vec3& p, int axis) {
     return side > 0 ? static_cast<std::size_t>((p[axis] - box.lo[axis]) / side) : 0;
   };
@@ -42,7 +45,7 @@ Cubes sort_into_cubes(std::span<const Vec3> points) {
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::uint32_t i = 0; i < points.size(); ++i) order[next[cube(points[i])]++] = i;
   next.pop_back();
-  return {std::move(next), std::move(order)};
+  return {side, std::move(next), std::move(order)};
 }
 
 class RunOfPoints {
@@ -53,6 +56,7 @@ class RunOfPoints {
 
   void measure() {
     const Cubes cubes = sort_into_cubes(points_);
+    margin_ = kMargin * cubes.side;
     std::size_t begin = 0;
     for (const std::size_t end : cubes.end) {
       for (; begin < end; begin += std::min(kPatchPoints, end - begin)) {
@@ -62,62 +66,61 @@ class RunOfPoints {
   }
 
  private:
-  // One query finds the triangles near a patch. For each point of the patch, the nearest triangle
-  // is no further than the one nearest to the first point.
-  void measure_patch(std::span<const std::uint32_t> patch) {
-    const Vec3& first = points_[patch[0]];
-    const double least = tree_.distance2(near_, first);
-    const NearestTriangle nearest = tree_.nearest(first, least, &leaves_left_);
-    if (leaves_left_ == 0) {
-      for (const std::uint32_t i : patch) found_[i].distance2 = kGivenUp;
-      return;
-    }
-    if (nearest.triangle != kNoId) near_ = nearest.triangle;
-    found_[patch[0]] = {near_, nearest.distance2};
-    if (patch.size() == 1) return;
+  struct Candidate {
+    Box3 box;
+    FaceId triangle;
+  };
 
-    std::array<NearestTriangle, kPatchPoints> best{};
-    double most = 0;
-    Box3 box{first, first};
-    for (std::size_t n = 0; n < patch.size(); ++n) {
-      const Vec3& p = points_[patch[n]];
-      box = united(box, {p, p});
-      best[n] = {near_, tree_.distance2(near_, p)};
-      most = std::max(most, best[n].distance2);
-    }
-    const double reach = std::sqrt(most);
-    std::array<std::pair<std::size_t, const Box3*>, kMaxPatchLeaves> leaves;
-    std::size_t count = 0, boxes_tested = 0;
-    bool room = true;
-    tree_.for_each_leaf_near(box, reach, 0, boxes_tested,
-                             [&](std::size_t leaf, const Box3& of_leaf) {
-                               room = count < kMaxPatchLeaves;
-                               if (room) leaves[count++] = {leaf, &of_leaf};
-                               return room;
-                             });
-    leaves_left_ -= std::min(leaves_left_, count);
-    if (!room) {
+  // One query finds the triangles near a patch. Points that are further than the margin from all of
+  // these search the tree on their own.
+  void measure_patch(std::span<const std::uint32_t> patch) {
+    Box3 box{points_[patch[0]], points_[patch[0]]};
+    for (const std::uint32_t i : patch) box = united(box, {points_[i], points_[i]});
+    const Box3 around = box.grown(margin_);
+    candidates_.clear();
+    std::size_t boxes_tested = 0, leaves = 0;
+    tree_.for_each_leaf_near(box, margin_, 0, boxes_tested, [&](std::size_t leaf, const Box3&) {
+      ++leaves;
+      const std::span<const FaceId> faces = tree_.leaf(leaf);
+      const std::span<const Box3> boxes = tree_.boxes_of_leaf(leaf);
+      for (std::size_t n = 0; n < faces.size(); ++n) {
+        if (meet(boxes[n], around)) candidates_.push_back({boxes[n], faces[n]});
+      }
+      return candidates_.size() <= kMaxCandidates;
+    });
+    leaves_left_ -= std::min(leaves_left_, leaves);
+    const bool all = candidates_.size() <= kMaxCandidates;
+    if (!all && patch.size() > 1) {
       measure_patch(patch.first(patch.size() / 2));
       measure_patch(patch.subspan(patch.size() / 2));
       return;
     }
-    for (std::size_t n = 0; n < patch.size(); ++n) {
-      const Vec3& p = points_[patch[n]];
-      for (std::size_t k = 0; k < count; ++k) {
-        if (distance2_to(*leaves[k].second, p) < best[n].distance2)
-          tree_.improve(leaves[k].first, p, best[n]);
+    for (const std::uint32_t i : patch) {
+      const Vec3& p = points_[i];
+      NearestTriangle best{near_, tree_.distance2(near_, p)};
+      for (const Candidate& candidate : candidates_) {
+        if (!(distance2_to(candidate.box, p) < best.distance2)) continue;
+        if (candidate.triangle == near_) continue;
+        const double d = tree_.distance2(candidate.triangle, p);
+        if (d < best.distance2) best = {candidate.triangle, d};
       }
-      found_[patch[n]] = best[n];
+      if (!all || best.distance2 > margin_ * margin_) {
+        const NearestTriangle nearer = tree_.nearest(p, best.distance2, &leaves_left_);
+        if (nearer.triangle != kNoId) best = nearer;
+      }
+      near_ = best.triangle;
+      found_[i] = best;
+      if (leaves_left_ == 0) found_[i].distance2 = kGivenUp;
     }
   }
-
-  static constexpr std::size_t kMaxPatchLeaves = 16;
 
   std::span<const Vec3> points_;
   const TriangleTree& tree_;
   std::span<NearestTriangle> found_;
   std::size_t leaves_left_ = kMaxLeavesPerTask;
-  FaceId near_ = 0;
+  double margin_ = 0;
+  std::vector<Candidate> candidates_;
+  FaceId near_ = 0;  // of the last point
 };
 
 }  // namespace

@@ -50,16 +50,6 @@ class TriangleTree {
     const Triangle& t = triangles_[f];
     return distance2_to_triangle(p, points_[t[0]], points_[t[1]], points_[t[2]]);
   }
-  // Sets `best` to the leaf's triangle nearest to p, if that is nearer.
-  void improve(std::size_t leaf_number, const Vec3& p, NearestTriangle& best) const {
-    const std::span<const FaceId> faces = leaf(leaf_number);
-    const std::span<const Box3> boxes = boxes_of_leaf(leaf_number);
-    for (std::size_t n = 0; n < faces.size(); ++n) {
-      if (!(distance2_to(boxes[n], p) < best.distance2)) continue;
-      const double d = distance2(faces[n], p);
-      if (d < best.distance2) best = {faces[n], d};
-    }
-  }
 
   // Calls visit(leaf, its box) for every leaf from number `first` on whose box is at most `within`
   // from `box` along each axis. Goes in the order of leaf numbers, until visit returns false. Each
