@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/triangle.h"
 #include "check/nearest_triangles.h"
+#include "check/patch_at.h"
 
 namespace deliso {
 namespace {
@@ -75,14 +76,6 @@ Distances summarize(std::vector<double> values, const CleanMesh& mesh, const Dis
   return d;
 }
 
-double along(const Isosurface& surface, const Vec3& p, const Vec3& direction, double limit,
-             SearchCounters& counters) {
-  const double size = length(direction);
-  if (!(size > 0) || !std::isfinite(size)) return kInfinity;
-  const auto hit = surface.nearest(p, direction / size, limit, counters);
-  return hit ? std::fabs(hit->t) : kInfinity;
-}
-
 }  // namespace
 
 std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
@@ -92,13 +85,14 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
   std::array<Measure, 4> measures{
       {{(a + b + c) / 3}, {0.5 * (a + b)}, {0.5 * (b + c)}, {0.5 * (c + a)}}};
   for (auto& [p, d] : measures) {
-    const double steep = along(surface, p, surface.gradient(p), limit, counters);
+    const PatchAt patch(surface, p);
+    const double steep = patch.distance_along(patch.gradient(), limit, counters);
     // The second search is limited by the hit of the first.
-    const double straight = along(surface, p, normal, std::min(limit, steep), counters);
+    const double straight = patch.distance_along(normal, std::min(limit, steep), counters);
     d = std::min(steep, straight);
     if (d > std::min(bound, limit / 8)) {  // both may miss a thin or small piece of Sigma
       for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, a - p, b - p, c - p}) {
-        d = std::min(d, along(surface, p, axis, std::min(limit, d), counters));
+        d = std::min(d, patch.distance_along(axis, std::min(limit, d), counters));
       }
     }
   }
@@ -162,9 +156,10 @@ double distance_off_surface(const Vec3& p, const Isosurface& surface, double tol
     return 0;
   }
   SearchCounters counters;
+  const PatchAt patch(surface, p);
   double d = limit;
   for (const Vec3& direction : {gradient, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    d = std::min(d, along(surface, p, direction, d, counters));
+    d = std::min(d, patch.distance_along(direction, d, counters));
   }
   return d <= tolerance ? 0 : d;
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Distances along lines by the patch of one voxel, against the walk over voxels.
+#include "check/patch_at.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/random.h"
+
+using namespace deliso;
+
+TEST_CASE("a patch finds the point of Sigma that the oracle finds") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Random random(7);
+  std::vector<float> samples(9 * 8 * 7);
+  for (float& sample : samples) sample = static_cast<float>(random.uniform());
+  const Volume volume = Volume::from_samples({9, 8, 7}, {1, 0.5, 2}, samples);
+  const VoxelTree tree(volume);
+  const Isosurface surface(volume, tree, 0.5);
+  const Box3 box = volume.box().grown(0.1);
+  std::size_t found = 0;
+  for (int n = 0; n < 20000; ++n) {
+    Vec3 p, direction;
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = box.lo[axis] + random.uniform() * box.size()[axis];
+      direction[axis] = n % 7 == axis ? 0 : 2 * random.uniform() - 1;
+    }
+    const PatchAt patch(surface, p);
+    CHECK(distance(patch.gradient(), surface.gradient(p)) < 1e-12);
+    if (n % 3 == 0) direction = patch.gradient();
+    const double limit = n % 2 == 0 ? 3 : 0.2;
+    SearchCounters counters;
+    const double d = patch.distance_along(direction, limit, counters);
+    const auto hit = surface.nearest(p, direction / length(direction), limit, counters);
+    REQUIRE(std::isfinite(d) == hit.has_value());
+    if (!hit) continue;
+    CHECK(std::fabs(d - std::fabs(hit->t)) < 1e-9);
+    found += counters.searches == 1;  // the patch alone sufficed
+  }
+  CHECK(found > 1000);
+  const PatchAt patch(surface, {4, 2, 6});
+  SearchCounters counters;
+  CHECK(patch.distance_along({0, 0, 0}, 9, counters) == kInfinity);
+  CHECK(patch.distance_along({kInfinity, 0, 0}, 9, counters) == kInfinity);
+}
