@@ -3,10 +3,6 @@
 // (embedding/triangle_pair.h). Costs O(n log n), whatever the mesh. A tree gives the candidates:
 // triangles whose boxes meet.
 //
-// The boxes of the triangles around one vertex all meet there. Seen from that vertex, each triangle
-// is an arc, and two triangles meet elsewhere exactly if their arcs meet. So around a vertex with
-// many triangles, the candidates are pairs of arcs that meet.
-//
 // The work is bounded: where more boxes overlap than in any sound mesh, the search gives up and
 // reports it.
 #pragma once
@@ -33,10 +29,8 @@ inline constexpr std::size_t kMaxBoxesPerLeaf = 1u << 13, kMaxTestsPerLeaf = 512
                              kMaxFoundPerLeaf = 64;
 // Leaves that need more share this work. If they are few, as around the large triangles of a cap,
 // all their pairs are tested. So are all pairs of a small mesh.
-inline constexpr std::size_t kBoxesShared = 1u << 26, kTestsShared = 1u << 22,
+inline constexpr std::size_t kBoxesShared = 1u << 26, kTestsShared = 1u << 23,
                              kFoundShared = 1u << 19;
-// The most triangles at a vertex that are searched by boxes; more are searched by arcs.
-inline constexpr std::size_t kMaxBoxStar = 64;
 
 // Returns all crossings; ignores degenerate triangles. The result is the same for any number of
 // threads.

@@ -20,8 +20,8 @@ struct TriangleTree::Item {
 };
 
 TriangleTree::TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                           int threads, double slack)
-    : points_(points), triangles_(triangles), slack_(slack) {
+                           int threads)
+    : points_(points), triangles_(triangles) {
   if (triangles.empty()) return;
   std::vector<Item> items(triangles.size());
   for (FaceId f = 0; f < triangles.size(); ++f) {
@@ -78,7 +78,7 @@ void TriangleTree::build(const Subtree& part, std::span<Item> items) {
     for (std::size_t n = begin; n < end; ++n) {
       order_[n] = items[n].triangle;
       const Triangle& t = triangles_[order_[n]];
-      triangle_boxes_[n] = box_of(points_[t[0]], points_[t[1]], points_[t[2]]).grown(slack_);
+      triangle_boxes_[n] = box_of(points_[t[0]], points_[t[1]], points_[t[2]]);
     }
     boxes_[part.node] = triangle_boxes_[begin];
     for (std::size_t n = begin + 1; n < end; ++n) {

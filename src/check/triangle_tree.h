@@ -23,10 +23,10 @@ struct NearestTriangle {
 
 class TriangleTree {
  public:
-  // Keeps references: both must outlive the tree. The triangles' boxes are grown by `slack`. The
-  // tree is the same for any number of threads.
+  // Keeps references: both must outlive the tree. The tree is the same for any number of
+  // threads.
   TriangleTree(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-               int threads = 1, double slack = 0);
+               int threads = 1);
 
   // pre: there are triangles.
   const Box3& box() const { return boxes_[0]; }
@@ -94,7 +94,6 @@ class TriangleTree {
 
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
-  double slack_;
   std::vector<FaceId> order_;
   std::vector<Box3> triangle_boxes_;  // in this order
   std::vector<Box3> boxes_;           // of the nodes
