@@ -3,49 +3,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "base/elementary.h"
 #include "base/parallel.h"
+#include "delaunay/hilbert.h"
 
 namespace deliso {
 namespace {
 
 constexpr std::size_t kPointsPerTask = 1u << 14;
-constexpr std::size_t kPatchPoints = 16;    // neighbors that share one query
+constexpr std::size_t kPatchPoints = 8;     // neighbors that share one query
 constexpr std::size_t kMaxCandidates = 64;  // for a patch
-constexpr double kMargin = 1.0 / 16;        // of a query around a patch, in sides of a cube
+constexpr double kMargin = 1.0 / 16;        // of a query around a patch, in sides of its box
 
-// The numbers of points, sorted by cubes of space, of which there are about half as many as points.
-struct Cubes {
-  double side = 0;
-  std::vector<std::uint32_t> end, order;  // the points of cube n are order[end[n - 1] .. end[n])
-};
-
-Cubes sort_into_cubes(std::span<const Vec3> points) {
+// Returns the numbers of the points along Hilbert's curve.
+std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
+  constexpr int kBits = 8;
   Box3 box{points[0], points[0]};
   for (const Vec3& p : points) box = united(box, {p, p});
   const Vec3 size = box.size();
-  const double area = std::max({size.x * size.y, size.y * size.z, size.z * size.x});
-  const double longest = std::max({size.x, size.y, size.z});
-  const auto n = static_cast<double>(points.size());
-  const double side = std::max(
-      {cube_root(2 * size.x * size.y * size.z / n), std::sqrt(2 * area / n), 2 * longest / n});
+  const double scale = ((1 << kBits) - 1) / std::max({size.x, size.y, size.z});
   const auto cell = [&](const Vec3& p, int axis) {
-    return side > 0 ? static_cast<std::size_t>((p[axis] - box.lo[axis]) / side) : 0;
+    const double c = (p[axis] - box.lo[axis]) * scale;
+    return c > 0 ? static_cast<std::uint32_t>(c) : 0;  // NaN if all points are one
   };
-  const std::size_t columns = cell(box.hi, 0) + 1, rows = cell(box.hi, 1) + 1;
-  const auto cube = [&](const Vec3& p) {
-    return cell(p, 0) + columns * (cell(p, 1) + rows * cell(p, 2));
-  };
-  std::vector<std::uint32_t> next(cube(box.hi) + 2, 0), order(points.size());
-  for (const Vec3& p : points) ++next[cube(p) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::uint32_t i = 0; i < points.size(); ++i) order[next[cube(points[i])]++] = i;
-  next.pop_back();
-  return {side, std::move(next), std::move(order)};
+  std::vector<std::uint64_t> keys;  // place on the curve, number
+  keys.reserve(points.size());
+  for (std::uint64_t n = 0; n < points.size(); ++n) {
+    const Vec3& p = points[n];
+    keys.push_back(hilbert_index(cell(p, 0), cell(p, 1), cell(p, 2), kBits) << 32 | n);
+  }
+  std::ranges::sort(keys);
+  return {keys.begin(), keys.end()};  // the numbers are the low halves
 }
 
 class RunOfPoints {
@@ -55,13 +45,9 @@ class RunOfPoints {
       : points_(points), tree_(tree), found_(found) {}
 
   void measure() {
-    const Cubes cubes = sort_into_cubes(points_);
-    margin_ = kMargin * cubes.side;
-    std::size_t begin = 0;
-    for (const std::size_t end : cubes.end) {
-      for (; begin < end; begin += std::min(kPatchPoints, end - begin)) {
-        measure_patch(std::span(cubes.order).subspan(begin, std::min(kPatchPoints, end - begin)));
-      }
+    const std::vector<std::uint32_t> order = curve_order(points_);
+    for (std::size_t n = 0; n < order.size(); n += kPatchPoints) {
+      measure_patch(std::span(order).subspan(n, std::min(kPatchPoints, order.size() - n)));
     }
   }
 
@@ -76,10 +62,12 @@ class RunOfPoints {
   void measure_patch(std::span<const std::uint32_t> patch) {
     Box3 box{points_[patch[0]], points_[patch[0]]};
     for (const std::uint32_t i : patch) box = united(box, {points_[i], points_[i]});
-    const Box3 around = box.grown(margin_);
+    const Vec3 size = box.size();
+    const double margin = kMargin * std::max({size.x, size.y, size.z});
+    const Box3 around = box.grown(margin);
     candidates_.clear();
     std::size_t boxes_tested = 0, leaves = 0;
-    tree_.for_each_leaf_near(box, margin_, 0, boxes_tested, [&](std::size_t leaf, const Box3&) {
+    tree_.for_each_leaf_near(box, margin, 0, boxes_tested, [&](std::size_t leaf, const Box3&) {
       ++leaves;
       const std::span<const FaceId> faces = tree_.leaf(leaf);
       const std::span<const Box3> boxes = tree_.boxes_of_leaf(leaf);
@@ -99,12 +87,12 @@ class RunOfPoints {
       const Vec3& p = points_[i];
       NearestTriangle best{near_, tree_.distance2(near_, p)};
       for (const Candidate& candidate : candidates_) {
-        if (!(distance2_to(candidate.box, p) < best.distance2)) continue;
         if (candidate.triangle == near_) continue;
+        if (!(distance2_to(candidate.box, p) < best.distance2)) continue;
         const double d = tree_.distance2(candidate.triangle, p);
         if (d < best.distance2) best = {candidate.triangle, d};
       }
-      if (!all || best.distance2 > margin_ * margin_) {
+      if (!all || best.distance2 > margin * margin) {
         const NearestTriangle nearer = tree_.nearest(p, best.distance2, &leaves_left_);
         if (nearer.triangle != kNoId) best = nearer;
       }
@@ -118,7 +106,6 @@ class RunOfPoints {
   const TriangleTree& tree_;
   std::span<NearestTriangle> found_;
   std::size_t leaves_left_ = kMaxLeavesPerTask;
-  double margin_ = 0;
   std::vector<Candidate> candidates_;
   FaceId near_ = 0;  // of the last point
 };
