@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/parallel.h"
+#include "check/patch_at.h"
 #include "delaunay/voronoi.h"
 #include "mesh/incidence.h"
 
@@ -23,109 +23,116 @@ void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
   }
 }
 
-// Returns the parameter of the point of Sigma on a dual line nearest to the circumcenter; infinity
-// without one.
-double nearest_crossing(const FacetLine& line, const Isosurface& surface,
-                        SearchCounters& counters) {
-  const auto hit =
-      surface.nearest(line.center, line.normal, kBallLimitRadii * line.radius, counters);
-  return hit ? hit->t : std::numeric_limits<double>::infinity();
+// Returns the distance from a triangle's circumcenter to the nearest point of Sigma on its dual
+// line; infinity without one.
+double height(const CleanMesh& mesh, const Triangle& t, const Isosurface& surface,
+              SearchCounters& counters) {
+  const FacetLine line = facet_line(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  return PatchAt(surface, line.center)
+      .distance_along(line.normal, kBallLimitRadii * line.radius, counters);
 }
-
-FacetLine line_of(const CleanMesh& mesh, const Triangle& t) {
-  return facet_line(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-}
-
-// The Delaunay triangulation of a mesh's vertices.
-class MeshTriangulation {
- public:
-  // Returns false if there is none: all points in one plane with the auxiliary vertices, or given
-  // up.
-  bool build(const CleanMesh& mesh, const Box3& box) {
-    std::vector<Vec3> points;
-    std::vector<VertexId> source;
-    for (VertexId v = 0; v < mesh.points.size(); ++v) {
-      if (mesh.component[v] == kNoId) continue;
-      points.push_back(mesh.points[v]);
-      source.push_back(v);
-    }
-    add_auxiliary(box, points);
-    std::vector<SiteId> ids;
-    if (!cells_.build(points, ids, kMaxCellsPerVertex)) return false;
-    vertex_of_.assign(cells_.vertex_capacity(), kNoId);
-    for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
-    return true;
-  }
-
-  const Triangulation& cells() const { return cells_; }
-  // Returns the facet's corners, ascending, with kNoId for auxiliary vertices.
-  Triangle corners(const Facet& f) const {
-    const SiteTriangle sites = facet_vertices(cells_, f);
-    Triangle corners{vertex_of_[sites[0]], vertex_of_[sites[1]], vertex_of_[sites[2]]};
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
- private:
-  Triangulation cells_;
-  std::vector<VertexId> vertex_of_;  // of the mesh
-};
-
-// Counts over the Voronoi edges of the facets of some cells.
-struct EdgeCounts {
-  std::size_t missing = 0, multiple = 0;
-};
 
 }  // namespace
 
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
+MeshTriangulation::MeshTriangulation(const CleanMesh& mesh, const Box3& box) {
+  std::vector<Vec3> points;
+  std::vector<VertexId> source;
+  for (VertexId v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.component[v] == kNoId) continue;
+    points.push_back(mesh.points[v]);
+    source.push_back(v);
+  }
+  add_auxiliary(box, points);
+  std::vector<SiteId> ids;
+  built_ = cells_.build(points, ids, kMaxCellsPerVertex);
+  if (!built_) return;
+  vertex_of_.assign(cells_.vertex_capacity(), kNoId);
+  for (std::size_t n = 0; n < source.size(); ++n) vertex_of_[ids[n]] = source[n];
+}
+
+Triangle MeshTriangulation::corners(const Facet& f) const {
+  const SiteTriangle sites = facet_vertices(cells_, f);
+  Triangle corners{vertex_of_[sites[0]], vertex_of_[sites[1]], vertex_of_[sites[2]]};
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const MeshTriangulation& triangulation,
+                                     const Isosurface& surface, const FreeSpace& free,
                                      int threads) {
   DelaunayShare share;
   share.triangles = mesh.triangles.size();
-  if (mesh.triangles.empty()) return share;
-  const Box3 box = surface.volume().box();
-  MeshTriangulation t;
-  share.measured = t.build(mesh, box);
-  if (!share.measured) return share;
+  share.measured = mesh.triangles.empty() || triangulation.built();
+  if (mesh.triangles.empty() || !share.measured) return share;
 
+  const Triangulation& cells = triangulation.cells();
+  const Box3 box = surface.volume().box();
+  IdArray<CellId, FreeSpace::Cube> cubes(cells.cell_capacity());
+  for_each_run(threads, cubes.size(), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (auto c = CellId(begin); c < end; ++c) {
+      if (!cells.is_live(c) || cells.is_infinite(c)) continue;
+      const Circumsphere sphere = circumsphere(cells, c);
+      cubes[c] = free.around(sphere.center, sphere.radius);
+    }
+  });
   const TrianglesByCorners wanted(mesh.points.size(), mesh.triangles);
   enum : std::uint8_t { kNoFacet, kFacet, kRestricted };
   std::vector<std::uint8_t> state(mesh.triangles.size(), kNoFacet);
-  const std::size_t cells = t.cells().cell_capacity();
-  std::vector<EdgeCounts> counts(runs_of(cells, kCellsAtOnce));
-  for_each_run(
-      threads, cells, kCellsAtOnce, [&](std::size_t run, std::size_t begin, std::size_t end) {
-        SearchCounters counters;
-        std::vector<Hit> hits;
-        for (auto c = CellId(begin); c < end; ++c) {
-          if (!t.cells().is_live(c)) continue;
-          for (int i = 0; i < 4; ++i) {
-            const Facet f{c, i};
-            // Each facet once, from the cell with the larger id.
-            if (t.cells().neighbor(c, i) < c || has_infinite_vertex(t.cells(), f)) continue;
-            const Triangle corners = t.corners(f);
-            if (corners[2] == kNoId) continue;
-            const FacetDual dual = facet_dual(t.cells(), f);
-            const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box);
-            std::size_t crossings = 0;
-            if (!range.empty()) {
-              surface.intersect({dual.at(range.lo), dual.at(range.hi)}, hits, counters);
-              crossings = hits.size();
-            }
-            counts[run].multiple += crossings > 1;
-            const std::uint32_t found = wanted.find(corners);
-            if (found == kNoId) {
-              counts[run].missing += crossings > 0;
-            } else {
-              state[found] = crossings > 0 ? kRestricted : kFacet;
-            }
-          }
-        }
-      });
-  for (const EdgeCounts& c : counts) {
-    share.missing += c.missing;
-    share.multiple += c.multiple;
+  // Calls visit(facet, run) for the facets whose corners are all of the mesh; each once, from the
+  // cell with the larger id.
+  const auto for_each_facet = [&](auto&& visit) {
+    for_each_run(threads, cells.cell_capacity(), kCellsAtOnce,
+                 [&](std::size_t run, std::size_t begin, std::size_t end) {
+                   for (auto c = CellId(begin); c < end; ++c) {
+                     if (!cells.is_live(c) || cells.is_infinite(c)) continue;
+                     for (int i = 0; i < 4; ++i) {
+                       if (cells.neighbor(c, i) < c) visit(Facet{c, i}, run);
+                     }
+                   }
+                 });
+  };
+  struct Run {  // of facets
+    std::size_t missing = 0, multiple = 0;
+    std::vector<Hit> hits;
+    SearchCounters counters;
+  };
+  std::vector<Run> runs(runs_of(cells.cell_capacity(), kCellsAtOnce));
+  for_each_facet([&](const Facet& f, std::size_t n) {
+    if (cover_segment(cubes[f.cell], cubes[cells.neighbor(f.cell, f.index)])) return;
+    const Triangle corners = triangulation.corners(f);
+    if (corners[2] == kNoId) return;
+    const FacetDual dual = facet_dual(cells, f);
+    const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box);
+    if (range.empty()) return;
+    Run& run = runs[n];
+    surface.intersect({dual.at(range.lo), dual.at(range.hi)}, run.hits, run.counters);
+    const std::size_t crossings = run.hits.size();
+    if (crossings == 0) return;
+    run.multiple += crossings > 1;
+    const std::uint32_t found = wanted.find(corners);
+    if (found == kNoId) {
+      ++run.missing;
+    } else {
+      state[found] = kRestricted;
+    }
+  });
+  for (const Run& run : runs) {
+    share.missing += run.missing;
+    share.multiple += run.multiple;
   }
+  // The few other triangles may still be Delaunay facets.
+  std::vector<std::uint8_t> is_corner(mesh.points.size(), 0);
+  for (std::size_t n = 0; n < state.size(); ++n) {
+    for (const VertexId v : mesh.triangles[n]) is_corner[v] |= state[n] == kNoFacet;
+  }
+  for_each_facet([&](const Facet& f, std::size_t) {
+    for (const SiteId site : facet_vertices(cells, f)) {
+      const VertexId v = triangulation.vertex(site);
+      if (v == kNoId || !is_corner[v]) return;
+    }
+    const std::uint32_t found = wanted.find(triangulation.corners(f));
+    if (found != kNoId && state[found] == kNoFacet) state[found] = kFacet;
+  });
 
   SearchCounters counters;
   for (std::uint32_t n = 0; n < mesh.triangles.size(); ++n) {
@@ -134,8 +141,7 @@ DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& su
     if (state[n] == kRestricted) continue;
     if (share.first_outside.size() < Faults::kShown) share.first_outside.push_back(mesh.id[n]);
     // A surface ball is empty exactly if its center is on the dual Voronoi edge.
-    const bool ball =
-        std::isfinite(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));
+    const bool ball = std::isfinite(height(mesh, mesh.triangles[n], surface, counters));
     share.occupied += ball;
     share.without_ball += !ball;
   }
@@ -147,7 +153,7 @@ std::vector<double> surface_heights(const CleanMesh& mesh, const Isosurface& sur
   for_each_run(threads, heights.size(), kFacetsAtOnce, [&](std::size_t begin, std::size_t end) {
     SearchCounters counters;
     for (std::size_t n = begin; n < end; ++n) {
-      heights[n] = std::fabs(nearest_crossing(line_of(mesh, mesh.triangles[n]), surface, counters));
+      heights[n] = height(mesh, mesh.triangles[n], surface, counters);
     }
   });
   return heights;

@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "check/free_space.h"
 #include "check/validity.h"
+#include "delaunay/triangulation.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -39,10 +41,31 @@ inline constexpr double kBallLimitRadii = 4;
 // many as there are vertices.
 inline constexpr std::size_t kMaxCellsPerVertex = 96;
 
-// Measures the share. Four auxiliary vertices far outside represent infinity. Not measured if all
-// vertices lie in one plane with them, or if the triangulation needs too many cells. The result is
+// The Delaunay triangulation of a mesh's vertices. Four auxiliary vertices far outside represent
+// infinity.
+class MeshTriangulation {
+ public:
+  MeshTriangulation(const CleanMesh& mesh, const Box3& box);
+
+  // Returns false if there is none: all vertices lie in one plane with the auxiliary ones, or it
+  // takes too many cells.
+  bool built() const { return built_; }
+  const Triangulation& cells() const { return cells_; }
+  // Returns a site's vertex of the mesh; kNoId for an auxiliary one.
+  VertexId vertex(SiteId site) const { return vertex_of_[site]; }
+  // Returns the facet's corners in the mesh, ascending, with kNoId for auxiliary vertices.
+  Triangle corners(const Facet& f) const;
+
+ private:
+  Triangulation cells_;
+  std::vector<VertexId> vertex_of_;  // of the mesh
+  bool built_ = false;
+};
+
+// Measures the share. Voronoi edges are compared with Sigma only outside of `free`. The result is
 // the same for any number of threads.
-DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const Isosurface& surface,
+DelaunayShare measure_delaunay_share(const CleanMesh& mesh, const MeshTriangulation& triangulation,
+                                     const Isosurface& surface, const FreeSpace& free,
                                      int threads = 1);
 
 // Returns h of each triangle, from the circumcenter to the surface ball's center; infinite without

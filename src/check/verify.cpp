@@ -113,9 +113,14 @@ void check_vertices_on_surface(const CleanMesh& mesh, const ComparedComponents& 
   }
 }
 
-// Returns the vertices of T on the components that the mesh is to have.
-std::vector<Vec3> compare_topology(const CleanMesh& mesh, const Isosurface& surface,
-                                   const VerifyOptions& options, Verification& result) {
+// What is known of Sigma from T.
+struct OfContour {
+  std::vector<Vec3> samples;  // its vertices on the components that the mesh is to have
+  FreeSpace free;
+};
+
+OfContour compare_topology(const CleanMesh& mesh, const Isosurface& surface,
+                           const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
@@ -127,7 +132,7 @@ std::vector<Vec3> compare_topology(const CleanMesh& mesh, const Isosurface& surf
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
   check_vertices_on_surface(mesh, compared, voxels, surface, options.threads, result);
   keep_components(contour, compared.kept);
-  return std::move(contour.points);
+  return {std::move(contour.points), FreeSpace(voxels, volume)};
 }
 
 // If a least share is required, an unmeasured share is a fault. A lower share is a fault if there
@@ -187,9 +192,10 @@ void hold_to_limits(const CleanMesh& mesh, const Isosurface& surface, const Veri
   }
 }
 
-// Returns the surface of a solid, with ids of the whole mesh, and summarizes the caps.
+// Returns the surface of a solid, with ids of the whole mesh, and summarizes the caps. Sets
+// `is_cap`, per triangle of the mesh.
 CleanMesh extract_surface(const TriMesh& mesh, const Box3& box, const VerifyOptions& options,
-                          const Pairs& intersections, Verification& result) {
+                          std::vector<bool>& is_cap, Verification& result) {
   SolidParts parts = split_solid(mesh, box, options.position_error, result.faults);
   Faults of_surface;
   CleanMesh clean =
@@ -214,14 +220,12 @@ CleanMesh extract_surface(const TriMesh& mesh, const Box3& box, const VerifyOpti
   summary.cap_triangles = parts.caps.faces.size();
   summary.volume = parts.volume;
   summary.off_box = parts.off_box;
-  for (const auto& [f, g] : intersections) {
-    summary.self_intersections += parts.is_cap[f] || parts.is_cap[g];
-  }
   summary.quality = measure_quality(parts.caps, options.limits[Criterion::r_over_l], 0);
   result.solid = summary;
   result.quality =
       measure_quality(parts.surface, options.limits[Criterion::r_over_l], options.limits.r_min);
   result.mesh = counts_of(parts.surface, clean);
+  is_cap = std::move(parts.is_cap);
   return clean;
 }
 
@@ -260,46 +264,59 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
 
   const CleanMesh whole = check_validity(mesh, volume.box(), options.position_error,
                                          options.solid ? MayEnd::nowhere : MayEnd::on_box, faults);
-  const TriangleTree whole_tree(whole.points, whole.triangles, threads);
-  const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
   std::optional<CleanMesh> surface_part;
-  std::optional<TriangleTree> surface_tree;
+  std::vector<bool> is_cap;
   if (options.solid) {
-    surface_part = extract_surface(mesh, volume.box(), options, intersections, result);
-    surface_tree.emplace(surface_part->points, surface_part->triangles, threads);
+    surface_part = extract_surface(mesh, volume.box(), options, is_cap, result);
   } else {
     result.mesh = counts_of(mesh, whole);
-    result.quality =
-        measure_quality(mesh, options.limits[Criterion::r_over_l], options.limits.r_min);
   }
   const CleanMesh& clean = surface_part ? *surface_part : whole;
-  const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
   result.seconds_validity = of_validity.seconds();
-  report_progress(0.15);
+  report_progress(0.1);
 
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, kappa);
-  std::vector<Vec3> samples;
-  // In parallel: most of the triangulation runs in one thread.
-  for_each_task(threads, 2, [&](std::size_t part) {
-    const Stopwatch own;
-    if (part == 0) {
-      result.delaunay = measure_delaunay_share(clean, surface, threads);
-      result.seconds_delaunay = own.seconds();
-    } else {
-      samples = compare_topology(clean, surface, options, result);
-      result.seconds_topology = own.seconds();
-    }
-  });
-  check_share(mesh, clean, options.restricted_share, result);
-  report_progress(0.65);
-  const Stopwatch of_distances;
-
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
-  result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
-                                           {bound, r_min}, threads);
-  result.from_surface =
-      distances_from_surface(samples, clean, tree, {kFromSurfaceFactor * bound, r_min}, threads);
+  std::optional<MeshTriangulation> triangulation;
+  std::optional<OfContour> contour;
+  // The triangulation runs in one thread, beside all that does not need it.
+  for_each_task(threads, 2, [&](std::size_t part) {
+    Stopwatch own;
+    if (part == 0) {
+      triangulation.emplace(clean, volume.box());
+      result.seconds_delaunay = own.seconds();
+      return;
+    }
+    const TriangleTree whole_tree(whole.points, whole.triangles, threads);
+    const Pairs intersections = report_self_intersections(mesh, whole, whole_tree, threads, faults);
+    std::optional<TriangleTree> surface_tree;
+    if (options.solid) {
+      surface_tree.emplace(clean.points, clean.triangles, threads);
+      for (const auto& [f, g] : intersections) {
+        result.solid->self_intersections += is_cap[f] || is_cap[g];
+      }
+    } else {
+      result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
+    }
+    const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
+    result.seconds_validity += own.seconds();
+    own = Stopwatch();
+    contour.emplace(compare_topology(clean, surface, options, result));
+    result.seconds_topology = own.seconds();
+    own = Stopwatch();
+    result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
+                                             {bound, r_min}, threads);
+    result.from_surface = distances_from_surface(contour->samples, clean, tree,
+                                                 {kFromSurfaceFactor * bound, r_min}, threads);
+    result.seconds_distances = own.seconds();
+  });
+  report_progress(0.8);
+  const Stopwatch of_share;
+  result.delaunay = measure_delaunay_share(clean, *triangulation, surface, contour->free, threads);
+  check_share(mesh, clean, options.restricted_share, result);
+  result.seconds_delaunay += of_share.seconds();
+  const Stopwatch of_limits;
   if (result.from_surface.given_up > 0) {
     faults.add(FaultKind::not_measured,
                text("distances of ", result.from_surface.given_up,
@@ -312,7 +329,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   }
   hold_to_limits(clean, surface, options, result);
   result.boundary = measure_boundary(clean, surface, options.limits);
-  result.seconds_distances = of_distances.seconds();
+  result.seconds_distances += of_limits.seconds();
   return result;
 }
 

@@ -22,6 +22,11 @@ class VoxelComponents {
   std::vector<std::uint32_t> at(const Vec3& p) const { return near(p, tolerance_voxels_); }
   // The same, of that voxel and its neighbors.
   std::vector<std::uint32_t> around(const Vec3& p) const { return near(p, 1); }
+  // Calls visit(voxel) for every voxel that T passes through, once per component there.
+  template <class Visit>
+  void for_each_voxel(Visit&& visit) const {
+    for (const auto& entry : entries_) visit(numbered_voxel(volume_.dims(), entry.first));
+  }
 
  private:
   // Of the voxels within `reach` voxels of p along every axis.
