@@ -142,9 +142,9 @@ void BoxGrid::remove(Id id) {
   places_[id] = {};
 }
 
-// Doubles the number of lists.
+// Makes four times as many lists.
 void BoxGrid::grow(Level& level) {
-  const std::size_t size = std::max(kMinLists, 2 * level.lists.size());
+  const std::size_t size = std::max(kMinLists, 4 * level.lists.size());
   const std::vector<List> before = std::exchange(level.lists, std::vector<List>(size));
   for (const List& in : before) {
     for (std::uint32_t n = 0; n < in.size; ++n) {
