@@ -44,10 +44,11 @@ struct Nearest {
   Hit hit{};
   double distance = std::numeric_limits<double>::infinity();
 
-  void offer(const VoxelSpan& span, double s, const Volume& volume) {
-    const double t = parameter_at(span, s);
+  // Offers root n of the span.
+  void offer(const VoxelSpan& span, const Roots& roots, int n, const Volume& volume) {
+    const double s = roots.t[static_cast<std::size_t>(n)], t = parameter_at(span, s);
     if (!(std::abs(t) < distance || (std::abs(t) == distance && t > hit.t))) return;
-    hit = {t, point_at(span, s, volume)};
+    hit = {t, point_at(span, s, volume), roots.leaves(n)};
     distance = std::abs(t);
   }
 };
@@ -86,7 +87,7 @@ class Side {
     const Roots roots = field_.roots(span);
     ++computations;
     if (roots.count == 0) return false;
-    best.offer(span, backward_ ? roots.back() : roots.front(), field_.volume);
+    best.offer(span, roots, backward_ ? roots.count - 1 : 0, field_.volume);
     return true;
   }
 
@@ -111,7 +112,8 @@ Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const Lattice
   const VoxelSpan first = line.span(voxel, range);
   if (field.active(voxel) && !first.empty()) {
     ++computations;
-    for (const double s : field.roots(first)) best.offer(first, s, field.volume);
+    const Roots roots = field.roots(first);
+    for (int n = 0; n < roots.count; ++n) best.offer(first, roots, n, field.volume);
   }
   if (best.distance < -first.t0 && best.distance < first.t1) return best;
 
@@ -160,8 +162,11 @@ void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
       const Field field(volume_, samples, kappa_, threshold_, method_);
       const auto solve = [&](const VoxelSpan& span) {
         ++computations;
-        for (const double s : field.roots(span))
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume_)});
+        const Roots roots = field.roots(span);
+        for (int n = 0; n < roots.count; ++n) {
+          const double s = roots.t[static_cast<std::size_t>(n)];
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume_), roots.leaves(n)});
+        }
         return false;
       };
       if (!line.is_shorter(range, kWalkedVoxels)) {

@@ -43,6 +43,7 @@ struct SearchCounters {
 struct Hit {
   double t;  // the segment's or line's parameter
   Vec3 point;
+  bool leaves;  // the line passes to outside there: Sigma faces along it
 };
 
 class Isosurface {

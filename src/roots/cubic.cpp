@@ -23,6 +23,7 @@ Roots crossings(const Cubic& b, CubicMethod method) {
   const Accuracy accuracy{0x1p-20, 0x1p-53 * (std::abs(b[0]) + std::abs(b[3]))};
 
   Roots roots;
+  roots.from_inside = inside[0];
   double t = 0, f = b[0];
   const auto add_piece = [&](double end, double f_end) {
     if ((f >= 0) != (f_end >= 0)) {

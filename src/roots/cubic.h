@@ -17,12 +17,13 @@ enum class CubicMethod { schwarze, isolation };
 struct Roots {
   std::array<double, 3> t{};
   int count = 0;
+  bool from_inside = false;  // the cubic is at least 0 where t is 0
 
+  // True if the cubic passes to outside at root n: passages alternate.
+  bool leaves(int n) const { return from_inside == (n % 2 == 0); }
   void push(double root) { t[static_cast<std::size_t>(count++)] = root; }
   const double* begin() const { return t.data(); }
   const double* end() const { return t.data() + count; }
-  double front() const { return t[0]; }
-  double back() const { return t[static_cast<std::size_t>(count - 1)]; }
 };
 
 // Bernstein basis on [0, 1]: sum b[i] B_i(t), with b[0] and b[3] the values at 0 and 1. Functions

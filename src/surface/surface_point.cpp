@@ -47,13 +47,13 @@ std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& 
                                                 double limit, SearchCounters& counters) {
   const auto first = surface_.nearest(center, normal, limit, counters);
   if (!first) return std::nullopt;
-  if (faces_along(first->point, normal)) return first->point;
+  if (first->leaves) return first->point;
   // Rare: search all of the line within the limit.
   const Segment chord{center - limit * normal, center + limit * normal};
   surface_.intersect(chord, hits_, counters);
   const Hit* best = nullptr;
   for (const Hit& hit : hits_) {
-    if (!faces_along(hit.point, normal)) continue;
+    if (!hit.leaves) continue;
     if (!best || std::abs(hit.t - 0.5) < std::abs(best->t - 0.5)) best = &hit;
   }
   return best ? std::optional(best->point) : std::nullopt;

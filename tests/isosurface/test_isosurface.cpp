@@ -29,8 +29,12 @@ std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Ra
         if (span.empty()) continue;
         Corners corners = volume.corners({i, j, k});
         for (double& c : corners) c -= field.kappa;
-        for (const double s : find_intersections(corners, span, method))
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume)});
+        // Of the first root by the sample's side, of the next by turns.
+        bool leaves = patch_along(corners, span.u0, span.u1)[0] >= 0;
+        for (const double s : find_intersections(corners, span, method)) {
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume), leaves});
+          leaves = !leaves;
+        }
       }
     }
   }
@@ -79,6 +83,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
         REQUIRE(hits.size() == expected.size());
         for (std::size_t n = 0; n < hits.size(); ++n) {
           REQUIRE(hits[n].t == expected[n].t);
+          if (n > 0) REQUIRE(hits[n].leaves != hits[n - 1].leaves);
           REQUIRE(on_surface(field, hits[n].point));
           REQUIRE(hits[n].t >= 0);
           REQUIRE(hits[n].t <= 1);
@@ -100,6 +105,9 @@ TEST_CASE("intersect equals brute force over all voxels") {
             REQUIRE((between % 2 == 1) == (side != last_side));
             ++parities;
           }
+          const auto next =
+              std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return hit.t > t; });
+          if (side != 0 && next != hits.end()) REQUIRE(next->leaves == (side > 0));
           last_t = t;
           last_side = side;
         }
@@ -138,6 +146,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
       REQUIRE(hit.has_value() == (best != all.end()));
       if (!hit) continue;
       REQUIRE(hit->t == best->t);
+      REQUIRE(hit->leaves == best->leaves);
       REQUIRE(on_surface(field, hit->point));
       REQUIRE(std::abs(hit->t) <= limit);
       ++found;
