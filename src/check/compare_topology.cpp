@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,7 +15,6 @@
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/boundary_orientation.h"
-#include "check/triangle_tree.h"
 #include "contour/bounded_volume.h"
 
 namespace deliso {
@@ -92,41 +92,42 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
                                             const ContourMesh& contour,
                                             const VoxelComponents& voxels, const Volume& volume,
                                             int threads) {
-  std::vector<std::vector<std::uint32_t>> named(vertices.size());
-  for_each_task(threads, named.size(), [&](std::size_t m) {
-    named[m] = candidates(voters_of(vertices[m], mesh), voxels);
-  });
-  std::vector<std::uint8_t> is_tied(contour.summary.components.size(), 0);
-  for (const auto& components : named) {
-    for (const std::uint32_t c : components) is_tied[c] |= components.size() > 1;
-  }
-  // Of several, the nearest decides, in voxels along each axis: spacings may be very unequal.
+  // Of several components the nearest decides, in voxels along each axis: spacings may be very
+  // unequal.
+  const Vec3 spacing = volume.spacing();
   const auto in_voxels = [&](const Vec3& p) {
-    return Vec3{volume.in_samples(p, 0), volume.in_samples(p, 1), volume.in_samples(p, 2)};
+    return Vec3{p.x / spacing.x, p.y / spacing.y, p.z / spacing.z};
   };
-  std::vector<Triangle> triangles;
-  std::ranges::copy_if(contour.triangles, std::back_inserter(triangles),
-                       [&](const Triangle& t) { return is_tied[contour.component[t[0]]] != 0; });
-  std::vector<Vec3> points;
-  if (!triangles.empty())
-    std::ranges::transform(contour.points, std::back_inserter(points), in_voxels);
-  const TriangleTree tree(points, triangles, threads);
-  std::vector<std::uint32_t> match(named.size(), kNoId);
-  for_each_task(threads, match.size(), [&](std::size_t m) {
-    if (named[m].size() > 1) {
-      std::vector<std::uint32_t> facing, others;
-      for (const Vec3& p : voters_of(vertices[m], mesh)) {
-        const FaceId nearest = tree.nearest(in_voxels(p)).triangle;
-        if (nearest == kNoId) continue;
-        const Triangle& t = triangles[nearest];
-        const Vec3 n = area_normal(points[t[0]], points[t[1]], points[t[2]]);
-        const Vec3 g = volume.gradient(p), s = volume.spacing();
-        const bool is_facing = n.x * g.x * s.x + n.y * g.y * s.y + n.z * g.z * s.z < 0;
-        (is_facing ? facing : others).push_back(contour.component[t[0]]);
-      }
-      named[m] = {most_frequent(facing.empty() ? others : facing)};
+  const auto nearest_component = [&](const std::vector<Vec3>& voters) {
+    std::vector<std::uint32_t> facing, others;
+    for (const Vec3& p : voters) {
+      double least = std::numeric_limits<double>::infinity();
+      Vec3 normal;
+      std::uint32_t component = kNoId;
+      voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
+        const Triangle& t = contour.triangles[n];
+        const Vec3 a = in_voxels(contour.points[t[0]]), b = in_voxels(contour.points[t[1]]),
+                   c = in_voxels(contour.points[t[2]]);
+        const double d = distance2_to_triangle(in_voxels(p), a, b, c);
+        if (!(d < least)) return;
+        least = d;
+        normal = area_normal(a, b, c);
+        component = contour.component[t[0]];
+      });
+      if (component == kNoId) continue;
+      const Vec3 g = volume.gradient(p);
+      const bool is_facing =
+          normal.x * g.x * spacing.x + normal.y * g.y * spacing.y + normal.z * g.z * spacing.z < 0;
+      (is_facing ? facing : others).push_back(component);
     }
-    if (!named[m].empty()) match[m] = named[m][0];
+    return most_frequent(facing.empty() ? others : facing);
+  };
+  std::vector<std::uint32_t> match(vertices.size(), kNoId);
+  for_each_task(threads, match.size(), [&](std::size_t m) {
+    const std::vector<Vec3> voters = voters_of(vertices[m], mesh);
+    const std::vector<std::uint32_t> named = candidates(voters, voxels);
+    if (named.size() == 1) match[m] = named[0];
+    if (named.size() > 1) match[m] = nearest_component(voters);
   });
   return match;
 }
