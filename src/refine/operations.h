@@ -56,9 +56,10 @@ std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accep
 // Vertices on the boundary stay.
 std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v);
 
-// Moves a corner of f along Sigma to where the cost of the facets around it, and of those across
-// them, is least. Where every insertion is refused and no flip helps, the places of vertices are at
-// fault (Tournois, Wormser, Alliez and Desbrun 2009). Vertices on the boundary stay.
+// Moves a corner of f along Sigma to the first of some places where the facets around it, and those
+// across them, cost less. Where every insertion is refused and no flip helps, the places of
+// vertices are at fault (Tournois, Wormser, Alliez and Desbrun 2009). Vertices on the boundary
+// stay.
 std::optional<Refusal> move_corner(Refinement& r, FaceId f);
 
 }  // namespace deliso

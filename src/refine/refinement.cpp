@@ -88,7 +88,7 @@ Change& Refinement::begin_change(double least_cosine) {
   change.in.facets.clear();
   change.what = Change::Vertex::none;
   change.least_cosine = least_cosine;
-  change.topology_only = change.is_trial = false;
+  change.topology_only = false;
   return change;
 }
 
@@ -127,27 +127,13 @@ void Refinement::put_in_place(const Change& c) {
     mesh.points.push_back(c.place);
   } else if (c.what == Change::Vertex::moves) {
     moved_from_ = point(c.vertex);
-    set_place(c, c.place);
+    mesh.points[c.vertex] = c.place;
   }
 }
 
 void Refinement::undo(const Change& c) {
   if (c.what == Change::Vertex::comes) mesh.points.pop_back();
-  if (c.what == Change::Vertex::moves) set_place(c, moved_from_);
-}
-
-void Refinement::set_place(const Change& c, const Vec3& place) {
-  if (c.is_trial) {
-    mesh.points[c.vertex] = place;
-  } else {
-    move_to(c.vertex, place);
-  }
-}
-
-void Refinement::move_to(VertexId v, const Vec3& place) {
-  mesh.points[v] = place;
-  vertices_.remove(v);
-  vertices_.add(v, vertices_.box_of(place));
+  if (c.what == Change::Vertex::moves) mesh.points[c.vertex] = moved_from_;
 }
 
 void Refinement::commit(Change& c) {
@@ -155,7 +141,8 @@ void Refinement::commit(Change& c) {
   const bool has_hashes = !parameters.as_published;
   if (has_hashes) {
     for (const FaceId f : c.cavity) facets_.remove(f);
-    if (c.what == Change::Vertex::comes) {
+    if (c.what == Change::Vertex::moves) vertices_.remove(c.vertex);
+    if (c.what != Change::Vertex::none) {
       vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
     }
     for (const VertexId v : c.was.vertices()) {

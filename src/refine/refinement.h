@@ -78,8 +78,6 @@ struct Change {
   // Skips G3 and G4. Set to lift a cavity that lies in a face of the domain box, at any distance
   // from Sigma. A component in that face bounds no volume yet, so either orientation is allowed.
   bool topology_only = false;
-  // The change is always refused, so a moved vertex keeps its place in the hash of vertices.
-  bool is_trial = false;
   // Since the cavity was opened: `in` is linked, and so are the facets across, as a vertex only
   // moves.
   bool is_linked = false;
@@ -162,9 +160,7 @@ class Refinement {
   bool leaves_region(const Change& change) const;
   void put_in_place(const Change& change);
   void undo(const Change& change);
-  void set_place(const Change& change, const Vec3& place);  // of the vertex that moves
   void commit(Change& change);
-  void move_to(VertexId v, const Vec3& place);
 
   // refine/gates.cpp
   std::optional<Refusal> test_shape(Change& change);  // G1 and G2
