@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -193,17 +192,6 @@ class Coarsening {
   std::vector<FaceId> star_;
 };
 
-// Returns how far the sample is from the mesh that is furthest from it.
-double furthest_sample(const Refinement& r, std::span<const Vec3> samples) {
-  for (double limit = 4 * r.parameters.voxel; limit > 1e-6 * r.parameters.voxel; limit /= 2) {
-    std::vector<std::uint32_t> numbers(samples.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    const auto far = find_far(r.mesh, r.facets(), samples, limit, numbers);
-    if (!far.empty()) return std::sqrt(far[0].distance2);
-  }
-  return 0;
-}
-
 }  // namespace
 
 std::size_t coarsen(Refinement& r, std::size_t vertices, std::size_t triangles) {
@@ -219,7 +207,7 @@ void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const Bound
   Refinement r(mesh, surface, curves, parameters, report);
   coarsen(r, given.target_vertices, given.target_triangles);
   count_unrefined(mesh, parameters, report);
-  report.max_distance = furthest_sample(r, samples);
+  report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);
   remove_dead(mesh);
 }
 

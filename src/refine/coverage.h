@@ -29,4 +29,9 @@ std::vector<FarSample> find_far(const TriMesh& mesh, const BoxGrid& grid,
                                 std::span<const Vec3> samples, double limit,
                                 std::vector<std::uint32_t>& numbers);
 
+// Returns how far the sample is from the mesh that is furthest from it. `resolution`: where the
+// search for a nearest facet begins, about as large as most distances.
+double furthest_distance(const TriMesh& mesh, const BoxGrid& grid, std::span<const Vec3> samples,
+                         double resolution);
+
 }  // namespace deliso
