@@ -24,6 +24,13 @@ constexpr double shortest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
+// Returns the square of the circumradius over the shortest edge.
+constexpr double radius_ratio2(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double x = distance2(a, b), y = distance2(b, c), z = distance2(c, a);
+  const double longer = x <= y && x <= z ? y * z : y <= z ? x * z : x * y;
+  return longer / (4 * length2(area_normal(a, b, c)));
+}
+
 constexpr double longest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Coarsens a mesh to a number of vertices or triangles: removes vertices one by one, the one whose
-// removal costs least first. A vertex is merged into a neighbor, so all vertices stay on Sigma.
-// Each removal is an operation of Stage 2 and passes its tests G1 to G5, so the topology stays, and
-// no two facets cross.
+// Coarsens a mesh to a number of vertices or triangles. A vertex is merged into a neighbor, so all
+// vertices stay on Sigma. Each removal is an operation of Stage 2 and passes its tests G1 to G5, so
+// the topology stays, and no two facets cross.
 //
-// The cost is the quadric error of Garland and Heckbert 1997: the squared distances from the
-// planes of the facets that the vertex stands for, each times its facet's area.
+// Passes of four phases: pick the cheapest merge of each vertex; take the cheapest of them all;
+// sort these; perform them. A vertex whose facets changed in a pass waits for the next one.
+//
+// The cost is the larger of two, each an area times a squared distance. The first is the quadric
+// error of Garland and Heckbert 1997: distances from the planes of the facets that the vertex
+// stands for, each times its facet's area. The second is the distance of the vertex from the facets
+// that come, times the mean area of a facet. Without it, Sigma's largest distance from the mesh is
+// 1.1 (noise) to 3.4 times (ENGINE) as large.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +28,6 @@ std::size_t coarsen(Refinement& r, std::size_t vertices,
                     std::size_t triangles = std::numeric_limits<std::size_t>::max());
 
 // A mesh of a desired size is coarsened from one of this many times as many vertices or triangles.
-// From 1.2 times as many, distances are a tenth larger; from twice as many, a tenth smaller in 1.8
-// times the time (ENGINE and LEG, 20,000 to 100,000 vertices).
 inline constexpr double kFinerRatio = 1.5;
 
 // The first and the last bound on the distance for such a mesh, in voxels, and the ratio of each to

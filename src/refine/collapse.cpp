@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/triangle.h"
@@ -28,12 +27,10 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
   return (box_faces_at(r.point(v), box) & box_faces_at(r.point(w), box)) != 0;
 }
 
-double worst_ratio(const Refinement& r, std::span<const Triangle> facets) {
+double worst_ratio2(const Refinement& r, std::span<const Triangle> facets) {
   double worst = 0;
   for (const Triangle& v : facets) {
-    const Vec3 &a = r.point(v[0]), &b = r.point(v[1]), &c = r.point(v[2]);
-    worst =
-        std::max(worst, distance(circumcenter(a, b, c), a) / std::sqrt(shortest_edge2(a, b, c)));
+    worst = std::max(worst, radius_ratio2(r.point(v[0]), r.point(v[1]), r.point(v[2])));
   }
   return worst;
 }
@@ -64,10 +61,26 @@ std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, Ver
   return c.in.facets.empty() ? std::optional(Refusal::not_a_disk) : std::nullopt;
 }
 
+MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, VertexId from,
+                             VertexId to) {
+  MergeShape after{0, kNotAsked};
+  for (const FaceId f : star) {
+    const Face& face = r.mesh.faces[f];
+    if (has_corner(face.v, to)) continue;
+    Triangle v = face.v;
+    v[static_cast<std::size_t>(corner_index(face, from))] = to;
+    const Vec3 &a = r.point(v[0]), &b = r.point(v[1]), &c = r.point(v[2]);
+    const bool turns = !(dot(r.normal(face.v), area_normal(a, b, c)) > 0);
+    after.ratio2 = std::max(after.ratio2, turns ? kNotAsked : radius_ratio2(a, b, c));
+    after.distance2 = std::min(after.distance2, distance2_to_triangle(r.point(from), a, b, c));
+  }
+  return after;
+}
+
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   const Triangle v = r.mesh.faces[f].v;
-  const double limit = r.parameters.refinement[Criterion::r_over_l];
-  if (worst_ratio(r, {&v, 1}) <= limit) return Refusal::no_gain;
+  const double limit = r.parameters.refinement[Criterion::r_over_l], limit2 = limit * limit;
+  if (worst_ratio2(r, {&v, 1}) <= limit2) return Refusal::no_gain;
   const auto length2 = [&](std::size_t i) {
     return distance2(r.point(v[i]), r.point(v[(i + 1) % 3]));
   };
@@ -77,8 +90,8 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   VertexId a = v[shortest], b = v[(shortest + 1) % 3];
   const auto is_better = [&] {
     if (!r.change.duals.empty()) return true;  // tested before
-    const double before = worst_ratio(r, r.change.was.facets);
-    return before > limit && worst_ratio(r, r.change.in.facets) <= before;
+    const double before = worst_ratio2(r, r.change.was.facets);
+    return before > limit2 && worst_ratio2(r, r.change.in.facets) <= before;
   };
   // If only one end is on the boundary, the inner end is tried first.
   if (r.s.chain.is_boundary(a)) std::swap(a, b);

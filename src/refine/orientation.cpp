@@ -12,6 +12,9 @@
 namespace deliso {
 namespace {
 
+// Side of the cells that hold vertices of components: about as large as a star.
+constexpr double kCellVoxels = 8;
+
 // True if q lies in the tetrahedron or on it.
 bool is_in_tetrahedron(const std::array<Vec3, 4>& corners, const Vec3& q) {
   bool positive = false, negative = false;
@@ -27,7 +30,8 @@ bool is_in_tetrahedron(const std::array<Vec3, 4>& corners, const Vec3& q) {
 
 }  // namespace
 
-Orientation::Orientation(const Refinement& r) : r_(r) {
+Orientation::Orientation(const Refinement& r)
+    : r_(r), vertices_(r.surface.volume().box(), kCellVoxels * r.parameters.voxel) {
   DisjointSets sets(r.mesh.points.size());
   for (const Face& face : r.mesh.faces) {
     if (is_dead(face)) continue;
@@ -42,6 +46,11 @@ Orientation::Orientation(const Refinement& r) : r_(r) {
     Component& c = components_[component_[face.v[0]]];
     c.is_closed &= std::ranges::find(face.n, FaceId(kNoId)) == face.n.end();
     c.volume += volume_from(c.origin, face.v);
+    c.vertex = face.v[0];
+  }
+  for (std::uint32_t n = 0; n < components_.size(); ++n) {
+    const VertexId v = components_[n].vertex;
+    if (v != kNoId) vertices_.add(n, vertices_.box_of(r.point(v)));
   }
   std::vector<std::uint8_t> is_added;
   for (VertexId v = 0; v < r.s.chain.vertex_capacity(); ++v) {
@@ -78,17 +87,29 @@ void Orientation::add_loop(VertexId start) {
 // swept.
 bool Orientation::passes_component(VertexId from, VertexId to) const {
   if (components_.size() < 2) return false;
-  return std::ranges::any_of(r_.change.was.facets, [&](const Triangle& v) {
-    if (has_corner(v, to)) return false;
-    const std::array<Vec3, 4> corners{r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), r_.point(to)};
-    return r_.facets().any(r_.facets().box_of(corners), [&](FaceId f, const BoxGrid::Box&) {
-      const VertexId q = r_.mesh.faces[f].v[0];
-      return component_[q] != component_[from] && is_in_tetrahedron(corners, r_.point(q));
-    });
-  });
+  std::vector<Vec3> star;
+  for (const VertexId v : r_.change.was.vertices()) star.push_back(r_.point(v));
+  return vertices_.any<std::uint32_t>(
+      vertices_.box_of(star), [&](std::uint32_t n, const BoxGrid::Box&) {
+        if (component_[from] == n) return false;
+        return std::ranges::any_of(r_.change.was.facets, [&](const Triangle& v) {
+          return !has_corner(v, to) &&
+                 is_in_tetrahedron({r_.point(v[0]), r_.point(v[1]), r_.point(v[2]), r_.point(to)},
+                                   r_.point(components_[n].vertex));
+        });
+      });
 }
 
-bool Orientation::reverses(VertexId from) {
+void Orientation::merged(VertexId from, VertexId to) {
+  if (sum_) *sum_ += change_;
+  const std::uint32_t n = component_[from];
+  if (components_[n].vertex != from) return;
+  components_[n].vertex = to;
+  vertices_.remove(n);
+  vertices_.add(n, vertices_.box_of(r_.point(to)));
+}
+
+bool Orientation::reverses(std::span<const FaceId> star, VertexId from, VertexId to) {
   const BoundaryChain& chain = r_.s.chain;
   sum_ = nullptr;
   change_ = 0;
@@ -102,8 +123,13 @@ bool Orientation::reverses(VertexId from) {
     Component& c = components_[component_[from]];
     if (!c.is_closed) return false;
     sum_ = &c.volume;
-    for (const Triangle& v : r_.change.in.facets) change_ += volume_from(c.origin, v);
-    for (const Triangle& v : r_.change.was.facets) change_ -= volume_from(c.origin, v);
+    for (const FaceId f : star) {
+      Triangle v = r_.mesh.faces[f].v;
+      change_ -= volume_from(c.origin, v);
+      if (has_corner(v, to)) continue;
+      std::ranges::replace(v, from, to);
+      change_ += volume_from(c.origin, v);
+    }
   }
   return *sum_ != 0 && !(*sum_ * (*sum_ + change_) > 0);
 }

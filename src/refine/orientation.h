@@ -10,7 +10,8 @@
 // (docs/proof.md, 4.4).
 //
 // A merge sweeps from the old facets to the new ones. Gate G5 looks at the new ones alone, which
-// may lie behind a small component as a whole. No vertex of another component is swept over.
+// may lie behind a small component as a whole. One that is swept over in part crosses a new facet,
+// so one vertex of each component is tested.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +25,12 @@ class Orientation {
  public:
   explicit Orientation(const Refinement& r);
 
-  // True if the merge of `from` that r.change proposes changes a sign.
-  bool reverses(VertexId from);
+  // True if a merge of `from`, with this star, into `to` changes a sign.
+  bool reverses(std::span<const FaceId> star, VertexId from, VertexId to);
   // True if the merge of `from` into `to` that r.change proposes sweeps over another component.
   bool passes_component(VertexId from, VertexId to) const;
-  // Adds what the last proposed merge changes. pre: the merge was done.
-  void merged() {
-    if (sum_) *sum_ += change_;
-  }
+  // pre: this merge was the last one asked, and was done.
+  void merged(VertexId from, VertexId to);
 
  private:
   struct Loop {
@@ -40,8 +39,9 @@ class Orientation {
   };
   struct Component {
     bool is_closed = true;
-    Vec3 origin;        // one of its points, for accuracy
-    double volume = 0;  // six times
+    Vec3 origin;              // one of its points, for accuracy
+    double volume = 0;        // six times
+    VertexId vertex = kNoId;  // one of its vertices
   };
 
   void add_loop(VertexId start);
@@ -51,6 +51,7 @@ class Orientation {
   std::vector<Loop> loops_;               // by CurvePlace::loop
   std::vector<std::uint32_t> component_;  // per vertex
   std::vector<Component> components_;
+  BoxGrid vertices_;       // one of each component
   double* sum_ = nullptr;  // the volume or area that the proposed merge changes; null if none
   double change_ = 0;
 };

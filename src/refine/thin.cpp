@@ -31,28 +31,6 @@ std::vector<VertexId> nearest_neighbors(const Refinement& r, VertexId v,
   return nearest;
 }
 
-// True if the facets of the star may meet the criteria with v at `to`: what can be known without
-// their surface points. No normal turns, r/l keeps its limit, and v is near one of them.
-bool may_do(const Refinement& r, std::span<const FaceId> star, VertexId v, VertexId to) {
-  const Criteria& limits = r.parameters.refinement;
-  const double reach = limits[Criterion::distance];
-  double least2 = kNotAsked;
-  for (const FaceId f : star) {
-    Triangle t = r.mesh.faces[f].v;
-    if (has_corner(t, to)) continue;
-    const Vec3 before = r.normal(t);
-    for (VertexId& q : t) {
-      if (q == v) q = to;
-    }
-    const Vec3 &a = r.point(t[0]), &b = r.point(t[1]), &c = r.point(t[2]);
-    if (!(dot(before, area_normal(a, b, c)) > 0)) return false;
-    const FacetShape shape = measure(a, b, c, circumcenter(a, b, c));
-    if (shape.r > limits[Criterion::r_over_l] * shape.l) return false;
-    least2 = std::min(least2, distance2_to_triangle(r.point(v), a, b, c));
-  }
-  return least2 <= reach * reach;
-}
-
 }  // namespace
 
 std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v) {
@@ -66,9 +44,13 @@ std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v) {
     return c.duals.back().on_surface &&
            r.violation(c.in.facets[c.duals.size() - 1], c.duals.back()) <= 1;
   };
+  // What can be known without surface points.
+  const double ratio = r.parameters.refinement[Criterion::r_over_l];
+  const double reach = r.parameters.refinement[Criterion::distance];
   std::optional<Refusal> refusal = Refusal::no_gain;
   for (const VertexId to : nearest_neighbors(r, v, star)) {
-    if (!may_do(r, star, v, to)) continue;
+    const MergeShape after = shape_after_merge(r, star, v, to);
+    if (after.ratio2 > ratio * ratio || after.distance2 > reach * reach) continue;
     refusal = propose_merge(r, f, v, to);
     if (!refusal) refusal = merge_vertex(r, v, meets_criteria);
     if (!refusal) break;

@@ -6,9 +6,11 @@
 #include <doctest/doctest.h>
 
 #include <bit>
+#include <cmath>
 #include <map>
 
 #include "base/triangle.h"
+#include "refine/coverage.h"
 #include "refine/stage.h"
 #include "stress/tiny_volume.h"
 
@@ -141,5 +143,29 @@ TEST_CASE("what lies in a plane goes first") {
                                                         stage.mesh.points[face.v[2]]));
     }
     REQUIRE(nearest < 1e-10);
+  }
+}
+
+TEST_CASE("the furthest sample is as far as the nearest of all facets") {
+  for (int n = 0; n < kScenes; ++n) {
+    CAPTURE(n);
+    const Scene scene = some_scene(n);
+    if (scene.contour.points.empty()) continue;
+    Stage stage(scene, {}, true);
+    stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
+    coarsen(stage.r, used_vertices(stage.mesh) / 2);
+    double furthest2 = 0;
+    for (const Vec3& p : scene.contour.points) {
+      double nearest2 = kNotAsked;
+      for (const Face& face : stage.mesh.faces) {
+        if (is_dead(face)) continue;
+        nearest2 = std::min(nearest2, distance2_to_triangle(p, stage.mesh.points[face.v[0]],
+                                                            stage.mesh.points[face.v[1]],
+                                                            stage.mesh.points[face.v[2]]));
+      }
+      furthest2 = std::max(furthest2, nearest2);
+    }
+    CHECK(furthest_distance(stage.mesh, stage.r.facets(), scene.contour.points,
+                            scene.volume.voxel()) == std::sqrt(furthest2));
   }
 }
