@@ -2,6 +2,7 @@
 #include "blocks/mesh_in_blocks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -238,23 +239,37 @@ class BlockMesher {
     }
   }
 
+  // Returns the vertices or triangles, without those at seams: most of these will be thinned.
+  std::size_t counted() const {
+    std::size_t count = 0;
+    for (const Block& block : blocks_) {
+      const SurfaceMesh& s = block.mesh;
+      const auto is_counted = [&](VertexId v) { return !is_on_seam(block, v); };
+      if (given_.target_triangles == Parameters::kNoTarget) {
+        for (VertexId v = 0; v < s.mesh.points.size(); ++v) count += is_counted(v);
+      } else {
+        for (const Face& face : s.mesh.faces) count += std::ranges::all_of(face.v, is_counted);
+      }
+    }
+    return count;
+  }
+
   // Refines all blocks by bounds on the distance that shrink, until they have enough vertices or
   // triangles to be coarsened.
   void refine_to_target() {
-    const bool by_triangles = given_.target_triangles != Parameters::kNoTarget;
-    const std::size_t target = by_triangles ? given_.target_triangles : given_.target_vertices;
-    const auto wanted = static_cast<std::size_t>(kFinerRatio * static_cast<double>(target));
+    const double wanted = kFinerRatio * static_cast<double>(std::min(given_.target_triangles,
+                                                                     given_.target_vertices));
+    const auto first = static_cast<double>(counted());
     double& bound = parameters_.refinement[Criterion::distance];
-    std::size_t count = 0;
-    for (double next = kFirstDistanceVoxels * given_.voxel;
-         next > kLastDistanceVoxels * given_.voxel && count < wanted; next *= kDistanceRatio) {
-      bound = next;
+    bound = kFirstDistanceVoxels * given_.voxel;
+    for (;;) {
       for_each_block(all(), [&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
-      count = 0;
-      for (const Block& block : blocks_) {
-        const TriMesh& mesh = block.mesh.mesh;
-        count += by_triangles ? mesh.faces.size() : mesh.points.size();
-      }
+      const auto count = static_cast<double>(counted());
+      if (count >= wanted || bound <= kLastDistanceVoxels * given_.voxel) break;
+      // The number of insertions grows about as the inverse square of the bound.
+      const double share = std::max(0.0, count - first) / std::max(1.0, wanted - first);
+      const double ratio = std::clamp(std::sqrt(share), kLeastDistanceRatio, kMostDistanceRatio);
+      bound = std::max(ratio * bound, kLastDistanceVoxels * given_.voxel);
     }
     // The seams, and larger blocks where one is refused.
     bool is_fresh = false;
