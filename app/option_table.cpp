@@ -175,8 +175,8 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
      "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
     {"--vertices", 0, "N", kMeshAndTrace,
-     "the best mesh of N vertices, in place of --max-distance: refined beyond N, then coarsened; "
-     "topology is kept",
+     "the best mesh of N vertices that keeps the topology, in place of --max-distance: refined "
+     "beyond N, then coarsened",
      [](Line& l, Text o, Text v) { l.options.target_vertices = parse_count(o, v, 4); }},
     {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles; --cap adds those of the caps",
      [](Line& l, Text o, Text v) { l.options.target_triangles = parse_count(o, v, 4); }},
