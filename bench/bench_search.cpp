@@ -146,7 +146,7 @@ std::vector<Hit> plain_hits(const Isosurface& surface, const LatticeLine& line, 
         Corners corners = volume.corners({i, j, k});
         for (double& c : corners) c -= surface.kappa();
         for (const double s : find_intersections(corners, span, CubicMethod::isolation))
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume)});
+          hits.push_back({parameter_at(span, s), point_at(span, s, volume), false});
       }
     }
   }
