@@ -40,13 +40,13 @@ PatchAt::PatchAt(const Isosurface& surface, const Vec3& p) : surface_(surface), 
 
 double PatchAt::distance_along(const Vec3& direction, double limit,
                                SearchCounters& counters) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kBeyond = std::numeric_limits<double>::infinity();
   const double size = length(direction);
-  if (!(size > 0) || !std::isfinite(size)) return kInfinity;
+  if (!(size > 0) || !std::isfinite(size)) return kBeyond;
   const Vec3 unit = direction / size;
-  if (const auto d = distance_within(unit)) return *d <= limit ? *d : kInfinity;
+  if (const auto d = distance_within(unit)) return *d <= limit ? *d : kBeyond;
   const auto hit = surface_.nearest(p_, unit, limit, counters);
-  return hit ? std::fabs(hit->t) : kInfinity;
+  return hit ? std::fabs(hit->t) : kBeyond;
 }
 
 // Returns nothing unless the voxel holds all points of the line that are as near as the one of
