@@ -261,8 +261,10 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   }
   require(s.duals.size() == triangles.size(), name, "its duals");
   for (const Dual& dual : s.duals) {
-    const auto& [x, y, z] = dual.center;
-    require(!std::isnan(x + y + z + dual.radius2), name, "its duals");
+    // The circumcenter of a flat facet may be infinite; it has no surface ball.
+    const double total = dual.center.x + dual.center.y + dual.center.z + dual.radius2;
+    const bool is_ball = std::isfinite(total) && dual.radius2 >= 0;
+    require(is_ball || (!std::isnan(total) && !dual.on_surface), name, "its duals");
   }
   s.mesh = make_tri_mesh(std::move(s.mesh.points), triangles);
   if (const std::string fault = check_mesh(s.mesh); !fault.empty()) {
