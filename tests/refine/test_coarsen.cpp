@@ -66,15 +66,35 @@ Signs signs_of(const TriMesh& mesh, const Box3& box) {
   return signs;
 }
 
-}  // namespace
-
-TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the vertices asked for") {
+// Calls test(n, stage) for some volumes of all kinds, refined and without a bound on the distance.
+template <class Test>
+void for_each_scene(Test&& test) {
   for (int n = 0; n < kScenes; ++n) {
     CAPTURE(n);
     const Scene scene = some_scene(n);
     if (scene.contour.points.empty()) continue;
     Stage stage(scene, {}, true);
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
+    test(n, stage);
+  }
+}
+
+// By all facets.
+double distance2_to_mesh(const Vec3& p, const TriMesh& mesh) {
+  double nearest2 = kNotAsked;
+  for (const Face& face : mesh.faces) {
+    if (is_dead(face)) continue;
+    nearest2 =
+        std::min(nearest2, distance2_to_triangle(p, mesh.points[face.v[0]], mesh.points[face.v[1]],
+                                                 mesh.points[face.v[2]]));
+  }
+  return nearest2;
+}
+
+}  // namespace
+
+TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the vertices asked for") {
+  for_each_scene([](int n, Stage& stage) {
     const std::size_t first = used_vertices(stage.mesh);
     const std::size_t closed = closed_components(stage.mesh);
     for (const std::size_t target : {first / 2, first / 4, std::size_t{0}}) {
@@ -85,7 +105,7 @@ TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the verti
       CHECK(left >= std::max(target, 4 * closed));
       if (n < 8 && target > 0) CHECK(left == target);
     }
-  }
+  });
 }
 
 // The volume of closed components and the areas of loops within a face of the box keep their signs.
@@ -134,38 +154,18 @@ TEST_CASE("what lies in a plane goes first") {
   coarsen(stage.r, 0);
   CHECK(stage.fault() == "");
   CHECK(used_vertices(stage.mesh) <= 16);
-  for (const Vec3& p : scene.contour.points) {
-    double nearest = 1e9;
-    for (const Face& face : stage.mesh.faces) {
-      if (is_dead(face)) continue;
-      nearest = std::min(nearest, distance2_to_triangle(p, stage.mesh.points[face.v[0]],
-                                                        stage.mesh.points[face.v[1]],
-                                                        stage.mesh.points[face.v[2]]));
-    }
-    REQUIRE(nearest < 1e-10);
-  }
+  for (const Vec3& p : scene.contour.points) REQUIRE(distance2_to_mesh(p, stage.mesh) < 1e-10);
 }
 
 TEST_CASE("the furthest sample is as far as the nearest of all facets") {
-  for (int n = 0; n < kScenes; ++n) {
-    CAPTURE(n);
-    const Scene scene = some_scene(n);
-    if (scene.contour.points.empty()) continue;
-    Stage stage(scene, {}, true);
-    stage.r.parameters.refinement[Criterion::distance] = kNotAsked;
+  for_each_scene([](int, Stage& stage) {
     coarsen(stage.r, used_vertices(stage.mesh) / 2);
+    const Scene& scene = stage.scene;
     double furthest2 = 0;
     for (const Vec3& p : scene.contour.points) {
-      double nearest2 = kNotAsked;
-      for (const Face& face : stage.mesh.faces) {
-        if (is_dead(face)) continue;
-        nearest2 = std::min(nearest2, distance2_to_triangle(p, stage.mesh.points[face.v[0]],
-                                                            stage.mesh.points[face.v[1]],
-                                                            stage.mesh.points[face.v[2]]));
-      }
-      furthest2 = std::max(furthest2, nearest2);
+      furthest2 = std::max(furthest2, distance2_to_mesh(p, stage.mesh));
     }
     CHECK(furthest_distance(stage.mesh, stage.r.facets(), scene.contour.points,
                             scene.volume.voxel()) == std::sqrt(furthest2));
-  }
+  });
 }
