@@ -8,25 +8,6 @@
 namespace deliso {
 namespace {
 
-// True if v was there when this refinement began and its chain does not need it.
-bool may_remove(const Refinement& r, VertexId v) {
-  if (v >= r.removable) return false;
-  const BoundaryChain& chain = r.s.chain;
-  if (!chain.is_boundary(v)) return true;
-  const VertexId next = chain.next(v), before = chain.previous(v);
-  return !r.curves.is_kept(chain.place(v)) && chain.next(chain.next(next)) != v &&  // loop of three
-         !r.curves.runs_beside_fixed({chain.place(before), r.point(before)},
-                                     {chain.place(next), r.point(next)});
-}
-
-// True if the edge vw would lie in a face of the box and is not a chain edge.
-bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
-  const BoundaryChain& chain = r.s.chain;
-  if (!chain.is_boundary(v) || !chain.is_boundary(w) || chain.is_edge(v, w)) return false;
-  const Box3 box = r.surface.volume().box();
-  return (box_faces_at(r.point(v), box) & box_faces_at(r.point(w), box)) != 0;
-}
-
 double worst_ratio2(const Refinement& r, std::span<const Triangle> facets) {
   double worst = 0;
   for (const Triangle& v : facets) {
@@ -36,6 +17,22 @@ double worst_ratio2(const Refinement& r, std::span<const Triangle> facets) {
 }
 
 }  // namespace
+
+bool may_remove(const Refinement& r, VertexId v) {
+  const BoundaryChain& chain = r.s.chain;
+  if (!chain.is_boundary(v)) return true;
+  const VertexId next = chain.next(v), before = chain.previous(v);
+  return !r.curves.is_kept(chain.place(v)) && chain.next(chain.next(next)) != v &&  // loop of three
+         !r.curves.runs_beside_fixed({chain.place(before), r.point(before)},
+                                     {chain.place(next), r.point(next)});
+}
+
+bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
+  const BoundaryChain& chain = r.s.chain;
+  if (!chain.is_boundary(v) || !chain.is_boundary(w) || chain.is_edge(v, w)) return false;
+  const Box3 box = r.surface.volume().box();
+  return (box_faces_at(r.point(v), box) & box_faces_at(r.point(w), box)) != 0;
+}
 
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine) {
@@ -97,7 +94,7 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    refusal = propose_merge(r, f, from, to);
+    refusal = from < r.inserted ? propose_merge(r, f, from, to) : std::optional(Refusal::no_gain);
     if (!refusal) refusal = merge_vertex(r, from, is_better);
     if (!r.done(Operation::collapse, refusal)) break;
   }

@@ -98,15 +98,17 @@ std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge) {
   return r.done(Operation::boundary_split, refusal);
 }
 
-bool leaves_curve(const Refinement& r, EdgeRef edge) {
-  const auto ends = ends_on_chain(r, edge);
-  if (!ends) return false;
-  const Vec3 &a = r.point(ends->first), &b = r.point(ends->second);
-  const double radius = 0.5 * distance(a, b);
+bool leaves_curve(const Refinement& r, VertexId a, VertexId b) {
+  const double radius = 0.5 * distance(r.point(a), r.point(b));
   const Criteria& limit = r.parameters.refinement;
   return radius > r.parameters.r_min &&
-         r.curves.sagitta({r.s.chain.place(ends->first), a}, {r.s.chain.place(ends->second), b}) >
+         r.curves.sagitta({r.s.chain.place(a), r.point(a)}, {r.s.chain.place(b), r.point(b)}) >
              std::min(limit[Criterion::h_over_r] * radius, limit[Criterion::distance]);
+}
+
+bool leaves_curve(const Refinement& r, EdgeRef edge) {
+  const auto ends = ends_on_chain(r, edge);
+  return ends && leaves_curve(r, ends->first, ends->second);
 }
 
 }  // namespace deliso

@@ -20,7 +20,10 @@ std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId s
 // Inserts the middle of the arc of a boundary edge. pre: no facet is across the edge.
 std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge);
 
-// True if the arc of a boundary edge is further from the edge than Sigma may be from a facet.
+// True if the arc between boundary vertices, from a to b along the chain, is further from the edge
+// ab than Sigma may be from a facet.
+bool leaves_curve(const Refinement& r, VertexId a, VertexId b);
+// The same for a boundary edge; false if its arc is fixed.
 bool leaves_curve(const Refinement& r, EdgeRef edge);
 
 // True if neither facet at the edge of f opposite its corner i holds the other's corner in its
@@ -34,9 +37,15 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i);
 
 // Collapses the shortest edge of f if the r/l of f is over its limit and the edge is shorter than
 // r_min. The worst r/l there must not rise. Stage 1 can leave vertices very close to each
-// other, and no insertion removes a short edge. Only vertices before Refinement::removable are
+// other, and no insertion removes a short edge. Only vertices before Refinement::inserted are
 // removed, so collapses end.
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f);
+
+// True if the chain does not need v, or v is not on the boundary.
+bool may_remove(const Refinement& r, VertexId v);
+
+// True if the edge vw would lie in a face of the box and is not a chain edge.
+bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
 // Proposes to merge `from`, a corner of f, into its neighbor `to`: sets r.change. Refused if `from`
 // may not be removed or its chain needs it.
@@ -59,11 +68,6 @@ std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accep
   if (!refusal && r.s.chain.is_boundary(from)) r.s.chain.remove(from);
   return refusal;
 }
-
-// Merges v, a corner of f, into a neighbor, the nearest first, if every new facet then meets all
-// criteria. Insertion overshoots, and the vertices of seams stand closer than the criteria need.
-// Vertices on the boundary stay.
-std::optional<Refusal> thin_vertex(Refinement& r, FaceId f, VertexId v);
 
 // Moves a corner of f along Sigma to the first of some places where the facets around it, and those
 // across them, cost less. Where every insertion is refused and no flip helps, the places of

@@ -15,6 +15,7 @@
 #include "refine/coverage.h"
 #include "refine/facet_queue.h"
 #include "refine/operations.h"
+#include "refine/thin.h"
 #include "surface/step_timer.h"
 
 namespace deliso {
@@ -48,9 +49,9 @@ class RefineGeom {
         far_(far),
         steps_(refinement.parameters.observer) {}
 
-  // Thins the vertices, then refines the facets that are not done, and new ones. Returns per facet
-  // whether it is done; one at which a frozen facet refused an operation is not. Throws InputError
-  // at max_vertices.
+  // Refines the facets that are not done, and new ones; then thins the vertices and those inserted.
+  // Returns per facet whether it is done; one at which a frozen facet refused an operation is not.
+  // Throws InputError at max_vertices.
   std::vector<std::uint8_t> run(std::vector<std::uint8_t> is_done, std::span<const VertexId> thin);
 
  private:
@@ -111,7 +112,6 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   is_done_ = std::move(is_done);
   is_done_.resize(mesh_.faces.size(), 0);
   has_delaunay_edges_.resize(mesh_.faces.size(), 0);
-  thin(vertices);
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
   }
@@ -122,6 +122,7 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   }
   drain(false);
   if (!r_.parameters.as_published) {
+    if (!vertices.empty()) thin(vertices);
     while (insert_far_samples()) drain(false);
     drain(true);
     for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
@@ -129,21 +130,10 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   return std::move(is_done_);
 }
 
-// Merges vertices into a neighbor where every new facet keeps all criteria.
 void RefineGeom::thin(std::span<const VertexId> vertices) {
-  if (vertices.empty()) return;
-  IdArray<VertexId, FaceId> at(mesh_.points.size(), kNoId);
-  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-    if (!is_live(f)) continue;
-    for (const VertexId v : mesh_.faces[f].v) at[v] = f;
-  }
-  for (const VertexId v : vertices) {
-    if (at[v] == kNoId || !accept(thin_vertex(r_, at[v], v))) continue;
-    at[v] = kNoId;
-    for (const FaceId f : r_.created()) {
-      for (const VertexId w : mesh_.faces[f].v) at[w] = f;
-    }
-  }
+  for (Thinning thinning(r_, vertices); thinning.has_next();) accept(thinning.remove_next());
+  flip_changed();
+  drain(false);
 }
 
 // Refines until every facet meets the criteria or every operation is refused.
@@ -346,7 +336,12 @@ void count_unrefined(const SurfaceMesh& s, const Parameters& parameters, Report&
 void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& curves,
             std::span<const Vec3> samples, const Parameters& parameters, Report& report) {
   begin_stage(parameters.observer, "refine");
-  refine_part(mesh, surface, curves, samples, parameters, report, {});
+  RefineScope scope;
+  // Only a bound on the distance says which vertices a mesh needs.
+  if (parameters.refinement.asks(Criterion::distance)) {
+    for (VertexId v = 0; v < mesh.mesh.points.size(); ++v) scope.thin.push_back(v);
+  }
+  refine_part(mesh, surface, curves, samples, parameters, report, std::move(scope));
   remove_dead(mesh);
 }
 

@@ -3,8 +3,9 @@
 // until every facet meets the criteria, the worst facet first.
 //
 // For a facet that violates a criterion it collapses a short edge, or inserts the surface point, or
-// inserts another point of Sigma near it. Then it inserts reference samples that are too far from
-// the mesh. Last it makes facets Delaunay and moves corners. Facets that stay bad are counted.
+// inserts another point of Sigma near it. Then it removes vertices that the criteria do not need
+// (refine/thin.h), and inserts reference samples that are too far from the mesh. Last it makes
+// facets Delaunay and moves corners. Facets that stay bad are counted.
 //
 // Each operation replaces one disk (refine/refinement.h). So the mesh stays a manifold of the same
 // topology, embedded, with its vertices on Sigma.
@@ -30,7 +31,9 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
 struct RefineScope {
   Region region;                      // the frozen facets, and the box of the others
   std::vector<std::uint8_t> is_done;  // per facet; those after the last are not done
-  std::vector<VertexId> thin;         // vertices to be thinned first (thin_vertex())
+  // Vertices that are removed where the criteria do not need them (refine/thin.h); if there are
+  // any, inserted ones are too.
+  std::vector<VertexId> thin;
 };
 
 // Refines that part. Dead facets stay. Returns per facet whether it is done. A facet for which a

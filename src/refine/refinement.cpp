@@ -54,7 +54,7 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       report(counts),
       observer(follower(given.observer)),
       region(where),
-      removable(surface_mesh.mesh.points.size()),
+      inserted(surface_mesh.mesh.points.size()),
       finder(isosurface),
       facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
       vertices_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)) {
@@ -89,6 +89,7 @@ Change& Refinement::begin_change(double least_cosine) {
   change.what = Change::Vertex::none;
   change.least_cosine = least_cosine;
   change.topology_only = false;
+  change.knows_duals = false;
   return change;
 }
 

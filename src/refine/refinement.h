@@ -82,6 +82,8 @@ struct Change {
   // moves.
   bool is_linked = false;
   std::vector<Dual> duals;  // of `in`, by G3
+  bool knows_duals =
+      false;  // `duals` are set before the change is proposed, all with a surface point
   bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
 };
@@ -100,8 +102,8 @@ class Refinement {
   Report& report;
   Observer* const observer;  // null unless it follows insertions
   const Region region;
-  // Only vertices before this one may be removed: those of the mesh when this refinement began.
-  const std::size_t removable;
+  // Vertices from this one on were inserted by this refinement; collapses leave them.
+  const std::size_t inserted;
   SurfacePointFinder finder;
   Change change;                         // the last one proposed
   std::vector<std::uint8_t> move_tries;  // per vertex, in this refinement; grows on demand
@@ -121,7 +123,7 @@ class Refinement {
   std::optional<Refusal> replace(Change& c, Accept&& accept) {
     if (leaves_region(c)) return Refusal::frozen;
     put_in_place(c);
-    c.duals.clear();
+    if (!c.knows_duals) c.duals.clear();
     std::optional<Refusal> refusal = test_shape(c);
     if (!refusal && !accept()) refusal = Refusal::no_gain;
     for (std::ptrdiff_t allowed = facets_without_point(c); !refusal && !c.has_duals();) {

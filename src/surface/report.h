@@ -76,6 +76,7 @@ enum class Operation : std::uint8_t {
   collapse,
   move,
   far_point,
+  removal,
   count_
 };
 enum class Refusal : std::uint8_t {
@@ -94,7 +95,7 @@ enum class Refusal : std::uint8_t {
 inline constexpr std::size_t kOperations = static_cast<std::size_t>(Operation::count_);
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::count_);
 inline constexpr std::array<std::string_view, kOperations> kOperationNames{
-    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point"};
+    "surface_point", "foot", "boundary_split", "flip", "collapse", "move", "far_point", "removal"};
 inline constexpr std::array<std::string_view, kRefusals> kRefusalNames{
     "not_a_disk", "swallows_vertex", "no_surface_point", "too_close", "boundary",
     "turned",     "no_gain",         "uncovers",         "crossing",  "frozen"};
