@@ -105,7 +105,7 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 
 ContourMesh build_contour(const Volume& volume, double kappa) {
   ContourMesh mesh;
-  fill(mesh, volume, kappa, PieceMesher(mesh, volume));
+  fill(mesh, volume, kappa, PieceMesher(mesh, volume, kappa));
   return mesh;
 }
 
@@ -113,7 +113,7 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
   const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
   if (chosen.size() == 0) return build_contour(volume, kappa);
   ContourMesh mesh;
-  fill(mesh, volume, kappa, SplitMesher(mesh, volume, chosen, split));
+  fill(mesh, volume, kappa, SplitMesher(mesh, volume, kappa, chosen, split));
   mesh.split_voxels = chosen.size();
   return mesh;
 }

@@ -27,14 +27,23 @@ inline Vec3 to_vec3(Index3 n) {
 // onto the sample, and so onto each other or onto the volume's box.
 constexpr double kCrossingMargin = 1e-11;
 
-// A share of the cell's sides. Neighbors on a loop with a fan are at least this far apart: of
-// closer crossings, sites make needles that Stage 2 cannot mend.
+// A share of the cell's sides. Where Sigma is thin, neighbors on a loop with a fan are at least
+// this far apart: of closer crossings, sites make needles that Stage 2 cannot mend.
 constexpr double kMinFanEdge = 0.45;
+// Samples. Sigma is thin in a voxel if a grid line crosses it again within this distance. With 2
+// there are as many needles as with stars at all short edges; with 1, a few more on ENGINE, TOOTH
+// and LEG; with fans everywhere, four to six times as many on ANEURISM, TOOTH and BABY.
+constexpr int kThinSamples = 2;
 
 class PieceMesher {
  public:
-  PieceMesher(ContourMesh& mesh, const Volume& volume)
-      : mesh_(mesh), spacing_(volume.spacing()), dims_(volume.dims()), first_(volume.first()) {}
+  PieceMesher(ContourMesh& mesh, const Volume& volume, double kappa)
+      : mesh_(mesh),
+        volume_(volume),
+        kappa_(kappa),
+        spacing_(volume.spacing()),
+        dims_(volume.dims()),
+        first_(volume.first()) {}
 
   // Returns the position of a sample, in voxels.
   Vec3 place(Index3 sample) const {
@@ -58,7 +67,7 @@ class PieceMesher {
 
   void voxel(const VoxelPieces& pieces) {
     begin_voxel();
-    cell({place(pieces.voxel), {1, 1, 1}}, pieces);
+    cell({place(pieces.voxel), {1, 1, 1}}, pieces, pieces);
     end_voxel(pieces.voxel, is_crowded(pieces.loops));
   }
 
@@ -71,9 +80,9 @@ class PieceMesher {
   // True if a cell has several pieces, or one whose star bends far.
   static bool is_crowded(const VoxelLoops& loops) { return loops.count > 1 || loops.first[1] > 6; }
 
-  // As voxel(), for the pieces of a cell. pre: the vertices lie on the cell's surface.
-  void cell(const CellFrame& frame, const VoxelPieces& pieces) {
-    if (fan(frame, pieces)) return;
+  // As voxel(), for the pieces of a cell of `voxel`. pre: the vertices lie on the cell's surface.
+  void cell(const CellFrame& frame, const VoxelPieces& pieces, const VoxelPieces& voxel) {
+    if (fan(frame, pieces, voxel)) return;
     for (int l = 0; l < pieces.loops.count; ++l) {
       if (pieces.tube && l == pieces.tube.b) continue;
       if (pieces.tube && l == pieces.tube.a) {
@@ -87,11 +96,33 @@ class PieceMesher {
 
   void replace_boundary(std::vector<BoundarySegment>&) {}
 
+  // True if Sigma is thin in the voxel: there are several pieces, or it crosses one of their grid
+  // lines again. A line that leaves the volume is as its last sample.
+  bool is_thin(const VoxelPieces& pieces) const {
+    if (pieces.loops.count != 1) return true;
+    for (const std::uint8_t e : pieces.loops.edges(0)) {
+      const int axis = e / 4;
+      for (const int corner : corners_of_edge(e)) {
+        Index3 at{pieces.voxel.i + (corner & 1), pieces.voxel.j + (corner >> 1 & 1),
+                  pieces.voxel.k + (corner >> 2)};
+        const bool inside = pieces.corners[corner] >= 0;
+        const int step = (corner >> axis & 1) != 0 ? 1 : -1;
+        for (int n = 0; n < kThinSamples; ++n) {
+          at[axis] += step;
+          if (at[axis] < 0 || at[axis] >= dims_[axis]) break;
+          if ((volume_.sample(at.i, at.j, at.k) - kappa_ >= 0) != inside) return true;
+        }
+      }
+    }
+    return false;
+  }
+
   // Makes a fan over the cell's only loop, from the vertex with the shortest chords. Returns false
-  // if some face has more than one segment of the loop, or an edge is short. Otherwise a face holds
-  // the ends of its segment and no other vertex of the loop. So no chord lies in a face, where the
-  // cell across might have the same chord, and no two triangles cross.
-  bool fan(const CellFrame& frame, const VoxelPieces& pieces) {
+  // if some face has more than one segment of the loop, or an edge is short where the voxel is
+  // thin. Otherwise a face holds the ends of its segment and no other vertex of the loop. So no
+  // chord lies in a face, where the cell across might have the same chord, and no two triangles
+  // cross.
+  bool fan(const CellFrame& frame, const VoxelPieces& pieces, const VoxelPieces& voxel) {
     const std::size_t n = pieces.loops.first[1];
     unsigned faces = 0;
     for (std::size_t k = 0; k < n; ++k) faces |= 1u << pieces.loops.face[k];
@@ -109,12 +140,14 @@ class PieceMesher {
                     frame.size.z * spacing_.z};
     const Vec3 scale{1 / size.x, 1 / size.y, 1 / size.z};
     std::size_t from = 0;
+    bool has_short_edge = false;
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 edge = mesh_.points[loop[i]] - mesh_.points[loop[(i + 1) % n]];
       const double edge2 = length2(Vec3{edge.x * scale.x, edge.y * scale.y, edge.z * scale.z});
-      if (edge2 < kMinFanEdge * kMinFanEdge) return false;
+      has_short_edge |= edge2 < kMinFanEdge * kMinFanEdge;
       if (chords(i) < chords(from)) from = i;
     }
+    if (has_short_edge && is_thin(voxel)) return false;
     for (const VertexId v : loop) mesh_.component[v] = pieces.label[0];
     for (std::size_t k = 1; k + 1 < n; ++k) {
       mesh_.triangles.push_back({loop[from], loop[(from + k) % n], loop[(from + k + 1) % n]});
@@ -215,6 +248,8 @@ class PieceMesher {
   }
 
   ContourMesh& mesh_;
+  const Volume& volume_;
+  double kappa_;
   Vec3 spacing_;
   Index3 dims_, first_;
   std::size_t first_triangle_ = 0;

@@ -122,9 +122,9 @@ SplitMesher::Size::Size(const SplitVoxels& split, Index3 factor)
       vertex(fine.slots()),
       label(fine.slots()) {}
 
-SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
-                         const ContourSplit& split)
-    : mesher_(mesh, volume),
+SplitMesher::SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa,
+                         const ChosenVoxels& chosen, const ContourSplit& split)
+    : mesher_(mesh, volume, kappa),
       sizes_{Size(chosen.listed, split.factor), Size(chosen.elsewhere, split.elsewhere)},
       voxels_(volume.voxels()) {
   first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
@@ -221,7 +221,7 @@ bool SplitMesher::mesh_cells(Size& size, const VoxelPieces& p) {
     for (int l = 0; l < loops.count; ++l) {
       pieces.label[l] = size.label[size.fine.piece(size.fine.slot(cell, loops.edges(l)[0]))];
     }
-    mesher_.cell(frame, pieces);
+    mesher_.cell(frame, pieces, p);
     crowded |= PieceMesher::is_crowded(loops);
   }
   add_boundary(size, p);
@@ -272,7 +272,7 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
     }
   }
   const CellFrame frame{mesher_.place(p.voxel), {1, 1, 1}};
-  if (!follows) return mesher_.cell(frame, p);
+  if (!follows) return mesher_.cell(frame, p, p);
   for (int l = 0; l < p.loops.count; ++l) {
     if (p.tube && l == p.tube.b) continue;
     if (p.tube && l == p.tube.a) {

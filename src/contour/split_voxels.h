@@ -48,7 +48,7 @@ ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const Conto
 class SplitMesher {
  public:
   // Keeps a reference to `chosen`.
-  SplitMesher(ContourMesh& mesh, const Volume& volume, const ChosenVoxels& chosen,
+  SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ChosenVoxels& chosen,
               const ContourSplit& split);
 
   // Reserves memory. A split voxel adds about as many crossings as a layer of its cells has cells.
