@@ -17,12 +17,13 @@ namespace {
 constexpr std::size_t kSamplesCounted = std::size_t{1} << 22;
 constexpr int kSlices = 32;
 
-// Vertices per voxel squared of surface. One number is for topology and shape. Three are added for
-// bounds of one voxel on h, of 1 on h/r, and of 1 on r over pole height. They grow as the bound
-// shrinks. The last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the
-// built-in fields, whose densities differ by factors, and to scanned volumes.
-constexpr double kBaseDensity = 0.03;
-constexpr double kDistanceDensity = 0.035, kHeightDensity = 0.005, kPoleDensity = 0.04;
+// Vertices per voxel squared of surface. One number is for Stage 1, and one for what its topology
+// and shape leave of it when vertices that are not needed are gone. Three are added for bounds of
+// one voxel on h, of 1 on h/r, and of 1 on r over pole height. They grow as the bound shrinks. The
+// last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the built-in
+// fields, whose densities differ by factors, and to scanned volumes.
+constexpr double kRecoverDensity = 0.03, kBaseDensity = 0.007;
+constexpr double kDistanceDensity = 0.027, kHeightDensity = 0.005, kPoleDensity = 0.04;
 constexpr double kRadiusDensity = 0.67;
 // Vertices per voxel of r_min at creases of the interpolant, between voxels. There h/r does not
 // fall with r, so refinement goes down to r_min.
@@ -30,7 +31,7 @@ constexpr double kCreaseDensity = 0.03;
 
 // Where sheets are a sample thick, the surface bends at every voxel: more of it is out of the
 // bound, and topology alone needs more. Fitted to four noisy fields and ten clean ones.
-constexpr double kThinBase = 11.5, kThinDistance = 0.6;
+constexpr double kThinRecover = 11.5, kThinBase = 6, kThinDistance = 0.2;
 
 struct CrossingCounts {
   std::array<double, 3> along{};  // grid edges along x, y and z
@@ -92,8 +93,8 @@ CrossingCounts count_crossings(const Sample* samples, Index3 dims, double kappa,
 
 double density(const Options& options, const Volume& volume, double thin) {
   const double voxel = volume.voxel(), bent = thin * std::sqrt(thin);
+  if (options.stop_after_recover) return kRecoverDensity + kThinRecover * bent;
   const double base = kBaseDensity + kThinBase * bent;
-  if (options.stop_after_recover) return base;
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
   const auto squared = [](double x) { return x * x; };
   const double h_over_r = options.limits[Criterion::h_over_r].value;

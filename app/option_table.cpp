@@ -170,10 +170,10 @@ constexpr OptionSpec kInputAndOutput[] = {
 
 constexpr OptionSpec kRest[] = {
     {"--rmin", 0, "X|Xvox", kAllMeshing,
-     "triangles of smaller r are not refined for distance: voxels (default 0.5vox), or a share of "
+     "triangles of smaller r are not refined for distance: voxels (default 0.25vox), or a share of "
      "the box's smallest side",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
-     "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.5vox)"},
+     "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.25vox)"},
     {"--vertices", 0, "N", kMeshAndTrace,
      "the best mesh of N vertices that keeps the topology, in place of --max-distance: refined "
      "beyond N, then coarsened",

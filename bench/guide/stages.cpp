@@ -123,13 +123,14 @@ void draw_operations(const std::string& folder) {
   Options options;
   options.threads = 1;
   mesh_isosurface(volume, find_builtin_field("builtin:noise")->isovalue, options, report);
-  constexpr Operation kShown[] = {
-      Operation::collapse, Operation::surface_point, Operation::foot, Operation::boundary_split,
-      Operation::flip,     Operation::far_point,     Operation::move};
+  constexpr Operation kShown[] = {Operation::collapse,  Operation::surface_point,
+                                  Operation::foot,      Operation::boundary_split,
+                                  Operation::flip,      Operation::removal,
+                                  Operation::far_point, Operation::move};
   constexpr std::array<const char*, kRefusals> kColors = {
       "#0072b2", "#004b75", "#e69f00", "#cc79a7", "#8c8c00",
       "#56b4e9", "#999999", "#6a3d9a", "#c62828", "#cfd3d9"};
-  Drawing out(760, 325);
+  Drawing out(760, 356);
   constexpr double kLeft = 128, kWidth = 470, kTop = 44, kRow = 31;
   out.text({kLeft, 26}, "builtin:noise: what was tried, by operation, as shares", Anchor::start, 13,
            ink::kText, true);

@@ -33,7 +33,7 @@ struct Options : RunSettings {
   // Limits of Stage 2's criteria (surface/criteria.h). The limit of r/l holds in Stage 1 too.
   // Infinite: no limit.
   PerCriterion<Length> limits = usual_limits();
-  Length r_min{0.5, Length::Unit::voxel};    // facets with r <= r_min violate no criterion but r/l
+  Length r_min{0.25, Length::Unit::voxel};   // facets with r <= r_min violate no criterion but r/l
   double epsilon = 0.2;                      // Stage 1, paper's way: h/r; kNone: no ApproximateGeom
   Length fingers{0.4, Length::Unit::voxel};  // certified: largest distance from T to K
 

@@ -15,7 +15,7 @@ namespace {
 // their least side in voxels: a few times the size of most facets of the result. Stage 1 can leave
 // facets far smaller than r_min: by r_min alone one cell held them all, and every change searched
 // it (r_min of 40 voxels: 15 s for 2 s).
-constexpr double kCellSizes = 6;
+constexpr double kCellSizes = 12;
 constexpr double kMinCellVoxels = 1.2;
 
 double grid_cell(const Parameters& p, const TriMesh& mesh) {

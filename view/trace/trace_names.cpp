@@ -52,6 +52,7 @@ RoutineName routine_of(Operation operation) {
       {"a short edge is collapsed"},
       {"a vertex moves along the surface"},
       {"a point of the surface that is too far from the mesh is inserted"},
+      {"a vertex that no criterion needs is removed"},
   }};
   const Words& words = kWords[static_cast<std::size_t>(operation)];
   return {name_of(operation), words.figure, 2, words.text};
