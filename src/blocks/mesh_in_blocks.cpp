@@ -259,16 +259,14 @@ class BlockMesher {
   void refine_to_target() {
     const double wanted = kFinerRatio * static_cast<double>(std::min(given_.target_triangles,
                                                                      given_.target_vertices));
-    const auto first = static_cast<double>(counted());
     double& bound = parameters_.refinement[Criterion::distance];
     bound = kFirstDistanceVoxels * given_.voxel;
     for (;;) {
       for_each_block(all(), [&](std::size_t n) { refine_block(run_, parameters_, blocks_[n]); });
       const auto count = static_cast<double>(counted());
       if (count >= wanted || bound <= kLastDistanceVoxels * given_.voxel) break;
-      // The number of insertions grows about as the inverse square of the bound.
-      const double share = std::max(0.0, count - first) / std::max(1.0, wanted - first);
-      const double ratio = std::clamp(std::sqrt(share), kLeastDistanceRatio, kMostDistanceRatio);
+      // The number grows about as the inverse of the bound.
+      const double ratio = std::clamp(count / wanted, kLeastDistanceRatio, kMostDistanceRatio);
       bound = std::max(ratio * bound, kLastDistanceVoxels * given_.voxel);
     }
     // The seams, and larger blocks where one is refused.

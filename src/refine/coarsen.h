@@ -29,7 +29,7 @@ std::size_t coarsen(Refinement& r, std::size_t vertices,
 
 // A mesh of a desired size is coarsened from one of about this many times as many vertices or
 // triangles.
-inline constexpr double kFinerRatio = 2;
+inline constexpr double kFinerRatio = 1.3;
 
 // The first and the last bound on the distance for such a mesh, in voxels, and the ratio of each to
 // the one before.
