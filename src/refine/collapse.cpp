@@ -38,7 +38,7 @@ std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, Ver
                                      double least_cosine) {
   Change& c = r.begin_change(least_cosine);
   const bool on_boundary = r.s.chain.is_boundary(from);
-  if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
+  if (from >= r.inserted || !may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
     return Refusal::boundary;
   }
   facets_around(r.mesh, f, from, c.cavity);
@@ -94,7 +94,7 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    refusal = from < r.inserted ? propose_merge(r, f, from, to) : std::optional(Refusal::no_gain);
+    refusal = propose_merge(r, f, from, to);
     if (!refusal) refusal = merge_vertex(r, from, is_better);
     if (!r.done(Operation::collapse, refusal)) break;
   }

@@ -68,11 +68,11 @@ holds "the JSON has the distance" grep -q '^  "max_distance": [0-9.e-]*,$' json
 for format in ply off obj stl vtp; do
   "$deliso" builtin:torus -q --max-distance 0.3vox --lambda 1.8 -o noted.$format
   holds "the $format file has the criteria" \
-    grep -a -q 'deliso [0-9.]* r-min=0.5 max-distance=0.3 lambda=1.8' noted.$format
+    grep -a -q 'deliso [0-9.]* r-min=0.25 max-distance=0.3 lambda=1.8' noted.$format
   "$deliso" check noted.$format builtin:torus >report
   holds "check of the $format file says so" grep -q ', judged by the criteria in its comment$' report
   holds "and judges by them" \
-    grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; r_min = 0.5 voxels$' report
+    grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; r_min = 0.25 voxels$' report
 done
 "$deliso" check - builtin:torus <noted.obj >report
 holds "from standard input too" grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; ' report
@@ -88,7 +88,7 @@ holds "in the JSON too" grep -q '"max_distance_voxels": null' paper.json
 sed '/^# deliso /d' noted.obj >bare.obj
 "$deliso" check bare.obj builtin:torus --json bare.json >report
 holds "without the line, the defaults" \
-  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels$' report
+  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.25 voxels$' report
 holds "of which some are passed" \
   grep -q '^          of [0-9]* triangles [0-9]* ([0-9.e-]* %) over a limit: ' report
 holds "which is no fault" grep -q '^faults    none$' report
@@ -102,7 +102,7 @@ holds "and one that is kept is no fault" \
 sed 's/^# deliso .*/# deliso 0.1.0 r-min=1e999 lambda=none/' noted.obj >damaged.obj
 "$deliso" check damaged.obj builtin:torus >report
 holds "a damaged line is none" \
-  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.5 voxels$' report
+  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.25 voxels$' report
 
 # More than ten million vertices are announced, before the work and on one line.
 status=0
@@ -192,7 +192,7 @@ for name in turned mirrored; do
 done
 holds "the mesh says whose x, y, z it has" grep -q -a -x 'comment DelIso SPACE=LPS' turned.ply
 holds "and by which criteria, in voxels of 1" \
-  grep -q -a -x 'comment deliso [0-9.]* r-min=0.5 max-distance=0.1 lambda=2' turned.ply
+  grep -q -a -x 'comment deliso [0-9.]* r-min=0.25 max-distance=0.1 lambda=2' turned.ply
 "$deliso" check turned.ply turned.nrrd --iso 150.3 --restricted 0.9 >report
 holds "which hold where it was made" grep -q '^criteria  h <= 0.1 voxels, ' report
 "$deliso" info mirrored.nrrd >facts

@@ -78,7 +78,7 @@ TEST_CASE("by default the distance is bounded, in voxels") {
   CHECK(line.options.limits[Criterion::r_over_pole].value == Options::kNone);
   CHECK(line.options.limits[Criterion::radius].value == Options::kNone);
   CHECK(line.options.limits[Criterion::r_over_l].value == 2.0);
-  CHECK(same(line.options.r_min, {0.5, Length::Unit::voxel}));
+  CHECK(same(line.options.r_min, {0.25, Length::Unit::voxel}));
   CHECK(same(line.options.fingers, {0.4, Length::Unit::voxel}));
   CHECK_FALSE(by_count(line.options));
   CHECK_FALSE(line.given.limits[Criterion::distance]);
@@ -251,7 +251,7 @@ TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
     CHECK((option == "--eps1" ? alone.limits[Criterion::r_over_pole].value
                               : alone.limits[Criterion::h_over_r].value) == Options::kNone);
     CHECK(alone.recover == RecoverWay::certified);
-    CHECK(same(alone.r_min, {0.5, Length::Unit::voxel}));
+    CHECK(same(alone.r_min, {0.25, Length::Unit::voxel}));
     for (const bool before : {false, true}) {
       const Options both =
           before ? parse({"a", "--iso", "1", "--max-distance", "2", option, "0.3"}).options

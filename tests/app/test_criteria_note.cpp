@@ -64,13 +64,13 @@ TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
     arguments.insert(arguments.end(), options);
     return criteria_note(parse_command_line(arguments), volume);
   };
-  CHECK(note({}) == words(" r-min=0.5 max-distance=0.1 lambda=2"));
+  CHECK(note({}) == words(" r-min=0.25 max-distance=0.1 lambda=2"));
   CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
         words(" r-min=1 max-distance=0.4 lambda=1.5 max-radius=4"));
-  CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.5 lambda=2 eps1=0.3"));
+  CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.25 lambda=2 eps1=0.3"));
   CHECK(note({"--paper"}) == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
   // The distance is a result, and no limit to check against.
-  CHECK(note({"--vertices", "100"}) == words(" r-min=0.5 lambda=2"));
+  CHECK(note({"--vertices", "100"}) == words(" r-min=0.25 lambda=2"));
   CHECK(note({"--method", "marching-cubes"}) == words(" method=marching-cubes"));
   CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
   CHECK_FALSE(read(note({"--method", "marching-cubes"})));
@@ -159,7 +159,7 @@ TEST_CASE("a check uses the file's criteria, except those given as options") {
                           with_file ? std::optional(noted) : std::nullopt);
   };
   CHECK(options({}).limits == limits(0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5));
-  CHECK(options({}, false).limits == limits(0.1 * 0.5, kNotAsked, 2, 0.25));
+  CHECK(options({}, false).limits == limits(0.1 * 0.5, kNotAsked, 2, 0.25 * 0.5));
   CHECK(options({"--lambda", "3"}).limits == limits(0.3 * 0.5, 0.4, 3, 0.7 * 0.5));
   CHECK(options({"--rmin", "2vox"}).limits == limits(0.3 * 0.5, 0.4, 1.5, 1));
   CHECK(options({"--max-distance", "0.25"}).limits == limits(0.25, 0.4, 1.5, 0.7 * 0.5));

@@ -27,12 +27,12 @@ struct Bounds {
 // Some 1.1 times the vertices and 1.5 to 2 times the other medians of eight seeds. noise:20 and
 // marschner_lobb:41 have features below a voxel, and points that no facet reaches.
 constexpr std::array kBounds{
-    Bounds{"orbital:48", 2000, 2, 2, 3, 0.2, 0.3, 0.2, 0.3, 99.9},
-    Bounds{"fuel:32", 1550, 2, 2, 3, 0.25, 0.4, 0.25, 0.35, 99.8},
-    Bounds{"machine:40", 3350, 3, 3, 10, 0.25, 0.45, 0.25, 0.4, 99.7},
-    Bounds{"gyroid:48", 6300, 3, 4, 3, 0.25, 0.4, 0.2, 0.35, 99.9},
-    Bounds{"noise:20", 7700, 9, 14, 60, 0.4, 0.7, 0.75, 1.3, 99.5},
-    Bounds{"marschner_lobb:41", 13000, 140, 160, 1600, 0.45, 1, 1.7, 2.3, 97.5},
+    Bounds{"orbital:48", 1770, 2, 2, 3, 0.2, 0.3, 0.2, 0.25, 99.9},
+    Bounds{"fuel:32", 1340, 2, 2, 3, 0.22, 0.35, 0.22, 0.3, 99.8},
+    Bounds{"machine:40", 2600, 3, 3, 5, 0.25, 0.4, 0.25, 0.4, 99.7},
+    Bounds{"gyroid:48", 5800, 3, 4, 3, 0.25, 0.4, 0.2, 0.3, 99.9},
+    Bounds{"noise:20", 7650, 9, 32, 14, 0.3, 0.6, 0.3, 0.5, 99.5},
+    Bounds{"marschner_lobb:41", 14700, 90, 210, 400, 0.4, 1, 0.75, 1.2, 97.5},
 };
 constexpr std::uint64_t kSeeds = 3;
 

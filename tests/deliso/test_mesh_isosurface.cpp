@@ -328,7 +328,7 @@ TEST_CASE("lengths in world units, shares of the box and voxels resolve to the s
   CHECK(Length{4, Length::Unit::box}.in(flat) == 8);
   const Parameters p = resolve({}, flat);
   CHECK(p.voxel == flat.voxel());
-  CHECK(p.r_min == flat.voxel() / 2);
+  CHECK(p.r_min == flat.voxel() / 4);
   CHECK(p.refinement[Criterion::distance] == doctest::Approx(flat.voxel() / 10));
   CHECK(p.refinement[Criterion::h_over_r] == Options::kNone);
   CHECK_FALSE(p.asks_for_poles());

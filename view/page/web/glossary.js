@@ -17,7 +17,7 @@ const kTerms = {
   'criterion': 'a bound on a measure of a facet',
   'facet': 'a triangle of the surface mesh',
   'gate': 'a validity test that every operation must pass',
-  'operation': 'what Stage 2 tries on a facet: insert, flip, collapse, move, split of a boundary edge',
+  'operation': 'what Stage 2 tries on a facet: insert, flip, collapse, move, split of a boundary edge, removal',
   'site': 'a point of S: a vertex of Stage 1',
   'switch': 'the step from Del S to a plain mesh, between the stages',
 };

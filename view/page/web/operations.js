@@ -21,7 +21,8 @@ const kOperations = {
   build_tri_mesh: { label: 'the switch', color: 0x7d7d7d, dash: 'solid' },
   ...styled([['surface_point', 'insert'], ['foot', 'insert nearby'],
              ['boundary_split', 'split boundary'], ['flip', 'flip'], ['collapse', 'collapse'],
-             ['move', 'move'], ['far_point', 'insert far point']], 0xa84a00, 0xffcf70),
+             ['move', 'move'], ['far_point', 'insert far point'],
+             ['removal', 'remove']], 0xa84a00, 0xffcf70),
 };
 
 const kCriteria = {
