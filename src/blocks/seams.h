@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 at the seams of a welded mesh: what was fixed there is refined like any other. First the
-// vertices on a seam, and those beside one, are thinned. Then facets with a vertex on a seam are
-// refined, and whatever changes by that.
+// Stage 2 at the seams of a welded mesh: what was fixed there is refined like any other. Facets
+// with a vertex on a seam are refined, and whatever changes by that. Then vertices on a seam, those
+// beside one and new ones are removed where no criterion needs them (refine/thin.h).
 //
 // It is divided as blocks are. Around the faces between blocks lie boxes that share no point; in a
 // second round boxes around the edges of the grid, in a third around its corners. Each round's

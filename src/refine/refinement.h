@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The state of Stage 2 and its one change: another disk over the same boundary replaces a disk of
-// facets, the cavity. Insertion, flip, collapse and move (refine/operations.h) propose such
-// changes. On the mesh's boundary the boundary of the cavity may change too, between two boundary
-// vertices.
+// facets, the cavity. Insertion, flip, collapse and move (refine/operations.h) and removal
+// (refine/thin.h) propose such changes. On the mesh's boundary the boundary of the cavity may
+// change too, between two boundary vertices.
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive:
