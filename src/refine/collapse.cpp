@@ -58,22 +58,6 @@ std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, Ver
   return c.in.facets.empty() ? std::optional(Refusal::not_a_disk) : std::nullopt;
 }
 
-MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, VertexId from,
-                             VertexId to) {
-  MergeShape after{0, kNotAsked};
-  for (const FaceId f : star) {
-    const Face& face = r.mesh.faces[f];
-    if (has_corner(face.v, to)) continue;
-    Triangle v = face.v;
-    v[static_cast<std::size_t>(corner_index(face, from))] = to;
-    const Vec3 &a = r.point(v[0]), &b = r.point(v[1]), &c = r.point(v[2]);
-    const bool turns = !(dot(r.normal(face.v), area_normal(a, b, c)) > 0);
-    after.ratio2 = std::max(after.ratio2, turns ? kNotAsked : radius_ratio2(a, b, c));
-    after.distance2 = std::min(after.distance2, distance2_to_triangle(r.point(from), a, b, c));
-  }
-  return after;
-}
-
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   const Triangle v = r.mesh.faces[f].v;
   const double limit = r.parameters.refinement[Criterion::r_over_l], limit2 = limit * limit;

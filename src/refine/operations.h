@@ -52,15 +52,6 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine = kSharpestFold);
 
-// What a merge of `from` into `to` makes of the star of `from`, before it is proposed: the largest
-// (r/l)^2 of the new facets, infinite if one turns over, and the squared distance of `from` from
-// them.
-struct MergeShape {
-  double ratio2, distance2;
-};
-MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, VertexId from,
-                             VertexId to);
-
 // Makes the change of propose_merge(), if accept() holds.
 template <class Accept>
 std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accept) {

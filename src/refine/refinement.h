@@ -82,8 +82,8 @@ struct Change {
   // moves.
   bool is_linked = false;
   std::vector<Dual> duals;  // of `in`, by G3
-  bool knows_duals =
-      false;  // `duals` are set before the change is proposed, all with a surface point
+  // `duals` were set before replace(), each with a surface point.
+  bool knows_duals = false;
   bool has_duals() const { return duals.size() == in.facets.size(); }
   std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
 };

@@ -126,10 +126,10 @@ bool Thinning::fill(std::size_t i, std::size_t j) {
   }
   if (third == i) return false;
   const Vec3& c = r_.point(ring_[third]);
-  const double l2 = shortest_edge2(a, b, c), radius2 = l2 * radius_ratio2(a, b, c);
-  const double ratio = r_.parameters.refinement[Criterion::r_over_l];
-  if (radius2 > ratio * ratio * l2) return false;
-  filling_.push_back({{ring_[i], ring_[third], ring_[j]}, radius2});
+  const double ratio2 = radius_ratio2(a, b, c),
+               limit = r_.parameters.refinement[Criterion::r_over_l];
+  if (ratio2 > limit * limit) return false;
+  filling_.push_back({{ring_[i], ring_[third], ring_[j]}, ratio2 * shortest_edge2(a, b, c)});
   return fill(i, third) && fill(third, j);
 }
 
