@@ -16,24 +16,23 @@ VertexId Certificate::furthest_between(SiteId a, SiteId b) const {
   return furthest;
 }
 
-Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+Certificate::Region Certificate::count_region(SiteId a, VertexId at,
+                                              std::vector<DualFacet>& facets) {
+  Region r;
   interfaces_.clear();
   facets.clear();
-  long directed = 0, thrice_faces = 0;
-  long boundary_vertices = 0, boundary_edges = 0;
-
-  // One breadth-first pass from the site's own vertex through its region. Every neighbor in the
-  // region is written at reached[count]; it stays there only if it was not visited before.
-  const std::span<const VertexId> region = labels_.region(a);
+  // One breadth-first pass from the site's own vertex. Every neighbor in the region is written at
+  // reached[count]; it stays there only if it was not visited before.
   const IdArray<VertexId, SiteId>& label = labels_.all();
-  reached_.resize(std::max(reached_.size(), region.size() + 1));
-  const std::span<VertexId> reached = reached_;
   IdArray<VertexId, std::uint32_t>& visited = visited_;
-  const ContourMesh& contour = labels_.contour();
+  reached_.resize(std::max(reached_.size(), labels_.region(a).size() + 1));
+  const std::span<VertexId> reached = reached_;
   const std::uint32_t now = ++checks_;
   reached[0] = at;
   visited[at] = now;
   std::size_t count = 1;
+  // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
+  long twice_E = 0, thrice_F = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const VertexId v = reached[k];
     const std::span<const VertexId> ring = labels_.ring(v);
@@ -45,69 +44,73 @@ Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets
       count += visited[u] != now;
       visited[u] = now;
     }
-    const bool on_boundary = contour.on_boundary(v);
+    const bool on_boundary = labels_.contour().on_boundary(v);
     const std::size_t triangles = ring.size() - on_boundary;
     if (inside == ring.size()) {  // the most frequent case
-      directed += static_cast<long>(triangles);
-      thrice_faces += static_cast<long>(triangles);
+      twice_E += static_cast<long>(triangles);
+      thrice_F += static_cast<long>(triangles);
     } else {
-      for (std::size_t n = 0; n < triangles; ++n) {
+      for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
         const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
-        const SiteId x = label[u], y = label[w];
-        // Counts the directed edge v -> u and the triangle (v, u, w). An inner edge is counted from
-        // both ends, a triangle once from each of its vertices labeled a.
-        if (x == a) {
-          ++directed;
-          ++(y == a ? thrice_faces : interface_with(y).twice_faces);
+        const SiteId b = label[u], c = label[w];
+        if (b == a) {
+          ++twice_E;
+          ++(c == a ? thrice_F : interface_with(c).F);
           continue;
         }
-        Interface& i = interface_with(x);
-        ++i.edges;
-        if (y == a) {
-          ++i.twice_faces;
-        } else if (y == x) {
-          i.twice_faces += 2;
-        } else {
-          facets.push_back({{a, x, y}, {v, u, w}});
+        Interface& i = interface_with(b);
+        ++i.E;
+        if (c == b) {
+          ++i.F;
+        } else if (c != a) {  // labels a, b, a: counted from w
+          facets.push_back({{a, b, c}, {v, u, w}});
         }
       }
     }
     if (!on_boundary) continue;
-    ++boundary_vertices;
+    ++r.boundary_V;
     // A boundary edge has only one direction, from the previous vertex to v.
     const SiteId before = label[ring.back()], next = label[ring.front()];
     if (before == a) {
-      ++boundary_edges;
+      ++r.boundary_E;
     } else {
       Interface& i = interface_with(before);
-      ++i.edges;
-      ++i.boundary_edges;
+      ++i.E;
+      ++i.boundary_E;
     }
-    if (next != a) ++interface_with(next).boundary_edges;
+    if (next != a) ++interface_with(next).boundary_E;
   }
+  r.V = static_cast<long>(count);
+  r.E = (twice_E + r.boundary_E) / 2;
+  r.F = thrice_F / 3;
+  return r;
+}
 
-  if (count != region.size()) {
-    VertexId stray = kNoId;
-    for (const VertexId v : region) {
-      if (visited[v] != now) stray = labels_.further(stray, v);
+Verdict Certificate::check(SiteId a, VertexId at, std::vector<DualFacet>& facets) {
+  const Region r = count_region(a, at, facets);
+  const std::span<const VertexId> all = labels_.region(a);
+  const ContourMesh& contour = labels_.contour();
+  const auto furthest_if = [&](auto&& is_meant) {
+    VertexId furthest = kNoId;
+    for (const VertexId v : all) {
+      if (is_meant(v)) furthest = labels_.further(furthest, v);
     }
-    return {Reason::region, stray};
+    return furthest;
+  };
+  // C1
+  if (r.V != static_cast<long>(all.size())) {
+    return {Reason::region, furthest_if([&](VertexId v) { return visited_[v] != checks_; })};
   }
-  const long vertices = static_cast<long>(region.size()), edges = (directed + boundary_edges) / 2;
-  if (vertices - edges + thrice_faces / 3 != 1) return {Reason::region, labels_.furthest(region)};
-  if (boundary_vertices > 0) {
-    if (!contour.on_boundary(at) || boundary_vertices - boundary_edges != 1) {
-      VertexId furthest = kNoId;
-      for (const VertexId v : region) {
-        if (contour.on_boundary(v)) furthest = labels_.further(furthest, v);
-      }
-      return {Reason::boundary, furthest};
-    }
+  if (r.V - r.E + r.F != 1) return {Reason::region, labels_.furthest(all)};
+  // C4
+  if (r.boundary_V > 0 && (!contour.on_boundary(at) || r.boundary_V - r.boundary_E != 1)) {
+    return {Reason::boundary, furthest_if([&](VertexId v) { return contour.on_boundary(v); })};
   }
   for (const Interface& i : interfaces_) {
-    if (i.boundary_edges > 1) return {Reason::boundary, furthest_between(a, i.site)};
-    if (2 * i.edges - i.twice_faces != 2) return {Reason::interface, furthest_between(a, i.site)};
+    if (i.boundary_E > 1) return {Reason::boundary, furthest_between(a, i.site)};  // C4
+    if (i.E - i.F != 1) return {Reason::interface, furthest_between(a, i.site)};   // C2
   }
+  // C3
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (std::size_t j = i + 1; j < facets.size(); ++j) {
       const auto &s = facets[i].sites, &t = facets[j].sites;

@@ -2,13 +2,14 @@
 // The closed-ball conditions on the labels of T. Where they hold, the dual of the labels is
 // homeomorphic to T, and so to Sigma (docs/proof.md, Theorem 2; Edelsbrunner and Shah 1997).
 //
-// The label of a vertex of T is its nearest site. E_ab is the number of edges of T with labels a
-// and b, F_aab that of its triangles with labels a, a and b. L is the set of vertices of T labeled
-// a. For every site a:
-//   C1  the region (edges and triangles of T with all labels a) is connected and V - E + F = 1;
-//   C2  for every neighbor b the interface is one arc: E_ab - F_aab - F_abb = 1;
+// The label of a vertex of T is its nearest site. L(a) is the set of vertices of T labeled a, R(a)
+// these with the edges and triangles of T between them: V, E and F in number. E(ab) is the number
+// of edges with labels a and b, F(ab) that of triangles with labels a, a, b or a, b, b. For every
+// site a:
+//   C1  R(a) is connected, and V - E + F = 1;
+//   C2  for every neighbor b the interface is one arc: E(ab) - F(ab) = 1;
 //   C3  three different labels meet on at most one triangle of T;
-//   C4  on the box: if L has boundary vertices, the site is one. They form one arc (vertices -
+//   C4  on the box: if L(a) has boundary vertices, the site is one. They form one arc (vertices -
 //       edges = 1). At most one boundary edge leads to any neighbor.
 #pragma once
 
@@ -43,15 +44,21 @@ class Certificate {
   explicit Certificate(const Labels& labels) : labels_(labels), visited_(labels.all().size(), 0) {}
 
   // Tests C1 to C4 at `site`, whose own vertex of T is `at`. Sets `facets` to the dual facets
-  // there, each with that site first. Cost: linear in the triangles at L.
+  // there, each with that site first. Cost: linear in the triangles at L(a).
   Verdict check(SiteId site, VertexId at, std::vector<DualFacet>& facets);
 
  private:
-  // The counts of edges and triangles between the region and one neighbor.
-  struct Interface {
-    SiteId site;
-    long edges = 0, twice_faces = 0, boundary_edges = 0;
+  // What C1 and C4 count in R(a): the part that is connected to the site.
+  struct Region {
+    long V = 0, E = 0, F = 0, boundary_V = 0, boundary_E = 0;
   };
+  // What C2 and C4 count between L(a) and L(b): E(ab), F(ab), boundary edges.
+  struct Interface {
+    SiteId site;  // b
+    long E = 0, F = 0, boundary_E = 0;
+  };
+  // Counts the region, sets interfaces_ and `facets`.
+  Region count_region(SiteId a, VertexId at, std::vector<DualFacet>& facets);
   Interface& interface_with(SiteId site) {
     for (Interface& known : interfaces_) {
       if (known.site == site) return known;
