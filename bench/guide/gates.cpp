@@ -84,16 +84,16 @@ class Search {
 
  private:
   void consider(FaceId f, const Vec3& p, Refusal wanted, Found& best, double& most) {
-    Change change;
-    change.cavity = encroached(h_.recovered.mesh, f, p);
-    if (refinement_.open_cavity(change) || change.was.inner_vertices() > 0) return;
+    Proposal* proposal = refinement_.propose(encroached(h_.recovered.mesh, f, p),
+                                             wanted == Refusal::turned ? kSharpestFold : kAnyFold);
+    if (!proposal || proposal->was.inner_vertices() > 0) return;
+    Proposal& change = *proposal;
     const auto is_there = [&p](const Vec3& q) { return distance2(p, q) < 1e-6; };
     if (std::any_of(mesh_.points.begin(), mesh_.points.end(), is_there)) return;
     for (const Disk::BoundaryEdge& edge : change.was.boundary) {
       if (distance2(mesh_.points[edge.from], p) < kApart * kApart) return;
     }
-    refinement_.set_cone(change, p);
-    change.least_cosine = wanted == Refusal::turned ? kSharpestFold : -1;
+    change.cone(p);
     if (wanted == Refusal::no_surface_point) {
       if (refuse(change) != wanted) return;
       Found found = look_at_dual(change, p);
@@ -123,11 +123,11 @@ class Search {
   }
 
   // Does nothing: a change that passes the tests before G4 is refused as G4 would.
-  std::optional<Refusal> refuse(Change& change) {
-    return refinement_.replace(change, [&] { return !change.has_duals(); });
+  std::optional<Refusal> refuse(Proposal& change) {
+    return refinement_.replace([&] { return !change.has_duals(); });
   }
 
-  bool crosses(const Change& change, const Vec3& p) const {
+  bool crosses(const Proposal& change, const Vec3& p) const {
     std::vector<Vec3> points = mesh_.points;
     points.push_back(p);
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
@@ -141,7 +141,7 @@ class Search {
     return false;
   }
 
-  Found look(const Change& change, const Vec3& p, double angle) const {
+  Found look(const Proposal& change, const Vec3& p, double angle) const {
     const Vec3 gradient = h_.surface.gradient(p), up = (-1 / length(gradient)) * gradient;
     const Vec3 helper = std::fabs(up.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = cross(up, helper), u = across / length(across), w = cross(up, u);
@@ -150,7 +150,7 @@ class Search {
 
   // In the plane of p and the dual line of the facet that was refused, if the line misses Sigma as
   // far as a surface point may lie; else nothing.
-  Found look_at_dual(const Change& change, const Vec3& p) const {
+  Found look_at_dual(const Proposal& change, const Vec3& p) const {
     const Triangle& t = change.in.facets[change.duals.size() - 1];
     const auto at = [&](VertexId v) { return v < mesh_.points.size() ? mesh_.points[v] : p; };
     const Vec3 area = area_normal(at(t[0]), at(t[1]), at(t[2])), up = area / length(area);
@@ -166,7 +166,7 @@ class Search {
     return found;
   }
 
-  Found look(const Change& change, const Cut& cut) const {
+  Found look(const Proposal& change, const Cut& cut) const {
     Found found;
     found.cut = cut;
     const Vec3& p = cut.origin;

@@ -2,6 +2,7 @@
 #include "blocks/clear_seam.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "embedding/triangle_pair.h"
@@ -24,25 +25,19 @@ bool cut_ear(Refinement& r, FaceId f, VertexId v) {
   const int at_v = corner_index(ear, v);
   const FaceId g = ear.n[at_v];
   if (ear.n[(at_v + 1) % 3] != kNoId || ear.n[(at_v + 2) % 3] != kNoId || g == kNoId) return false;
-  Change change;
-  change.cavity = {f, g};
-  change.in.facets = {r.mesh.faces[g].v};
-  change.topology_only = true;
-  if (r.open_cavity(change) || r.replace(change, [] { return true; })) return false;
-  r.s.chain.remove(v);
-  return true;
+  const Triangle left = r.mesh.faces[g].v;
+  Proposal* c = r.propose(std::array{f, g}, kAnyFold);
+  if (!c) return false;
+  c->facets({&left, 1});
+  c->asks_surface = false;
+  return !r.replace();
 }
 
 // Adds a facet between v and its neighbors, and moves v slightly off the seam.
 bool lift(Refinement& r, FaceId f, VertexId v) {
-  Change change;
-  facets_around(r.mesh, f, v, change.cavity);
-  if (r.open_cavity(change)) return false;
-  change.in.facets = change.was.facets;
-  change.in.facets.push_back({r.s.chain.previous(v), r.s.chain.next(v), v});
-  change.what = Change::Vertex::moves;
-  change.vertex = v;
-  change.topology_only = true;
+  Proposal* c = r.propose(r.star(f, v), kAnyFold);
+  if (!c) return false;
+  c->asks_surface = false;
   const Vec3 from = r.point(v);
   Vec3 inwards;
   const Box3 box = r.surface.volume().box();
@@ -52,10 +47,9 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
   }
   double off = kPerturbationVoxels * r.parameters.voxel;
   for (int step = 0; step < kMaxOffsets; ++step, off *= kOffsetFactor) {
-    change.place = from + off * inwards;
-    if (r.replace(change, [] { return true; })) continue;
-    r.s.chain.remove(v);
-    return true;
+    c->move(v, from + off * inwards);
+    if (step == 0) c->in.facets.push_back({r.s.chain.previous(v), r.s.chain.next(v), v});
+    if (!r.replace()) return true;
   }
   return false;
 }
@@ -63,9 +57,9 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
 // Merges v into a neighbor on the boundary. `at_any_cost`: whatever the shapes.
 bool merge(Refinement& r, FaceId f, VertexId v, bool at_any_cost) {
   for (const VertexId to : {r.s.chain.previous(v), r.s.chain.next(v)}) {
-    auto refusal = propose_merge(r, f, v, to, at_any_cost ? -1 : kSharpestFold);
-    r.change.topology_only = at_any_cost;
-    if (!refusal) refusal = merge_vertex(r, v, [] { return true; });
+    auto refusal = propose_merge(r, f, v, to, at_any_cost ? kAnyFold : kSharpestFold);
+    r.proposal.asks_surface = !at_any_cost;
+    if (!refusal) refusal = r.replace();
     if (!r.done(Operation::collapse, refusal)) return true;
   }
   return false;

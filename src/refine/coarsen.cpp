@@ -226,9 +226,9 @@ class Coarsening {
       return Refusal::uncovers;
     }
     if (const auto refusal = propose_merge(r_, facet_[from], from, to)) return refusal;
-    r_.change.topology_only = ask_ == Ask::topology;
-    const auto refusal = merge_vertex(r_, from, [&] {
-      return !r_.change.duals.empty() ||  // tested before
+    r_.proposal.asks_surface = ask_ != Ask::topology;
+    const auto refusal = r_.replace([&] {
+      return !r_.proposal.duals.empty() ||  // tested before
              !orientation_.passes_component(from, to);
     });
     if (refusal) return refusal == Refusal::no_gain ? Refusal::crossing : refusal;
@@ -237,7 +237,7 @@ class Coarsening {
     error_[to] = quadrics_[to].at(r_.point(to));
     facet_[from] = kNoId;
     --vertices_;
-    triangles_ -= r_.change.was.facets.size() - r_.change.in.facets.size();
+    triangles_ -= r_.proposal.was.facets.size() - r_.proposal.in.facets.size();
     for (const FaceId f : r_.created()) {
       for (const VertexId v : r_.mesh.faces[f].v) {
         facet_[v] = f;

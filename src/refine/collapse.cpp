@@ -36,26 +36,17 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
 
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine) {
-  Change& c = r.begin_change(least_cosine);
   const bool on_boundary = r.s.chain.is_boundary(from);
   if (from >= r.inserted || !may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
     return Refusal::boundary;
   }
-  facets_around(r.mesh, f, from, c.cavity);
-  if (const auto refusal = r.open_cavity(c)) return refusal;
-  c.in.facets.clear();
-  for (Triangle t : c.was.facets) {
-    if (has_corner(t, to)) continue;
-    for (VertexId& q : t) {
-      if (q == from) {
-        q = to;
-      } else if (!on_boundary && joins_on_box(r, to, q)) {
-        return Refusal::boundary;
-      }
-    }
-    c.in.facets.push_back(t);
+  Proposal* c = r.propose(r.star(f, from), least_cosine);
+  if (!c) return Refusal::not_a_disk;
+  for (const VertexId q : c->was.vertices()) {
+    if (!on_boundary && q != from && q != to && joins_on_box(r, to, q)) return Refusal::boundary;
   }
-  return c.in.facets.empty() ? std::optional(Refusal::not_a_disk) : std::nullopt;
+  c->merge(from, to);
+  return c->in.facets.empty() ? std::optional(Refusal::not_a_disk) : std::nullopt;
 }
 
 std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
@@ -70,16 +61,16 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   if (!(length2(shortest) < r.parameters.r_min * r.parameters.r_min)) return Refusal::no_gain;
   VertexId a = v[shortest], b = v[(shortest + 1) % 3];
   const auto is_better = [&] {
-    if (!r.change.duals.empty()) return true;  // tested before
-    const double before = worst_ratio2(r, r.change.was.facets);
-    return before > limit2 && worst_ratio2(r, r.change.in.facets) <= before;
+    if (!r.proposal.duals.empty()) return true;  // tested before
+    const double before = worst_ratio2(r, r.proposal.was.facets);
+    return before > limit2 && worst_ratio2(r, r.proposal.in.facets) <= before;
   };
   // If only one end is on the boundary, the inner end is tried first.
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
     refusal = propose_merge(r, f, from, to);
-    if (!refusal) refusal = merge_vertex(r, from, is_better);
+    if (!refusal) refusal = r.replace(is_better);
     if (!r.done(Operation::collapse, refusal)) break;
   }
   return refusal;

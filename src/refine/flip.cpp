@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 
 #include "mesh/tri_mesh.h"
@@ -26,18 +27,16 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   if (is_edge_delaunay(r, f, i)) return Refusal::no_gain;
   const Quad q = quad_at(r.mesh, f, i);
   const double radii = std::sqrt(r.s.duals[q.f].radius2) + std::sqrt(r.s.duals[q.g].radius2);
-  Change& c = r.begin_change(kSharpestFold);
-  c.cavity = {q.f, q.g};
-  c.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
+  Proposal* c = r.propose(std::array{q.f, q.g});
+  if (!c) return r.done(Operation::flip, Refusal::not_a_disk);
+  c->facets(std::array<Triangle, 2>{{{q.a, q.b, q.d}, {q.d, q.c, q.a}}});
   const auto is_delaunay = [&] {
-    if (!c.has_duals()) return true;
-    const Dual &x = c.duals[0], &y = c.duals[1];
+    if (!c->has_duals()) return true;
+    const Dual &x = c->duals[0], &y = c->duals[1];
     return x.on_surface && y.on_surface && !x.holds(r.point(q.c)) && !y.holds(r.point(q.b)) &&
            std::sqrt(x.radius2) + std::sqrt(y.radius2) < (1 - kMinRadiusFall) * radii;
   };
-  auto refusal = r.open_cavity(c);
-  if (!refusal) refusal = r.replace(c, is_delaunay);
-  return r.done(Operation::flip, refusal);
+  return r.done(Operation::flip, r.replace(is_delaunay));
 }
 
 }  // namespace deliso

@@ -25,11 +25,11 @@ double cosine(const Vec3& u, const Vec3& v) {
 
 }  // namespace
 
-std::optional<Refusal> Refinement::test_shape(Change& c) {
+std::optional<Refusal> Refinement::test_shape(Proposal& c) {
   if (!keeps_manifold(c)) return Refusal::not_a_disk;
   normals_.clear();
   for (const Triangle& v : c.in.facets) normals_.push_back(normal(v));
-  if ((c.least_cosine > -1 && folds(c)) || reverses(c)) return Refusal::turned;
+  if ((c.least_cosine > kAnyFold && folds(c)) || reverses(c)) return Refusal::turned;
   return std::nullopt;
 }
 
@@ -37,7 +37,7 @@ std::optional<Refusal> Refinement::test_shape(Change& c) {
 // boundary edges of either disk lie on the mesh's boundary. A new edge is inside the new disk or on
 // the mesh's boundary. It must not join two vertices that an edge joins elsewhere, or that edge
 // would have too many facets.
-bool Refinement::keeps_manifold(Change& c) {
+bool Refinement::keeps_manifold(Proposal& c) {
   Disk& in = c.in;
   const auto facet_across = [&](const Disk::BoundaryEdge& e) {
     return mesh.faces[c.cavity[e.facet]].n[e.side];
@@ -50,7 +50,7 @@ bool Refinement::keeps_manifold(Change& c) {
     std::ranges::transform(in.boundary, std::back_inserter(across_), facet_across);
     return true;
   }
-  if (c.what == Change::Vertex::comes && in.link_cone(c.was.boundary, c.vertex)) {
+  if (c.what == Proposal::Vertex::comes && in.link_cone(c.was.boundary, c.vertex)) {
     across_.clear();
     std::ranges::transform(c.was.boundary, std::back_inserter(across_), facet_across);
     return true;
@@ -85,8 +85,8 @@ bool Refinement::keeps_manifold(Change& c) {
   return true;
 }
 
-bool Refinement::is_joined_outside(VertexId a, VertexId b, const Change& c) {
-  if (c.what == Change::Vertex::comes && (a == c.vertex || b == c.vertex)) return false;
+bool Refinement::is_joined_outside(VertexId a, VertexId b, const Proposal& c) {
+  if (c.what == Proposal::Vertex::comes && (a == c.vertex || b == c.vertex)) return false;
   const auto start =
       std::ranges::find_if(c.cavity, [&](FaceId f) { return has_corner(mesh.faces[f].v, a); });
   DELISO_ASSERT(start != c.cavity.end());
@@ -113,7 +113,7 @@ double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals
 }
 
 // G2.
-bool Refinement::folds(const Change& c) const {
+bool Refinement::folds(const Proposal& c) const {
   const double after = sharpest_edge(c.in, normals_, across_);
   if (after >= c.least_cosine) return false;
   std::vector<Vec3> normals;
@@ -129,7 +129,7 @@ bool Refinement::folds(const Change& c) const {
 }
 
 // G2, for small components: true if the volume that the component bounds changes its sign.
-bool Refinement::reverses(Change& c) {
+bool Refinement::reverses(Proposal& c) {
   if (parameters.as_published) return false;
   const std::size_t outside = component_size_[component_[c.cavity[0]]] - c.cavity.size();
   if (outside > kMaxSmallComponent) return false;
@@ -170,22 +170,22 @@ bool Refinement::reverses(Change& c) {
   for (const FaceId f : rest_) rest += volume(mesh.faces[f].v, now);
   for (const Triangle& v : c.was.facets) before += volume(v, was);
   for (const Triangle& v : c.in.facets) after += volume(v, now);
-  if (c.topology_only && rest + before == 0) return false;
+  if (!c.asks_surface && rest + before == 0) return false;
   return (rest + before > 0) != (rest + after > 0);
 }
 
 // G3.
-std::ptrdiff_t Refinement::facets_without_point(const Change& c) const {
+std::ptrdiff_t Refinement::facets_without_point(const Proposal& c) const {
   return std::ranges::count_if(
       c.cavity, [&](FaceId f) { return !s.duals[f].on_surface && !is_small(s.duals[f]); });
 }
 
-bool Refinement::find_dual(Change& c, std::ptrdiff_t& allowed) {
+bool Refinement::find_dual(Proposal& c, std::ptrdiff_t& allowed) {
   const std::size_t f = c.duals.size();
   const Triangle& v = c.in.facets[f];
   c.duals.push_back(finder.dual(point(v[0]), point(v[1]), point(v[2]), report.searches_refine));
   const Dual& dual = c.duals.back();
-  if (dual.on_surface || c.topology_only) return true;
+  if (dual.on_surface || !c.asks_surface) return true;
   return (is_small(dual) && faces_out(v, normals_[f])) || allowed-- > 0;
 }
 
@@ -200,9 +200,9 @@ bool Refinement::faces_out(const Triangle& v, const Vec3& normal) const {
 }
 
 // G4, for the removed vertices.
-bool Refinement::uncovers(const Change& c) const {
+bool Refinement::uncovers(const Proposal& c) const {
   const double limit = kMaxRemovedDistances * parameters.refinement[Criterion::distance];
-  if (c.topology_only || c.what == Change::Vertex::comes) return false;
+  if (!c.asks_surface || c.what == Proposal::Vertex::comes) return false;
   return std::ranges::any_of(c.was.vertices(), [&](VertexId v) {
     if (std::ranges::find(c.in.vertices(), v) != c.in.vertices().end()) return false;
     return std::ranges::all_of(c.in.facets, [&](const Triangle& t) {
@@ -212,10 +212,10 @@ bool Refinement::uncovers(const Change& c) const {
 }
 
 // G5.
-bool Refinement::crosses(const Change& c) {
+bool Refinement::crosses(const Proposal& c) {
   if (parameters.as_published) return false;
   if (!crossing_.begin(mesh.points, c.in, normals_, facets_)) return true;
-  const bool is_cone = c.what == Change::Vertex::comes && c.in.inner_vertices() == 1;
+  const bool is_cone = c.what == Proposal::Vertex::comes && c.in.inner_vertices() == 1;
   return crossing_.crosses_itself(is_cone ? c.vertex : kNoId) ||
          facets_.any(crossing_.box(), [&](FaceId f, const BoxGrid::Box& box) {
            return !is_in_cavity(f) && crossing_.crosses(mesh.faces[f].v, box);

@@ -2,6 +2,7 @@
 #include "refine/lift_off.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -110,10 +111,10 @@ class LiftOff {
     const Triangle& v = mesh_.faces[f].v;
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
   }
-  // Replaces change_.cavity by the cone from p over its boundary.
-  bool replace_by_cone(const Vec3& p, bool near_surface);
-  bool flip(FaceId f, int i, bool near_surface);
-  bool replace(bool near_surface);
+  // Replaces the cavity by the cone from p over its boundary.
+  bool replace_by_cone(Proposal& c, const Vec3& p, bool near_surface);
+  bool flip(Proposal& c, FaceId f, int i, bool near_surface);
+  bool replace(Proposal& c, bool near_surface);
 
   // Made at first use: most meshes have nothing to mend.
   Refinement& replacer() {
@@ -132,7 +133,6 @@ class LiftOff {
   Report& report_;
   SurfacePointFinder finder_;
   std::optional<Refinement> replacer_;
-  Change change_;
 };
 
 std::size_t LiftOff::run(OffSurface off_surface) {
@@ -185,22 +185,19 @@ std::size_t LiftOff::lift_all(Effort effort) {
   return left;
 }
 
-bool LiftOff::replace(bool near_surface) {
-  change_.least_cosine = near_surface ? kSharpestFold : -1;
-  change_.topology_only = !near_surface;
-  return !replacer().replace(change_, [] { return true; });
+bool LiftOff::replace(Proposal& c, bool near_surface) {
+  c.least_cosine = near_surface ? kSharpestFold : kAnyFold;
+  c.asks_surface = near_surface;
+  return !replacer().replace();
 }
 
 bool LiftOff::move_off(FaceId f, VertexId v) {
-  facets_around(mesh_, f, v, change_.cavity);
-  if (replacer().open_cavity(change_)) return false;
-  change_.in.facets = change_.was.facets;
-  change_.what = Change::Vertex::moves;
-  change_.vertex = v;
+  Proposal* c = replacer().propose(replacer().star(f, v));
+  if (!c) return false;
   const Vec3 from = mesh_.points[v], inward = inwards(faces_near(from));
   return std::any_of(off_.begin(), off_.end(), [&](double off) {
-    change_.place = from + off * inward;
-    return replace(false);
+    c->move(v, from + off * inward);
+    return replace(*c, false);
   });
 }
 
@@ -220,17 +217,16 @@ std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3&
   return found;
 }
 
-bool LiftOff::replace_by_cone(const Vec3& p, bool near_surface) {
-  replacer().set_cone(change_, p);
-  return replace(near_surface);
+bool LiftOff::replace_by_cone(Proposal& c, const Vec3& p, bool near_surface) {
+  c.cone(p);
+  return replace(c, near_surface);
 }
 
-bool LiftOff::flip(FaceId f, int i, bool near_surface) {
+bool LiftOff::flip(Proposal& c, FaceId f, int i, bool near_surface) {
   const Quad q = quad_at(mesh_, f, i);
   if ((faces_at(q.a) & faces_at(q.d)) != 0) return false;
-  change_.what = Change::Vertex::none;
-  change_.in.facets = {{q.a, q.b, q.d}, {q.d, q.c, q.a}};
-  return replace(near_surface);
+  c.facets(std::array<Triangle, 2>{{{q.a, q.b, q.d}, {q.d, q.c, q.a}}});
+  return replace(c, near_surface);
 }
 
 bool LiftOff::lift(FaceId f, int i, Effort effort) {
@@ -251,13 +247,13 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
   }
   const Vec3 inward = inwards(faces), out = normal(f) + normal(g);
 
-  change_.cavity.assign(1, f);
-  if (is_edge) change_.cavity.push_back(g);
-  if (replacer().open_cavity(change_)) return false;
+  const std::array cavity{f, g};
+  Proposal* proposal = replacer().propose(std::span(cavity).first(is_edge ? 2 : 1));
+  if (!proposal) return false;
   if (effort == Effort::next_to_it) {
     for (const double off : off_) {
       for (const Vec3& base : bases) {
-        if (!replace_by_cone(base + off * inward, false)) continue;
+        if (!replace_by_cone(*proposal, base + off * inward, false)) continue;
         ++report_[Counter::cap_lifts_off_surface];
         return true;
       }
@@ -275,8 +271,8 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
   const bool near_surface = effort == Effort::as_stage2;
   const std::vector<Vec3> on_surface = find_off_box(lines, bases[0], limit);
   return std::any_of(on_surface.begin(), on_surface.end(),
-                     [&](const Vec3& p) { return replace_by_cone(p, near_surface); }) ||
-         (is_edge && flip(f, i, near_surface));
+                     [&](const Vec3& p) { return replace_by_cone(*proposal, p, near_surface); }) ||
+         (is_edge && flip(*proposal, f, i, near_surface));
 }
 
 }  // namespace

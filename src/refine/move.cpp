@@ -28,7 +28,7 @@ constexpr std::array<Direction, 8> kDirections{{{1, 0},
                                                 {0x1.6a09e667f3bcbp-1, -0x1.6a09e667f3bcep-1}}};
 
 // Least relative decrease of the cost around a vertex by a move, so that moves end.
-constexpr double kMinFall = 0.05;
+constexpr double kMinCostFall = 0.05;
 
 // Most moves tried for a vertex. Near flips and insertions raise the cost again, so moves would not
 // end. With 12 as many facets stay bad as without a limit; with 8, up to a sixth more. Measured on
@@ -36,10 +36,10 @@ constexpr double kMinFall = 0.05;
 constexpr std::uint8_t kMaxTries = 12;
 
 // Cost of a facet that is not Delaunay, added to the violation of a bad one.
-constexpr double kNotDelaunay = 0.3;
+constexpr double kNotDelaunayCost = 0.3;
 
 double cost_of_ball(const Refinement& r, const Triangle& v, const Dual& dual) {
-  return r.is_delaunay(v, dual) ? 0 : kNotDelaunay;
+  return r.is_delaunay(v, dual) ? 0 : kNotDelaunayCost;
 }
 
 double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
@@ -49,16 +49,12 @@ double cost(const Refinement& r, const Triangle& v, const Dual& dual) {
 
 std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   if (r.s.chain.is_boundary(v)) return Refusal::boundary;
-  Change& c = r.begin_change(kSharpestFold);
-  facets_around(r.mesh, f, v, c.cavity);
-  if (const auto refusal = r.open_cavity(c)) return refusal;
-  c.in.facets = c.was.facets;
-  c.what = Change::Vertex::moves;
-  c.vertex = v;
+  Proposal* c = r.propose(r.star(f, v));
+  if (!c) return Refusal::not_a_disk;
 
   Vec3 normal;
   double here = 0;
-  for (const FaceId g : c.cavity) {
+  for (const FaceId g : c->cavity) {
     const Triangle& t = r.mesh.faces[g].v;
     normal = normal + r.normal(t);
     here += cost(r, t, r.s.duals[g]);
@@ -70,15 +66,15 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     bool is_delaunay;  // if the vertex is not in it
   };
   std::vector<Ball> across;
-  for (const Disk::BoundaryEdge& e : c.was.boundary) {
-    const FaceId g = r.mesh.faces[c.cavity[e.facet]].n[e.side];
+  for (const Disk::BoundaryEdge& e : c->was.boundary) {
+    const FaceId g = r.mesh.faces[c->cavity[e.facet]].n[e.side];
     if (g == kNoId) continue;
     across.push_back({r.s.duals[g], r.is_delaunay(r.mesh.faces[g].v, r.s.duals[g], v)});
   }
   const auto cost_across = [&] {
     double sum = 0;
     for (const Ball& b : across) {
-      sum += b.is_delaunay && !b.dual.holds(r.point(v)) ? 0 : kNotDelaunay;
+      sum += b.is_delaunay && !b.dual.holds(r.point(v)) ? 0 : kNotDelaunayCost;
     }
     return sum;
   };
@@ -96,10 +92,10 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
   double there = 0;
   // Adds up the costs facet by facet. False as soon as the cost does not fall far enough.
   const auto lowers_cost = [&] {
-    there = c.duals.empty() ? cost_across()
-                            : there + cost(r, c.in.facets[c.duals.size() - 1], c.duals.back());
-    return there < (1 - kMinFall) * here &&
-           (!c.has_duals() || r.finder.on_one_sheet(from, c.place, normal, searches));
+    there = c->duals.empty() ? cost_across()
+                             : there + cost(r, c->in.facets[c->duals.size() - 1], c->duals.back());
+    return there < (1 - kMinCostFall) * here &&
+           (!c->has_duals() || r.finder.on_one_sheet(from, c->place, normal, searches));
   };
   for (const double step : kStepRMins) {
     const double reach = step * r.parameters.r_min;
@@ -107,8 +103,8 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
       const Vec3 to = from + (reach * cosine) * u + (reach * sine) * w;
       const auto foot = r.finder.foot(to, normal, reach, searches);
       if (!foot) continue;
-      c.place = *foot;
-      if (!r.replace(c, lowers_cost)) return r.done(Operation::move, std::nullopt);
+      c->move(v, *foot);
+      if (!r.replace(lowers_cost)) return r.done(Operation::move, std::nullopt);
     }
   }
   return r.done(Operation::move, Refusal::no_gain);

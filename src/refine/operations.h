@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "refine/refinement.h"
 
@@ -16,6 +17,15 @@ namespace deliso {
 // the paper, E must be a disk with all its vertices on its boundary.
 std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId start,
                                     const Vec3& p);
+
+// Replaces `cavity` by the cone from p, as insert_point() does, and counts nothing. `split`: the
+// boundary edge that p splits.
+std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> cavity, const Vec3& p,
+                                       const BoundarySplit* split = nullptr);
+
+// Returns the longest edge of the cavity on the mesh's boundary whose diametral ball holds p.
+std::optional<EdgeRef> encroached_edge(const Refinement& r, std::span<const FaceId> cavity,
+                                       const Vec3& p);
 
 // Inserts the middle of the arc of a boundary edge. pre: no facet is across the edge.
 std::optional<Refusal> split_boundary_edge(Refinement& r, EdgeRef edge);
@@ -47,18 +57,10 @@ bool may_remove(const Refinement& r, VertexId v);
 // True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
-// Proposes to merge `from`, a corner of f, into its neighbor `to`: sets r.change. Refused if `from`
+// Proposes to merge `from`, a corner of f, into its neighbor `to`. Refused if `from`
 // may not be removed or its chain needs it.
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine = kSharpestFold);
-
-// Makes the change of propose_merge(), if accept() holds.
-template <class Accept>
-std::optional<Refusal> merge_vertex(Refinement& r, VertexId from, Accept&& accept) {
-  const std::optional<Refusal> refusal = r.replace(r.change, accept);
-  if (!refusal && r.s.chain.is_boundary(from)) r.s.chain.remove(from);
-  return refusal;
-}
 
 // Moves a corner of f along Sigma to the first of some places where the facets around it, and those
 // across them, cost less. Where every insertion is refused and no flip helps, the places of

@@ -82,74 +82,116 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
   }
 }
 
-Change& Refinement::begin_change(double least_cosine) {
-  change.cavity.clear();
-  change.was.facets.clear();
-  change.in.facets.clear();
-  change.what = Change::Vertex::none;
-  change.least_cosine = least_cosine;
-  change.topology_only = false;
-  change.knows_duals = false;
-  return change;
+void Proposal::cone(const Vec3& p, const BoundarySplit* by) {
+  facets({});
+  what = Vertex::comes;
+  place = p;
+  if (by) split = *by;
+  for (const Disk::BoundaryEdge& edge : was.boundary) {
+    if (by && cavity[edge.facet] == by->edge.face && edge.side == by->edge.index) continue;
+    in.facets.push_back({edge.from, edge.to, vertex});
+  }
 }
 
-std::optional<Refusal> Refinement::open_cavity(Change& c) {
-  c.is_linked = false;
+void Proposal::move(VertexId v, const Vec3& p) {
+  if (what != Vertex::moves) facets(was.facets);
+  what = Vertex::moves;
+  vertex = v;
+  place = p;
+}
+
+void Proposal::merge(VertexId from, VertexId to) {
+  facets({});
+  for (Triangle t : was.facets) {
+    if (has_corner(t, to)) continue;
+    std::ranges::replace(t, from, to);
+    in.facets.push_back(t);
+  }
+}
+
+void Proposal::facets(std::span<const Triangle> list) {
+  what = Vertex::none;
+  is_linked = false;
+  split.reset();
+  in.facets.assign(list.begin(), list.end());
+}
+
+std::span<const FaceId> Refinement::star(FaceId f, VertexId v) {
+  facets_around(mesh, f, v, around_);
+  return around_;
+}
+
+std::span<const FaceId> Refinement::encroached(FaceId start, const Vec3& p) {
+  around_.assign(1, start);
+  for (std::size_t next = 0; next < around_.size(); ++next) {
+    for (const FaceId g : mesh.faces[around_[next]].n) {
+      if (g == kNoId || !s.duals[g].holds(p)) continue;
+      if (std::ranges::find(around_, g) == around_.end()) around_.push_back(g);
+    }
+  }
+  return around_;
+}
+
+Proposal* Refinement::propose(std::span<const FaceId> cavity, double least_cosine) {
+  Proposal& c = proposal;
+  is_open_ = true;
+  c.facets({});
+  c.cavity.assign(cavity.begin(), cavity.end());
   c.was.facets.clear();
+  c.vertex = VertexId(mesh.points.size());
+  c.least_cosine = least_cosine;
+  c.asks_surface = true;
+  c.knows_duals = false;
   marks_.resize(mesh.faces.size());
   ++stamp_;
   for (const FaceId f : c.cavity) {
     marks_[f] = stamp_;
     c.was.facets.push_back(mesh.faces[f].v);
   }
-  if (!c.was.link()) return Refusal::not_a_disk;
-  return std::nullopt;
+  return c.was.link() ? &c : nullptr;
 }
 
-void Refinement::set_cone(Change& c, const Vec3& place, EdgeRef split) const {
-  c.what = Change::Vertex::comes;
-  c.vertex = VertexId(mesh.points.size());
-  c.place = place;
-  c.in.facets.clear();
-  for (const Disk::BoundaryEdge& edge : c.was.boundary) {
-    if (c.cavity[edge.facet] == split.face && edge.side == split.index) continue;
-    c.in.facets.push_back({edge.from, edge.to, c.vertex});
-  }
-}
-
-bool Refinement::leaves_region(const Change& c) const {
+bool Refinement::leaves_region(const Proposal& c) const {
   return std::ranges::any_of(c.cavity, [&](FaceId f) { return is_frozen(f); }) ||
-         (c.what != Change::Vertex::none && !region.holds(c.place));
+         (c.what != Proposal::Vertex::none && !region.holds(c.place));
 }
 
-void Refinement::put_in_place(const Change& c) {
-  if (c.what == Change::Vertex::comes) {
+void Refinement::put_in_place(const Proposal& c) {
+  if (c.what == Proposal::Vertex::comes) {
     DELISO_ASSERT(c.vertex == mesh.points.size());
     mesh.points.push_back(c.place);
-  } else if (c.what == Change::Vertex::moves) {
+  } else if (c.what == Proposal::Vertex::moves) {
     moved_from_ = point(c.vertex);
     mesh.points[c.vertex] = c.place;
   }
 }
 
-void Refinement::undo(const Change& c) {
-  if (c.what == Change::Vertex::comes) mesh.points.pop_back();
-  if (c.what == Change::Vertex::moves) mesh.points[c.vertex] = moved_from_;
+void Refinement::undo(const Proposal& c) {
+  if (c.what == Proposal::Vertex::comes) mesh.points.pop_back();
+  if (c.what == Proposal::Vertex::moves) mesh.points[c.vertex] = moved_from_;
 }
 
-void Refinement::commit(Change& c) {
+void Refinement::commit(Proposal& c) {
   const Disk& in = c.in;
   const bool has_hashes = !parameters.as_published;
   if (has_hashes) {
     for (const FaceId f : c.cavity) facets_.remove(f);
-    if (c.what == Change::Vertex::moves) vertices_.remove(c.vertex);
-    if (c.what != Change::Vertex::none) {
+    if (c.what == Proposal::Vertex::moves) vertices_.remove(c.vertex);
+    if (c.what != Proposal::Vertex::none) {
       vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
     }
     for (const VertexId v : c.was.vertices()) {
       if (!has(in.vertices(), v)) vertices_.remove(v);
     }
   }
+  // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
+  for (const VertexId v : c.was.vertices()) {
+    if (s.chain.is_boundary(v) &&
+        std::ranges::find(in.boundary, v, &Disk::BoundaryEdge::from) == in.boundary.end()) {
+      s.chain.remove(v);
+    }
+  }
+  if (c.split) s.chain.insert_after(c.split->before, c.vertex, c.split->place);
   c.created.clear();
   for (std::size_t k = 0; k < in.facets.size(); ++k) {
     c.created.push_back(k < c.cavity.size() ? c.cavity[k] : FaceId(mesh.faces.size()));
@@ -185,7 +227,7 @@ void Refinement::commit(Change& c) {
       }
     }
   }
-  if (!s.pole_heights.empty() && c.what == Change::Vertex::comes) {
+  if (!s.pole_heights.empty() && c.what == Proposal::Vertex::comes) {
     double sum = 0;
     for (const Disk::BoundaryEdge& edge : c.was.boundary) sum += s.pole_heights[edge.from];
     s.pole_heights.push_back(sum / static_cast<double>(c.was.boundary.size()));
@@ -193,7 +235,8 @@ void Refinement::commit(Change& c) {
 }
 
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
-  if (observer) observer->operation_tried(operation, change, refusal);
+  if (observer) observer->operation_tried(operation, is_open_ ? proposal : Proposal(), refusal);
+  is_open_ = false;
   return report[operation].count(refusal);
 }
 

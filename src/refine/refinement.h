@@ -65,27 +65,47 @@ struct Region {
 // Least cosine between the normals at an edge after a change, unless one was less before. Pieces of
 // Sigma thinner than a voxel have edges nearly as sharp.
 inline constexpr double kSharpestFold = -0.97;
+inline constexpr double kAnyFold = -1;
 
-// A proposed change.
-struct Change {
+// An edge of the mesh's boundary that a new vertex splits, the vertex before it in the boundary
+// chain, and the new one's place on the curve.
+struct BoundarySplit {
+  EdgeRef edge;
+  VertexId before = kNoId;
+  CurvePlace place;
+};
+
+// A proposed replacement. Refinement::propose() finds that the cavity is a disk; cone(), move(),
+// merge() or facets() say what comes in its place.
+struct Proposal {
   std::vector<FaceId> cavity;  // the facets to be removed
-  Disk was;                    // the same by their corners, linked by open_cavity()
-  Disk in;                     // the new disk; for a new vertex, set_cone()
+  Disk was;                    // the same by their corners
+  Disk in;                     // the new disk; linked by G1
   enum class Vertex : std::uint8_t { none, comes, moves } what = Vertex::none;
-  VertexId vertex = kNoId;   // moved or new; a new one is the mesh's vertex count
-  Vec3 place;                // of the new vertex, or to which the vertex moves
-  double least_cosine = -1;  // G2: between the normals at an edge; -1: no limit
-  // Skips G3 and G4. Set to lift a cavity that lies in a face of the domain box, at any distance
-  // from Sigma. A component in that face bounds no volume yet, so either orientation is allowed.
-  bool topology_only = false;
-  // Since the cavity was opened: `in` is linked, and so are the facets across, as a vertex only
-  // moves.
+  VertexId vertex = kNoId;             // moved or new; a new one is the mesh's vertex count
+  Vec3 place;                          // of the new vertex, or to which the vertex moves
+  std::optional<BoundarySplit> split;  // by the vertex that comes
+  double least_cosine = kAnyFold;      // G2: between the normals at an edge
+  // False: without G3 and G4. Of a cavity that lies in a face of the domain box, to be lifted, at
+  // any distance from Sigma. A component in that face bounds no volume yet, so either orientation
+  // is allowed.
+  bool asks_surface = true;
+  // `in` is linked, and so are the facets across, as a vertex only moves.
   bool is_linked = false;
   std::vector<Dual> duals;  // of `in`, by G3
   // `duals` were set before replace(), each with a surface point.
   bool knows_duals = false;
   bool has_duals() const { return duals.size() == in.facets.size(); }
-  std::vector<FaceId> created;  // ids of `in` in the mesh, after the change
+  std::vector<FaceId> created;  // ids of `in` in the mesh, after the replacement
+
+  // The cone from a new vertex at p to the boundary of the cavity. It has no facet on the edge that
+  // the vertex splits, if any.
+  void cone(const Vec3& p, const BoundarySplit* by = nullptr);
+  // The same facets, with v at p.
+  void move(VertexId v, const Vec3& p);
+  // The facets without corner `to`, with `from` at `to`.
+  void merge(VertexId from, VertexId to);
+  void facets(std::span<const Triangle> list);
 };
 
 class Refinement {
@@ -105,22 +125,24 @@ class Refinement {
   // Vertices from this one on were inserted by this refinement; collapses leave them.
   const std::size_t inserted;
   SurfacePointFinder finder;
-  Change change;                         // the last one proposed
+  Proposal proposal;                     // the last one
   std::vector<std::uint8_t> move_tries;  // per vertex, in this refinement; grows on demand
 
-  // Clears `change` and returns it.
-  Change& begin_change(double least_cosine = -1);
-  // Marks change.cavity and links change.was. Refused if the cavity is not a disk.
-  std::optional<Refusal> open_cavity(Change& change);
-  // Makes `in` the cone from the new vertex, at `place`, to the boundary of the cavity. The cone
-  // has no facet on the boundary edge `split`, which the vertex splits. pre: open_cavity().
-  void set_cone(Change& change, const Vec3& place, EdgeRef split = {}) const;
-  // Makes the change and returns nullopt, or returns the test that refuses it and changes nothing.
-  // accept() is true while the operation can still lower its quantity. It is called when the vertex
-  // is in its place: first without duals of the new facets, then after each new dual. The caller
-  // updates the boundary chain. pre: open_cavity().
+  // Return facets in one scratch array, valid until the next of these calls: those around v, a
+  // corner of f; and E, those connected to `start` whose surface balls hold p.
+  std::span<const FaceId> star(FaceId f, VertexId v);
+  std::span<const FaceId> encroached(FaceId start, const Vec3& p);
+
+  // Proposes to replace `cavity`. Returns `proposal`, or null if the cavity is not a disk.
+  // `least_cosine`: see Proposal.
+  Proposal* propose(std::span<const FaceId> cavity, double least_cosine = kSharpestFold);
+  // Makes the proposal and returns nullopt, or returns the test that refuses it and changes
+  // nothing. accept() is true while the operation can still lower its quantity. It is called when
+  // the vertex is in its place: first without duals of the new facets, then after each new dual.
+  // After a refusal the cavity can be filled in another way. pre: propose().
   template <class Accept>
-  std::optional<Refusal> replace(Change& c, Accept&& accept) {
+  std::optional<Refusal> replace(Accept&& accept) {
+    Proposal& c = proposal;
     if (leaves_region(c)) return Refusal::frozen;
     put_in_place(c);
     if (!c.knows_duals) c.duals.clear();
@@ -136,10 +158,15 @@ class Refinement {
     refusal ? undo(c) : commit(c);
     return refusal;
   }
+  // The same for operations with no quantity to lower.
+  std::optional<Refusal> replace() {
+    return replace([] { return true; });
+  }
 
-  // Counts the outcome of an operation, reports it to the observer, and returns it.
+  // Counts the outcome of an operation, reports it to the observer with what was proposed since the
+  // last outcome, and returns it.
   std::optional<Refusal> done(Operation operation, std::optional<Refusal> refusal);
-  std::span<const FaceId> created() const { return change.created; }
+  std::span<const FaceId> created() const { return proposal.created; }
 
   FacetShape shape(const Triangle& v, const Dual& dual) const { return s.shape(v, dual); }
   FacetShape shape(FaceId f) const { return shape(mesh.faces[f].v, s.duals[f]); }
@@ -159,29 +186,29 @@ class Refinement {
   }
 
  private:
-  bool leaves_region(const Change& change) const;
-  void put_in_place(const Change& change);
-  void undo(const Change& change);
-  void commit(Change& change);
+  bool leaves_region(const Proposal& c) const;
+  void put_in_place(const Proposal& c);
+  void undo(const Proposal& c);
+  void commit(Proposal& c);
 
   // refine/gates.cpp
-  std::optional<Refusal> test_shape(Change& change);  // G1 and G2
+  std::optional<Refusal> test_shape(Proposal& c);  // G1 and G2
   // G3 for the next facet of `in`: finds its dual. False if more facets lack a surface point than
   // `allowed`.
-  bool find_dual(Change& change, std::ptrdiff_t& allowed);
+  bool find_dual(Proposal& c, std::ptrdiff_t& allowed);
   // Returns how many facets of the cavity above r_min lack one: `in` may have the same number.
-  std::ptrdiff_t facets_without_point(const Change& change) const;
-  bool keeps_manifold(Change& change);
-  bool is_joined_outside(VertexId a, VertexId b, const Change& change);
+  std::ptrdiff_t facets_without_point(const Proposal& c) const;
+  bool keeps_manifold(Proposal& c);
+  bool is_joined_outside(VertexId a, VertexId b, const Proposal& c);
   double sharpest_edge(const Disk& disk, std::span<const Vec3> normals,
                        std::span<const FaceId> across) const;
-  bool folds(const Change& change) const;
-  bool reverses(Change& change);
-  bool uncovers(const Change& change) const;  // G4
+  bool folds(const Proposal& c) const;
+  bool reverses(Proposal& c);
+  bool uncovers(const Proposal& c) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
-  bool crosses(const Change& change);
-  Vec3 point_before(const Change& c, VertexId v) const {
-    return c.what == Change::Vertex::moves && v == c.vertex ? moved_from_ : point(v);
+  bool crosses(const Proposal& c);
+  Vec3 point_before(const Proposal& c, VertexId v) const {
+    return c.what == Proposal::Vertex::moves && v == c.vertex ? moved_from_ : point(v);
   }
   bool is_small(const Dual& dual) const {
     return dual.radius2 <= parameters.r_min * parameters.r_min;
@@ -193,7 +220,8 @@ class Refinement {
   IdArray<FaceId, std::uint32_t> component_;   // per facet, the component that has it
   std::vector<std::uint32_t> component_size_;  // facets of each
 
-  // Of the current change.
+  // Of the current proposal.
+  bool is_open_ = false;              // its outcome is not counted yet
   std::vector<std::uint32_t> marks_;  // per facet: stamp_ if it is in the cavity
   std::uint32_t stamp_ = 0;
   Vec3 moved_from_;
@@ -201,6 +229,7 @@ class Refinement {
   std::vector<FaceId> rest_;    // facets of a small component outside the cavity
   std::vector<Vec3> normals_;
   DiskCrossing crossing_;
+  std::vector<FaceId> around_;  // of star() and encroached()
   std::vector<FaceId> star_;
 };
 

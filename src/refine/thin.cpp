@@ -45,9 +45,8 @@ std::optional<Refusal> Thinning::remove_next() {
 
 std::optional<Refusal> Thinning::remove(VertexId v) {
   const BoundaryChain& chain = r_.s.chain;
-  const bool on_boundary = chain.is_boundary(v);
-  Change& c = r_.begin_change(kSharpestFold);
-  if (on_boundary && (!may_remove(r_, v) || leaves_curve(r_, chain.previous(v), chain.next(v)))) {
+  if (chain.is_boundary(v) &&
+      (!may_remove(r_, v) || leaves_curve(r_, chain.previous(v), chain.next(v)))) {
     return Refusal::boundary;
   }
   walk_around(v);
@@ -68,7 +67,9 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
                          distance2_to_triangle(r_.point(v), r_.point(a), r_.point(b), r_.point(d)));
   }
   if (distance2 > limit * limit) return Refusal::uncovers;
-  c.duals.clear();
+  Proposal* c = r_.propose(star_);
+  if (!c) return Refusal::not_a_disk;
+  c->duals.clear();
   for (const NewFacet& f : filling_) {
     const auto& [a, b, d] = f.corners;
     const Dual dual =
@@ -76,15 +77,11 @@ std::optional<Refusal> Thinning::remove(VertexId v) {
     if (r_.violation(f.corners, dual) > 1 || !r_.is_delaunay(f.corners, dual, v)) {
       return Refusal::no_gain;
     }
-    c.in.facets.push_back(f.corners);
-    c.duals.push_back(dual);
+    c->in.facets.push_back(f.corners);
+    c->duals.push_back(dual);
   }
-  c.knows_duals = true;
-  c.cavity = star_;
-  if (const auto refusal = r_.open_cavity(c)) return refusal;
-  const auto refusal = r_.replace(c, [] { return true; });
-  if (!refusal && on_boundary) r_.s.chain.remove(v);
-  return refusal;
+  c->knows_duals = true;
+  return r_.replace();
 }
 
 void Thinning::walk_around(VertexId v) {

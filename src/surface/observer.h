@@ -19,7 +19,7 @@
 
 namespace deliso {
 
-struct Change;
+struct Proposal;
 struct ConflictZone;
 struct SurfaceMesh;
 class Labels;
@@ -108,7 +108,7 @@ class Observer {
   // A facet needs an operation. `value`: how far it violates the reason.
   virtual void facet_asked(const SurfaceMesh&, FaceId, Reason, double /*value*/) {}
   // The operation was done, or it was refused and the mesh is unchanged.
-  virtual void operation_tried(Operation, const Change&, std::optional<Refusal>) {}
+  virtual void operation_tried(Operation, const Proposal&, std::optional<Refusal>) {}
   virtual void mesh_finished() {}
 };
 

@@ -250,12 +250,11 @@ class Stage {
     const Triangle v = mesh.faces[f].v;
     const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
     const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
-    Change change;
-    change.cavity = {f, g};
-    change.in.facets = {{a, b, d}, {d, c, a}};
-    change.least_cosine = kSharpestFold;
-    if (r.open_cavity(change) || r.replace(change, [] { return true; })) return false;
-    if (created) *created = change.created;
+    Proposal* proposal = r.propose(std::array{f, g});
+    if (!proposal) return false;
+    proposal->facets(std::array<Triangle, 2>{{{a, b, d}, {d, c, a}}});
+    if (r.replace()) return false;
+    if (created) *created = proposal->created;
     return true;
   }
 

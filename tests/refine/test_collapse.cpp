@@ -50,7 +50,7 @@ void check_collapsed(Stage& stage, const Stage::Snapshot& before, std::size_t ve
 // The vertex that went lies near the facets that replaced it (G4).
 void check_covered(const Stage& stage, const Stage::Snapshot& before) {
   const double limit = 2 * stage.parameters.refinement[Criterion::distance];
-  for (const Triangle& t : stage.r.change.was.facets) {
+  for (const Triangle& t : stage.r.proposal.was.facets) {
     for (const VertexId v : t) {
       double nearest2 = std::numeric_limits<double>::infinity();
       for (const FaceId g : stage.r.created()) {

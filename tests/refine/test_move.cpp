@@ -30,15 +30,10 @@ Wanting count_wanting(const Stage& stage) {
 
 // Moves v to p when every gate lets it pass, wanted or not.
 bool push(Stage& stage, FaceId f, VertexId v, const Vec3& p) {
-  Change change;
-  facets_around(stage.mesh, f, v, change.cavity);
-  if (stage.r.open_cavity(change)) return false;
-  change.in.facets = change.was.facets;
-  change.what = Change::Vertex::moves;
-  change.vertex = v;
-  change.place = p;
-  change.least_cosine = kSharpestFold;
-  return !stage.r.replace(change, [] { return true; });
+  Proposal* proposal = stage.r.propose(stage.r.star(f, v));
+  if (!proposal) return false;
+  proposal->move(v, p);
+  return !stage.r.replace();
 }
 
 // Along Sigma, as far as `far`.

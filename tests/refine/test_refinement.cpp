@@ -169,6 +169,17 @@ TEST_CASE("random patches of meshes link exactly where a brute-force count finds
 
 namespace {
 
+// Proposes what was filled in by hand.
+Proposal* propose(Refinement& r, const Proposal& made) {
+  Proposal* proposal = r.propose(made.cavity, made.least_cosine);
+  if (!proposal) return nullptr;
+  proposal->facets(made.in.facets);
+  proposal->what = made.what;
+  proposal->place = made.place;
+  if (made.what != Proposal::Vertex::none) proposal->vertex = made.vertex;
+  return proposal;
+}
+
 // A mesh of no surface: combinatorics alone. All facets are such as need no surface point.
 struct Bare {
   Bare(const TriMesh& mesh, const Scene& scene, const Parameters& parameters)
@@ -183,9 +194,9 @@ struct Bare {
     r.emplace(surface_mesh, scene.surface, curves, parameters, report);
   }
   // Whether G1 lets the change pass. Nothing is done.
-  bool keeps_manifold(Change& change) {
-    if (r->open_cavity(change)) return false;
-    const auto refusal = r->replace(change, [] { return false; });
+  bool keeps_manifold(Proposal& change) {
+    if (!propose(*r, change)) return false;
+    const auto refusal = r->replace([] { return false; });
     REQUIRE(refusal);
     // Of points anywhere a change turns small components inside out.
     REQUIRE((refusal == Refusal::not_a_disk || refusal == Refusal::turned ||
@@ -199,7 +210,7 @@ struct Bare {
 };
 
 // The mesh after the change, made anew from its triangles, whether or not it is one.
-TriMesh changed_mesh(const TriMesh& mesh, const Change& change) {
+TriMesh changed_mesh(const TriMesh& mesh, const Proposal& change) {
   Triangles triangles;
   for (FaceId f = 0; f < mesh.faces.size(); ++f) {
     if (is_dead(mesh.faces[f])) continue;
@@ -208,7 +219,7 @@ TriMesh changed_mesh(const TriMesh& mesh, const Change& change) {
   }
   triangles.insert(triangles.end(), change.in.facets.begin(), change.in.facets.end());
   std::vector<Vec3> points = mesh.points;
-  if (change.what == Change::Vertex::comes) points.push_back(change.place);
+  if (change.what == Proposal::Vertex::comes) points.push_back(change.place);
   return make_tri_mesh(std::move(points), triangles);
 }
 
@@ -258,7 +269,7 @@ TEST_CASE("collapses pass the link condition exactly where they keep the mesh an
         const Triangle& v = mesh.faces[f].v;
         const int i = side % 3;
         const VertexId from = v[(i + 1 + side / 3) % 3], to = v[(i + 2 - side / 3) % 3];
-        Change change;
+        Proposal change;
         facets_around(mesh, f, from, change.cavity);
         for (const FaceId g : change.cavity) {
           Triangle t = mesh.faces[g].v;
@@ -296,7 +307,7 @@ TEST_CASE("flips pass the link condition exactly where the other diagonal is no 
         const Triangle& v = mesh.faces[f].v;
         const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
         const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
-        Change change;
+        Proposal change;
         change.cavity = {f, g};
         change.in.facets = {{a, b, d}, {d, c, a}};
         const bool keeps = same_topology(mesh, changed_mesh(mesh, change));
@@ -311,13 +322,12 @@ TEST_CASE("flips pass the link condition exactly where the other diagonal is no 
 
 namespace {
 
-// A cone from p over the rim of f's neighborhood: an insertion without its rules.
-Change cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
-  Change change;
-  change.cavity = cavity;
-  REQUIRE_FALSE(stage.r.open_cavity(change));
-  stage.r.set_cone(change, p);
-  return change;
+// Proposes a cone from p over the rim of the cavity: an insertion without its rules.
+Proposal& cone(Stage& stage, const std::vector<FaceId>& cavity, const Vec3& p) {
+  Proposal* proposal = stage.r.propose(cavity, kAnyFold);
+  REQUIRE(proposal);
+  proposal->cone(p);
+  return *proposal;
 }
 
 }  // namespace
@@ -341,7 +351,7 @@ TEST_CASE("G1 passes boundary runs joined in another order, which change the top
                                 {9, 2, 8},
                                 {9, 8, 1}});
   Bare bare(mesh, scene, parameters);
-  Change change;
+  Proposal change;
   change.cavity = {FaceId(0), FaceId(1), FaceId(2), FaceId(3)};
   change.in.facets = {{0, 1, 4}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}};
   CHECK(bare.keeps_manifold(change));
@@ -357,71 +367,66 @@ TEST_CASE(
   Stage stage(scene, options);
   REQUIRE(stage.fault() == "");
   const Stage::Snapshot before = stage.snapshot();
-  const auto yes = [] { return true; };
 
   // An insertion that would be done. It is at the end, too, when all else was refused.
   FaceId f = 0;
   while (!stage.surface_mesh.duals[f].on_surface) ++f;
-  const auto good = [&] { return cone(stage, {f}, stage.surface_mesh.duals[f].center); };
+  const auto good = [&]() -> Proposal& {
+    return cone(stage, {f}, stage.surface_mesh.duals[f].center);
+  };
 
   SUBCASE("what is to go is no disk") {
-    Change change;
-    change.cavity = {f, f};
-    CHECK(stage.r.open_cavity(change));
+    CHECK(!stage.r.propose(std::array{f, f}));
     FaceId far = 0;
     while (far == f || has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[0]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[1]) ||
            has_corner(stage.mesh.faces[far].v, stage.mesh.faces[f].v[2])) {
       ++far;
     }
-    change.cavity = {f, far};
-    CHECK(stage.r.open_cavity(change));
+    CHECK(!stage.r.propose(std::array{f, far}));
   }
   SUBCASE("what comes is no disk over that rim") {
-    Change change = good();
-    change.in.facets.pop_back();
-    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
-    change = good();
-    std::swap(change.in.facets[0][0], change.in.facets[0][1]);
-    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
-    change = good();
-    change.in.facets.push_back(change.in.facets[0]);
-    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
-    change.in.facets.clear();
-    CHECK(stage.r.replace(change, yes) == Refusal::not_a_disk);
+    good().in.facets.pop_back();
+    CHECK(stage.r.replace() == Refusal::not_a_disk);
+    Triangle& first = good().in.facets[0];
+    std::swap(first[0], first[1]);
+    CHECK(stage.r.replace() == Refusal::not_a_disk);
+    std::vector<Triangle>& facets = good().in.facets;
+    facets.push_back(Triangle(facets[0]));
+    CHECK(stage.r.replace() == Refusal::not_a_disk);
+    facets.clear();
+    CHECK(stage.r.replace() == Refusal::not_a_disk);
   }
   SUBCASE("an edge that is there, and a facet that is there, from behind") {
     // Two facets at a vertex of three others: the flip's diagonal is the third edge.
-    Change first = good();
-    REQUIRE_FALSE(stage.r.replace(first, yes));
+    good();
+    REQUIRE_FALSE(stage.r.replace());
+    const std::vector<FaceId> created = stage.r.proposal.created;
     const Stage::Snapshot with = stage.snapshot();
-    const FaceId g = first.created[0], h = first.created[1];
+    const FaceId g = created[0], h = created[1];
     const Triangle t = stage.mesh.faces[g].v, s = stage.mesh.faces[h].v;
     VertexId a = kNoId, d = kNoId;
     for (const VertexId v : t) a = has_corner(s, v) ? a : v;
     for (const VertexId v : s) d = has_corner(t, v) ? d : v;
     const int i = corner_index(stage.mesh.faces[g], a);
-    Change flip;
-    flip.cavity = {g, h};
-    flip.in.facets = {{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}};
-    REQUIRE_FALSE(stage.r.open_cavity(flip));
-    CHECK(stage.r.replace(flip, yes) == Refusal::not_a_disk);
+    Proposal* flip = stage.r.propose(std::array{g, h}, kAnyFold);
+    REQUIRE(flip);
+    flip->facets(std::array<Triangle, 2>{{{a, t[(i + 1) % 3], d}, {d, t[(i + 2) % 3], a}}});
+    CHECK(stage.r.replace() == Refusal::not_a_disk);
     CHECK(stage.snapshot() == with);
     // And back to the one facet that was there: a change of three for one.
-    Change back;
-    back.cavity = first.created;
-    REQUIRE_FALSE(stage.r.open_cavity(back));
-    back.in.facets = {before.faces[f].v};
+    Proposal* back = stage.r.propose(created, kAnyFold);
+    REQUIRE(back);
+    back->facets({&before.faces[f].v, 1});
     stage.r.parameters.refinement[Criterion::distance] = kNotAsked;  // the point may go
-    CHECK_FALSE(stage.r.replace(back, yes));
+    CHECK_FALSE(stage.r.replace());
     CHECK(stage.fault() == "");
     return;
   }
   SUBCASE("a facet without a surface point") {
     // Towards the middle of the hole in the torus no dual line meets the surface right.
-    Change change = good();
-    change.place = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
-    CHECK(stage.r.replace(change, yes) == Refusal::no_surface_point);
+    good().place = stage.corner(f, 0) + 100 * stage.normal(f) / length(stage.normal(f));
+    CHECK(stage.r.replace() == Refusal::no_surface_point);
   }
   SUBCASE("an edge too sharp") {
     // The same points pass where no angle is asked for.
@@ -430,23 +435,22 @@ TEST_CASE(
       const Vec3 up = stage.normal(g) / length(stage.normal(g));
       for (const double height : {0.05, 0.1, 0.2, 0.4}) {
         const auto raised = [&](double least_cosine) {
-          Change change = cone(
-              stage, {g}, (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0);
-          change.place = change.place + height * stage.longest_edge(g) * up;
-          change.least_cosine = least_cosine;
-          return stage.r.replace(change, [] { return false; });
+          const Vec3 middle = (stage.corner(g, 0) + stage.corner(g, 1) + stage.corner(g, 2)) / 3.0;
+          cone(stage, {g}, middle + height * stage.longest_edge(g) * up).least_cosine =
+              least_cosine;
+          return stage.r.replace([] { return false; });
         };
         if (raised(0.9999) != Refusal::turned) continue;
         ++turned;
-        CHECK(raised(-1) == Refusal::no_gain);
+        CHECK(raised(kAnyFold) == Refusal::no_gain);
       }
     }
     CHECK(turned > 20);
   }
   SUBCASE("the proposer does not want it") {
-    Change change = good();
+    const Proposal& change = good();
     std::size_t asked = 0;
-    CHECK(stage.r.replace(change, [&] {
+    CHECK(stage.r.replace([&] {
       CHECK(change.duals.size() == asked++);                        // one more each time
       CHECK(stage.mesh.points.size() == before.points.size() + 1);  // in its place
       CHECK(stage.mesh.points.back() == change.place);
@@ -456,11 +460,11 @@ TEST_CASE(
   }
   CHECK(stage.snapshot() == before);
 
-  Change change = good();
-  CHECK_FALSE(stage.r.replace(change, yes));
-  CHECK(change.created.size() == 3);
+  good();
+  CHECK_FALSE(stage.r.replace());
+  CHECK(stage.r.created().size() == 3);
   CHECK(stage.fault() == "");
-  CHECK(stage.fault_of(change.created) == "");
+  CHECK(stage.fault_of(stage.r.created()) == "");
 }
 
 // Two sheets close to each other, and vertices of one pulled through the other and back. What the
@@ -489,22 +493,19 @@ TEST_CASE(
     const FaceId f = stage.random_facet(random);
     const VertexId v = stage.mesh.faces[f].v[random.below(3)];
     if (stage.surface_mesh.chain.is_boundary(v)) continue;
-    Change change;
-    facets_around(stage.mesh, f, v, change.cavity);
-    for (const FaceId g : change.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE_FALSE(stage.r.open_cavity(change));
-    change.in.facets = change.was.facets;
-    change.what = Change::Vertex::moves;
-    change.vertex = v;
+    const std::span<const FaceId> star = stage.r.star(f, v);
+    for (const FaceId g : star) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    Proposal* proposal = stage.r.propose(star, kAnyFold);
+    REQUIRE(proposal);
     const Vec3 from = stage.mesh.points[v], up = stage.normal(f) / length(stage.normal(f));
     const Vec3 aside{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0};
-    change.place = from + random.uniform(-2, 1) * up + aside;
-    TriMesh moved = changed_mesh(stage.mesh, change);
-    moved.points[v] = change.place;
-    if (!scene.volume.box().contains(change.place)) continue;
+    proposal->move(v, from + random.uniform(-2, 1) * up + aside);
+    TriMesh moved = changed_mesh(stage.mesh, *proposal);
+    moved.points[v] = proposal->place;
+    if (!scene.volume.box().contains(proposal->place)) continue;
     const bool crosses = !crossing_in(moved).empty();
     const Stage::Snapshot before = stage.snapshot();
-    const auto refusal = stage.r.replace(change, [] { return true; });
+    const auto refusal = stage.r.replace();
     REQUIRE((refusal == Refusal::crossing) == crosses);
     ++(crosses ? crossing : done);
     if (refusal) {
@@ -513,15 +514,12 @@ TEST_CASE(
       continue;
     }
     REQUIRE(crossing_in(moved).empty());
-    Change back;
-    back.cavity = change.created;
-    for (const FaceId g : back.cavity) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
-    REQUIRE_FALSE(stage.r.open_cavity(back));
-    back.in.facets = back.was.facets;
-    back.what = Change::Vertex::moves;
-    back.vertex = v;
-    back.place = from;
-    REQUIRE_FALSE(stage.r.replace(back, [] { return true; }));
+    const std::vector<FaceId> created = proposal->created;
+    for (const FaceId g : created) stage.surface_mesh.duals[g] = {{}, kInfinity, false};
+    Proposal* back = stage.r.propose(created, kAnyFold);
+    REQUIRE(back);
+    back->move(v, from);
+    REQUIRE_FALSE(stage.r.replace());
   }
   MESSAGE(crossing << " would have crossed, " << done << " did not");
   CHECK(crossing > 300);
@@ -532,10 +530,10 @@ namespace {
 
 // Any change at all near f: a cone over a random patch, the same with other vertices, a collapse, a
 // flip, a move, another triangulation of the patch.
-Change random_change(Stage& stage, Random& random) {
+Proposal random_change(Stage& stage, Random& random) {
   const FaceId f = stage.random_facet(random);
   const TriMesh& mesh = stage.mesh;
-  Change change;
+  Proposal change;
   const std::uint32_t kind = random.below(5);
   if (kind == 0) {  // a cone over a patch grown at random
     change.cavity.assign(1, f);
@@ -547,7 +545,7 @@ Change random_change(Stage& stage, Random& random) {
       if (g == kNoId || std::count(change.cavity.begin(), change.cavity.end(), g) > 0) continue;
       change.cavity.push_back(g);
     }
-    change.what = Change::Vertex::comes;
+    change.what = Proposal::Vertex::comes;
     change.vertex = VertexId(mesh.points.size());
     const auto p = stage.point_near(f, random);
     change.place = p ? *p : stage.recovered.samples[0];
@@ -574,7 +572,7 @@ Change random_change(Stage& stage, Random& random) {
   }
   if (kind == 2 && !stage.surface_mesh.chain.is_boundary(v)) {  // a move of v
     for (const FaceId g : change.cavity) change.in.facets.push_back(mesh.faces[g].v);
-    change.what = Change::Vertex::moves;
+    change.what = Proposal::Vertex::moves;
     change.vertex = v;
     const auto p = stage.point_near(f, random);
     change.place = p ? *p : mesh.points[v];
@@ -612,7 +610,7 @@ TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one 
     Random random(static_cast<std::uint64_t>(n) + 300);
     for (int k = 0; k < 350; ++k) {
       CAPTURE(k);
-      Change change = random_change(stage, random);
+      Proposal change = random_change(stage, random);
       if (random.below(2) == 0) change.least_cosine = kSharpestFold;
       const Stage::Snapshot before = stage.snapshot();
       // Boundary changes are the proposers', with the chain.
@@ -621,9 +619,7 @@ TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one 
         return std::count(face.n.begin(), face.n.end(), kNoId) > 0;
       });
       std::optional<Refusal> refusal = Refusal::not_a_disk;
-      if (!stage.r.open_cavity(change)) {
-        refusal = stage.r.replace(change, [&] { return !at_rim; });
-      }
+      if (propose(stage.r, change)) refusal = stage.r.replace([&] { return !at_rim; });
       if (refusal) {
         ++refused;
         ++refusals[static_cast<std::size_t>(*refusal)];
@@ -632,7 +628,7 @@ TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one 
       }
       ++done;
       REQUIRE(stage.fault() == "");
-      REQUIRE(stage.fault_of(change.created) == "");
+      REQUIRE(stage.fault_of(stage.r.created()) == "");
     }
   }
   MESSAGE(done << " done, " << refused << " refused");

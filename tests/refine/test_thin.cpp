@@ -24,7 +24,7 @@ struct ThinTally {
 };
 
 // The one vertex of the cavity that the new facets do not have.
-VertexId removed_vertex(const Change& c) {
+VertexId removed_vertex(const Proposal& c) {
   VertexId gone = kNoId;
   for (const Triangle& was : c.was.facets) {
     for (const VertexId v : was) {
@@ -42,7 +42,7 @@ void check_removed(Stage& stage, const Stage::Snapshot& before, ThinTally& tally
   REQUIRE(stage.fault() == "");
   REQUIRE(stage.fault_of(stage.r.created()) == "");
   REQUIRE(stage.mesh.points == before.points);  // vertices neither come nor move
-  const VertexId gone = removed_vertex(stage.r.change);
+  const VertexId gone = removed_vertex(stage.r.proposal);
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const FaceId f : stage.r.created()) {
     CHECK(stage.surface_mesh.duals[f].on_surface);
@@ -130,7 +130,7 @@ TEST_CASE("only the vertices that were named are removed, and those inserted sin
   std::size_t of_named = 0, of_inserted = 0;
   for (Thinning thinning(stage.r, named); thinning.has_next();) {
     if (thinning.remove_next()) continue;
-    const VertexId gone = removed_vertex(stage.r.change);
+    const VertexId gone = removed_vertex(stage.r.proposal);
     const bool is_named = std::ranges::find(named, gone) != named.end();
     REQUIRE((is_named || gone >= before));
     ++(is_named ? of_named : of_inserted);

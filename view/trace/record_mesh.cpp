@@ -50,28 +50,28 @@ void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, d
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
-void TraceRecorder::operation_tried(Operation operation, const Change& change,
+void TraceRecorder::operation_tried(Operation operation, const Proposal& proposal,
                                     std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
   TraceEvent& event = trace_.event();
   if (!trace_.is_full()) {
-    const bool has_vertex = change.what != Change::Vertex::none;
-    if (has_vertex) event.place = change.place;
+    const bool has_vertex = proposal.what != Proposal::Vertex::none;
+    if (has_vertex) event.place = proposal.place;
     if (refusal) {
-      number_mesh(change.was.facets, kNoId, event.star);
-      number_mesh(change.in.facets, has_vertex ? change.vertex : kNoId, event.cone);
+      number_mesh(proposal.was.facets, kNoId, event.star);
+      number_mesh(proposal.in.facets, has_vertex ? proposal.vertex : kNoId, event.cone);
     } else {
-      number_mesh(change.was.facets, kNoId, event.removed);
+      number_mesh(proposal.was.facets, kNoId, event.removed);
       if (has_vertex) {
-        event.vertex = trace_.add_vertex(change.place);
+        event.vertex = trace_.add_vertex(proposal.place);
         std::vector<VertexId>& numbers = trace_.of_mesh();
-        numbers.resize(std::max<std::size_t>(numbers.size(), change.vertex + 1));
-        numbers[change.vertex] = event.vertex;
+        numbers.resize(std::max<std::size_t>(numbers.size(), proposal.vertex + 1));
+        numbers[proposal.vertex] = event.vertex;
       }
-      number_mesh(change.in.facets, kNoId, event.added);
+      number_mesh(proposal.in.facets, kNoId, event.added);
     }
   }
-  if (!refusal) update_worst(change.cavity, change.created);
+  if (!refusal) update_worst(proposal.cavity, proposal.created);
   event.routine = trace_code(operation);
   trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,
                report_.searches_recover.computations + report_.searches_refine.computations);

@@ -53,7 +53,7 @@ class TraceRecorder : public Observer {
   // refused it. Nothing is recorded before the mesh is handed over or after it is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
   void facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) override;
-  void operation_tried(Operation operation, const Change& change,
+  void operation_tried(Operation operation, const Proposal& proposal,
                        std::optional<Refusal> refusal) override;
   void mesh_finished() override { trace_.end_mesh(); }
 

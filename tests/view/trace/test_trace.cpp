@@ -225,9 +225,9 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
       TraceRecorder::mesh_handed_over(s);
       worst.push_back(largest());
     }
-    void operation_tried(Operation operation, const Change& change,
+    void operation_tried(Operation operation, const Proposal& proposal,
                          std::optional<Refusal> refusal) override {
-      TraceRecorder::operation_tried(operation, change, refusal);
+      TraceRecorder::operation_tried(operation, proposal, refusal);
       worst.push_back(largest());
     }
     float largest() const {
