@@ -26,9 +26,9 @@ run() {
   echo "| $1 | $(($(date +%s) - started)) |" >"$work/$1.time"
 }
 programs='table1_datasets table2_speedup table3_insertion table4_cpi
-  study_recover study_scaling study_switch study_counts
+  study_scaling study_switch study_counts
   study_oversampled'
-for program in table2_speedup table3_insertion study_recover study_scaling study_switch; do
+for program in table2_speedup table3_insertion study_scaling study_switch; do
   run $program
 done
 run study_oversampled &
@@ -44,7 +44,6 @@ title_of() {
     table2_speedup) echo 'Table 2: one stage against two' ;;
     table3_insertion) echo 'Table 3: insertions, and the vertices of the mesh' ;;
     table4_cpi) echo 'Table 4: computations per search' ;;
-    study_recover) echo 'Where the time of Recover goes' ;;
     study_scaling) echo 'Time against the size of the output' ;;
     study_switch) echo 'How early can one switch?' ;;
     study_counts) echo "Which reading gives the paper's counts?" ;;
@@ -53,7 +52,6 @@ title_of() {
 }
 figures_of() {
   case $1 in
-    study_recover) echo 'insertion-times insertion-searches' ;;
     study_scaling) echo 'scaling-resolution scaling-epsilon' ;;
     study_switch) echo 'switch-time switch-points' ;;
   esac

@@ -238,12 +238,7 @@ void Recovery::extract_manifold() {
     const SiteId q = vertex_queue_.front();
     vertex_queue_.pop_front();
     vertex_queued_[q] = 0;
-    bool is_manifold = false;
-    {
-      const Working working(follower_, Activity::disk_test, report_.searches_recover);
-      is_manifold = is_manifold_at(q);
-    }
-    if (is_manifold) continue;
+    if (is_manifold_at(q)) continue;
 
     // The surface point of D_q furthest from q.
     RecordId furthest = kNoId;

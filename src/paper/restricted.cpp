@@ -18,13 +18,10 @@ RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation 
       box_(surface.volume().box()) {
   const Triangulation& t = triangulation_;
   record_of_.assign(4 * t.cell_capacity(), kNoId);
-  {
-    const Working working(follower_, Activity::search, report_.searches_recover);
-    for (CellId c = 0; c < t.cell_capacity(); ++c) {
-      if (!t.is_live(c)) continue;
-      for (int i = 0; i < 4; ++i) {
-        if (c < t.neighbor(c, i)) search({c, i});
-      }
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    if (!t.is_live(c)) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (c < t.neighbor(c, i)) search({c, i});
     }
   }
   if (follower_) follower_->restricted_ready(*this);
@@ -138,8 +135,6 @@ std::vector<SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
 }
 
 const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
-  if (follower_) follower_->work_begins(Activity::insertion, report_.searches_recover);
-  const Working working(follower_, Activity::triangulation, report_.searches_recover);
   triangulation_.find_conflicts(p, hint, zone_);
   return zone_;
 }
@@ -184,11 +179,7 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
     }
   }
 
-  SiteId v = kNoId;
-  {
-    const Working working(follower_, Activity::triangulation, report_.searches_recover);
-    v = t.insert_in_zone(p, zone_, created_cells_);
-  }
+  const SiteId v = t.insert_in_zone(p, zone_, created_cells_);
   record_of_.resize(4 * t.cell_capacity(), kNoId);
 
   for (std::size_t k = 0; k < created_cells_.size(); ++k) {
@@ -211,19 +202,13 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
       created_records_.push_back(r);
     }
   }
-  {
-    const Working working(follower_, Activity::search, report_.searches_recover);
-    for (std::size_t k = 0; k < created_cells_.size(); ++k) {
-      const CellId c = created_cells_[k];
-      for (int i = 0; i < 4; ++i) {
-        if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
-      }
+  for (std::size_t k = 0; k < created_cells_.size(); ++k) {
+    const CellId c = created_cells_[k];
+    for (int i = 0; i < 4; ++i) {
+      if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
     }
   }
-  if (follower_) {
-    follower_->work_ends(Activity::insertion, report_.searches_recover);
-    follower_->point_inserted(v);
-  }
+  if (follower_) follower_->point_inserted(v);
   return v;
 }
 

@@ -22,7 +22,6 @@ std::optional<Refusal> insert_point(Refinement& r, Operation operation, FaceId s
 
 std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> cavity, const Vec3& p,
                                        const BoundarySplit* split) {
-  if (r.observer) r.observer->work_begins(Activity::insertion, r.report.searches_refine);
   Proposal* c = r.propose(cavity, kAnyFold);
   if (!c) return Refusal::not_a_disk;
   if (c->was.inner_vertices() > 0) return Refusal::swallows_vertex;
@@ -32,10 +31,8 @@ std::optional<Refusal> replace_by_cone(Refinement& r, std::span<const FaceId> ca
   }
   c->cone(p, split);
   const auto refusal = r.replace();
-  if (refusal) return refusal;
-  ++r.report.insertions_refine;
-  if (r.observer) r.observer->work_ends(Activity::insertion, r.report.searches_refine);
-  return std::nullopt;
+  r.report.insertions_refine += !refusal;
+  return refusal;
 }
 
 }  // namespace deliso

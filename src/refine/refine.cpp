@@ -56,8 +56,12 @@ class RefineGeom {
 
  private:
   void thin(std::span<const VertexId> vertices);
-  void drain(bool with_moves);
-  bool refine(FaceId f);
+  enum class Moves : std::uint8_t { no, yes };
+  // Refines until every facet meets the criteria or every operation is refused. The last operation
+  // is a move, if moves are allowed.
+  void refine_worst_first(Moves moves);
+  // Tries the operations on a facet, the cheapest first, until one is done.
+  bool improve(FaceId f);
   bool insert_other_point(FaceId f, bool is_near);
   // True if f's circumcenter is near f, so that a point near the one is near the other.
   bool is_center_near(FaceId f) const;
@@ -78,7 +82,7 @@ class RefineGeom {
   }
   // Returns the side of f that is too far from its boundary curve; 3: none.
   int side_off_curve(FaceId f) const;
-  void flip_changed();
+  void flip_to_delaunay();
   bool insert_far_samples();
   void make_delaunay();
   void require_room() const;  // throws InputError at max_vertices
@@ -100,7 +104,7 @@ class RefineGeom {
   // Per facet: no operation is tried until a facet near it changes.
   std::vector<std::uint8_t> is_done_;
   IdArray<FaceId, double> violation_;  // of facets that were queued; of others less than 0
-  std::vector<FaceId> refused_;        // in this pass of drain()
+  std::vector<FaceId> refused_;        // in this pass of refine_worst_first()
   std::vector<FaceId> changed_;        // to be tested for flips
   // Per facet: its edges are Delaunay, and neither it nor a neighbor has changed since.
   std::vector<std::uint8_t> has_delaunay_edges_;
@@ -115,16 +119,16 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) changed_.push_back(f);
   }
-  std::ranges::reverse(changed_);  // flip_changed() begins at the end
-  flip_changed();
+  std::ranges::reverse(changed_);  // flip_to_delaunay() begins at the end
+  flip_to_delaunay();
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (is_live(f) && !is_done_[f]) enqueue(f);
   }
-  drain(false);
+  refine_worst_first(Moves::no);
   if (!r_.parameters.as_published) {
     if (!vertices.empty()) thin(vertices);
-    while (insert_far_samples()) drain(false);
-    drain(true);
+    while (insert_far_samples()) refine_worst_first(Moves::no);
+    refine_worst_first(Moves::yes);
     for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
   }
   return std::move(is_done_);
@@ -132,12 +136,11 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
 
 void RefineGeom::thin(std::span<const VertexId> vertices) {
   for (Thinning thinning(r_, vertices); thinning.has_next();) accept(thinning.remove_next());
-  flip_changed();
-  drain(false);
+  flip_to_delaunay();
+  refine_worst_first(Moves::no);
 }
 
-// Refines until every facet meets the criteria or every operation is refused.
-void RefineGeom::drain(bool with_moves) {
+void RefineGeom::refine_worst_first(Moves moves) {
   for (bool any = true; any;) {
     any = false;
     for (FaceId f = queue_.pop(); f != kNoId; f = queue_.pop()) {
@@ -145,16 +148,16 @@ void RefineGeom::drain(bool with_moves) {
       if (!reason) continue;  // removed, or good since an operation near it
       require_room();
       ask(f, *reason);
-      if (refine(f) || (with_moves && !is_left(f) && move(f))) {
+      if (improve(f) || (moves == Moves::yes && !is_left(f) && move(f))) {
         any = true;
       } else if (!is_left(f)) {
         refused_.push_back(f);
-        is_done_[f] = with_moves && !met_frozen_;
+        is_done_[f] = moves == Moves::yes && !met_frozen_;
       }
       steps_.step(queue_.size());
     }
     // An edge between a new facet and an old one need not be Delaunay.
-    flip_changed();
+    flip_to_delaunay();
     // Refused facets are tried again; in the next pass their surroundings may have changed.
     for (const FaceId f : std::exchange(refused_, {})) {
       if (is_live(f) && !is_done_[f]) enqueue(f);
@@ -162,7 +165,7 @@ void RefineGeom::drain(bool with_moves) {
   }
 }
 
-bool RefineGeom::refine(FaceId f) {
+bool RefineGeom::improve(FaceId f) {
   met_frozen_ = false;
   const int side = side_off_curve(f);
   if (side == 3 && violation_of(f) <= 1 &&
@@ -256,7 +259,7 @@ int RefineGeom::side_off_curve(FaceId f) const {
 // Flips edges of changed facets, and of the facets that flips change, until no flip is done.
 // Without the flips before the queue LEG has needles. Without those after it all volumes have 5 %
 // more vertices.
-void RefineGeom::flip_changed() {
+void RefineGeom::flip_to_delaunay() {
   while (!changed_.empty()) {
     const FaceId f = changed_.back();
     changed_.pop_back();
@@ -298,7 +301,7 @@ void RefineGeom::make_delaunay() {
       is_done_[f] = 1;
     }
   }
-  drain(true);
+  refine_worst_first(Moves::yes);
 }
 
 void RefineGeom::require_room() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Events that the stages report while they run. Traces, profiles and progress bars implement
+// Events that the stages report while they run. Traces and progress bars implement
 // Observer; it has no influence on the result. Without an observer an event costs the test of a
 // pointer.
 #pragma once
@@ -55,9 +55,6 @@ constexpr Reason reason_of(Criterion c) {
 // The outcome of an insertion, the paper's way.
 enum class Attempt : std::uint8_t { inserted, split, forgotten, refused };
 
-// The work that profiles time. An insertion begins with its conflict zone.
-enum class Activity : std::uint8_t { insertion, search, triangulation, disk_test, count_ };
-
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -96,10 +93,6 @@ class Observer {
   virtual void edge_split(SiteId /*from*/, SiteId /*to*/) {}
   // The demanded insertion ended, after any number of points.
   virtual void attempt_ended(Attempt, const Vec3&) {}
-  // Work begins or ends; with the searches of the stage until now. A refused insertion begins and
-  // does not end.
-  virtual void work_begins(Activity, const SearchCounters&) {}
-  virtual void work_ends(Activity, const SearchCounters&) {}
 
   virtual void recovery_finished() {}
 
@@ -136,25 +129,6 @@ class Steps {
  private:
   Observer* observer_;
   std::size_t done_ = 0;
-};
-
-// Reports that work begins and, when destroyed, that it ends.
-class Working {
- public:
-  Working(Observer* follower, Activity activity, const SearchCounters& searches)
-      : follower_(follower), activity_(activity), searches_(searches) {
-    if (follower_) follower_->work_begins(activity_, searches_);
-  }
-  Working(const Working&) = delete;
-  Working& operator=(const Working&) = delete;
-  ~Working() {
-    if (follower_) follower_->work_ends(activity_, searches_);
-  }
-
- private:
-  Observer* follower_;
-  Activity activity_;
-  const SearchCounters& searches_;
 };
 
 }  // namespace deliso

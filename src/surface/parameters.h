@@ -27,7 +27,7 @@ struct RunSettings {
   // given, the bound on the distance follows from it.
   std::size_t target_vertices = kNoTarget, target_triangles = kNoTarget;
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
-  // A progress bar, a trace or a profile (surface/observer.h); may be null.
+  // A progress bar or a trace (surface/observer.h); may be null.
   Observer* observer = nullptr;
 
   bool has_target() const { return target_vertices != kNoTarget || target_triangles != kNoTarget; }

@@ -17,7 +17,6 @@ view/render/color_bar.cpp: log10 pow
 view/render/occlusion.cpp: asin
 view/render/render.cpp: log
 view/render/scale_bar.cpp: log10 pow
-view/trace/profile.h: log2
 app/facet_values.cpp: atan2
 app/histogram.cpp: log1p
 app/info.cpp: log10 pow

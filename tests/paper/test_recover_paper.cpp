@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "base/random.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -164,4 +166,19 @@ TEST_CASE(
   CHECK(report[Counter::unresolved_facets] == 0);
   CHECK(report[Counter::unresolved_vertices] > 0);
   CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 1);
+}
+
+TEST_CASE("without ApproximateGeom Stage 1 hands over fewer points") {
+  const Scene scene = builtin_scene("orbital", 64);
+  Options options = Options::paper();
+  options.stop_after_recover = true;
+  const auto recovered = [&] {
+    Report report;
+    const TriMesh mesh = mesh_isosurface(scene.volume, scene.surface.kappa(), options, report);
+    CHECK(check_mesh(mesh).empty());
+    return report.points_recovered;
+  };
+  const std::uint64_t stated = recovered();
+  options.epsilon = std::numeric_limits<double>::infinity();
+  CHECK(recovered() < stated);
 }
