@@ -47,7 +47,7 @@ std::vector<Reading> readings(const BenchArguments& arguments) {
     return all.back().options;
   };
   add("as stated");
-  add("without r/h_sigma").limits[Criterion::r_over_pole].value = kInfinity;
+  add("without r/pole").limits[Criterion::r_over_pole].value = kInfinity;
   add("without h/r in Stage 2").limits[Criterion::h_over_r].value = kInfinity;
   add("r_min half a voxel").r_min = {0.5, Length::Unit::voxel};
   return all;

@@ -5,7 +5,7 @@
 #   links    what a page links as a term has an entry, each entry is there once, and every chapter
 #            with exercises links one;
 #   symbols  every Greek letter, every letter with an index, and in chapters with exercises every
-#            capital letter by itself has an entry, there or in paper.md;
+#            capital letter by itself has an entry;
 #   names    the names in the table are names of src/, outside comments.
 # Code, quoted output, names of test cases and the targets of links do not count.
 # Usage: glossary.sh SOURCE
@@ -22,11 +22,9 @@ sed -n '/^## Words not used/,$s/^| \([^|]*\) |.*/\1/p' docs/glossary.md |
 [ "$(wc -l <"$work/words")" -ge 5 ]
 pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
 sed -n 's/^| <a id="\([^"]*\)">.*/\1/p' docs/glossary.md | sort >"$work/ids"
-# The first column, here and of paper.md's symbols: what is explained, a word a line.
-{
-  sed -n 's/^| <a id="[^"]*"><\/a>\([^|]*\)|.*/\1/p' docs/glossary.md
-  sed -n '/^## Symbols/,/^## Routines/s/^| \([^|]*\)|.*/\1/p' docs/paper.md
-} | sed 's/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
+# The first column: what is explained, a word a line.
+sed -n 's/^| <a id="[^"]*"><\/a>\([^|]*\)|.*/\1/p' docs/glossary.md |
+  sed 's/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
 find src \( -name '*.h' -o -name '*.cpp' \) -exec awk '
   { sub("//.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")
     for (n = split($0, words, " "); n > 0; n--) print FILENAME ":" words[n] }' {} + |
@@ -70,7 +68,7 @@ symbols_of() {
 }
 names_of() {
   # shellcheck disable=SC2016
-  sed -n 's/^| <a id="[^"]*">//p' "$1" | cut -d '|' -f 5 | grep -o '`[A-Za-z][^`]*`' | tr -d '`' |
+  sed -n 's/^| <a id="[^"]*">//p' "$1" | cut -d '|' -f 3 | grep -o '`[A-Za-z][^`]*`' | tr -d '`' |
     sort -u >"$work/asked"
   while read -r name; do
     # A::b: a file has both.
@@ -99,7 +97,7 @@ must_find "$(symbols_of "$work/page" | wc -l)" 3 symbols
 printf 'Only Z.\n## Exercises\n' >"$work/page"
 must_find "$(symbols_of "$work/page" | wc -l)" 1 capitals
 # shellcheck disable=SC2016
-printf '| <a id="x"></a>x | y | | | `Labels`, `Labels::region`, `Labels::no_such`, `NoSuchName` | |\n' >"$work/page"
+printf '| <a id="x"></a>x | y | `Labels`, `Labels::region`, `Labels::no_such`, `NoSuchName` | |\n' >"$work/page"
 must_find "$(names_of "$work/page" | wc -l)" 2 names
 
 {
@@ -110,8 +108,6 @@ must_find "$(names_of "$work/page" | wc -l)" 2 names
   for page in docs/figures/README.md view/page/web/* view/trace/*; do words_of "$page"; done
   pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
   for page in README.md docs/*.md docs/guide/*.md; do
-    # What make tables writes is made of docs/results-notes.md and output.
-    [ "$page" = docs/results.md ] && continue
     links_of "$page"
     [ "$page" = docs/glossary.md ] || words_of "$page"
     # docs/proof.md names its points, curves and maps itself.

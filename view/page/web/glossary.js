@@ -19,7 +19,7 @@ const kTerms = {
   'gate': 'a validity test that every operation must pass',
   'operation': 'what Stage 2 tries on a facet: insert, flip, collapse, move, split of a boundary edge, removal',
   'site': 'a point of S: a vertex of Stage 1',
-  'switch': 'the step from Del S to a plain mesh, between the stages',
+  'switch': 'the step from Stage 1 to Stage 2: a plain mesh, without Del S',
 };
 
 const kTermPattern = new RegExp(`\\b(${Object.keys(kTerms).join('|')})s?\\b`, 'gi');
