@@ -54,8 +54,8 @@ faults=0
 for folder in src/*/ io/*/ view/*/ app/; do
   folder=${folder#src/}
   folder=${folder%/}
-  grep -qw "$folder" docs/guide/house.md ||
-    { echo "FAULT: docs/guide/house.md: no $folder"; faults=1; }
+  grep -qw "$folder" docs/guide/README.md ||
+    { echo "FAULT: docs/guide/README.md: no $folder"; faults=1; }
 done
 for command in $commands; do
   grep -qE "^deliso \[?$command\]? [A-Z]" README.md ||
