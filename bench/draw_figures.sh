@@ -46,16 +46,16 @@ section() {
   done
 }
 
-# panel FILE INPUT ISOVALUE [OPTION...]: meshes, unless that has been done, and adds a panel.
+# panel FILE INPUT ISOVALUE [OPTION...]: meshes, unless a figure above has done it, and adds a panel.
 panel() {
   file=$1 input=$2 isovalue=$3
   shift 3
   panels="$panels $file"
-  commands="${commands}deliso ${input##*/} --iso $isovalue $*${1:+ }-o $file
-"
   case $input in builtin:*) ;; *) missing=$dataset ;; esac
   if [ ! -e "$file" ]; then
     echo "$file" >&2
+    commands="${commands}deliso ${input##*/} --iso $isovalue $*${1:+ }-o $file
+"
     "$build/deliso" "$input" --iso "$isovalue" -q "$@" -o "$file"
   fi
   size="$(grouped "$(count_of "$file" vertex)") vertices, $(grouped "$(count_of "$file" face)") triangles"
@@ -104,11 +104,9 @@ figure() {
 cat >"$work/README.md" <<'END'
 # Figures
 
-The paper's figures that show meshes, drawn by `make figures DATA=folder`. The commands are those that
-made the pictures; volumes are those of [bench/datasets.tsv](../../bench/datasets.tsv). The outside of a
-surface is blue, the inside orange. The panels of a picture are seen by one camera, and have edges
-all or none, of one width: thinner where triangles are small. Plots (`.svg`) belong to
-[the results](../results.md) that `make tables` writes.
+The paper's figures that show meshes, drawn by `make figures DATA=folder` with the commands below; volumes are those of
+[bench/datasets.tsv](../../bench/datasets.tsv). The outside of a surface is blue, the inside orange. Plots (`.svg`)
+belong to [the results](../results.md).
 END
 
 section 'The picture of the README: Marching Cubes | DelIso'
@@ -116,8 +114,7 @@ panel cubes.ply builtin:fuel 70.1 --method marching-cubes
 panel fuel.ply builtin:fuel 70.1
 draw fuel.png --size 1400x540 <<'END'
 
-A field in the likeness of FUEL, which needs no data. Look for triangles that follow the curvature
-instead of the grid. The inside is seen through the opening at the box.
+A field in the likeness of FUEL. Look for triangles that follow the curvature instead of the grid.
 END
 
 section 'Figure 1: ATOM, Marching Cubes | DelIso' ATOM
@@ -126,7 +123,7 @@ panel_of ATOM atom.ply
 figure 01-atom ATOM '--view 300,25' --size 1500x540 --edges on <<'END'
 
 Look for large triangles on the lobes, smaller ones on the ring, the smallest on the ellipsoid within
-it. The patches of small triangles on the lobes are not in the paper's figure: they follow the steps
+it. The groups of small triangles on the lobes are not in the paper's figure: they follow the steps
 that 8-bit samples leave in the trilinear surface.
 END
 
@@ -135,9 +132,8 @@ panel_of FUEL fuel-cubes.ply --method marching-cubes
 panel_of FUEL fuel-delaunay.ply
 figure 02-fuel FUEL '--view 150,25' --size 1600x540 --edges on <<'END'
 
-Look for small triangles around the holes of the head, and for the slivers along the barrel that the
-right panel has not. The right panel's mesh follows the creases that the trilinear surface has where
-voxels meet, such as the edge of the opening at x = 0: Marching Cubes cuts across them.
+Look for small triangles around the holes of the head, and for the slivers along the barrel, left only. The
+right mesh follows the creases where voxels meet, such as the edge of the opening at x = 0.
 END
 
 section 'Figure 6: ENGINE after Recover | at the end' ENGINE
@@ -146,7 +142,7 @@ panel_of ENGINE engine.ply
 figure 06-engine ENGINE '--view 210,25' --size 1400x640 <<'END'
 
 After the first stage the topology is right and edges are cut across; the second brings the bolts, the
-flanges and the bores. Edges of the final mesh are too short to be told apart at this scale: see the next.
+flanges and the bores.
 END
 if ! is_analogue ENGINE; then
   section 'Figure 6, closer: a bolt of ENGINE' ENGINE
@@ -175,8 +171,7 @@ panel_of TOOTH tooth.ply
 figure 08-tooth TOOTH '--view 30,25' --size 1200x960 --edges on --clip x:0.5 <<'END'
 
 The half towards the eye is taken away. The pulp chamber is seen from within the tooth's substance
-(orange) and, through the cut, from within the chamber (blue). In this crop it opens at the root, so
-that it is one component with the outer surface. The bumps of the root are in the data.
+(orange) and, through the cut, from within the chamber (blue). The bumps of the root are in the data.
 END
 
 section 'Figure 10: CHEST | clipped' CHEST
@@ -192,9 +187,8 @@ panel_of BABY2 baby2.ply
 panel_of BABY1 baby1.ply
 figure 11-baby BABY1 '--view 300,15' --size 1500x700 <<'END'
 
-Skull and skin of one volume, at one scale and place; both are cut by the box at the top. The shell
-around the head is the head rest, the wire-like pieces are tubes, and all else that floats is in the
-data too.
+Skull and skin of one volume, cut by the box at the top. The shell around the head is the head rest, the
+wire-like pieces are tubes.
 END
 if ! is_analogue BABY1; then
   section 'Figure 11, closer: the mouth of BABY' BABY2 BABY1
