@@ -24,7 +24,7 @@ pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
 sed -n 's/^| <a id="\([^"]*\)">.*/\1/p' docs/glossary.md | sort >"$work/ids"
 # The first column: what is explained, a word a line.
 sed -n 's/^| <a id="[^"]*"><\/a>\([^|]*\)|.*/\1/p' docs/glossary.md |
-  sed 's/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
+  sed 's/\[\(.*\)\]([^)]*)/\1/;s/⁺//g;s/⁻//g;s/₀//g;s/₁//g;s/₂//g' | tr -s ' ,\\=' '\n' | sort -u >"$work/explained"
 find src \( -name '*.h' -o -name '*.cpp' \) -exec awk '
   { sub("//.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")
     for (n = split($0, words, " "); n > 0; n--) print FILENAME ":" words[n] }' {} + |
