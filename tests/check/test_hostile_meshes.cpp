@@ -12,7 +12,7 @@
 #include "check/self_intersections.h"
 #include "check/verify.h"
 #include "contour/contour.h"
-#include "embedding/triangle_pair.h"
+#include "embedding/all_crossings.h"
 #include "io/volume/builtin_volume.h"
 
 using namespace deliso;
@@ -89,14 +89,7 @@ TEST_CASE("crossings of few triangles are all found, of very many up to the boun
       }
       CAPTURE(mesh.name);
       CAPTURE(n);
-      std::vector<std::pair<FaceId, FaceId>> all;
-      for (FaceId f = 0; f < mesh.triangles.size(); ++f) {
-        for (FaceId g(f + 1); g < mesh.triangles.size(); ++g) {
-          if (triangles_intersect(mesh.points, mesh.triangles[f], mesh.triangles[g])) {
-            all.emplace_back(f, g);
-          }
-        }
-      }
+      const auto all = all_crossings(mesh.points, mesh.triangles);
       const TriangleTree tree(mesh.points, mesh.triangles);
       const Crossings found = find_crossings(mesh.points, mesh.triangles, tree);
       CHECK(std::includes(all.begin(), all.end(), found.pairs.begin(), found.pairs.end()));
@@ -140,18 +133,10 @@ Hostile stars(std::size_t vertices, std::size_t n) {
 TEST_CASE("crossings of triangles at many stars are all found if they are few") {
   for (const std::size_t vertices : {25u, 40u}) {
     const Hostile mesh = stars(vertices, 800);
-    std::vector<std::pair<FaceId, FaceId>> all;
-    for (FaceId f = 0; f < mesh.triangles.size(); ++f) {
-      for (FaceId g(f + 1); g < mesh.triangles.size(); ++g) {
-        if (triangles_intersect(mesh.points, mesh.triangles[f], mesh.triangles[g])) {
-          all.emplace_back(f, g);
-        }
-      }
-    }
     const TriangleTree tree(mesh.points, mesh.triangles);
     const Crossings found = find_crossings(mesh.points, mesh.triangles, tree);
     CHECK(found.given_up.empty());
-    CHECK(found.pairs == all);
+    CHECK(found.pairs == all_crossings(mesh.points, mesh.triangles));
   }
 }
 

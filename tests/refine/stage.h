@@ -15,7 +15,7 @@
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "embedding/triangle_pair.h"
+#include "embedding/all_crossings.h"
 #include "mesh/check_mesh.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
@@ -86,34 +86,15 @@ inline int turned_out(const TriMesh& mesh) {
   return count;
 }
 
-// The first two facets that cross, of all pairs; empty when there are none.
+// Two facets that cross, of all; empty when there are none.
 inline std::string crossing_in(const TriMesh& mesh) {
-  std::vector<Box3> boxes;
-  std::vector<std::uint8_t> flat;
+  std::vector<Triangle> triangles;
   for (const Face& face : mesh.faces) {
-    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
-               &c = mesh.points[face.v[2]];
-    Box3 box;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lo[axis] = std::min({a[axis], b[axis], c[axis]});
-      box.hi[axis] = std::max({a[axis], b[axis], c[axis]});
-    }
-    boxes.push_back(box);
-    flat.push_back(collinear(a, b, c));
+    const Triangle& v = face.v;
+    if (!collinear(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]])) triangles.push_back(v);
   }
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Box3& p = boxes[f];
-    for (FaceId g(f + 1); g < mesh.faces.size(); ++g) {
-      const Box3& q = boxes[g];
-      const bool apart = (p.lo.x > q.hi.x) | (q.lo.x > p.hi.x) | (p.lo.y > q.hi.y) |
-                         (q.lo.y > p.hi.y) | (p.lo.z > q.hi.z) | (q.lo.z > p.hi.z);
-      if (apart || flat[f] || flat[g]) continue;
-      if (triangles_intersect(mesh.points, mesh.faces[f].v, mesh.faces[g].v)) {
-        return "facets " + std::to_string(f) + " and " + std::to_string(g) + " cross";
-      }
-    }
-  }
-  return "";
+  const auto pairs = all_crossings(mesh.points, triangles);
+  return pairs.empty() ? "" : std::to_string(pairs.size()) + " pairs of facets cross";
 }
 
 // Vertices that some facet uses.
