@@ -50,7 +50,7 @@ header() {
 o=out/mesh.ply
 raw='--dims 4x4x4 --type uint8'
 
-# Volumes that cannot be read: one of each kind; tests/io/faults.txt has all messages of the readers.
+# Volumes that cannot be read: one of each kind; tests/io/test_faults.cpp has the messages of the readers.
 refuses '^deliso: nowhere.nhdr: cannot open: No such file or directory$' nowhere.nhdr --iso 1 -o $o
 head -c 64 /dev/zero >whole.raw
 head -c 63 /dev/zero >short.raw
