@@ -9,7 +9,6 @@
 
 #include "blocks/components.h"
 #include "blocks/grid.h"
-#include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
@@ -34,11 +33,6 @@ std::uint64_t voxels_in(const SampleBox& box) {
     voxels *= static_cast<std::uint64_t>(box.end[axis] - box.begin[axis]);
   }
   return voxels;
-}
-
-bool are_equal(const TriMesh& a, const TriMesh& b) {
-  return std::ranges::equal(a.points, b.points) &&
-         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
 }
 
 }  // namespace
@@ -121,25 +115,6 @@ TEST_CASE("components counted in blocks are those of the whole, in the same orde
     components += whole.components.size();
   }
   CHECK(components > 300);
-}
-
-TEST_CASE("facets of two boxes at a seam never cross, and any number of threads makes one mesh") {
-  for (const char* input : {"builtin:gyroid:24", "builtin:fuel:32", "builtin:noise:17"}) {
-    CAPTURE(input);
-    const Volume volume = make_builtin_volume(input);
-    const double isovalue = find_builtin_field(input)->isovalue;
-    Options options = in_blocks(8);
-    Report report;
-    const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
-    CHECK(mesh_topology(mesh).counts() == report.exact);
-    const Verification found = verify(mesh, volume, report.kappa_effective, {});
-    CHECK(found.faults.count(FaultKind::self_intersections) == 0);
-    CHECK(found.faults.count(FaultKind::holes) == 0);
-    for (const int threads : {2, 5}) {
-      options.threads = threads;
-      CHECK(are_equal(mesh_isosurface(volume, isovalue, options), mesh));
-    }
-  }
 }
 
 TEST_CASE("where a seam is refused a larger block is meshed, and the surface is whole") {

@@ -70,37 +70,6 @@ TEST_CASE("parts are contiguous and hold every cell once") {
   }
 }
 
-TEST_CASE("parts have the mesh of one process, caps and chosen components included") {
-  int compared = 0;
-  for (std::uint64_t seed = 1; seed <= 28; ++seed) {
-    const auto tiny = make_tiny_volume(seed, 8, 20);
-    Options options;
-    options.block_side = 4 + static_cast<int>(seed % 5);
-    options.cap = seed % 3 == 0;
-    if (seed % 4 == 0) options.components.largest = 2;
-    Report whole_report, report;
-    const TriMesh whole = mesh_isosurface(tiny.volume, tiny.isovalue, options, whole_report);
-    const VolumeSource source = source_of(tiny.volume);
-    const int of = 2 + static_cast<int>(seed % 6);
-    CAPTURE(seed);
-    std::vector<Block> parts;
-    try {
-      for (int n = 1; n <= of; ++n) {
-        parts.push_back(mesh_part(source, tiny.isovalue, options, {n, of}));
-      }
-    } catch (const InputError&) {
-      continue;  // a seam between parts that is refused
-    }
-    const TriMesh joined = mesh_of_parts(source, tiny.isovalue, options, std::move(parts), report);
-    CHECK(std::ranges::equal(joined.points, whole.points));
-    CHECK(std::ranges::equal(joined.faces, whole.faces, {}, &Face::v, &Face::v));
-    CHECK(report.exact == whole_report.exact);
-    CHECK(report.counters == whole_report.counters);
-    ++compared;
-  }
-  CHECK(compared >= 22);
-}
-
 TEST_CASE("both sides of a seam have the same vertices in the same places") {
   std::size_t compared = 0;
   for (std::uint64_t seed = 30; seed < 44; ++seed) {

@@ -327,15 +327,28 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
   const ContourMesh contour = build_contour(good.volume, good.kappa);
   const std::vector<Vec3>& points = good.mesh.points;
   const double limit = kSearchDiagonals * length(good.volume.spacing());
+  const auto radius = [&](const Triangle& t) {
+    return distance(circumcenter(points[t[0]], points[t[1]], points[t[2]]), points[t[0]]);
+  };
+  // For each point of the surface how far the nearest triangle is, and that one's radius. Any of
+  // the equally near ones: they share the nearest edge or vertex.
+  std::vector<std::pair<double, double>> nearest;
+  for (const Vec3& p : contour.points) {
+    double least = std::numeric_limits<double>::infinity(), r = 0;
+    for (const Face& face : good.mesh.faces) {
+      const double d2 =
+          distance2_to_triangle(p, points[face.v[0]], points[face.v[1]], points[face.v[2]]);
+      if (d2 < least) r = radius(face.v);
+      least = std::min(least, d2);
+    }
+    nearest.emplace_back(std::sqrt(least), r);
+  }
   std::size_t cases_with_both = 0;
   for (const double bound : {0.01, 0.05}) {
     for (const double r_min : {0.0, 0.03, 0.5, 1.0, 100.0}) {
       std::size_t above = 0, below = 0;
       const auto count = [&](double d, double r, double most) {
         if (d > most) ++(d <= r_min && r <= r_min ? below : above);
-      };
-      const auto radius = [&](const Triangle& t) {
-        return distance(circumcenter(points[t[0]], points[t[1]], points[t[2]]), points[t[0]]);
       };
       for (const Face& face : good.mesh.faces) {
         SearchCounters counters;
@@ -347,17 +360,7 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
       }
       const std::size_t above_of_mesh = above, below_of_mesh = below;
       above = below = 0;
-      for (const Vec3& p : contour.points) {
-        double least = std::numeric_limits<double>::infinity(), r = 0;
-        for (const Face& face : good.mesh.faces) {
-          const double d2 =
-              distance2_to_triangle(p, points[face.v[0]], points[face.v[1]], points[face.v[2]]);
-          // Any of the equally near ones: they share the nearest edge or vertex.
-          if (d2 < least) r = radius(face.v);
-          least = std::min(least, d2);
-        }
-        count(std::sqrt(least), r, 2 * bound);
-      }
+      for (const auto& [d, r] : nearest) count(d, r, 2 * bound);
       VerifyOptions options;
       options.require_distance = true;
       options.limits[Criterion::distance] = bound;

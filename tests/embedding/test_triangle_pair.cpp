@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "check/self_intersections.h"
 #include "delaunay/predicates.h"
+#include "embedding/all_crossings.h"
 
 namespace deliso {
 namespace {
@@ -143,14 +144,7 @@ TEST_CASE("the tree finds the pairs that all pairs give") {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Soup soup = random_soup(seed, 9, 150);
-    std::vector<std::pair<FaceId, FaceId>> all;
-    for (FaceId f = 0; f < soup.triangles.size(); ++f) {
-      for (FaceId g(f + 1); g < soup.triangles.size(); ++g) {
-        if (triangles_intersect(soup.points, soup.triangles[f], soup.triangles[g])) {
-          all.emplace_back(f, g);
-        }
-      }
-    }
+    const auto all = test::all_crossings(soup.points, soup.triangles);
     const TriangleTree tree(soup.points, soup.triangles);
     CAPTURE(seed);
     CHECK(find_crossings(soup.points, soup.triangles, tree).pairs == all);

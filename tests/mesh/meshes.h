@@ -31,6 +31,13 @@ inline TriMesh mesh_of(const Triangles& triangles) {
   return make_tri_mesh(some_points(triangles.empty() ? 0 : last + 1), triangles);
 }
 
+// The same points and facets, in the same order, and adjacent to the same facets.
+inline bool same_mesh(const TriMesh& a, const TriMesh& b) {
+  return a.points == b.points &&
+         std::ranges::equal(a.faces, b.faces,
+                            [](const Face& f, const Face& g) { return f.v == g.v && f.n == g.n; });
+}
+
 inline Triangles tetrahedron() {
   return {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 }

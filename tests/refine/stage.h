@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +16,7 @@
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "embedding/triangle_pair.h"
+#include "embedding/all_crossings.h"
 #include "mesh/check_mesh.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
@@ -86,44 +87,60 @@ inline int turned_out(const TriMesh& mesh) {
   return count;
 }
 
-// The first two facets that cross, of all pairs; empty when there are none.
+// Two facets that cross, of all; empty when there are none.
 inline std::string crossing_in(const TriMesh& mesh) {
-  std::vector<Box3> boxes;
-  std::vector<std::uint8_t> flat;
+  std::vector<Triangle> triangles;
   for (const Face& face : mesh.faces) {
-    const Vec3 &a = mesh.points[face.v[0]], &b = mesh.points[face.v[1]],
-               &c = mesh.points[face.v[2]];
-    Box3 box;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lo[axis] = std::min({a[axis], b[axis], c[axis]});
-      box.hi[axis] = std::max({a[axis], b[axis], c[axis]});
-    }
-    boxes.push_back(box);
-    flat.push_back(collinear(a, b, c));
+    const Triangle& v = face.v;
+    if (!collinear(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]])) triangles.push_back(v);
   }
-  for (FaceId f = 0; f < mesh.faces.size(); ++f) {
-    const Box3& p = boxes[f];
-    for (FaceId g(f + 1); g < mesh.faces.size(); ++g) {
-      const Box3& q = boxes[g];
-      const bool apart = (p.lo.x > q.hi.x) | (q.lo.x > p.hi.x) | (p.lo.y > q.hi.y) |
-                         (q.lo.y > p.hi.y) | (p.lo.z > q.hi.z) | (q.lo.z > p.hi.z);
-      if (apart || flat[f] || flat[g]) continue;
-      if (triangles_intersect(mesh.points, mesh.faces[f].v, mesh.faces[g].v)) {
-        return "facets " + std::to_string(f) + " and " + std::to_string(g) + " cross";
-      }
-    }
-  }
-  return "";
+  const auto pairs = all_crossings(mesh.points, triangles);
+  return pairs.empty() ? "" : std::to_string(pairs.size()) + " pairs of facets cross";
 }
 
-// Vertices that some facet uses.
-inline std::size_t used_vertices(const TriMesh& mesh) {
-  std::vector<std::uint8_t> used(mesh.points.size(), 0);
-  for (const Face& face : mesh.faces) {
+// Per vertex, 1 if some facet uses it.
+inline std::vector<std::uint8_t> is_used(const std::vector<Face>& faces, std::size_t vertices) {
+  std::vector<std::uint8_t> used(vertices, 0);
+  for (const Face& face : faces) {
     if (is_dead(face)) continue;
     for (const VertexId v : face.v) used[v] = 1;
   }
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  return used;
+}
+inline std::size_t used_vertices(const TriMesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::count(is_used(mesh.faces, mesh.points.size()), 1));
+}
+
+// Corners of the two facets at an edge: the edge from b to c as f runs, a of f, d of g beyond.
+struct Corners4 {
+  FaceId g;
+  VertexId a, b, c, d;
+};
+inline Corners4 corners_at(const std::vector<Face>& faces, FaceId f, int i) {
+  const FaceId g = faces[f].n[i];
+  const Triangle& v = faces[f].v;
+  return {g, v[i], v[(i + 1) % 3], v[(i + 2) % 3], faces[g].v[neighbor_index(faces[g], f)]};
+}
+
+inline std::size_t live_facets(const std::vector<Face>& faces) {
+  return static_cast<std::size_t>(std::ranges::count_if(faces, std::not_fn(is_dead)));
+}
+
+inline std::vector<VertexId> all_vertices(const TriMesh& mesh) {
+  std::vector<VertexId> all;
+  for (VertexId v = 0; v < mesh.points.size(); ++v) all.push_back(v);
+  return all;
+}
+
+// Proposes what was filled in by hand.
+inline Proposal* propose(Refinement& r, const Proposal& made) {
+  Proposal* proposal = r.propose(made.cavity, made.least_cosine);
+  if (!proposal) return nullptr;
+  proposal->facets(made.in.facets);
+  proposal->what = made.what;
+  proposal->place = made.place;
+  if (made.what != Proposal::Vertex::none) proposal->vertex = made.vertex;
+  return proposal;
 }
 
 // Stage 1 done, and what Stage 2's proposers need.
@@ -230,10 +247,7 @@ class Stage {
         std::max({distance2(corner(f, 0), corner(f, 1)), distance2(corner(f, 1), corner(f, 2)),
                   distance2(corner(f, 2), corner(f, 0))}));
   }
-  std::size_t live_facets() const {
-    return static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(),
-                                                  [](const Face& face) { return !is_dead(face); }));
-  }
+  std::size_t live_facets() const { return test::live_facets(mesh.faces); }
 
   // A point of Sigma near facet f, as another operation might have found it.
   std::optional<Vec3> point_near(FaceId f, Random& random) {
@@ -247,9 +261,7 @@ class Stage {
   bool flip_anyway(FaceId f, int i, std::vector<FaceId>* created = nullptr) {
     const FaceId g = mesh.faces[f].n[i];
     if (g == kNoId) return false;
-    const Triangle v = mesh.faces[f].v;
-    const VertexId a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
-    const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
+    const auto [beyond, a, b, c, d] = corners_at(mesh.faces, f, i);
     Proposal* proposal = r.propose(std::array{f, g});
     if (!proposal) return false;
     proposal->facets(std::array<Triangle, 2>{{{a, b, d}, {d, c, a}}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one operation and its gates. Disks: against named patches and a brute-force count. Gates: by
 // changes made to fail each, which must leave every byte as it was. The link condition: against the
-// changed mesh, for every collapse and flip of small meshes. Last, random changes.
+// changed mesh, for every collapse and flip of small meshes. test_storm.cpp has random changes.
 #include "refine/refinement.h"
 
 #include <doctest/doctest.h>
@@ -168,17 +168,6 @@ TEST_CASE("random patches of meshes link exactly where a brute-force count finds
 }
 
 namespace {
-
-// Proposes what was filled in by hand.
-Proposal* propose(Refinement& r, const Proposal& made) {
-  Proposal* proposal = r.propose(made.cavity, made.least_cosine);
-  if (!proposal) return nullptr;
-  proposal->facets(made.in.facets);
-  proposal->what = made.what;
-  proposal->place = made.place;
-  if (made.what != Proposal::Vertex::none) proposal->vertex = made.vertex;
-  return proposal;
-}
 
 // A mesh of no surface: combinatorics alone. All facets are such as need no surface point.
 struct Bare {
@@ -524,118 +513,4 @@ TEST_CASE(
   MESSAGE(crossing << " would have crossed, " << done << " did not");
   CHECK(crossing > 300);
   CHECK(done > 300);
-}
-
-namespace {
-
-// Any change at all near f: a cone over a random patch, the same with other vertices, a collapse, a
-// flip, a move, another triangulation of the patch.
-Proposal random_change(Stage& stage, Random& random) {
-  const FaceId f = stage.random_facet(random);
-  const TriMesh& mesh = stage.mesh;
-  Proposal change;
-  const std::uint32_t kind = random.below(5);
-  if (kind == 0) {  // a cone over a patch grown at random
-    change.cavity.assign(1, f);
-    const std::uint32_t steps = random.below(5);
-    for (std::uint32_t n = 0; n < steps; ++n) {
-      const FaceId at =
-          change.cavity[random.below(static_cast<std::uint32_t>(change.cavity.size()))];
-      const FaceId g = mesh.faces[at].n[random.below(3)];
-      if (g == kNoId || std::count(change.cavity.begin(), change.cavity.end(), g) > 0) continue;
-      change.cavity.push_back(g);
-    }
-    change.what = Proposal::Vertex::comes;
-    change.vertex = VertexId(mesh.points.size());
-    const auto p = stage.point_near(f, random);
-    change.place = p ? *p : stage.recovered.samples[0];
-    Disk patch;
-    for (const FaceId g : change.cavity) patch.facets.push_back(mesh.faces[g].v);
-    if (patch.link()) {
-      for (const Disk::BoundaryEdge& e : patch.boundary) {
-        change.in.facets.push_back({e.from, e.to, change.vertex});
-      }
-    }
-    return change;
-  }
-  const int i = static_cast<int>(random.below(3));
-  const VertexId v = mesh.faces[f].v[i], w = mesh.faces[f].v[(i + 1) % 3];
-  facets_around(mesh, f, v, change.cavity);
-  if (kind == 1 && !stage.surface_mesh.chain.is_boundary(v)) {  // a collapse of v into w
-    for (const FaceId g : change.cavity) {
-      Triangle t = mesh.faces[g].v;
-      if (has_corner(t, w)) continue;
-      std::replace(t.begin(), t.end(), v, w);
-      change.in.facets.push_back(t);
-    }
-    return change;
-  }
-  if (kind == 2 && !stage.surface_mesh.chain.is_boundary(v)) {  // a move of v
-    for (const FaceId g : change.cavity) change.in.facets.push_back(mesh.faces[g].v);
-    change.what = Proposal::Vertex::moves;
-    change.vertex = v;
-    const auto p = stage.point_near(f, random);
-    change.place = p ? *p : mesh.points[v];
-    return change;
-  }
-  if (kind == 3) {  // a strip of facets triangulated from one vertex of its rim
-    Disk patch;
-    for (const FaceId g : change.cavity) patch.facets.push_back(mesh.faces[g].v);
-    if (!patch.link()) return change;
-    for (const Disk::BoundaryEdge& e : patch.boundary) {
-      if (e.from != w && e.to != w) change.in.facets.push_back({e.from, e.to, w});
-    }
-    return change;
-  }
-  const FaceId g = mesh.faces[f].n[i];
-  change.cavity.assign(1, f);
-  if (g == kNoId) return change;
-  change.cavity.push_back(g);
-  const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
-  change.in.facets = {{v, w, d}, {d, mesh.faces[f].v[(i + 2) % 3], v}};
-  return change;
-}
-
-}  // namespace
-
-TEST_CASE("thousands of random changes: the mesh stays valid, and a refused one changes nothing") {
-  int done = 0, refused = 0;
-  std::size_t refusals[kRefusals] = {};
-  for (int n = 0; n < kScenes; ++n) {
-    CAPTURE(n);
-    const Scene scene = some_scene(n);
-    Options options;
-    options.r_min = {n % 3 == 0 ? 0.1 : 2.0, Length::Unit::voxel};
-    Stage stage(scene, options);
-    Random random(static_cast<std::uint64_t>(n) + 300);
-    for (int k = 0; k < 350; ++k) {
-      CAPTURE(k);
-      Proposal change = random_change(stage, random);
-      if (random.below(2) == 0) change.least_cosine = kSharpestFold;
-      const Stage::Snapshot before = stage.snapshot();
-      // Boundary changes are the proposers', with the chain.
-      const bool at_rim = std::any_of(change.cavity.begin(), change.cavity.end(), [&](FaceId f) {
-        const Face& face = stage.mesh.faces[f];
-        return std::count(face.n.begin(), face.n.end(), kNoId) > 0;
-      });
-      std::optional<Refusal> refusal = Refusal::not_a_disk;
-      if (propose(stage.r, change)) refusal = stage.r.replace([&] { return !at_rim; });
-      if (refusal) {
-        ++refused;
-        ++refusals[static_cast<std::size_t>(*refusal)];
-        REQUIRE(stage.snapshot() == before);
-        continue;
-      }
-      ++done;
-      REQUIRE(stage.fault() == "");
-      REQUIRE(stage.fault_of(stage.r.created()) == "");
-    }
-  }
-  MESSAGE(done << " done, " << refused << " refused");
-  CHECK(done > 1000);
-  for (const Refusal r :
-       {Refusal::not_a_disk, Refusal::no_surface_point, Refusal::turned, Refusal::crossing}) {
-    CAPTURE(name_of(r));
-    CHECK(refusals[static_cast<std::size_t>(r)] > 10);
-  }
 }

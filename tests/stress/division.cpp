@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
+#include "mesh/meshes.h"
 #include "stress/judge.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
@@ -96,11 +97,6 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
   return {};
 }
 
-bool are_equal(const TriMesh& a, const TriMesh& b) {
-  return std::ranges::equal(a.points, b.points) &&
-         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,7 +118,7 @@ int main(int argc, char** argv) {
       faulty += !fault.empty();
       triangles += mesh.faces.size();
       merged += report[Counter::seams_refused];
-      if (!are_equal(mesh, again)) {
+      if (!test::same_mesh(mesh, again)) {
         ++differing;
         fault += " another mesh in other threads";
       }

@@ -23,6 +23,7 @@
 #include "io/files/checksum.h"
 #include "io/parts/part_file.h"
 #include "mesh/check_mesh.h"
+#include "mesh/meshes.h"
 #include "mesh_parts.h"
 #include "stress/in_child.h"
 #include "stress/judge.h"
@@ -126,11 +127,6 @@ TriMesh joined(const VolumeSource& source, double isovalue, const Options& optio
   return mesh_of_parts(source, isovalue, options, std::move(blocks), report);
 }
 
-bool are_equal(const TriMesh& a, const TriMesh& b) {
-  return std::ranges::equal(a.points, b.points) &&
-         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
-}
-
 enum class Outcome : std::uint8_t { none, refused, same, faulted, sound, wrong };
 constexpr std::array<std::string_view, 6> kOutcomes{
     "not made", "refused", "the same mesh", "faulted by a check", "sound", "WRONG"};
@@ -187,7 +183,7 @@ EditVerdict run_seed(std::uint64_t seed) {
     const bool is_line = !what.empty() && what.find('\n') == std::string::npos;
     return end(is_line ? Outcome::refused : Outcome::wrong, what);
   }
-  if (are_equal(mesh, usual)) return end(Outcome::same, "");
+  if (test::same_mesh(mesh, usual)) return end(Outcome::same, "");
   VerifyOptions how;
   how.solid = options.cap;
   const Verification found = verify(mesh, tiny.volume, report.kappa_effective, how);

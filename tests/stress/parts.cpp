@@ -20,6 +20,7 @@
 #include "base/text.h"
 #include "deliso/deliso.h"
 #include "io/parts/part_file.h"
+#include "mesh/meshes.h"
 #include "mesh_parts.h"
 #include "stress/seeds.h"
 #include "stress/tiny_volume.h"
@@ -83,11 +84,6 @@ VolumeSource source_for(std::uint64_t seed, const Volume& volume, const CommandL
   return source_of(samples_of(volume, {begin, {end.i - 1, end.j - 1, end.k - 1}}));
 }
 
-bool are_equal(const TriMesh& a, const TriMesh& b) {
-  return std::ranges::equal(a.points, b.points) &&
-         std::ranges::equal(a.faces, b.faces, {}, &Face::v, &Face::v);
-}
-
 // Returns what is wrong; empty: nothing.
 std::string fault_of(std::uint64_t seed, const Case& made, int of) {
   const CommandLine line = line_of(made, 0, 0);
@@ -121,8 +117,9 @@ std::string fault_of(std::uint64_t seed, const Case& made, int of) {
     Report report;
     const TriMesh joined =
         mesh_of_parts(field.source, field.isovalue, noted.options, std::move(blocks), report);
-    if (!are_equal(joined, whole)) return "another mesh";
+    if (!test::same_mesh(joined, whole)) return "another mesh";
     if (report.exact != whole_report.exact) return "another exact topology";
+    if (report.counters != whole_report.counters) return "other counts";
     if (report.cap.failure != whole_report.cap.failure) return "another fault of the caps";
   }
   return {};

@@ -20,15 +20,6 @@ TriMesh read(const std::string& bytes, std::vector<std::string>* comments = null
   return parse_mesh(bytes, MeshFormat::stl, "in", comments);
 }
 
-std::string stl_error(const std::string& bytes) {
-  try {
-    read(bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string binary_stl(const TriMesh& mesh, const std::string& comment = "") {
   const TemporaryFolder folder;
   write_mesh(mesh, folder / "a.stl", {.comment = comment});
@@ -127,38 +118,4 @@ TEST_CASE("comments: the writer's by itself, and what others have in the header"
   CHECK(comments == Comments{"solid of another program"});
   read(stl_text(mesh), &comments);
   CHECK(comments == Comments{"made by hand"});
-}
-
-TEST_CASE("each fault of an STL file has its message") {
-  const TriMesh mesh = mesh_of(tetrahedron());
-  const std::string bytes = binary_stl(mesh);
-  CHECK(stl_error("") == "'in': is no STL file: it ends within the header");
-  CHECK(stl_error(bytes.substr(0, 83)) == "'in': is no STL file: it ends within the header");
-  CHECK(stl_error(bytes.substr(0, 200)) ==
-        "'in': binary STL of 4 facets needs 200 bytes behind its header, found 116");
-  CHECK(stl_error(bytes + "x") ==
-        "'in': binary STL of 4 facets needs 200 bytes behind its header, found 201");
-  std::string many = bytes;
-  many.replace(80, 4, "\xff\xff\xff\xff");
-  CHECK(stl_error(many) == "'in': 4294967295 facets are too many");
-  many.replace(80, 4, "\xff\xff\xff\x4f");
-  CHECK(stl_error(many).starts_with("'in': binary STL of 1342177279 facets needs"));
-  std::string infinite = bytes;
-  infinite.replace(84 + 12, 4, std::string("\0\0\x80\x7f", 4));
-  CHECK(stl_error(infinite) ==
-        "'in': coordinate x of vertex 0 is inf, not a number up to 1e+30 in size");
-
-  const std::string words = stl_text(mesh);
-  const auto broken = [&](const std::string& old, const std::string& now) {
-    std::string file = words;
-    file.replace(file.find(old), old.size(), now);
-    return stl_error(file);
-  };
-  CHECK(broken("facet", "face") == "'in' line 2: there is 'face' in place of 'facet'");
-  CHECK(broken("vertex", "vertax") == "'in' line 4: there is 'vertax' in place of 'vertex'");
-  CHECK(broken("vertex 0", "vertex zero") == "'in' line 4: there is 'zero' in place of a number");
-  CHECK(broken("vertex 0", "vertex 1e39") ==
-        "'in': coordinate x of vertex 0 is inf, not a number up to 1e+30 in size");
-  CHECK(broken("endsolid made by hand", "") == "'in' line 30: the file ends before 'endsolid'");
-  CHECK(stl_error(words + "more") == "'in' line 31: there is 'more' behind 'endsolid'");
 }

@@ -230,54 +230,48 @@ TEST_CASE("VTP holds values of vertices and facets as its point and cell data") 
   CHECK(written(mesh, options).find("\"cap\"") == std::string::npos);
 }
 
-TEST_CASE("an anatomical space is written as SPACE=, in VTP as field data; nothing else changes") {
-  const TriMesh mesh = random_sphere(3);
-  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
-      {MeshFormat::ply, {"comment DelIso", "comment DelIso SPACE=LPS"}},
-      {MeshFormat::obj, {"# DelIso", "# DelIso SPACE=LPS"}},
-      {MeshFormat::stl, {"DelIso          ", "DelIso SPACE=LPS"}},
-      {MeshFormat::vtp,
-       {"<PolyData>\n",
-        "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
-        "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n"}},
-      {MeshFormat::smesh, {"# DelIso", "# DelIso SPACE=LPS"}},
-      {MeshFormat::off, {"OFF", "OFF"}}};
-  for (const auto& [format, change] : heads) {
-    const std::string& now = change.second;
-    CAPTURE(now);
-    MeshWriteOptions options{.format = format};
-    std::string expected = written(mesh, options);
-    const std::size_t at = expected.find(change.first);
-    REQUIRE(at != std::string::npos);
-    expected.replace(at, change.first.size(), change.second);
-    TriMesh placed = mesh;
-    placed.frame.space = AnatomicalSpace::lps;
-    CHECK(written(placed, options) == expected);
-  }
+namespace {
+
+// Holds that with the options, or in the space, the first `old` of the file is another text, and
+// nothing else changes.
+void check_head(const TriMesh& mesh, MeshFormat format, const std::string& old,
+                const std::string& now, AnatomicalSpace space, const std::string& comment) {
+  CAPTURE(now);
+  std::string expected = written(mesh, {.format = format});
+  const std::size_t at = expected.find(old);
+  REQUIRE(at != std::string::npos);
+  expected.replace(at, old.size(), now);
+  TriMesh placed = mesh;
+  placed.frame.space = space;
+  CHECK(written(placed, {.format = format, .comment = comment}) == expected);
 }
 
-TEST_CASE("a comment is a line of its own in the head; nothing else changes") {
-  TriMesh mesh = random_sphere(4);
-  mesh.frame.space = AnatomicalSpace::ras;
+}  // namespace
+
+TEST_CASE("an anatomical space and a comment are in the head; nothing else changes") {
+  const TriMesh mesh = random_sphere(3);
+  const auto in_space = [&](MeshFormat format, const std::string& old, const std::string& now) {
+    check_head(mesh, format, old, now, AnatomicalSpace::lps, "");
+  };
+  in_space(MeshFormat::ply, "comment DelIso", "comment DelIso SPACE=LPS");
+  in_space(MeshFormat::obj, "# DelIso", "# DelIso SPACE=LPS");
+  in_space(MeshFormat::stl, "DelIso          ", "DelIso SPACE=LPS");
+  in_space(MeshFormat::vtp, "<PolyData>\n",
+           "<PolyData>\n    <FieldData>\n      <Array type=\"String\" Name=\"SPACE\" "
+           "NumberOfTuples=\"1\" format=\"ascii\">76 80 83 0</Array>\n    </FieldData>\n");
+  in_space(MeshFormat::smesh, "# DelIso", "# DelIso SPACE=LPS");
+  in_space(MeshFormat::off, "OFF", "OFF");
+
+  TriMesh placed = random_sphere(4);
+  placed.frame.space = AnatomicalSpace::ras;
   const std::string comment = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
-  const std::pair<MeshFormat, std::pair<std::string, std::string>> heads[] = {
-      {MeshFormat::ply,
-       {"comment DelIso SPACE=RAS\n", "comment DelIso SPACE=RAS\ncomment " + comment + "\n"}},
-      {MeshFormat::obj, {"# DelIso SPACE=RAS\n", "# DelIso SPACE=RAS\n# " + comment + "\n"}},
-      {MeshFormat::off, {"OFF\n", "OFF\n# " + comment + "\n"}},
-      {MeshFormat::vtp,
-       {"<?xml version=\"1.0\"?>\n", "<?xml version=\"1.0\"?>\n<!-- " + comment + " -->\n"}}};
-  for (const auto& [format, change] : heads) {
-    const std::string& now = change.second;
-    CAPTURE(now);
-    MeshWriteOptions options{.format = format};
-    std::string expected = written(mesh, options);
-    const std::size_t at = expected.find(change.first);
-    REQUIRE(at != std::string::npos);
-    expected.replace(at, change.first.size(), change.second);
-    options.comment = comment;
-    CHECK(written(mesh, options) == expected);
-  }
+  const auto noted = [&](MeshFormat format, const std::string& old, const std::string& line) {
+    check_head(placed, format, old, old + line + "\n", AnatomicalSpace::ras, comment);
+  };
+  noted(MeshFormat::ply, "comment DelIso SPACE=RAS\n", "comment " + comment);
+  noted(MeshFormat::obj, "# DelIso SPACE=RAS\n", "# " + comment);
+  noted(MeshFormat::off, "OFF\n", "# " + comment);
+  noted(MeshFormat::vtp, "<?xml version=\"1.0\"?>\n", "<!-- " + comment + " -->");
 }
 
 TEST_CASE("STL has a comment where the header has room for all of it") {
