@@ -43,7 +43,7 @@ bool cut(Loop loop, std::size_t i, std::size_t k, std::vector<VoxelTriangle>& tr
 }
 
 // Meshes each voxel by the table, which may differ from its exact loops.
-class TableSink {
+class TableSink final : public ContourSink {
  public:
   TableSink(const Volume& volume, std::vector<Vec3>& points, std::vector<Triangle>& triangles)
       : spacing_(volume.spacing()), points_(points), triangles_(triangles) {
@@ -52,12 +52,12 @@ class TableSink {
     }
   }
 
-  void expect(std::size_t crossings) {
+  void expect(std::size_t crossings) override {
     points_.reserve(crossings);
     triangles_.reserve(2 * crossings);
   }
 
-  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t) {
+  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t) override {
     if (points_.size() >= kNoId) throw InputError("the mesh has 2^32 vertices or more");
     Vec3 p{static_cast<double>(sample.i), static_cast<double>(sample.j),
            static_cast<double>(sample.k)};
@@ -66,7 +66,7 @@ class TableSink {
     return VertexId(points_.size() - 1);
   }
 
-  void voxel(const VoxelPieces& pieces) {
+  void voxel(const VoxelPieces& pieces) override {
     std::array<VertexId, 12> on_edge;
     for (std::size_t n = 0; n < pieces.loops.first[pieces.loops.count]; ++n) {
       on_edge[pieces.loops.edge[n]] = pieces.vertex[n];
@@ -75,8 +75,6 @@ class TableSink {
       triangles_.push_back({on_edge[a], on_edge[b], on_edge[c]});
     }
   }
-
-  void replace_boundary(std::vector<BoundarySegment>&) {}
 
  private:
   Vec3 spacing_;
@@ -101,9 +99,7 @@ TriMesh marching_cubes(const Volume& volume, double kappa) {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   TableSink sink(volume, points, triangles);
-  ContourStream walk(volume, kappa, sink);
-  sink.expect(walk.estimate_crossings());
-  walk.run();
+  walk_contour(volume, kappa, sink);
   return make_tri_mesh(std::move(points), triangles);
 }
 

@@ -16,14 +16,12 @@ namespace deliso {
 namespace {
 
 // Keeps nothing. Crossings on the box are numbered, so that their segments can be chained.
-class CountingSink {
+class CountingSink final : public ContourSink {
  public:
-  void expect(std::size_t) {}
-  VertexId crossing(int, Index3, double, double, std::uint8_t box_faces) {
+  VertexId crossing(int, Index3, double, double, std::uint8_t box_faces) override {
     return box_faces != 0 ? next_++ : kNoId;
   }
-  void voxel(const VoxelPieces&) {}
-  void replace_boundary(std::vector<BoundarySegment>&) {}
+  void voxel(const VoxelPieces&) override {}
 
  private:
   VertexId next_ = 0;
@@ -35,24 +33,9 @@ struct StreamResult {
   std::vector<std::uint32_t> component_of_label;
 };
 
-// A ContourSink that meshes or counts. It also has:
-//   - expect(crossings) receives an estimate of their number before the first.
-//   - replace_boundary(segments) may replace the walk's segments on the box.
-template <class Sink>
-concept MeshSink = ContourSink<Sink> &&
-    requires(Sink& sink, std::vector<BoundarySegment>& segments) {
-  sink.expect(std::size_t{});
-  sink.replace_boundary(segments);
-};
-
 // Walks the volume.
-template <MeshSink Sink>
-StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
-  ContourStream walk(volume, kappa, sink);
-  sink.expect(walk.estimate_crossings());
-  walk.run();
-  WalkResult& found = walk.found();
-  sink.replace_boundary(found.boundary);
+StreamResult stream(const Volume& volume, double kappa, ContourSink& sink) {
+  WalkResult found = walk_contour(volume, kappa, sink);
   StreamResult result;
   result.summary.active_voxels = found.active_voxels;
   auto& components = result.summary.components;
@@ -66,8 +49,7 @@ StreamResult stream(const Volume& volume, double kappa, Sink& sink) {
 }
 
 // Walks the volume with a sink that fills `mesh`, and completes it.
-template <MeshSink Sink>
-void fill(ContourMesh& mesh, const Volume& volume, double kappa, Sink sink) {
+void fill(ContourMesh& mesh, const Volume& volume, double kappa, ContourSink& sink) {
   StreamResult result = stream(volume, kappa, sink);
   for (auto& component : mesh.component) component = result.component_of_label[component];
   mesh.summary = std::move(result.summary);
@@ -105,7 +87,8 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 
 ContourMesh build_contour(const Volume& volume, double kappa) {
   ContourMesh mesh;
-  fill(mesh, volume, kappa, PieceMesher(mesh, volume, kappa));
+  PieceMesher mesher(mesh, volume, kappa);
+  fill(mesh, volume, kappa, mesher);
   return mesh;
 }
 
@@ -113,7 +96,8 @@ ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit
   const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
   if (chosen.size() == 0) return build_contour(volume, kappa);
   ContourMesh mesh;
-  fill(mesh, volume, kappa, SplitMesher(mesh, volume, kappa, chosen, split));
+  SplitMesher mesher(mesh, volume, kappa, chosen, split);
+  fill(mesh, volume, kappa, mesher);
   mesh.split_voxels = chosen.size();
   return mesh;
 }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One pass over the samples that walks the contour voxel by voxel, in scan order. It keeps two
-// layers of samples as bits (inside or not), and for each grid edge between them a slot with the
-// vertex on it. So it needs no hash table. A sink receives crossings and pieces (contour.cpp), and
-// makes a mesh of them, or nothing if only the summary is needed.
+// One pass over the samples that walks the contour voxel by voxel, in scan order. A sink receives
+// crossings and pieces (contour.cpp), and makes a mesh of them, or nothing if only the summary is
+// needed.
 #pragma once
 
-#include <bit>
-#include <concepts>
 #include <cstdint>
-#include <cstring>
-#include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
-#include "base/cancel.h"
 #include "contour/components.h"
 #include "contour/voxel_topology.h"
 
@@ -25,54 +18,6 @@ struct BoundarySegment {
   VertexId from, to;
   std::uint32_t component;  // a label, later a component's number
   BoxFace face;
-};
-
-// One bit per sample of a layer. Rows are padded to whole words and one empty word more, so that
-// the word after any word of a row may be read.
-class LayerBits {
- public:
-  LayerBits(int nx, int ny)
-      : nx_(nx), words_((nx + 63) / 64), stride_(words_ + 1), bits_(size_t(stride_) * size_t(ny)) {
-    buffer_.resize(static_cast<std::size_t>(words_) * 64);
-  }
-
-  int words() const { return words_; }
-  const std::uint64_t* row(int j) const { return bits_.data() + std::size_t(stride_) * size_t(j); }
-
-  // Sets row j to the bits of row (j, k) of the volume.
-  void load_row(const Volume& volume, int j, int k, double kappa) {
-    // First bytes, in a loop that vectorizes; then eight bytes at a time into bits.
-    std::uint8_t* inside = buffer_.data();
-    volume.visit([&](const auto* samples) {
-      using T = std::remove_cvref_t<decltype(*samples)>;
-      const std::optional<T> threshold = inside_threshold<T>(kappa);
-      const T* row = samples + volume.index(0, j, k);
-      const int n = threshold ? nx_ : 0;  // without one all samples are outside
-      for (int i = 0; i < n; ++i) inside[i] = row[i] >= *threshold;
-    });
-    const std::uint8_t* next = inside;
-    std::uint64_t* out = bits_.data() + std::size_t(stride_) * size_t(j);
-    for (int w = 0; w < words_; ++w) {
-      std::uint64_t word = 0;
-      for (int byte = 0; byte < 8; ++byte) {
-        std::uint64_t eight;
-        std::memcpy(&eight, next, 8);
-        next += 8;
-        word |= (eight * kGather >> 56) << (8 * byte);
-      }
-      out[w] = word;
-    }
-  }
-
- private:
-  using size_t = std::size_t;
-  // The product's top byte holds the lowest bits of the eight bytes, in order of address.
-  static constexpr std::uint64_t kGather =
-      std::endian::native == std::endian::little ? 0x0102040810204080u : 0x8040201008040201u;
-
-  int nx_, words_, stride_;
-  std::vector<std::uint64_t> bits_;
-  std::vector<std::uint8_t> buffer_;
 };
 
 // The pieces of Sigma in an active voxel.
@@ -94,14 +39,23 @@ struct VoxelPieces {
 };
 
 // A receiver of crossings and active voxels.
-//   - crossing(axis, sample, c0, c1, box_faces): the grid edge from `sample` along `axis` is
-//   crossed and lies on these faces of the box. Its ends have the values c0 and c1, minus kappa.
-//   Returns an id, unique among crossings on the box.
-//   - voxel(pieces): an active voxel, once all its crossings are known.
-template <class Sink>
-concept ContourSink = requires(Sink& sink, Index3 sample, double c, const VoxelPieces& pieces) {
-  { sink.crossing(int{}, sample, c, c, std::uint8_t{}) } -> std::same_as<VertexId>;
-  sink.voxel(pieces);
+class ContourSink {
+ public:
+  ContourSink() = default;
+  ContourSink(const ContourSink&) = delete;
+  ContourSink& operator=(const ContourSink&) = delete;
+  virtual ~ContourSink() = default;
+
+  // Receives, before the first crossing, roughly their number.
+  virtual void expect(std::size_t /*crossings*/) {}
+  // The grid edge from `sample` along `axis` is crossed and lies on these faces of the box. Its
+  // ends have the values c0 and c1, minus kappa. Returns an id, unique among crossings on the box.
+  virtual VertexId crossing(int axis, Index3 sample, double c0, double c1,
+                            std::uint8_t box_faces) = 0;
+  // An active voxel, once all its crossings are known.
+  virtual void voxel(const VoxelPieces& pieces) = 0;
+  // May replace the walk's segments on the box, in the end.
+  virtual void replace_boundary(std::vector<BoundarySegment>&) {}
 };
 
 // The results of a walk that the sink does not receive.
@@ -111,267 +65,6 @@ struct WalkResult {
   std::uint64_t active_voxels = 0;
 };
 
-template <ContourSink Sink>
-class ContourStream {
- public:
-  // `volume` and `sink` must outlive the walk.
-  ContourStream(const Volume& volume, double kappa, Sink& sink)
-      : volume_(volume),
-        kappa_(kappa),
-        sink_(sink),
-        dims_(volume.dims()),
-        row_stride_(static_cast<std::size_t>(dims_.i)),
-        layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
-
-  void run() {
-    if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
-    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
-    for (auto& slots : slots_) slots.resize(layer_size_);
-    for (int k = 0; k < dims_.k; ++k) {
-      throw_if_canceled();
-      aim_slots(k - 1);
-      for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k);
-        if (k > 0) {
-          for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
-        }
-        cross_row_in_layer(j, k);
-        if (j > 0 && k > 0) walk_row(j - 1, k - 1);
-      }
-    }
-  }
-
-  // Returns roughly how many grid edges are crossed, from every 16th layer; 0 if there are few
-  // layers.
-  std::size_t estimate_crossings() {
-    constexpr int kLayerStride = 16;
-    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
-    std::size_t crossings = 0;
-    const auto count = [&](int) { ++crossings; };
-    for (int k = kLayerStride / 2; k + 1 < dims_.k; k += kLayerStride) {
-      for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k);
-        load_row(j, k + 1);
-        for_each_edge_along_x(j, k, count);
-        if (j > 0) for_each_edge_along_y(j - 1, k, count);
-        for_each_edge_along_z(j, k, count);
-      }
-    }
-    return kLayerStride * crossings;
-  }
-
-  // pre: run() has returned.
-  WalkResult& found() { return found_; }
-
- private:
-  struct Slot {
-    VertexId vertex;
-    std::uint32_t label;  // kNoId before its first voxel
-  };
-  // Slots of the edges along x and y in the two layers, and along z between them.
-  enum SlotArray { kX0, kX1, kY0, kY1, kZ };
-
-  const LayerBits& layer(int k) const { return *layers_[k & 1]; }
-  std::size_t in_layer(int i, int j) const { return row_stride_ * size_t(j) + size_t(i); }
-  double value(Index3 at) const { return volume_.sample(at.i, at.j, at.k) - kappa_; }
-
-  void load_row(int j, int k) { layers_[k & 1]->load_row(volume_, j, k, kappa_); }
-
-  // Calls visit(i) for every bit set in bits(w), below `limit`.
-  template <class Bits, class Visit>
-  static void for_each_bit(int words, int limit, Bits bits, Visit visit) {
-    for (int w = 0; w < words; ++w) {
-      std::uint64_t rest = bits(w);
-      if (limit - 64 * w < 64) rest &= (std::uint64_t{1} << (limit - 64 * w)) - 1;
-      for (; rest != 0; rest &= rest - 1) visit(64 * w + std::countr_zero(rest));
-    }
-  }
-
-  // Returns the bits of the next samples along x.
-  static std::uint64_t shifted(const std::uint64_t* row, int w) {
-    return row[w] >> 1 | row[w + 1] << 63;
-  }
-
-  void add_crossing(SlotArray array, int axis, Index3 sample) {
-    Index3 end = sample;
-    ++end[axis];
-    int faces = 0;
-    for (int other = 0; other < 3; ++other) {
-      if (other == axis) continue;
-      if (sample[other] == 0) faces |= 1 << (2 * other);
-      if (sample[other] == dims_[other] - 1) faces |= 2 << (2 * other);
-    }
-    const VertexId vertex =
-        sink_.crossing(axis, sample, value(sample), value(end), static_cast<std::uint8_t>(faces));
-    slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
-  }
-
-  // Call visit(i) for the crossed edges from the samples of row (j, k), or between it and the next
-  // row.
-  template <class Visit>
-  void for_each_edge_along_x(int j, int k, Visit visit) const {
-    const std::uint64_t* row = layer(k).row(j);
-    for_each_bit(
-        layer(k).words(), dims_.i - 1, [&](int w) { return row[w] ^ shifted(row, w); }, visit);
-  }
-  template <class Visit>
-  void for_each_edge_along_y(int j, int k, Visit visit) const {
-    const std::uint64_t *row = layer(k).row(j), *next = layer(k).row(j + 1);
-    for_each_bit(
-        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ next[w]; }, visit);
-  }
-  template <class Visit>
-  void for_each_edge_along_z(int j, int k, Visit visit) const {
-    const std::uint64_t *row = layer(k).row(j), *above = layer(k + 1).row(j);
-    for_each_bit(
-        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; }, visit);
-  }
-
-  // Adds vertices on the edges within the layer that row (j, k) completes.
-  void cross_row_in_layer(int j, int k) {
-    const bool odd = (k & 1) != 0;
-    if (j > 0) {
-      for_each_edge_along_y(j - 1, k, [&](int i) {
-        add_crossing(odd ? kY1 : kY0, 1, {i, j - 1, k});
-      });
-    }
-    for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
-  }
-
-  // Visits the active voxels of row (j, k).
-  void walk_row(int j, int k) {
-    const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
-                                    layer(k + 1).row(j + 1)};
-    for (int w = 0; w < layer(k).words(); ++w) {
-      std::uint64_t near[4], far[4], any = 0, all = ~std::uint64_t{0};
-      for (int r = 0; r < 4; ++r) {
-        near[r] = rows[r][w];
-        far[r] = shifted(rows[r], w);
-        any |= near[r] | far[r];
-        all &= near[r] & far[r];
-      }
-      std::uint64_t active = any & ~all;
-      const int valid = dims_.i - 1 - 64 * w;
-      if (valid < 64) active &= (std::uint64_t{1} << valid) - 1;
-      for (; active != 0; active &= active - 1) {
-        const int b = std::countr_zero(active);
-        int mask = 0;
-        for (int r = 0; r < 4; ++r) {
-          mask |= static_cast<int>((near[r] >> b & 1) | (far[r] >> b & 1) << 1) << (2 * r);
-        }
-        walk_voxel({64 * w + b, j, k}, mask);
-      }
-    }
-  }
-
-  // Sets for each edge of a voxel the array of its slot, offset so that the voxel's place is the
-  // index.
-  void aim_slots(int k) {
-    for (int e = 0; e < 12; ++e) {
-      const int u = e & 1, v = e >> 1 & 1;
-      const bool odd_layer = ((k + v) & 1) != 0;
-      if (e < 4) {
-        edge_slots_[e] = slots_[odd_layer ? kX1 : kX0].data() + in_layer(0, u);
-      } else if (e < 8) {
-        edge_slots_[e] = slots_[odd_layer ? kY1 : kY0].data() + in_layer(u, 0);
-      } else {
-        edge_slots_[e] = slots_[kZ].data() + in_layer(u, v);
-      }
-    }
-  }
-
-  // Returns the faces of the voxel that lie on the box: bit f for face f.
-  int box_faces(Index3 voxel) const {
-    int faces = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (voxel[axis] == 0) faces |= 1 << (2 * axis);
-      if (voxel[axis] == dims_[axis] - 2) faces |= 2 << (2 * axis);
-    }
-    return faces;
-  }
-
-  void walk_voxel(Index3 voxel, int mask) {
-    const VoxelValues values(volume_.corners(voxel), kappa_);
-    ++found_.active_voxels;
-    VoxelLoops scratch;
-    const VoxelLoops& loops = voxel_loops(mask, values, scratch);
-    const Tube tube = loops.count > 1 ? find_tube(mask, values, loops) : Tube{};
-    VoxelPieces pieces(voxel, values.above, loops, tube);
-    auto& vertex = pieces.vertex;
-    for (int l = 0; l < loops.count; ++l) {
-      if (tube && l == tube.b) continue;
-      std::uint32_t label = join(voxel, loops.edges(l), vertex.data() + loops.first[l], kNoId);
-      if (tube && l == tube.a) {
-        label = join(voxel, loops.edges(tube.b), vertex.data() + loops.first[tube.b], label);
-      }
-      auto& counts = found_.components.counts(label);
-      ++counts.pieces;
-      for (int axis = 0; axis < 3; ++axis) {
-        counts.lo[axis] = std::min(counts.lo[axis], voxel[axis]);
-        counts.hi[axis] = std::max(counts.hi[axis], voxel[axis]);
-      }
-      count_sides(voxel, loops, l, vertex, label);
-      pieces.label[l] = label;
-      if (tube && l == tube.a) {
-        ++counts.tubes;
-        count_sides(voxel, loops, tube.b, vertex, label);
-        pieces.label[tube.b] = label;
-      } else {
-        ++counts.disks;
-      }
-    }
-    sink_.voxel(pieces);
-  }
-
-  // Writes the loop's vertices to `out` and makes them one component, united with that of `label`
-  // unless it is kNoId. Returns its root.
-  std::uint32_t join(Index3 voxel, std::span<const std::uint8_t> edges, VertexId* out,
-                     std::uint32_t label) {
-    const std::size_t place = in_layer(voxel.i, voxel.j);
-    std::array<Slot*, 12> slots;
-    std::size_t new_crossings = 0;
-    for (std::size_t n = 0; n < edges.size(); ++n) {
-      slots[n] = edge_slots_[edges[n]] + place;
-      out[n] = slots[n]->vertex;
-      if (slots[n]->label == kNoId) {
-        ++new_crossings;
-        continue;
-      }
-      const std::uint32_t root = found_.components.root(slots[n]->label);
-      label = label == kNoId ? root : found_.components.unite(label, root);
-    }
-    if (label == kNoId) label = found_.components.add(voxel);
-    for (std::size_t n = 0; n < edges.size(); ++n) slots[n]->label = label;
-    found_.components.counts(label).crossings += new_crossings;
-    return label;
-  }
-
-  void count_sides(Index3 voxel, const VoxelLoops& loops, int l,
-                   const std::array<VertexId, 12>& vertex, std::uint32_t label) {
-    const int first = loops.first[l], end = loops.first[l + 1];
-    auto& counts = found_.components.counts(label);
-    counts.half_sides += static_cast<std::uint64_t>(end - first);
-    const int on_box = box_faces(voxel);
-    if (on_box == 0) return;
-    for (int n = first; n < end; ++n) {
-      const std::uint8_t face = loops.face[n];
-      if ((on_box >> face & 1) == 0) continue;
-      ++counts.half_sides;
-      found_.boundary.push_back({vertex[n], vertex[n + 1 < end ? n + 1 : first], label, face});
-    }
-  }
-
-  using size_t = std::size_t;
-
-  const Volume& volume_;
-  double kappa_;
-  Sink& sink_;
-  Index3 dims_;
-  std::size_t row_stride_, layer_size_;
-  std::array<std::optional<LayerBits>, 2> layers_;
-  std::array<std::vector<Slot>, 5> slots_;
-  std::array<Slot*, 12> edge_slots_{};
-  WalkResult found_;
-};
+WalkResult walk_contour(const Volume& volume, double kappa, ContourSink& sink);
 
 }  // namespace deliso

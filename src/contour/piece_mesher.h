@@ -35,7 +35,7 @@ constexpr double kMinFanEdge = 0.45;
 // and LEG; with fans everywhere, four to six times as many on ANEURISM, TOOTH and BABY.
 constexpr int kThinSamples = 2;
 
-class PieceMesher {
+class PieceMesher final : public ContourSink {
  public:
   PieceMesher(ContourMesh& mesh, const Volume& volume, double kappa)
       : mesh_(mesh),
@@ -52,20 +52,21 @@ class PieceMesher {
 
   // Reserves memory for T, so that it does not move while it grows: slightly more vertices than
   // crossings, two triangles per vertex.
-  void expect(std::size_t crossings) {
+  void expect(std::size_t crossings) override {
     mesh_.points.reserve(crossings);
     mesh_.component.reserve(crossings);
     mesh_.box_faces.reserve(crossings);
     mesh_.triangles.reserve(2 * crossings);
   }
 
-  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
+  VertexId crossing(int axis, Index3 sample, double c0, double c1,
+                    std::uint8_t box_faces) override {
     Vec3 p = place(sample);
     p[axis] += std::clamp(c0 / (c0 - c1), kCrossingMargin, 1 - kCrossingMargin);
     return add_at(p, box_faces);
   }
 
-  void voxel(const VoxelPieces& pieces) {
+  void voxel(const VoxelPieces& pieces) override {
     begin_voxel();
     cell({place(pieces.voxel), {1, 1, 1}}, pieces, pieces);
     end_voxel(pieces.voxel, is_crowded(pieces.loops));
@@ -93,8 +94,6 @@ class PieceMesher {
       }
     }
   }
-
-  void replace_boundary(std::vector<BoundarySegment>&) {}
 
   // True if Sigma is thin in the voxel: there are several pieces, or it crosses one of their grid
   // lines again. A line that leaves the volume is as its last sample.

@@ -8,12 +8,12 @@ namespace deliso {
 namespace {
 
 // A sink that keeps the numbers of the active voxels whose cells agree with them.
-class SplitChooser {
+class SplitChooser final : public ContourSink {
  public:
   SplitChooser(Index3 dims, Index3 factor) : dims_(dims), fine_(factor) {}
 
-  VertexId crossing(int, Index3, double, double, std::uint8_t) { return kNoId; }
-  void voxel(const VoxelPieces& p) { consider(p.voxel, p.corners, p.loops, p.tube); }
+  VertexId crossing(int, Index3, double, double, std::uint8_t) override { return kNoId; }
+  void voxel(const VoxelPieces& p) override { consider(p.voxel, p.corners, p.loops, p.tube); }
 
   void consider(Index3 voxel, const Corners& c, const VoxelLoops& loops, Tube tube) {
     fine_.load(c);
@@ -71,7 +71,7 @@ SplitVoxels choose_elsewhere(const Volume& volume, double kappa, Index3 factor,
   const Index3 dims = volume.dims();
   if (factor == Index3{1, 1, 1}) return SplitVoxels(dims, {});
   SplitChooser chooser(dims, factor);
-  ContourStream(volume, kappa, chooser).run();
+  walk_contour(volume, kappa, chooser);
   std::erase_if(chooser.numbers, [&](std::uint64_t number) {
     const Index3 voxel = numbered_voxel(dims, number);
     bool excluded = listed.contains(voxel) || lies_at_seam(volume, voxel);
@@ -283,7 +283,7 @@ void SplitMesher::mesh_beside(const VoxelPieces& p, const FacesBySize& faces) {
   }
 }
 
-void SplitMesher::replace_boundary(std::vector<BoundarySegment>& segments) const {
+void SplitMesher::replace_boundary(std::vector<BoundarySegment>& segments) {
   std::vector<VertexId> starts = replaced_;
   std::sort(starts.begin(), starts.end());
   std::erase_if(segments, [&](const BoundarySegment& s) {

@@ -44,25 +44,26 @@ struct ChosenVoxels {
 };
 ChosenVoxels choose_split_voxels(const Volume& volume, double kappa, const ContourSplit& split);
 
-// A sink of ContourStream.
-class SplitMesher {
+// Meshes voxels, some of them in cells.
+class SplitMesher final : public ContourSink {
  public:
   // Keeps a reference to `chosen`.
   SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ChosenVoxels& chosen,
               const ContourSplit& split);
 
   // Reserves memory. A split voxel adds about as many crossings as a layer of its cells has cells.
-  void expect(std::size_t crossings) {
+  void expect(std::size_t crossings) override {
     for (const Size& size : sizes_) crossings += size.voxels.size() * size.cells_of_layer;
     mesher_.expect(crossings);
   }
-  VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t box_faces) {
+  VertexId crossing(int axis, Index3 sample, double c0, double c1,
+                    std::uint8_t box_faces) override {
     return mesher_.crossing(axis, sample, c0, c1, box_faces);
   }
-  void voxel(const VoxelPieces& pieces);
+  void voxel(const VoxelPieces& pieces) override;
 
   // Replaces the segments of split voxels by those of their cells.
-  void replace_boundary(std::vector<BoundarySegment>& segments) const;
+  void replace_boundary(std::vector<BoundarySegment>& segments) override;
 
  private:
   // Cells of one size, and the current voxel cut into them.
