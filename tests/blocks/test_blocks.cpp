@@ -9,14 +9,17 @@
 
 #include "blocks/components.h"
 #include "blocks/grid.h"
+#include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
+#include "mesh/meshes.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
 using stress::make_tiny_volume;
+using test::same_mesh;
 
 namespace {
 
@@ -115,6 +118,25 @@ TEST_CASE("components counted in blocks are those of the whole, in the same orde
     components += whole.components.size();
   }
   CHECK(components > 300);
+}
+
+TEST_CASE("facets of two boxes at a seam never cross, and any number of threads makes one mesh") {
+  for (const char* input : {"builtin:gyroid:24", "builtin:fuel:32", "builtin:noise:17"}) {
+    CAPTURE(input);
+    const Volume volume = make_builtin_volume(input);
+    const double isovalue = find_builtin_field(input)->isovalue;
+    Options options = in_blocks(8);
+    Report report;
+    const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+    CHECK(mesh_topology(mesh).counts() == report.exact);
+    const Verification found = verify(mesh, volume, report.kappa_effective, {});
+    CHECK(found.faults.count(FaultKind::self_intersections) == 0);
+    CHECK(found.faults.count(FaultKind::holes) == 0);
+    for (const int threads : {2, 5}) {
+      options.threads = threads;
+      CHECK(same_mesh(mesh_isosurface(volume, isovalue, options), mesh));
+    }
+  }
 }
 
 TEST_CASE("where a seam is refused a larger block is meshed, and the surface is whole") {
