@@ -20,7 +20,7 @@ SANITIZE_BUILD = $(BUILD)-sanitize
 FUZZ_BUILD = $(BUILD)-fuzz
 CLANG ?= clang++
 SINCE ?=
-OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench examples -name '*.h' -o -name '*.cpp')
+OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test figures bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: doctest clean
@@ -46,9 +46,9 @@ test: doctest
 figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures lesson
-	@$(BUILD)/bench/guide/guide_figures docs/guide/figures
-	@$(BUILD)/bench/lesson/lesson docs/lesson.html
-	@sh bench/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
+	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
+	@$(BUILD)/figures/lesson/lesson docs/lesson.html
+	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:

@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 {
-  find .ci bench cmake docs examples src io view app c python tests -type f
+  find .ci bench cmake docs examples figures src io view app c python tests -type f
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|py|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
@@ -27,7 +27,7 @@ for command in $commands; do "$deliso" "$command" --help; done >"$work/help"
 # shellcheck disable=SC2046
 {
   "$deliso" --help
-  cat "$work/help" $(echo "$sources" | grep -E '^(bench|tests)/.*\.(h|cpp)$')
+  cat "$work/help" $(echo "$sources" | grep -E '^(bench|figures|tests)/.*\.(h|cpp)$')
 } | grep -oE -e '--[a-z][a-z0-9-]*' | sort -u >"$work/options"
 # Of each option with a number for default: OPTION=NUMBER.
 awk '/^  (-., )?--/ { text = ""; for (n = 1; n <= NF; n++) if ($n ~ /^--/) { option = $n; break } }

@@ -12,7 +12,7 @@
 
 namespace deliso {
 
-// The files of bench/lesson/web.
+// The files of figures/lesson/web.
 std::span<const WebSource> lesson_sources();
 
 namespace {

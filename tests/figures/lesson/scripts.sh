@@ -4,8 +4,8 @@
 # Usage: scripts.sh SOURCE_FOLDER
 set -eu
 command -v node >/dev/null || exit 77
-for script in "$1"/bench/lesson/web/*.js; do
+for script in "$1"/figures/lesson/web/*.js; do
   node --check "$script"
 done
-exec node "$1/tests/view/page/run_web_tests.js" "$1" bench/lesson/web/lesson.html \
-  tests/bench/lesson/test_lesson.js 10
+exec node "$1/tests/view/page/run_web_tests.js" "$1" figures/lesson/web/lesson.html \
+  tests/figures/lesson/test_lesson.js 10
