@@ -32,7 +32,7 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
   visited[at] = now;
   std::size_t count = 1;
   // An inner edge is met from both ends, a triangle once from each of its vertices in the region.
-  long twice_E = 0, thrice_F = 0;
+  long edges_twice = 0, faces_thrice = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const VertexId v = reached[k];
     const std::span<const VertexId> ring = labels_.ring(v);
@@ -47,15 +47,15 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
     const bool on_boundary = labels_.contour().on_boundary(v);
     const std::size_t triangles = ring.size() - on_boundary;
     if (inside == ring.size()) {  // the most frequent case
-      twice_E += static_cast<long>(triangles);
-      thrice_F += static_cast<long>(triangles);
+      edges_twice += static_cast<long>(triangles);
+      faces_thrice += static_cast<long>(triangles);
     } else {
       for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
         const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
         const SiteId b = label[u], c = label[w];
         if (b == a) {
-          ++twice_E;
-          ++(c == a ? thrice_F : interface_with(c).F);
+          ++edges_twice;
+          ++(c == a ? faces_thrice : interface_with(c).F);
           continue;
         }
         Interface& i = interface_with(b);
@@ -81,8 +81,8 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
     if (next != a) ++interface_with(next).boundary_E;
   }
   r.V = static_cast<long>(count);
-  r.E = (twice_E + r.boundary_E) / 2;
-  r.F = thrice_F / 3;
+  r.E = (edges_twice + r.boundary_E) / 2;
+  r.F = faces_thrice / 3;
   return r;
 }
 
