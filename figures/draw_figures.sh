@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Draws the paper's figures that show meshes, OUT/figure-*.png, and the picture of the README,
 # OUT/fuel.png; writes OUT/README.md, which says of each what it shows and by which commands: those
-# that need no data are run by a test. Where a data set is missing its built-in analogue is drawn, under a name that says so. Nothing in OUT
-# changes unless all of it succeeded.
+# that need no data are run by a test. Where a data set is missing its built-in analogue is drawn,
+# under a name that says so. Nothing in OUT changes unless all of it succeeded.
 # Usage: draw_figures.sh BUILD OUT [DATA]
 set -eu
 [ $# -ge 2 ] || { echo "usage: $0 BUILD OUT [DATA]" >&2; exit 2; }

@@ -84,7 +84,7 @@ class Search {
 
  private:
   void consider(FaceId f, const Vec3& p, Refusal wanted, Found& best, double& most) {
-    Proposal* proposal = refinement_.propose(encroached(h_.recovered.mesh, f, p),
+    Proposal* proposal = refinement_.propose(refinement_.encroached(f, p),
                                              wanted == Refusal::turned ? kSharpestFold : kAnyFold);
     if (!proposal || proposal->was.inner_vertices() > 0) return;
     Proposal& change = *proposal;

@@ -41,16 +41,4 @@ struct Handed {
   }
 };
 
-// E: the facets, from `start` on, whose balls hold p.
-inline std::vector<FaceId> encroached(const SurfaceMesh& s, FaceId start, const Vec3& p) {
-  std::vector<FaceId> disk{start};
-  for (std::size_t n = 0; n < disk.size(); ++n) {
-    for (const FaceId g : s.mesh.faces[disk[n]].n) {
-      if (g == kNoId || std::find(disk.begin(), disk.end(), g) != disk.end()) continue;
-      if (s.duals[g].holds(p)) disk.push_back(g);
-    }
-  }
-  return disk;
-}
-
 }  // namespace deliso::guide

@@ -63,10 +63,11 @@ void draw_insert(const std::string& folder) {
   // A facet whose point encroaches upon many.
   FaceId start = 0;
   std::size_t most = 0;
+  std::vector<FaceId> disk;
   for (FaceId f = 0; f < s.mesh.faces.size(); ++f) {
-    const std::size_t count = encroached(s, f, s.duals[f].center).size();
-    if (s.duals[f].on_surface && count > most && count <= 7) {
-      most = count;
+    facets_encroached(s, f, s.duals[f].center, disk);
+    if (s.duals[f].on_surface && disk.size() > most && disk.size() <= 7) {
+      most = disk.size();
       start = f;
     }
   }
@@ -77,7 +78,7 @@ void draw_insert(const std::string& folder) {
   const Vec3 right = (b - a) / length(b - a);
   Plan plan{circumcenter(a, b, c), right, cross(unit, right), unit, {}};
   const Dual ball = s.duals[start];
-  const std::vector<FaceId> disk = encroached(s, start, s.duals[start].center);
+  facets_encroached(s, start, s.duals[start].center, disk);
   Drawing out(760, 290);
   const double reach = 2.6 * std::sqrt(ball.radius2);
   const auto panel = [&](double x) {

@@ -13,6 +13,8 @@
 namespace deliso {
 namespace {
 
+using std::size_t;
+
 // One bit per sample of a layer. Rows are padded to whole words and one empty word more, so that
 // the word after any word of a row may be read.
 class LayerBits {
@@ -51,7 +53,6 @@ class LayerBits {
   }
 
  private:
-  using size_t = std::size_t;
   // The product's top byte holds the lowest bits of the eight bytes, in order of address.
   static constexpr std::uint64_t kGather =
       std::endian::native == std::endian::little ? 0x0102040810204080u : 0x8040201008040201u;
@@ -310,8 +311,6 @@ class ContourStream {
       found_.boundary.push_back({vertex[n], vertex[n + 1 < end ? n + 1 : first], label, face});
     }
   }
-
-  using size_t = std::size_t;
 
   const Volume& volume_;
   double kappa_;

@@ -78,6 +78,9 @@ inline void turn(Face& face) {
 struct Quad {
   FaceId f, g;
   VertexId a, b, c, d;
+
+  // Returns the two facets at the other diagonal, from a to d.
+  std::array<Triangle, 2> flipped() const { return {{{a, b, d}, {d, c, a}}}; }
 };
 
 // Returns the quad at the edge of f opposite its corner i. pre: f has a neighbor there.

@@ -29,7 +29,7 @@ std::optional<Refusal> flip_if_not_delaunay(Refinement& r, FaceId f, int i) {
   const double radii = std::sqrt(r.s.duals[q.f].radius2) + std::sqrt(r.s.duals[q.g].radius2);
   Proposal* c = r.propose(std::array{q.f, q.g});
   if (!c) return r.done(Operation::flip, Refusal::not_a_disk);
-  c->facets(std::array<Triangle, 2>{{{q.a, q.b, q.d}, {q.d, q.c, q.a}}});
+  c->facets(q.flipped());
   const auto is_delaunay = [&] {
     if (!c->has_duals()) return true;
     const Dual &x = c->duals[0], &y = c->duals[1];

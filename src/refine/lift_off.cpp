@@ -225,7 +225,7 @@ bool LiftOff::replace_by_cone(Proposal& c, const Vec3& p, bool near_surface) {
 bool LiftOff::flip(Proposal& c, FaceId f, int i, bool near_surface) {
   const Quad q = quad_at(mesh_, f, i);
   if ((faces_at(q.a) & faces_at(q.d)) != 0) return false;
-  c.facets(std::array<Triangle, 2>{{{q.a, q.b, q.d}, {q.d, q.c, q.a}}});
+  c.facets(q.flipped());
   return replace(c, near_surface);
 }
 

@@ -57,8 +57,8 @@ bool may_remove(const Refinement& r, VertexId v);
 // True if the edge vw would lie in a face of the box and is not a chain edge.
 bool joins_on_box(const Refinement& r, VertexId v, VertexId w);
 
-// Proposes to merge `from`, a corner of f, into its neighbor `to`. Refused if `from`
-// may not be removed or its chain needs it.
+// Proposes to merge `from`, a corner of f, into its neighbor `to`. Refused if `from` may not be
+// removed or its chain needs it.
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine = kSharpestFold);
 

@@ -122,13 +122,7 @@ std::span<const FaceId> Refinement::star(FaceId f, VertexId v) {
 }
 
 std::span<const FaceId> Refinement::encroached(FaceId start, const Vec3& p) {
-  around_.assign(1, start);
-  for (std::size_t next = 0; next < around_.size(); ++next) {
-    for (const FaceId g : mesh.faces[around_[next]].n) {
-      if (g == kNoId || !s.duals[g].holds(p)) continue;
-      if (std::ranges::find(around_, g) == around_.end()) around_.push_back(g);
-    }
-  }
+  facets_encroached(s, start, p, around_);
   return around_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/surface_mesh.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace deliso {
@@ -40,6 +41,17 @@ Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
 Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 center = circumcenter(a, b, c);
   return {center, distance2(center, a), false};
+}
+
+void facets_encroached(const SurfaceMesh& s, FaceId start, const Vec3& p,
+                       std::vector<FaceId>& facets) {
+  facets.assign(1, start);
+  for (std::size_t next = 0; next < facets.size(); ++next) {
+    for (const FaceId g : s.mesh.faces[facets[next]].n) {
+      if (g == kNoId || !s.duals[g].holds(p)) continue;
+      if (std::ranges::find(facets, g) == facets.end()) facets.push_back(g);
+    }
+  }
 }
 
 bool ends_on_chain(const SurfaceMesh& s) {

@@ -45,6 +45,10 @@ struct SurfaceMesh {
 Dual dual_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x);
 Dual dual_without_surface(const Vec3& a, const Vec3& b, const Vec3& c);
 
+// Sets `facets` to E: the facets, connected to `start`, whose surface balls hold p (paper §2.2.2).
+void facets_encroached(const SurfaceMesh& surface, FaceId start, const Vec3& p,
+                       std::vector<FaceId>& facets);
+
 // True if S2 holds. pre: there are no dead facets.
 bool ends_on_chain(const SurfaceMesh& surface);
 

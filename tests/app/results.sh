@@ -61,6 +61,11 @@ for format in obj stl vtp; do
   "$deliso" check - builtin:torus <noted.$format >report
   holds "$format is known by its first bytes" grep -q '^criteria  h <= 0.3 voxels' report
 done
+"$deliso" check noted.ply builtin:torus --lambda 2.5 --rmin 0.7vox >report
+holds "options go before" grep -q '^criteria  h <= 0.3 voxels, r/l <= 2.5; r_min = 0.7 voxels$' report
+"$deliso" check noted.ply builtin:torus --paper --json paper.json >report
+holds "--paper is the published h/r, and no distance" grep -q '^criteria  r/l <= 2, h/r <= 0.1; ' report
+holds "in the JSON too" grep -q '"max_distance_voxels": null' paper.json
 sed '/^# deliso /d' noted.obj >bare.obj
 "$deliso" check bare.obj builtin:torus --json bare.json >report
 holds "without the line, the defaults" \
@@ -73,6 +78,12 @@ status=0
 "$deliso" check bare.obj builtin:torus --max-distance 0.1vox >report || status=$?
 holds "but a distance that is asked for is required" [ "$status" -eq 1 ]
 holds "of points" grep -q '^FAULT     too far: ' report
+holds "and one that is kept is no fault" \
+  "$deliso" check bare.obj builtin:torus --max-distance 1vox -q
+sed 's/^# deliso .*/# deliso 0.1.0 r-min=1e999 lambda=none/' noted.obj >damaged.obj
+"$deliso" check damaged.obj builtin:torus >report
+holds "a damaged line is none" \
+  grep -q '^criteria  h <= 0.1 voxels, r/l <= 2; r_min = 0.25 voxels$' report
 
 # More than ten million vertices are announced, before the work and on one line.
 status=0
@@ -98,6 +109,8 @@ for format in ply vtp; do
   "$deliso" builtin:fuel:32 --cap -q --attributes -o values.$format
   holds "check reads a $format file with attributes" "$deliso" check values.$format builtin:fuel:32 --cap -q
 done
+"$deliso" builtin:fuel:32 --cap -q --attributes -o values.glb
+holds "glTF has them too" grep -q -a '"NORMAL":1,"_COMPONENT":2,"_DISTANCE":3' values.glb
 "$deliso" builtin:fuel:32 --cap -q --ply-ascii -o plain.ply
 "$deliso" builtin:fuel:32 --cap -q --ply-ascii --attributes -o values.ply
 sed '1,/^end_header/d' plain.ply >plain
@@ -379,4 +392,4 @@ holds "unless it is quiet" empty stderr
 
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-all_hold 170
+all_hold 176

@@ -27,8 +27,6 @@ double nearest_new_facet(const Stage& stage, const Vec3& p) {
   return std::sqrt(nearest2);
 }
 
-// ---- Insertion
-
 // The facets connected with `start` whose balls hold p, by going over all of them until none is
 // new.
 std::set<FaceId> encroached(const Stage::Snapshot& mesh, FaceId start, const Vec3& p) {

@@ -377,19 +377,25 @@ TEST_CASE("a limit keeps the first events, and counts the others") {
   }
 }
 
-TEST_CASE("a traced run in several threads is the run without, in one") {
+TEST_CASE("a traced run is the run without, and the same with any number of threads") {
   const Scene scene = builtin_scene("fuel", 32);
   for (Options options : {Options{}, paper_way(), Options::paper()}) {
     options.threads = 1;
     Report report;
     const TriMesh plain =
         mesh_isosurface(scene.volume, scene.surface.kappa(), undivided(options), report);
+    const Traced one = traced(scene.volume, scene.surface.kappa(), options);
     options.threads = 4;
-    const Traced run = traced(scene.volume, scene.surface.kappa(), options);
-    CHECK(test::same_mesh(run.mesh, plain));
-    CHECK(run.report.counters == report.counters);
-    CHECK(run.report.searches_refine.searches == report.searches_refine.searches);
-    CHECK(run.trace.arrays().micros == std::vector<std::uint32_t>(run.trace.size(), 0));
+    const Traced four = traced(scene.volume, scene.surface.kappa(), options);
+    CHECK(test::same_mesh(one.mesh, plain));
+    CHECK(test::same_mesh(four.mesh, plain));
+    CHECK(one.report.counters == report.counters);
+    CHECK(one.report.searches_refine.searches == report.searches_refine.searches);
+    CHECK(one.trace.arrays().points == four.trace.arrays().points);
+    CHECK(one.trace.arrays().added.values == four.trace.arrays().added.values);
+    CHECK(one.trace.arrays().caller == four.trace.arrays().caller);
+    CHECK(one.trace.arrays().value.size() == four.trace.arrays().value.size());
+    CHECK(four.trace.arrays().micros == std::vector<std::uint32_t>(four.trace.size(), 0));
   }
 }
 
