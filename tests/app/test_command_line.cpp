@@ -203,12 +203,12 @@ TEST_CASE("--paper sets everything as published, except options that are given")
 TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
   const std::pair<std::string, Criterion> ratios[] = {{"--eps1 0.3", Criterion::h_over_r},
                                                       {"--eps2 0.3", Criterion::r_over_pole}};
-  for (const auto& [option, criterion] : ratios) {
-    CAPTURE(option);
-    const Options alone = parsed("a --iso 1 " + option).options;
+  for (const auto& given : ratios) {
+    CAPTURE(given.first);
+    const Options alone = parsed("a --iso 1 " + given.first).options;
     CHECK(alone.limits[Criterion::distance].value == Options::kNone);
     for (const auto& ratio : ratios) {
-      const double limit = ratio.second == criterion ? 0.3 : Options::kNone;
+      const double limit = ratio.second == given.second ? 0.3 : Options::kNone;
       CHECK(alone.limits[ratio.second].value == limit);
     }
     CHECK(alone.recover == RecoverWay::certified);
@@ -551,9 +551,9 @@ TEST_CASE("each command line that is refused has its message") {
       {"join a.part --volume v.nrrd", "no mesh named..."},
       {"join - - --volume v.nrrd -o whole.ply", "... standard input..."},
       {"join a.part --volume v.nrrd --iso 1 -o a.ply", "--iso has no meaning for deliso join"}};
-  for (const auto& [line, message] : refused) {
-    const std::string said = refusal(line), whole = message;
-    CAPTURE(line);
+  for (const auto& expected : refused) {
+    const std::string said = refusal(expected.first), whole = expected.second;
+    CAPTURE(expected.first);
     CAPTURE(said);
     CHECK(!said.empty());
     const bool open_end = whole.ends_with("..."), open_start = whole.starts_with("... ");
