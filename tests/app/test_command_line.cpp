@@ -204,8 +204,9 @@ TEST_CASE("--eps1 and --eps2 turn the distance off, unless that is given too") {
   const std::pair<std::string, Criterion> ratios[] = {{"--eps1 0.3", Criterion::h_over_r},
                                                       {"--eps2 0.3", Criterion::r_over_pole}};
   for (const auto& given : ratios) {
-    CAPTURE(given.first);
-    const Options alone = parsed("a --iso 1 " + given.first).options;
+    const std::string& option = given.first;
+    CAPTURE(option);
+    const Options alone = parsed("a --iso 1 " + option).options;
     CHECK(alone.limits[Criterion::distance].value == Options::kNone);
     for (const auto& ratio : ratios) {
       const double limit = ratio.second == given.second ? 0.3 : Options::kNone;
