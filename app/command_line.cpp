@@ -12,21 +12,13 @@
 
 #include "app/criterion_words.h"
 #include "app/option_table.h"
+#include "app/option_texts.h"
 #include "base/check.h"
 #include "io/files/text_scan.h"
 #include "io/volume/builtin_volume.h"
 
 namespace deliso {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, Command>, 7> kCommands{
-    {{"mesh", Command::mesh},
-     {"info", Command::info},
-     {"check", Command::check},
-     {"render", Command::render},
-     {"view", Command::view},
-     {"trace", Command::trace},
-     {"join", Command::join}}};
 
 // Returns the least number of insertions, deletions and replacements from a to b (Levenshtein
 // 1966).
@@ -45,57 +37,67 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-const OptionSpec& find_option(std::string_view name) {
-  const OptionSpec* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
-  for (const OptionSpec& spec : option_table()) {
-    if (spec.name == name) return spec;
-    if (name.size() == 2 && spec.letter == name[1]) return spec;
-    // --isovalue is always --iso.
-    const std::size_t distance = name.starts_with(spec.name) ? 0 : edit_distance(name, spec.name);
-    if (name.size() > 2 && distance < least) {
-      least = distance;
-      nearest = &spec;
-    }
-  }
-  throw InputError(
-      "unknown option " + quote(name) +
-      (nearest ? "; did you mean " + std::string(nearest->name) + "?" : "; --help lists them"));
+// Returns how many letters `typed` is from `name`; kNotAlike if it is no misspelling.
+constexpr std::size_t kNotAlike = 100;
+std::size_t misspelling(std::string_view typed, std::string_view name) {
+  // One is the beginning of the other: --isovalue is always --iso, --vert is --vertices.
+  if (typed.size() > 4 && (typed.starts_with(name) || name.starts_with(typed))) return 0;
+  const std::size_t distance = edit_distance(typed, name);
+  return distance > std::max<std::size_t>(2, typed.size() / 3) ? kNotAlike : distance;
 }
 
-std::string_view name_of(Command command) {
-  for (const auto& [name, known] : kCommands) {
-    if (known == command) return name;
+const OptionSpec& find_option(std::string_view name) {
+  for (const OptionSpec& spec : option_table()) {
+    if (spec.name == name || (name.size() == 2 && spec.letter == name[1])) return spec;
   }
-  return {};
+  std::string guess;
+  std::size_t least = name.size() > 2 ? kNotAlike : 0;
+  for (const OptionSpec& spec : option_table()) {
+    const std::size_t distance = misspelling(name, spec.name);
+    if (distance < least) {
+      least = distance;
+      guess = spec.name;
+    }
+  }
+  for (const OtherNames& other : other_names()) {
+    for (const std::string_view word : split(other.words, ' ')) {
+      const std::size_t distance = misspelling(name, text("--", word));
+      if (distance >= least) continue;
+      least = distance;
+      const OptionSpec& spec = option_named(other.option);
+      const std::string_view meaning = spec.help.substr(0, spec.help.find_first_of(",:;("));
+      guess = text(spec.name, spec.argument.empty() ? "" : " ", spec.argument, " (", meaning, ")");
+    }
+  }
+  throw InputError("unknown option " + quote(name) +
+                   (guess.empty() ? "; --help lists them" : "; did you mean " + guess + "?"));
 }
 
 // Returns the command that the first argument names; nullopt if it names none.
 std::optional<Command> command_named(std::string_view word) {
-  for (const auto& [name, command] : kCommands) {
-    if (name == word) return command;
+  for (const CommandSpec& spec : command_table()) {
+    if (spec.name == word) return spec.command;
   }
   return std::nullopt;
+}
+
+// Returns the message about a word that names no command.
+std::string unknown_command(std::string_view word) {
+  const auto far = [&](const CommandSpec& spec) { return edit_distance(word, spec.name); };
+  const CommandSpec& nearest = std::ranges::min(command_table(), {}, far);
+  return text(
+      "unknown command ", quote(word),
+      far(nearest) > 2 ? "; --help lists them" : text("; did you mean ", nearest.name, "?"));
 }
 
 // Throws if `word` was probably meant as a command. It is then a bare word and no file. Either it
 // is similar to a command's name, or it is not the only input.
 void refuse_unknown_command(std::string_view word, bool another_input) {
   if (word.find_first_of("./:") != std::string_view::npos) return;
-  std::string_view nearest;
-  std::size_t least = 3;
-  for (const auto& [name, command] : kCommands) {
-    const std::size_t distance = edit_distance(word, name);
-    if (distance < least) {
-      least = distance;
-      nearest = name;
-    }
-  }
+  const std::string message = unknown_command(word);
   std::error_code ignored;
-  if ((nearest.empty() && !another_input) || std::filesystem::exists(word, ignored)) return;
-  throw InputError(
-      "unknown command " + quote(word) +
-      (nearest.empty() ? "; --help lists them" : "; did you mean " + std::string(nearest) + "?"));
+  if ((!message.ends_with('?') && !another_input) || std::filesystem::exists(word, ignored)) return;
+  throw InputError(message);
 }
 
 // True if an option is about the volume of a picture or page.
@@ -317,6 +319,14 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   const auto named = arguments.empty() ? std::nullopt : command_named(arguments[0]);
   const Command command = named.value_or(Command::mesh);
   std::size_t at = named ? 1 : 0;
+  if (command == Command::help || command == Command::version) {
+    line.command = command;
+    if (arguments.size() == 1 || arguments[1].starts_with('-')) return line;
+    line.help_of = arguments[1];
+    const bool is_text = std::ranges::count(kTextTable, arguments[1], &HelpText::topic) > 0;
+    if (is_text || command_named(arguments[1])) return line;
+    throw InputError(unknown_command(arguments[1]));
+  }
   const auto given = [&](std::string_view name) {
     return static_cast<bool>(
         seen[static_cast<std::size_t>(&find_option(name) - option_table().data())]);
@@ -349,9 +359,9 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const auto number = static_cast<std::size_t>(&spec - option_table().data());
     if (seen[number]) throw InputError(std::string(spec.name) + " is given twice");
     seen[number] = true;
-    if ((spec.commands & flag_of(command)) == 0) {
+    if (!has_option(command, spec)) {
       throw InputError(std::string(spec.name) + " has no meaning for deliso " +
-                       std::string(name_of(command)));
+                       std::string(command_table()[static_cast<std::size_t>(command)].name));
     }
     std::string_view value;
     if (spec.argument.empty()) {
@@ -369,7 +379,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     spec.apply(line, spec.name, value);
     line.words.push_back(spec.argument.empty() ? std::string(spec.name)
                                                : text(spec.name, "=", value));
-    line.help_of = named;
+    if (named) line.help_of = arguments[0];
     if (line.command == Command::help || line.command == Command::version) return line;
   }
   if (command == Command::mesh && !named) refuse_unknown_command(line.input, false);

@@ -19,7 +19,7 @@
 
 namespace deliso {
 
-enum class Command { mesh, info, check, render, view, trace, join, help, version };
+enum class Command : std::uint8_t { mesh, info, check, render, view, trace, join, help, version };
 
 // The region of a picture that is kept: below or above a fraction of the box along an axis, or one
 // side of a plane in the mesh's space.
@@ -50,7 +50,7 @@ struct FieldOptions {
 
 struct CommandLine {
   Command command = Command::mesh;
-  std::optional<Command> help_of;  // of the help command: one command, or all
+  std::string help_of;  // of the help command: one command, or a text for other programs
   // A path, builtin:NAME[:SIZE], or - for standard input. Pictures need it only for some colors.
   std::string input;
   // Paths, or - for standard input: one to check, several to draw or show. Parts to join: paths.
@@ -99,7 +99,8 @@ inline bool by_count(const Options& options) {
 // - a missing input or isovalue, or a mesh format that cannot be determined.
 CommandLine parse_command_line(std::span<const std::string_view> arguments);
 
-// Returns the text of --help, of one command with all of its options or of the program.
-std::string help_text(std::optional<Command> command);
+// Returns the text of `deliso help TOPIC`: of a command with all of its options, or of the program
+// if the topic is empty. Topics man, bash, zsh and markdown are texts for other programs.
+std::string help_text(std::string_view topic);
 
 }  // namespace deliso

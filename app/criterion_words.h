@@ -27,7 +27,8 @@ inline constexpr std::array<CriterionWords, kCriteria> kCriterionWords{{
      "exit 1 unless the mesh keeps to D and the surface to 2 D (default: what the mesh's file "
      "says, and no exit 1 for it): world units, or voxels"},
     {"--lambda", "r/l", "lambda", "X",
-     "largest r over shortest edge, at every size (default 2: no angle below 14.4 degrees)",
+     "largest r over shortest edge, also below --rmin down to 0.05vox (default 2: no angle below "
+     "14.4 degrees)",
      "r over shortest edge that is counted as too large (default: what the mesh's file says, or "
      "2)"},
     {"--eps1", "h/r", "h_over_r", "X",

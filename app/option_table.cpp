@@ -19,17 +19,16 @@
 namespace deliso {
 namespace {
 
-// Returns the value of a name in a list of (name, value) pairs.
-template <class T, std::size_t N>
-T choose(std::string_view option, std::string_view text,
-         const std::array<std::pair<std::string_view, T>, N>& choices) {
+// Returns the choice at the place of `value` in the option's argument, as in "certified|paper".
+template <class T>
+T choose(std::string_view option, std::string_view value) {
   std::string names;
-  for (const auto& [name, value] : choices) {
-    if (name == text) return value;
-    names.append(names.empty() ? "" : ", ").append(name);
+  int place = 0;
+  for (const std::string_view name : choices_of(option_named(option))) {
+    if (name == value) return static_cast<T>(place);
+    names.append(place++ == 0 ? "" : ", ").append(name);
   }
-  throw InputError(std::string(option) + " wants one of " + names + ", not '" + std::string(text) +
-                   "'");
+  throw InputError(text(option, " wants one of ", names, ", not '", value, "'"));
 }
 
 // Adds the option to the faults of the volume layer's parsers.
@@ -45,20 +44,6 @@ auto in_option(std::string_view option, std::string_view text, Parse parse) {
 RawLayout& raw_layout(CommandLine& line) {
   if (!line.read.raw) line.read.raw.emplace();
   return *line.read.raw;
-}
-
-MeshFormat parse_format(std::string_view option, std::string_view text) {
-  using enum MeshFormat;
-  return choose(option, text,
-                std::to_array<std::pair<std::string_view, MeshFormat>>({{"ply", ply},
-                                                                        {"off", off},
-                                                                        {"obj", obj},
-                                                                        {"stl", stl},
-                                                                        {"vtp", vtp},
-                                                                        {"glb", glb},
-                                                                        {"3mf", three_mf},
-                                                                        {"smesh", smesh},
-                                                                        {"poly", poly}}));
 }
 
 double parse_share(std::string_view option, std::string_view text) {
@@ -104,16 +89,18 @@ constexpr OptionSpec option_of(const CriterionWords& words) {
 }
 
 constexpr OptionSpec kInputAndOutput[] = {
-    {"--iso", 'k', "K", kVolume, "isovalue: the surface is where the volume's interpolant is K",
+    {"--iso", 'k', "K", kVolume,
+     "isovalue: the surface is where the volume's interpolant is K; the inside is where it is "
+     "larger",
      [](Line& l, Text o, Text v) { l.isovalue = parse_number(o, v); }},
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
      "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
      "deliso mesh writes them"},
-    {"--format", 0, "FORMAT", kMeshAndJoin,
-     "ply, off, obj, stl, vtp, glb, 3mf, smesh or poly, whatever FILE's ending is",
-     [](Line& l, Text o, Text v) { l.write.format = parse_format(o, v); }},
+    {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly", kMeshAndJoin,
+     "format of the mesh, whatever FILE's ending is",
+     [](Line& l, Text o, Text v) { l.write.format = choose<MeshFormat>(o, v); }},
     {"--ply-ascii", 0, "", kMeshAndJoin, "PLY as text instead of binary",
      [](Line& l, Text, Text) { l.write.ascii = true; }},
     {"--float", 0, "", kMeshAndJoin, "coordinates in single precision",
@@ -134,11 +121,9 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--check", 0, "", kMeshAndJoin, "check the mesh as the check command does: exit 1 on a fault",
      [](Line& l, Text, Text) { l.check = true; }},
     {"--restricted", 0, "SHARE", kMeshAndCheck,
-     "with --check: exit 1 unless this share of the triangles is restricted Delaunay (default: the "
-     "share is reported)",
-     [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); },
-     "exit 1 unless this share of the triangles is restricted Delaunay (default: the share is "
-     "reported)"},
+     "exit 1 unless this share of the triangles is restricted Delaunay; of mesh together with "
+     "--check (default: the share is reported)",
+     [](Line& l, Text o, Text v) { l.restricted_share = v == "0" ? 0 : parse_share(o, v); }},
     {"--allow-empty", 0, "", kMeshAndJoin, "an isovalue that gives no surface is no error",
      [](Line& l, Text, Text) { l.allow_empty = true; }},
     {"--roi", 0, "X0:X1,Y0:Y1,Z0:Z1", kVolume,
@@ -159,19 +144,17 @@ constexpr OptionSpec kInputAndOutput[] = {
      [](Line& l, Text o, Text v) { l.field.smooth = parse_length(o, v, Length::Unit::world); }},
     {"--label", 0, "L[,L...]|all", kVolume,
      "the surface around these labels of a segmentation, smoothed by --smooth (default 1vox), in "
-     "place of --iso; all: a mesh for each label but 0, with %d in FILE's name",
+     "place of --iso; all, of mesh alone: a mesh for each label but 0, with %d in FILE's name",
      [](Line& l, Text o, Text v) {
        l.field.all_labels = v == "all";
        if (!l.field.all_labels) l.field.labels = parse_label_list(o, v);
-     },
-     "the surface around these labels of a segmentation, smoothed by --smooth (default 1vox), in "
-     "place of --iso"},
+     }},
 };
 
 constexpr OptionSpec kRest[] = {
     {"--rmin", 0, "X|Xvox", kAllMeshing,
-     "triangles of smaller r are not refined for distance: voxels (default 0.25vox), or a share of "
-     "the box's smallest side",
+     "triangles whose circumcircle has a smaller radius r are not refined for distance (default "
+     "0.25vox); without vox a share of the shortest side of the volume",
      [](Line& l, Text o, Text v) { l.options.r_min = parse_length(o, v, Length::Unit::box); },
      "triangles of smaller r need not keep to D (default: what the mesh's file says, or 0.25vox)"},
     {"--vertices", 0, "N", kMeshAndTrace,
@@ -188,7 +171,7 @@ constexpr OptionSpec kRest[] = {
     {"--eps", 0, "X", kMeshAndTrace, "stage 1 of --recover paper: largest h/r (default 0.2)",
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
     {"--min-component", 0, "N", kAllMeshing,
-     "leave out components smaller than N voxels (default 0); with --cap "
+     "leave out components shorter than N voxels in x, in y and in z (default 0); with --cap "
      "dissolve the regions of inside and outside that they bound",
      [](Line& l, Text o, Text v) {
        l.options.components.min_voxels = v == "0" ? 0 : parse_positive(o, v);
@@ -205,7 +188,8 @@ constexpr OptionSpec kRest[] = {
     {"--max-vertices", 0, "N", kMeshAndTrace, "stop with an error beyond N vertices",
      [](Line& l, Text o, Text v) { l.options.max_vertices = parse_count(o, v, 4); }},
     {"--block-side", 0, "N", kAllMeshing,
-     "about how many voxels a block has along each axis; whole: the volume is one block",
+     "about how many voxels a block has along each axis (default 64, in large volumes up to 128); "
+     "whole: the volume is one block",
      [](Line& l, Text o, Text v) {
        l.options.block_side =
            v == "whole" ? 0
@@ -216,60 +200,43 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
-    {"--recover", 0, "NAME", kMeshAndTrace,
+    {"--recover", 0, "certified|paper", kMeshAndTrace,
      "how stage 1 knows that it is done: certified (default), on the exact contour, or paper, by "
      "the paper's tests",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, RecoverWay>;
-       l.options.recover = choose(o, v,
-                                  std::to_array<Choice>({{"certified", RecoverWay::certified},
-                                                         {"paper", RecoverWay::paper}}));
-     }},
+     [](Line& l, Text o, Text v) { l.options.recover = choose<RecoverWay>(o, v); }},
     {"--fingers", 0, "X|Xvox", kMeshAndTrace,
-     "certified: no point of the exact contour further than X from the mesh at the end of stage 1, "
-     "a fifth of a voxel where it is turned away (default 0.4vox)",
+     "no point of the exact contour further than X from the mesh of stage 1 (default 0.4vox); at "
+     "the tips of thin branches, which stage 2 cannot mend, no further than 0.2vox; a smaller X "
+     "takes longer",
      [](Line& l, Text o, Text v) { l.options.fingers = parse_length(o, v, Length::Unit::world); }},
     {"--stop-after", 0, "recover", kMeshAndTrace, "write the mesh as stage 1 leaves it",
      [](Line& l, Text o, Text v) {
        require(o, v, "recover");
        l.options.stop_after_recover = true;
      }},
-    {"--method", 0, "NAME", kMeshOnly,
-     "delaunay (default), or marching-cubes for comparison, which ignores the other options here "
-     "but --cap",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, Method>;
-       l.method = choose(o, v,
-                         std::to_array<Choice>({{"delaunay", Method::delaunay},
-                                                {"marching-cubes", Method::marching_cubes}}));
-     }},
+    {"--method", 0, "delaunay|marching-cubes", kMeshOnly,
+     "marching-cubes: Marching Cubes for comparison, which ignores the other options here but "
+     "--cap (default delaunay)",
+     [](Line& l, Text o, Text v) { l.method = choose<Method>(o, v); }},
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
     {"--single-stage", 0, "", kMeshAndTrace,
      "all refinement on the 3D triangulation, with --recover paper (for comparison)",
      [](Line& l, Text, Text) { l.options.single_stage = true; }},
-    {"--solver", 0, "NAME", kMeshAndTrace, "roots of cubics: isolation (default) or schwarze",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, CubicMethod>;
-       l.options.cubic = choose(o, v,
-                                std::to_array<Choice>({{"isolation", CubicMethod::isolation},
-                                                       {"schwarze", CubicMethod::schwarze}}));
-     }},
+    {"--solver", 0, "schwarze|isolation", kMeshAndTrace, "roots of cubics (default isolation)",
+     [](Line& l, Text o, Text v) { l.options.cubic = choose<CubicMethod>(o, v); }},
 
     {"--dims", 0, "NXxNYxNZ", kVolume, "size of a raw file, in samples",
      [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},
-    {"--type", 0, "TYPE", kVolume,
-     "its sample type: uint8 int8 uint16 int16 uint32 int32 float32 float64",
+    {"--type", 0, "uint8|int8|uint16|int16|uint32|int32|float32|float64", kVolume,
+     "type of its samples",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
     {"--spacing", 0, "SX,SY,SZ", kVolume,
      "distance between samples, of a raw file, a NumPy array or a TIFF stack (default 1,1,1)",
      [](Line& l, Text o, Text v) { l.read.spacing = parse_spacing(o, v); }},
-    {"--endian", 0, "ORDER", kVolume, "its byte order: little (default) or big",
+    {"--endian", 0, "little|big", kVolume, "its byte order (default little)",
      [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, std::endian>;
-       raw_layout(l).byte_order = choose(
-           o, v,
-           std::to_array<Choice>({{"little", std::endian::little}, {"big", std::endian::big}}));
+       raw_layout(l).byte_order = choose<bool>(o, v) ? std::endian::big : std::endian::little;
      }},
     {"--skip", 0, "BYTES", kVolume, "its bytes before the first sample",
      [](Line& l, Text o, Text v) { raw_layout(l).skip = parse_count(o, v); }},
@@ -278,13 +245,16 @@ constexpr OptionSpec kRest[] = {
      "where the eye is, in degrees: from +x towards +y, and above the xy plane (default: the view "
      "of a ring that sees most of the surface, and looks into what is clipped)",
      [](Line& l, Text o, Text v) { l.render.view = parse_view(o, v); }},
-    {"--up", 0, "AXIS", kSeen,
-     "which axis points up: x, -x, y, -y, z or -z (default: z, which is superior in meshes of "
-     "scans "
-     "that tell how the patient lay)",
-     [](Line& l, Text o, Text v) { l.up = parse_up(o, v); }},
+    {"--up", 0, "x|-x|y|-y|z|-z", kSeen,
+     "which axis points up (default: the patient's head if the file tells how the patient lay, "
+     "else z)",
+     [](Line& l, Text o, Text v) {
+       const int n = choose<int>(o, v);
+       l.up = {n / 2, n % 2 == 0 ? 1.0 : -1.0};
+     }},
     {"--zoom", 0, "X", kRenderOnly,
-     "larger than to fill the picture (default 1, at most 64; less beyond 10,000 pixels)",
+     "how many times larger than to fill the picture (default 1, at most 64; less beyond 10,000 "
+     "pixels)",
      [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
     {"--look-at", 0, "X,Y,Z", kRenderOnly,
      "what is in the middle of the picture (default: the middle of all that is drawn)",
@@ -293,21 +263,11 @@ constexpr OptionSpec kRest[] = {
      "of the whole picture, in pixels (default 1600x1200, up to 16384 each); lines and text grow "
      "with it",
      [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
-    {"--shading", 0, "NAME", kRenderOnly, "smooth (default) or flat",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, Shading>;
-       l.render.shading = choose(
-           o, v, std::to_array<Choice>({{"smooth", Shading::smooth}, {"flat", Shading::flat}}));
-     }},
-    {"--edges", 0, "WHEN", kRenderOnly,
-     "of triangles: auto (default: where they can be told apart, in all panels), on or off",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, Edges>;
-       l.render.edges =
-           choose(o, v,
-                  std::to_array<Choice>(
-                      {{"auto", Edges::automatic}, {"on", Edges::drawn}, {"off", Edges::hidden}}));
-     }},
+    {"--shading", 0, "smooth|flat", kRenderOnly, "how triangles look (default smooth)",
+     [](Line& l, Text o, Text v) { l.render.shading = choose<Shading>(o, v); }},
+    {"--edges", 0, "auto|on|off", kRenderOnly,
+     "of triangles; auto (default): where they can be told apart, in all panels",
+     [](Line& l, Text o, Text v) { l.render.edges = choose<Edges>(o, v); }},
     {"--clip", 0, "PLANE", kRenderOnly,
      "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
      "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
@@ -316,30 +276,19 @@ constexpr OptionSpec kRest[] = {
      "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
      "for each mesh as in 'before/after', each of which can be auto or nothing too",
      [](Line& l, Text o, Text v) { l.labels = parse_labels(o, v); }},
-    {"--color-by", 0, "WHAT", kRenderOnly,
-     "side (default: which side of the surface is seen), component, angle (the triangle's "
-     "smallest), distance (to the isosurface; needs --volume and --iso) or gradient (of the "
-     "samples; needs --volume)",
-     [](Line& l, Text o, Text v) {
-       using enum ColorBy;
-       using Choice = std::pair<std::string_view, ColorBy>;
-       l.color_by = choose(o, v,
-                           std::to_array<Choice>({{"side", side},
-                                                  {"component", component},
-                                                  {"angle", angle},
-                                                  {"distance", distance},
-                                                  {"gradient", gradient}}));
-     }},
-    {"--volume", 0, "INPUT", kShownAndJoin, "the volume that --color-by asks",
-     [](Line& l, Text, Text v) { l.input = v; },
-     "the volume whose isosurface triangles are measured against, with --iso"},
-    {"--occlusion", 0, "WHEN", kRenderOnly,
+    {"--color-by", 0, "side|component|angle|distance|gradient", kRenderOnly,
+     "side (default): which side of the surface is seen; component: a color for each of the "
+     "largest; angle: the smallest of the triangle; distance: from the isosurface, in voxels, with "
+     "--volume and --iso; gradient: how steep the samples are, with --volume",
+     [](Line& l, Text o, Text v) { l.color_by = choose<ColorBy>(o, v); }},
+    {"--volume", 0, "INPUT", kShownAndJoin,
+     "the volume whose isosurface triangles are measured against, with --iso; of join that of the "
+     "parts",
+     [](Line& l, Text, Text v) { l.input = v; }},
+    {"--occlusion", 0, "off|on", kRenderOnly,
      "on (default): places that see little of the sky are darker, so that sheets in front of each "
-     "other can be told apart; or off",
-     [](Line& l, Text o, Text v) {
-       using Choice = std::pair<std::string_view, bool>;
-       l.render.occlusion = choose(o, v, std::to_array<Choice>({{"on", true}, {"off", false}}));
-     }},
+     "other can be told apart",
+     [](Line& l, Text o, Text v) { l.render.occlusion = choose<bool>(o, v); }},
     {"--opacity", 0, "X", kRenderOnly,
      "of triangles, above 0 to 1 (default 1); below 1 what is behind is seen through them",
      [](Line& l, Text o, Text v) { l.render.opacity = parse_share(o, v); }},
@@ -352,7 +301,8 @@ constexpr OptionSpec kRest[] = {
        if (slash != Text::npos) palette.inside = parse_color(o, v.substr(slash + 1));
      }},
     {"--scale-bar", 0, "UNIT", kRenderOnly,
-     "a bar of a round length, with this unit, as in mm; '' for none",
+     "a bar of a round length, with this unit, as in mm, to which nothing is converted; '' for "
+     "none",
      [](Line& l, Text o, Text v) { l.render.scale_bar = parse_drawable(o, v); }},
     {"--axes", 0, "", kRenderOnly,
      "the directions of the axes: x, y, z, or R, A, S and L, P, S where the mesh names its space",
@@ -381,18 +331,115 @@ constexpr auto kOptions = [] {
   std::copy(std::begin(kRest), std::end(kRest), rest);
   return all;
 }();
-constexpr OptionGroup kGroups[] = {{"Input and output", "--iso"}, {"Meshing", "--max-distance"},
-                                   {"Raw files", "--dims"},       {"Pictures", "--view"},
-                                   {"Traces", "--trace-limit"},   {"Help", "--help"}};
+// Headings, and the first option below each.
+constexpr std::pair<std::string_view, std::string_view> kGroups[] = {
+    {"Input and output", "--iso"}, {"Meshing", "--max-distance"}, {"Raw files", "--dims"},
+    {"Pictures", "--view"},        {"Traces", "--trace-limit"},   {"Help", "--help"}};
+
+constexpr CommandSpec kCommandTable[] = {
+    {Command::mesh, "mesh", "[mesh] INPUT --iso K [-o FILE] [options]",
+     "Meshes the isosurface of a volume with Delaunay triangles of bounded aspect ratio. The "
+     "report goes to standard output, or to standard error when the mesh or the JSON goes there. "
+     "Exit status: 0 fine; 1 the mesh breaks a rule of its own, --check found a fault, or --cap "
+     "left the mesh open; 2 bad usage or input."},
+    {Command::info, "info", "info INPUT [--iso K] [options]",
+     "Size, type and place of a volume, the histogram of its samples, isovalues to try, and with "
+     "--iso the exact topology of the surface."},
+    {Command::check, "check", "check MESH INPUT --iso K [options]",
+     "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact "
+     "topology, Delaunay triangles, distances both ways, shapes. Exit status: 0 no fault, 1 a "
+     "fault, 2 bad usage or input."},
+    {Command::render, "render", "render MESH [MESH ...] -o PICTURE.png [options]",
+     "Draws a mesh, or several side by side, all seen by one camera: the side where the field is "
+     "below the isovalue in blue, the other in orange, or numbers as colors."},
+    {Command::view, "view", "view MESH [MESH] -o PAGE.html [options]",
+     "A page for any browser that shows a mesh, or two side by side, in 3D, with histograms of "
+     "what its triangles are like: one file that needs no network."},
+    {Command::trace, "trace", "trace INPUT --iso K -o PAGE.html [options]",
+     "A page for any browser on which a run of the mesher can be watched, insertion by insertion: "
+     "who asked for it and why, and what came of it. Stage 2 refines the mesh undivided, in one "
+     "thread, so that the order is that of the paper's Figure 9; vertices may be others than those "
+     "that deliso mesh gives."},
+    {Command::join, "join", "join PART [PART ...] --volume INPUT -o FILE [options]",
+     "Joins the parts of a mesh, which deliso mesh --part made of this volume, to the mesh that "
+     "one run of deliso mesh makes, to the last byte. A part knows its options. Refused are parts "
+     "that do not belong together or to the volume, a part that is missing, twice, or not as it "
+     "was made."},
+    {Command::help, "help", "help [COMMAND|man|bash|zsh]",
+     "All options of a command, or texts for other programs: the manual page, and how the shells "
+     "complete an option."},
+    {Command::version, "version", "version", "The version."},
+};
+
+constexpr OtherNames kOtherNames[] = {{"--iso", "threshold level value contour"},
+                                      {"--vertices", "decimate simplify reduce points"},
+                                      {"--triangles", "faces facets target"},
+                                      {"--max-distance", "tolerance error hausdorff"},
+                                      {"--max-radius", "edge-length cell-size resolution"},
+                                      {"--lambda", "angle aspect-ratio"},
+                                      {"--smooth", "gaussian sigma blur"},
+                                      {"--median", "denoise"},
+                                      {"--label", "segment mask"},
+                                      {"--roi", "crop region"},
+                                      {"--cap", "close watertight solid"},
+                                      {"--largest", "component"},
+                                      {"--min-component", "islands"},
+                                      {"--threads", "jobs"},
+                                      {"--attributes", "normals"},
+                                      {"--check", "validate"},
+                                      {"--view", "camera"},
+                                      {"--opacity", "transparency"},
+                                      {"--quiet", "silent"}};
 
 }  // namespace
+
+std::span<const CommandSpec> command_table() {
+  return kCommandTable;
+}
 
 std::span<const OptionSpec> option_table() {
   return kOptions;
 }
 
-std::span<const OptionGroup> option_groups() {
-  return kGroups;
+std::span<const OtherNames> other_names() {
+  return kOtherNames;
+}
+
+std::vector<OptionGroup> option_groups() {
+  std::vector<OptionGroup> groups;
+  const OptionSpec* end = std::end(kOptions);
+  for (auto group = std::rbegin(kGroups); group != std::rend(kGroups); ++group) {
+    const OptionSpec* first = &option_named(group->second);
+    groups.insert(groups.begin(), {group->first, {first, end}});
+    end = first;
+  }
+  return groups;
+}
+
+std::string_view help_in(Command command, const OptionSpec& spec) {
+  // A trace observes a meshing run, so its options have the meaning of mesh, not of check.
+  const bool meshes =
+      command == Command::mesh || (command == Command::trace && has_option(Command::check, spec));
+  return meshes || spec.other_help.empty() ? spec.help : spec.other_help;
+}
+
+const OptionSpec& option_named(std::string_view name) {
+  return *std::ranges::find(option_table(), name, &OptionSpec::name);
+}
+
+std::vector<std::string_view> split(std::string_view words, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0, end; at < words.size(); at = end + 1) {
+    end = std::min(words.find(separator, at), words.size());
+    parts.push_back(words.substr(at, end - at));
+  }
+  return parts;
+}
+
+std::vector<std::string_view> choices_of(const OptionSpec& spec) {
+  const bool is_name =
+      std::ranges::any_of(spec.argument, [](char c) { return 'A' <= c && c <= 'Z'; });
+  return split(is_name ? "" : spec.argument, '|');
 }
 
 }  // namespace deliso

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The one table of options, for parsing, for suggestions to misspelt names and for help texts.
+// The one table of commands and options: for parsing, for suggestions to misspelt names, and for
+// all texts about them (help, manual page, completions, the guide's tables).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "app/command_line.h"
 
@@ -12,13 +14,13 @@ namespace deliso {
 
 // The commands of an option.
 enum Commands : std::uint8_t {
-  kMeshOnly = 1,
-  kInfoOnly = 2,
-  kRenderOnly = 4,
-  kCheckOnly = 8,
-  kJoinOnly = 16,
-  kViewOnly = 32,
-  kTraceOnly = 64,
+  kMeshOnly = 1 << static_cast<int>(Command::mesh),
+  kInfoOnly = 1 << static_cast<int>(Command::info),
+  kCheckOnly = 1 << static_cast<int>(Command::check),
+  kRenderOnly = 1 << static_cast<int>(Command::render),
+  kViewOnly = 1 << static_cast<int>(Command::view),
+  kTraceOnly = 1 << static_cast<int>(Command::trace),
+  kJoinOnly = 1 << static_cast<int>(Command::join),
   kReports = kMeshOnly | kInfoOnly | kCheckOnly,
   kShown = kRenderOnly | kViewOnly,
   kSeen = kShown | kTraceOnly,
@@ -34,20 +36,16 @@ enum Commands : std::uint8_t {
   kAll = kVolume | kJoinOnly
 };
 
-constexpr Commands flag_of(Command command) {
-  return command == Command::info     ? kInfoOnly
-         : command == Command::render ? kRenderOnly
-         : command == Command::check  ? kCheckOnly
-         : command == Command::join   ? kJoinOnly
-         : command == Command::view   ? kViewOnly
-         : command == Command::trace  ? kTraceOnly
-                                      : kMeshOnly;
-}
+struct CommandSpec {
+  Command command;
+  std::string_view name, synopsis, help;
+};
 
 struct OptionSpec {
   std::string_view name;
-  char letter;                // of its short form; 0: none
-  std::string_view argument;  // the name of its value; empty for a switch
+  char letter;  // of its short form; 0: none
+  // The name of its value, in capitals, or all values: a|b. Empty for a switch.
+  std::string_view argument;
   Commands commands;
   std::string_view help;
   // Throws InputError that names the option.
@@ -55,13 +53,30 @@ struct OptionSpec {
   std::string_view other_help = {};  // for commands other than mesh, if it has less effect there
 };
 
+constexpr bool has_option(Command command, const OptionSpec& spec) {
+  return (spec.commands & 1 << static_cast<int>(command)) != 0;
+}
+// Returns what the option means to the command.
+std::string_view help_in(Command command, const OptionSpec& spec);
+
+// An option, and what other programs call it.
+struct OtherNames {
+  std::string_view option, words;
+};
+
 // A heading of the help texts.
 struct OptionGroup {
   std::string_view title;
-  std::string_view first;  // name of its first option
+  std::span<const OptionSpec> options;
 };
 
+std::span<const CommandSpec> command_table();
 std::span<const OptionSpec> option_table();
-std::span<const OptionGroup> option_groups();
+std::span<const OtherNames> other_names();
+std::vector<OptionGroup> option_groups();
+const OptionSpec& option_named(std::string_view name);  // of the table
+std::vector<std::string_view> split(std::string_view words, char separator);
+// The values of an argument that lists them, else none.
+std::vector<std::string_view> choices_of(const OptionSpec& spec);
 
 }  // namespace deliso

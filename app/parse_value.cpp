@@ -144,13 +144,6 @@ View parse_view(std::string_view option, std::string_view text) {
   return {(*list)[0], (*list)[1]};
 }
 
-Up parse_up(std::string_view option, std::string_view text) {
-  const bool below = text.starts_with('-');
-  const std::size_t axis = std::string_view("xyz").find(text.substr(below));
-  if (text.size() != 1u + below || axis > 2) refuse(option, text, "one of x, -x, y, -y, z, -z");
-  return {static_cast<int>(axis), below ? -1.0 : 1.0};
-}
-
 double parse_zoom(std::string_view option, std::string_view text) {
   const double zoom = parse_positive(option, text), largest = largest_zoom({1, 1});
   if (zoom > largest) {

@@ -26,7 +26,6 @@ std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_
 Vec3 parse_spacing(std::string_view option, std::string_view text);              // 1,1,2.5
 Vec3 parse_point(std::string_view option, std::string_view text);                // 1,-2,2.5
 View parse_view(std::string_view option, std::string_view text);                 // 30,25
-Up parse_up(std::string_view option, std::string_view text);                     // -z
 double parse_zoom(std::string_view option, std::string_view text);               // up to 64
 PictureSize parse_picture_size(std::string_view option, std::string_view text);  // 800x600
 // -x:0.5 or a,b,c,d; several with a / between them; nothing for "off".

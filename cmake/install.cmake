@@ -9,6 +9,21 @@ install(CODE "
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # The program writes its manual page, and the completions of two shells.
+  if(NOT CMAKE_CROSSCOMPILING)
+    foreach(text "man:deliso.1:man/man1" "bash:deliso:bash-completion/completions"
+                 "zsh:_deliso:zsh/site-functions")
+      string(REPLACE ":" ";" text ${text})
+      list(GET text 0 topic)
+      list(GET text 1 name)
+      list(GET text 2 folder)
+      set(file ${PROJECT_BINARY_DIR}/generated/${topic}/${name})
+      add_custom_command(TARGET deliso_app POST_BUILD VERBATIM
+                         COMMAND deliso_app help ${topic} > ${file})
+      file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/generated/${topic})
+      install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/${folder})
+    endforeach()
+  endif()
   install(TARGETS deliso_c EXPORT deliso_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   # It finds the library two folders up.
   install(DIRECTORY python/deliso DESTINATION ${CMAKE_INSTALL_LIBDIR}/python

@@ -169,7 +169,7 @@ std::span<const DrawnOption> drawn_options() {
 
 std::string_view undrawn_option() {
   for (const OptionSpec& spec : option_table()) {
-    if ((spec.commands & flag_of(Command::mesh)) == 0) continue;
+    if (!has_option(Command::mesh, spec)) continue;
     const bool is_drawn =
         std::ranges::find(kDrawn, spec.name, &DrawnOption::name) != std::ranges::end(kDrawn);
     if (!is_drawn && std::ranges::find(kNotDrawn, spec.name) == std::ranges::end(kNotDrawn)) {
