@@ -82,9 +82,13 @@ draw() {
     printf '\n## %s\n\n![%s](%s)\n\n' "$title" "$title" "$picture"
     [ -z "$missing" ] || echo "<!-- not run: needs the volume $missing -->"
     # shellcheck disable=SC2016
-    printf '```sh\n%sdeliso render%s -o %s %s\n```\n\n' "$commands" "$panels" "$picture" "$*"
-    [ -n "$missing" ] || printf %s "$checks"
-    printf '%s.%s\n' "$counts" "$remarks"
+    printf '```sh\n%sdeliso render%s -o %s %s\n```\n' "$commands" "$panels" "$picture" "$*"
+    # Meshes of a figure above have been counted there.
+    if [ -n "$commands" ]; then
+      echo
+      [ -n "$missing" ] || printf %s "$checks"
+      printf '%s.%s\n' "$counts" "$remarks"
+    fi
     cat
   } >>"$work/README.md"
 }
@@ -105,8 +109,7 @@ cat >"$work/README.md" <<'END'
 # Figures
 
 The paper's figures that show meshes, drawn by `make figures DATA=folder` with the commands below; volumes are those of
-[bench/datasets.tsv](../../bench/datasets.tsv). The outside of a surface is blue, the inside orange. Plots (`.svg`)
-belong to [the results](../results.md).
+[bench/datasets.tsv](../../bench/datasets.tsv). The outside of a surface is blue, the inside orange.
 END
 
 section 'The picture of the README: Marching Cubes | DelIso'
