@@ -42,12 +42,12 @@ test: doctest
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
-# docs/lesson.html.
+# docs/index.html.
 figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures lesson
 	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
-	@$(BUILD)/figures/lesson/lesson docs/lesson.html
+	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 
 # The micro-benchmarks, one primitive each; they need no data.

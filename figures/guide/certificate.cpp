@@ -8,6 +8,7 @@
 
 #include "guide/drawing.h"
 #include "guide/figures.h"
+#include "lesson/small_surfaces.h"
 
 namespace deliso::guide {
 namespace {
@@ -15,13 +16,7 @@ namespace {
 // One for each label, from 'a' on.
 constexpr std::array kFills{"#fae0c4", "#dbe7f6", "#d8efd9", "#eadcf2", "#fbf3c0", "#f6d6da"};
 
-struct Labeled {
-  std::vector<Vec2> points;
-  std::string labels;  // per point
-  std::vector<std::array<int, 3>> triangles;
-  // The last triangle is the outside of the others: the surface is a sphere.
-  bool is_sphere = false;
-};
+using lesson::Labeled;
 
 const char* fill_of(char label) {
   return kFills[static_cast<std::size_t>(label - 'a')];
@@ -30,6 +25,9 @@ const char* fill_of(char label) {
 class Sketch {
  public:
   Sketch(Drawing& drawing, const Panel& panel, const Labeled& t) : d_(drawing), p_(panel), t_(t) {}
+
+  Vec2 at(int v) const { return place(static_cast<std::size_t>(v)); }
+  Vec2 place(std::size_t v) const { return p_.at({t_.points[v].x, t_.points[v].y}); }
 
   // Every triangle cut by the labels of its corners.
   void patches() {
@@ -48,7 +46,7 @@ class Sketch {
   // `names`: each vertex with its label.
   void vertices(bool names) {
     for (std::size_t v = 0; v < t_.points.size(); ++v) {
-      const Vec2 p = p_.at(t_.points[v]);
+      const Vec2 p = place(v);
       if (!names) {
         d_.dot(p, ink::kSigma, 2.5);
         continue;
@@ -59,7 +57,6 @@ class Sketch {
   }
 
  private:
-  Vec2 at(int v) const { return p_.at(t_.points[static_cast<std::size_t>(v)]); }
   Vec2 middle(int v, int u) const { return 0.5 * (at(v) + at(u)); }
   char label(int v) const { return t_.labels[static_cast<std::size_t>(v)]; }
   // Beyond the window, seen from its middle.
@@ -112,14 +109,8 @@ class Sketch {
   const Labeled& t_;
 };
 
-struct Example {
-  const char *title, *above, *below;
-  Labeled t, k;
-  std::vector<std::array<int, 2>> wrong;  // edges of K, or a vertex twice
-};
-
 // A lattice of triangles in a hexagon, three rings around its middle, labeled by its nearest site.
-Labeled hexagon(const std::vector<Vec2>& sites) {
+Labeled hexagon(const std::vector<Vec3>& sites) {
   constexpr int kRings = 3;
   Labeled t;
   std::vector<std::array<int, 2>> place;
@@ -127,7 +118,7 @@ Labeled hexagon(const std::vector<Vec2>& sites) {
     for (int i = -kRings; i <= kRings; ++i) {
       if (std::abs(i + j) > kRings) continue;
       place.push_back({i, j});
-      t.points.push_back({i + 0.5 * j, 0.8660254 * j});
+      t.points.push_back({i + 0.5 * j, 0.8660254 * j, 0});
     }
   }
   const auto find = [&](int i, int j) {
@@ -141,7 +132,7 @@ Labeled hexagon(const std::vector<Vec2>& sites) {
     if (right != none && up != none) t.triangles.push_back({v, right, up});
     if (right != none && down != none) t.triangles.push_back({v, down, right});
   }
-  for (const Vec2& p : t.points) {
+  for (const Vec3& p : t.points) {
     std::size_t nearest = 0;
     for (std::size_t s = 1; s < sites.size(); ++s) {
       if (distance2(p, sites[s]) < distance2(p, sites[nearest])) nearest = s;
@@ -155,8 +146,8 @@ Labeled hexagon(const std::vector<Vec2>& sites) {
 
 void draw_patches(const std::string& folder) {
   const double h = 0.8660254;
-  const std::vector<Vec2> sites{{0, 0},      {3, 0},     {1.5, 3 * h},
-                                {-2, 2 * h}, {-2.5, -h}, {0.5, -3 * h}};
+  const std::vector<Vec3> sites{{0, 0, 0},      {3, 0, 0},     {1.5, 3 * h, 0},
+                                {-2, 2 * h, 0}, {-2.5, -h, 0}, {0.5, -3 * h, 0}};
   const Labeled t = hexagon(sites);
   Labeled k{sites, "abcdef", {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}}};
   Drawing d(860, 300);
@@ -170,7 +161,7 @@ void draw_patches(const std::string& folder) {
     if (n < 2) sketch.edges();
     if (n == 0) {
       for (std::size_t v = 0; v < t.points.size(); ++v) {
-        d.circle(p.at(t.points[v]), 6, {ink::kGray, 1, fill_of(t.labels[v])});
+        d.circle(sketch.place(v), 6, {ink::kGray, 1, fill_of(t.labels[v])});
       }
     }
     if (n == 2) dual.edges(ink::kSigma);
@@ -180,45 +171,9 @@ void draw_patches(const std::string& folder) {
 }
 
 void draw_certificate(const std::string& folder) {
-  const std::vector<Vec2> strip{{0, 1.5}, {1.2, 3}, {1.2, 0}, {2.8, 0}, {2.8, 3}, {4, 1.5}};
-  const Example examples[] = {
-      {"C1: a disk",
-       "P(a) is an annulus",
-       "one facet",
-       {{{1.3, 1.15}, {2.7, 1.15}, {2, 2.25}, {2, 3.6}, {0, 0}, {4, 0}},
-        "aaaabc",
-        {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}}},
-       {{{2, 3.2}, {0.4, 0.4}, {3.6, 0.4}}, "abc", {{0, 1, 2}}},
-       {}},
-      {"C2: one arc",
-       "P(a), P(b) meet in two arcs",
-       "three facets at the edge ab",
-       {{{0, 0}, {4, 0}, {2, 3.6}, {1.8, 2.3}, {1.55, 0.6}, {2.35, 1.25}},
-        "abcade",
-        {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 3, 4}, {3, 1, 5}, {1, 4, 5}, {4, 3, 5}}},
-       {{{0, 1.9}, {4, 1.9}, {2, 3.6}, {2, 0}, {2, 1.1}},
-        "abcde",
-        {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 3, 4}, {0, 3, 4}}},
-       {{0, 1}}},
-      {"C3: one triangle",
-       "abc: the lowest one, and the outside",
-       "the same facet twice",
-       {{{2, 3.4}, {2, 1.5}, {0.4, 0.4}, {3.6, 0.4}},
-        "aabc",
-        {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}},
-        true},
-       {{{2, 3.2}, {0.4, 0.4}, {3.6, 0.4}}, "abc", {{0, 1, 2}}},
-       {{0, 1}, {1, 2}, {2, 0}}},
-      {"C4: one arc of the boundary",
-       "P(b) meets it in two",
-       "two facets with a vertex in common",
-       {strip, "abcbde", {{0, 2, 1}, {1, 2, 3}, {1, 3, 4}, {4, 3, 5}}},
-       {{{0, 3}, {2, 1.6}, {0, 0.2}, {4, 3}, {4, 0.2}}, "abcde", {{0, 2, 1}, {3, 1, 4}}},
-       {{1, 1}}},
-  };
   Drawing d(1000, 500);
   double x = 10;
-  for (const Example& e : examples) {
+  for (const lesson::SmallSurface& e : lesson::small_surfaces()) {
     const Panel above{{-0.4, -0.35}, 45, {x, 50}, {218, 190}};
     const Panel below{{-0.4, -0.35}, 45, {x, 275}, {218, 190}};
     const double middle = x + above.size.x / 2;
@@ -230,16 +185,15 @@ void draw_certificate(const std::string& folder) {
     t.edges();
     t.vertices(true);
     d.clip_nowhere();
+    Sketch k(d, below, e.k);
     for (const auto& f : e.k.triangles) {
       std::vector<Vec2> corners;
-      for (const int v : f) corners.push_back(below.at(e.k.points[static_cast<std::size_t>(v)]));
+      for (const int v : f) corners.push_back(k.at(v));
       d.polygon(corners, {nullptr, 0, ink::kLight, false, 0.55});
     }
-    Sketch k(d, below, e.k);
     k.edges(ink::kSigma);
     for (const auto& [a, b] : e.wrong) {
-      const Vec2 p = below.at(e.k.points[static_cast<std::size_t>(a)]),
-                 q = below.at(e.k.points[static_cast<std::size_t>(b)]);
+      const Vec2 p = k.at(a), q = k.at(b);
       d.line(p, q, {ink::kRed, 3});
       if (a == b) d.circle(p, 14, {ink::kRed, 3});
     }

@@ -30,6 +30,8 @@ void draw_gates(const std::string& folder);
 // certificate.cpp
 void draw_patches(const std::string& folder);
 void draw_certificate(const std::string& folder);
+// cells.cpp
+void draw_cells(const std::string& folder);
 // meshes.cpp
 void draw_fineness(const std::string& folder);
 void draw_certified(const std::string& folder);

@@ -30,6 +30,7 @@ constexpr Figure kFigures[] = {
     {"stars", draw_stars},
     {"patches", draw_patches},
     {"certificate", draw_certificate},
+    {"cells", draw_cells},
     {"certified", draw_certified},
     {"switch", draw_switch},
     {"insert", draw_insert},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures of the guide's first chapter: the whole method on one slice.
+// The pictures of the lesson where its scripts do not run: the whole method on one slice.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ std::string formatted(const char* format, Args... args) {
   return out;
 }
 
-// What all six are of.
+// What all are of.
 struct Scene {
   Slice slice{lesson::kColumns, lesson::kRows, excess};
   FlatContour contour{slice};
@@ -196,6 +196,46 @@ void draw_dual(Drawing& out, const Panel& panel, const FlatContour& contour,
     out.line(panel.at(contour.points()[edge[0]]), panel.at(contour.points()[edge[1]]),
              {.stroke = ink::kBlue, .width = 2.5});
   }
+}
+
+// Two quick ways. Marching Cubes never joins the inside corners of a voxel where they alternate, so
+// there it goes from each vertex of T to the one that T does not join it to. The mesh of a few
+// points is K of the first sites.
+void draw_need_picture(const Scene& scene, const std::string& folder) {
+  Drawing out(700, 286);
+  const Panel left{{-0.2, -0.2}, 26.6, {12, 32}, {331, 222}},
+      right{{-0.2, -0.2}, 26.6, {357, 32}, {331, 222}};
+  const int i = lesson::kSaddleColumn, j = lesson::kSaddleRow;
+  draw_ground(out, left, scene.slice);
+  std::vector<Vec2> at_neck;  // around the voxel, in order: left, lower, right, upper
+  const auto is_in_voxel = [&](const Vec2& p) {
+    return p.x >= i && p.x <= i + 1 && p.y >= j && p.y <= j + 1;
+  };
+  for (const auto& loop : scene.contour.loops()) {
+    for (std::size_t n = 0; n < loop.size(); ++n) {
+      const Vec2 p = scene.contour.points()[loop[n]],
+                 q = scene.contour.points()[loop[(n + 1) % loop.size()]];
+      if (is_in_voxel(p) && is_in_voxel(q)) {
+        at_neck.push_back(p);
+        at_neck.push_back(q);
+      } else {
+        out.line(left.at(p), left.at(q), {.stroke = ink::kSigma, .width = 1.8});
+      }
+    }
+  }
+  DELISO_CHECK(at_neck.size() == 4);
+  out.line(left.at(at_neck[0]), left.at(at_neck[3]), {.stroke = ink::kRed, .width = 2.5});
+  out.line(left.at(at_neck[2]), left.at(at_neck[1]), {.stroke = ink::kRed, .width = 2.5});
+  for (const Vec2& p : scene.contour.points()) out.dot(left.at(p), ink::kSigma, 3);
+  out.frame(left, "Marching Cubes: the neck is cut");
+
+  const Sites sites = scene.first_sites();
+  draw_ground(out, right, scene.slice);
+  draw_dual(out, right, scene.contour, scene.contour.regions(sites));
+  draw_sites(out, right, scene, sites);
+  out.circle(right.at(scene.contour.points()[sites[0]]), 10, {.stroke = ink::kRed, .width = 2});
+  out.frame(right, "ten points: four edges meet at A");
+  out.write(folder, "six-need");
 }
 
 void draw_samples_picture(const std::string& folder) {
@@ -433,6 +473,7 @@ void draw_mesh_picture(const Scene& scene, const std::string& folder) {
 
 void draw_six_pictures(const std::string& folder) {
   const Scene scene;
+  draw_need_picture(scene, folder);
   draw_samples_picture(folder);
   draw_contour_picture(scene, folder);
   draw_sites_picture(scene, folder);

@@ -165,6 +165,18 @@ page && /^ *```/ {
   inside = !inside
   next
 }
+# Of a page for a browser its ids and links.
+FILENAME ~ /\.html$/ {
+  text = $0
+  while (match(text, pass == 1 ? " id=\"[^\"]*\"" : " href=\"[^\"]*\"")) {
+    name = substr(text, RSTART, RLENGTH)
+    text = substr(text, RSTART + RLENGTH)
+    gsub(/^[^"]*"|"$/, "", name)
+    if (pass == 1) heading[FILENAME "#" name] = 1
+    else look_up_links("](" name ")")
+  }
+  next
+}
 pass == 1 {
   if (/^#+ / && !inside) {
     name = $0

@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
   find . -maxdepth 1 -type f | sed 's|^\./||'
 } >"$work/files"
 sources=$(grep -E '^(\.ci/run|Makefile|CMakeLists\.txt)$|\.(h|cpp|py|sh|awk|cmake)$|/CMakeLists\.txt$' "$work/files")
-pages=$(grep -E '\.md$' "$work/files" | grep -v faulty_page)
+pages=$(grep -E '\.md$|^docs/index\.html$' "$work/files" | grep -v faulty_page)
 # shellcheck disable=SC2086
 awk '{ sub(FILENAME ~ /\.(h|cpp)$/ ? "//.*" : "#.*", ""); gsub(/[^A-Za-z0-9_]+/, " ")
        for (n = split($0, words, " "); n > 0; n--) print FILENAME ":" words[n] }' \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The glossary holds for README, docs and guide, and its words for the pages of view/ too:
+# The glossary holds for README, docs and guide, and its words for pages for a browser too:
 #   words    no page uses a word that the glossary replaces;
 #   links    what a page links as a term has an entry, each entry is there once, and every chapter
 #            with exercises links one;
@@ -105,7 +105,7 @@ must_find "$(names_of "$work/page" | wc -l)" 2 names
   names_of docs/glossary.md
   # Hands have fingers there.
   pattern=$(sed '/^finger$/d;s/$/s?/' "$work/words" | paste -sd'|' -)
-  for page in docs/figures/README.md view/page/web/* view/trace/*; do words_of "$page"; done
+  for page in docs/figures/README.md view/page/web/* view/trace/* figures/lesson/web/*; do words_of "$page"; done
   pattern=$(sed 's/$/s?/' "$work/words" | paste -sd'|' -)
   for page in README.md docs/*.md docs/guide/*.md; do
     links_of "$page"

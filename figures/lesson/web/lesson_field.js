@@ -9,6 +9,7 @@ class Field {
   }
 
   at(i, j) { return this.samples[j * this.columns + i]; }
+  set(i, j, value) { this.samples[j * this.columns + i] = value; }
 
   // The interpolant at (x, y); outside of the samples it is as at the nearest side.
   value([x, y]) {
@@ -24,10 +25,11 @@ const between = (p, q, t) => [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])
 
 // T: {points, loops, curves, saddles, next, previous}. A vertex is a crossing of a grid edge. A loop is
 // a list of vertices with the inside on the left. curves[n] is the piece of Sigma along loop n. A saddle
-// is a voxel whose corners alternate: {at, value, joined}.
+// is a voxel whose corners alternate: {at, value, joined, vertices}, these on its left, lower, right and
+// upper side.
 // pre: the samples at the sides of the slice are below kappa.
 function contour_of(field, kappa) {
-  // A sample that equals kappa is inside, by a hair.
+  // A sample that equals kappa is inside.
   const excess = (i, j) => field.at(i, j) - kappa || 1e-6;
   const number = new Map(), points = [], neighbors = [], saddles = [];
   const vertex = (key, point) => {
@@ -57,8 +59,9 @@ function contour_of(field, kappa) {
       if (curves.length === 2) {
         const bend = f[0] - f[1] - f[2] + f[3];
         const value = (f[0] * f[3] - f[1] * f[2]) / bend;
-        saddles.push({ at: [i + (f[0] - f[2]) / bend, j + (f[0] - f[1]) / bend],
-                       value: value + kappa, joined: value >= 0 });
+        const sides = [`v${i},${j}`, `h${i},${j}`, `v${i + 1},${j}`, `h${i},${j + 1}`];
+        saddles.push({ at: [i + (f[0] - f[2]) / bend, j + (f[0] - f[1]) / bend], value: value + kappa,
+                       joined: value >= 0, vertices: sides.map((key) => number.get(key)) });
       }
     }
   }
@@ -114,4 +117,27 @@ function nearest_vertex(contour, place, is_allowed = () => true) {
     if (is_allowed(v) && (best < 0 || distance(p, place) < distance(contour.points[best], place))) best = v;
   });
   return best;
+}
+
+// Marching Cubes on a slice: the edges that its table joins, as pairs of points, and into how many loops.
+// Of corners that alternate, the inside ones are never joined.
+function marching_cubes_of(contour) {
+  const { points, next } = contour;
+  const after = [...next];
+  for (const { joined, vertices: [left, bottom, right, top] } of contour.saddles) {
+    if (!joined) continue;
+    // T joins the four by two edges, each around an outside corner; the other two ways go around the inside.
+    const pairs = [[left, bottom], [right, top], [bottom, right], [top, left]];
+    const is_edge = ([p, q]) => next[p] === q || next[q] === p;
+    const ends = pairs.filter(is_edge).map(([p, q]) => next[p] === q ? [p, q] : [q, p]);
+    after[ends[0][0]] = ends[1][1];
+    after[ends[1][0]] = ends[0][1];
+  }
+  const seen = new Set();
+  let loops = 0;
+  points.forEach((_, v) => {
+    if (!seen.has(v)) ++loops;
+    for (let at = v; !seen.has(at); at = after[at]) seen.add(at);
+  });
+  return { edges: points.map((p, v) => [p, points[after[v]]]), loops };
 }

@@ -1,127 +1,135 @@
 'use strict';
-// Begins: the page's frame, and one screen of six in it.
+// Begins: figures that name a picture get it in place of their drawing, with its controls.
 
-// Words between asterisks are terms, said for the first time.
-function paragraph(text) {
-  const made = element('p');
-  text.split('*').forEach((piece, n) => made.append(n % 2 ? element('dfn', {}, piece) : piece));
+function begin() {
+  const header = JSON.parse(document.getElementById('header').textContent);
+  const state = new State(header);
+  state.way = 'cubes';
+  const boards = [...document.querySelectorAll('figure[data-picture]')].map((figure) => new Board(figure, state));
+  state.redraw = () => { for (const board of boards) board.draw(); };
+  for (const figure of document.querySelectorAll('figure[data-solids]')) {
+    put_solids(figure, header[figure.dataset.solids]);
+  }
+  document.documentElement.classList.add('live');
+  state.redraw();
+  on_resize(boards[0].board, state.redraw);
+  window.lesson = { state };  // for the console, and for tests
+}
+
+// A picture of the slice, what is told of it, and its controls.
+class Board {
+  constructor(figure, state) {
+    this.state = state;
+    this.kind = kPictures[figure.dataset.picture];
+    this.board = element('div', { class: 'board' });
+    figure.querySelector('img').after(this.board);
+    const act = (change) => (...values) => {
+      change(...values);
+      state.redraw();
+    };
+    this.picture = new Picture(this.board, state.header, figure.querySelector('img').alt, {
+      move_site: act((n, v) => state.move_site(n, v)),
+      remove_site: act((n) => state.remove_site(n)),
+      select_site: act((n) => { state.chosen = n; }),
+      choose_sample: act((i, j) => state.choose_sample(i, j)),
+      set_sample: act((value) => state.set_sample(value)),
+      point_at: (at) => {
+        state.place = at;
+        if (this.kind === kPictures.samples) this.tell();
+      },
+      press: act((at) => this.kind.press?.(state, at)),
+    });
+    this.picture.takes_keys = this.kind.takes_keys;
+    // What others change is not read out here.
+    this.status = element('p', { class: 'status', 'aria-live': 'off' });
+    this.board.addEventListener('focusin', () => this.status.setAttribute('aria-live', 'polite'));
+    this.board.addEventListener('focusout', () => this.status.setAttribute('aria-live', 'off'));
+    this.controls = this.kind.controls.map((name) => kControls[name](state, act));
+    this.board.append(this.status, element('div', { class: 'controls' }, ...this.controls));
+  }
+
+  draw() {
+    const { picture, state, kind } = this;
+    picture.resize();
+    picture.clear();
+    kind.draw(picture, state);
+    this.tell();
+    for (const control of this.controls) control.refresh();
+  }
+  tell() {
+    const lines = this.kind.tell(this.state).join(' ');
+    if (this.status.textContent !== lines) this.status.textContent = lines;
+  }
+}
+
+// A slider or a button; refresh() shows what the state is now.
+function range(label, limits, shown, get, set, act) {
+  const made = slider(label, { ...limits, value: get() }, act(set));
+  const value = element('output');
+  made.append(value);
+  made.refresh = () => {
+    made.input.value = get();
+    value.textContent = shown(get());
+  };
+  return made;
+}
+function press(label, title, act, is_possible = () => true) {
+  const made = button(label, title, act);
+  made.refresh = () => { made.disabled = !is_possible(); };
+  return made;
+}
+function way(label, title, name, state, act) {
+  const made = button(label, title, act(() => { state.way = name; }));
+  made.refresh = () => made.setAttribute('aria-pressed', state.way === name);
   return made;
 }
 
-function begin() {
-  const place = (id) => document.getElementById(id);
-  const state = new State(JSON.parse(place('header').textContent));
-  let number = -1;
-
-  const draw = () => {
-    const screen = kScreens[number];
-    picture.svg.setAttribute('aria-label', screen.title);
-    picture.resize();
-    picture.clear();
-    screen.draw(picture, state);
-    picture.handles.toggleAttribute('hidden', !screen.controls.includes('again'));
-    const lines = screen.tell(state).join(' ');
-    if (place('status').textContent !== lines) place('status').textContent = lines;
-    for (const name of screen.controls) controls[name].refresh?.();
-  };
-  const redraw = (act) => (...values) => {
-    act(...values);
-    draw();
-  };
-  const picture = new Picture(place('figure'), state.field, {
-    move_site: redraw((n, v) => state.move_site(n, v)),
-    remove_site: redraw((n) => state.remove_site(n)),
-    select_site: (n) => {
-      if (n === state.chosen) return;
-      state.chosen = n;
-      draw();
-    },
-    point_at: (at) => {
-      state.place = at;
-      if (number === 0) draw();
-    },
-    press: (at) => {
-      if (number !== 4 || !state.loops) return;
-      state.edge = at;
-      draw();
-    },
-  });
-
-  // Slider or button by name; refresh() shows what the state is now.
-  const range = (label, limits, shown, get, set) => {
-    const made = slider(label, { ...limits, value: get() }, redraw(set));
-    const value = element('output');
-    made.append(value);
+// By name: made from the state, and what wraps a change of it.
+const kControls = {
+  cubes: (s, act) => way('Marching Cubes', 'Show what Marching Cubes makes', 'cubes', s, act),
+  refined: (s, act) => way('A few points, refined', 'Refine the mesh of the sites at once', 'few', s, act),
+  kappa: (s, act) => range('Isovalue \u03ba', { min: 40, max: 65, step: 1 }, String, () => s.kappa,
+                           (kappa) => s.set_kappa(kappa), act),
+  // Any sample, and its value: for keys.
+  sample: (s, act) => {
+    const { columns } = s.header;
+    const which = range('Sample', { min: 0, max: s.field.samples.length - 1, step: 1 }, () => '',
+                        () => s.chosen_sample[1] * columns + s.chosen_sample[0],
+                        (n) => s.choose_sample(n % columns, Math.floor(n / columns)), act);
+    const value = range('Its value', { min: 0, max: 100, step: 1 }, String, () => s.field.at(...s.chosen_sample),
+                        (x) => s.set_sample(x), act);
+    const made = element('div', { class: 'controls', style: 'flex: 1 1 100%' }, which, value);
     made.refresh = () => {
-      made.input.value = get();
-      value.textContent = shown(get());
+      which.refresh();
+      value.refresh();
+      which.input.setAttribute('aria-valuetext', `column ${s.chosen_sample[0] + 1}, row ${s.chosen_sample[1] + 1}`);
+      value.input.disabled = !s.can_change(...s.chosen_sample);
     };
     return made;
-  };
-  const press = (label, title, act, is_possible = () => true) => {
-    const made = button(label, title, redraw(act));
-    made.refresh = () => { made.disabled = !is_possible(); };
-    return made;
-  };
-  const has_mesh = () => state.loops !== null;
-  const controls = {
-    kappa: range('Isovalue \u03ba', { min: 40, max: 65, step: 1 }, String, () => state.kappa,
-                 (kappa) => state.set_kappa(kappa)),
-    limit: range('Limit D', { min: 0.05, max: 0.5, step: 0.01 }, (x) => x.toFixed(2), () => state.limit,
-                 (limit) => { state.limit = limit; }),
-    add: press('Add a site', 'Add a site where T is furthest from all', () => state.add_furthest_site(),
-               () => Math.max(...state.regions.far) > 0),
-    remove: press('Remove it', 'Remove the site that is selected (Delete)',
-                  () => state.remove_site(state.chosen), () => state.sites.length > 1),
-    again: press('Start again', 'The first sites and the first isovalue', () => state.start_again()),
-    ask: press('Make v a site', 'Insert the vertex that the certificate asks for',
-               () => state.add_site(state.fault.insert), () => (state.fault?.insert ?? -1) >= 0),
-    certify: press('Insert until it holds', 'Insert what the certificate asks for, until it holds',
-                   () => state.certify(), () => state.fault !== null),
-    insert: press('Insert x', 'Insert the surface point', () => state.insert(), has_mesh),
-    worst: press('Worst edge', 'Select the edge that is furthest from \u03a3',
-                 () => { state.edge = null; state.said = ''; }, has_mesh),
-    next: press('Next edge', 'Select the next edge', () => {
-      const facets = state.facets(), at = facets.indexOf(state.facet(facets));
-      state.edge = facets[(at + 1) % facets.length].center;
-      state.said = '';
-    }, has_mesh),
-  };
-
-  const steps = kScreens.map(({ title }, n) => element('button',
-    { type: 'button', 'aria-label': `Screen ${n + 1}: ${title}`, title, onclick: () => show(n) }, String(n + 1)));
-  const back = button('Back', 'The screen before (P)', () => show(number - 1));
-  const on = button('Next', 'The next screen (N)', () => show(number + 1));
-  place('steps').append(back, ...steps, on);
-
-  const show = (n) => {
-    const to = clamp(n, 0, kScreens.length - 1);
-    if (to === number) return;
-    number = to;
-    const screen = kScreens[number];
-    state.said = '';
-    place('screen-title').textContent = `${number + 1}. ${screen.title}`;
-    place('lead').replaceChildren(...screen.lead.map(paragraph));
-    place('more').replaceChildren(...screen.more.map(paragraph));
-    place('controls').replaceChildren(...screen.controls.map((name) => controls[name]));
-    steps.forEach((step, k) => step.setAttribute('aria-current', k === number ? 'step' : 'false'));
-    back.disabled = number === 0;
-    on.disabled = number === kScreens.length - 1;
-    document.documentElement.dataset.screen = number + 1;
-    history.replaceState(null, '', `#${number + 1}`);
-    window.scrollTo(0, 0);
-    draw();
-  };
-
-  const turn_theme = set_up_theme(() => {});
-  listen_to_keys({ n: () => show(number + 1), p: () => show(number - 1), t: turn_theme,
-                   ...Object.fromEntries(kScreens.map((_, n) => [n + 1, () => show(n)])) });
-  window.addEventListener('hashchange', () => show(Number(location.hash.slice(1)) - 1 || 0));
-  on_resize(place('figure'), () => { if (number >= 0) draw(); });
-  show(Number(location.hash.slice(1)) - 1 || 0);
-  place('message').hidden = true;
-  window.lesson = { state, show, draw };  // for the console, and for tests
-}
+  },
+  limit: (s, act) => range('Limit D', { min: 0.05, max: 0.5, step: 0.01 }, (x) => x.toFixed(2), () => s.limit,
+                           (limit) => { s.limit = limit; }, act),
+  add: (s, act) => press('Add a site', 'Where T is furthest from all sites', act(() => s.add_furthest_site()),
+                         () => Math.max(...s.regions.far) > 0),
+  remove: (s, act) => press('Remove it', 'Remove the site that is selected (Delete)',
+                            act(() => s.remove_site(s.chosen)), () => s.sites.length > 1),
+  again: (s, act) => press('Start again', 'The samples, the isovalue and the sites of the beginning',
+                           act(() => s.start_again())),
+  ask: (s, act) => press('Make v a site', 'Insert the vertex that the certificate asks for',
+                         act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
+  certify: (s, act) => press('Insert until it holds', 'Insert what the certificate asks for',
+                             act(() => s.certify()), () => s.fault !== null),
+  insert: (s, act) => press('Insert x', 'Insert the surface point', act(() => s.insert()), () => s.loops !== null),
+  worst: (s, act) => press('Worst edge', 'Select the edge that is furthest from \u03a3', act(() => {
+    s.edge = null;
+    s.said = '';
+  }), () => s.loops !== null),
+  next: (s, act) => press('Next edge', 'Select the edge after this one', act(() => {
+    const facets = s.facets(), at = facets.indexOf(s.facet(facets));
+    s.edge = facets[(at + 1) % facets.length].center;
+    s.said = '';
+  }), () => s.loops !== null),
+};
 
 window.addEventListener('error', (event) => {
   const message = document.getElementById('message');

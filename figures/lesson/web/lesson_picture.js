@@ -1,6 +1,6 @@
 'use strict';
-// The picture of a screen, as SVG in CSS pixels. It is drawn anew when something changes. Only the
-// handles of the sites stay, since they keep the focus and the finger.
+// A picture of the slice, as SVG in CSS pixels. It is drawn anew when something changes. Only what is
+// dragged stays, the handles of sites and the samples, since it keeps the focus and the finger.
 
 const kSvg = 'http://www.w3.org/2000/svg';
 
@@ -12,11 +12,13 @@ function svg_element(tag, attributes, ...children) {
 }
 
 class Picture {
-  // act: {move_site(n, vertex), select_site(n), remove_site(n), point_at(place), press(place)}.
-  constructor(place, field, act) {
-    this.field = field;
+  // act: {move_site(n, vertex), select_site(n), remove_site(n), choose_sample(i, j), set_sample(value),
+  // point_at(place), press(place)}.
+  constructor(place, { columns, rows }, label, act) {
+    this.columns = columns;
+    this.rows = rows;
     this.act = act;
-    this.svg = svg_element('svg', { class: 'picture', role: 'group', 'aria-label': 'A slice of samples' });
+    this.svg = svg_element('svg', { class: 'picture', role: 'group', 'aria-label': label });
     this.ground = svg_element('g', {});
     this.handles = svg_element('g', {});
     this.svg.append(this.ground, this.handles);
@@ -28,11 +30,10 @@ class Picture {
 
   // From the slice to pixels, with half a voxel and a bit all round.
   resize() {
-    this.scale = this.svg.parentNode.clientWidth / (this.field.columns - 0.1);
-    this.width = this.scale * (this.field.columns - 0.1);
-    this.height = this.scale * (this.field.rows - 0.1);
+    this.scale = this.svg.getBoundingClientRect().width / (this.columns - 0.1);
+    this.width = this.scale * (this.columns - 0.1);
+    this.height = this.scale * (this.rows - 0.1);
     this.svg.setAttribute('viewBox', `0 0 ${this.width} ${this.height}`);
-    this.svg.setAttribute('width', this.width);
     this.svg.setAttribute('height', this.height);
   }
   to_paper([x, y]) {
@@ -73,21 +74,23 @@ class Picture {
     }
   }
   draw_grid() {
-    const { columns, rows } = this.field;
+    const { columns, rows } = this;
     for (let i = 0; i < columns; ++i) this.polyline([[i, 0], [i, rows - 1]], 'grid');
     for (let j = 0; j < rows; ++j) this.polyline([[0, j], [columns - 1, j]], 'grid');
   }
-  draw_samples(kappa) {
+  // `bare`: the numbers alone.
+  draw_samples(field, kappa, chosen, bare) {
     const radius = 0.34 * this.scale;
-    for (let j = 0; j < this.field.rows; ++j) {
-      for (let i = 0; i < this.field.columns; ++i) {
-        const value = this.field.at(i, j);
-        this.dot([i, j], value >= kappa ? 'sample inside' : 'sample outside', radius);
-        const [x, y] = this.to_paper([i, j]);
-        this.put('text', { x, y: y + 0.13 * this.scale, class: 'number',
+    for (let j = 0; j < this.rows; ++j) {
+      for (let i = 0; i < this.columns; ++i) {
+        const value = field.at(i, j), [x, y] = this.to_paper([i, j]);
+        if (!bare) this.dot([i, j], value >= kappa ? 'sample inside' : 'sample outside', radius);
+        this.put('text', { x, y: y + 0.13 * this.scale, class: bare ? 'number bare' : 'number',
                            'font-size': (0.36 * this.scale).toFixed(1) }, String(value));
       }
     }
+    this.dot(chosen, 'chosen-sample', radius + 3);
+    this.put_samples(field);
   }
   draw_contour(contour, name, with_vertices) {
     for (const loop of contour.loops) this.polyline(loop.map((v) => contour.points[v]), name, true);
@@ -114,6 +117,34 @@ class Picture {
     });
   }
 
+  // Places to drag samples by, up and down: a voxel's side is 40.
+  put_samples(field) {
+    this.field = field;
+    const [x, y] = this.to_paper([0, 0]), half = this.scale / 2;
+    if (!this.grips) {
+      this.grips = svg_element('rect', { class: 'draggable' });
+      this.svg.append(this.grips);
+      let held = null;
+      this.grips.addEventListener('pointerdown', (event) => {
+        const [i, j] = this.from_event(event).map(Math.round);
+        event.preventDefault();
+        this.grips.setPointerCapture(event.pointerId);
+        held = { y: event.clientY, value: this.field.at(i, j) };
+        this.act.choose_sample(i, j);
+      });
+      this.grips.addEventListener('pointermove', (event) => {
+        if (!held) return;
+        const value = held.value + 40 * (held.y - event.clientY) / this.scale;
+        this.act.set_sample(clamp(Math.round(value), 0, 100));
+      });
+      for (const kind of ['pointerup', 'pointercancel']) {
+        this.grips.addEventListener(kind, () => { held = null; });
+      }
+    }
+    for (const [name, value] of Object.entries({ x: x - half, y: y - half - (this.rows - 1) * this.scale,
+      width: this.columns * this.scale, height: this.rows * this.scale })) this.grips.setAttribute(name, value);
+  }
+
   // The handles of the sites: names[n] is a letter, `chosen` the number of the one selected.
   put_sites(contour, sites, names, chosen, notes) {
     this.contour = contour;
@@ -124,7 +155,7 @@ class Picture {
       const handle = this.handles.children[n];
       const [x, y] = this.to_paper(contour.points[v]);
       handle.setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
-      handle.setAttribute('class', n === chosen ? 'site chosen' : 'site');
+      handle.setAttribute('class', n === chosen ? 'handle chosen' : 'handle');
       handle.setAttribute('aria-valuemax', contour.points.length - 1);
       handle.setAttribute('aria-valuenow', v);
       handle.setAttribute('aria-label', `Site ${names[n]}`);
@@ -140,7 +171,7 @@ class Picture {
     });
   }
   add_handle(n) {
-    const handle = svg_element('g', { class: 'site', tabindex: 0, role: 'slider', 'aria-valuemin': 0 },
+    const handle = svg_element('g', { class: 'handle', tabindex: this.takes_keys ? 0 : -1, role: 'slider', 'aria-valuemin': 0 },
       svg_element('circle', { r: 21, class: 'grip' }), svg_element('circle', { r: 7.5, class: 'knob' }),
       svg_element('text', { class: 'letter' }));
     let held = false;

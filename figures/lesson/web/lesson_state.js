@@ -1,37 +1,43 @@
 'use strict';
-// What the reader has made so far: an isovalue, sites, and surface points inserted by hand. All else
-// follows from these and is found anew when it is asked for.
+// What the reader has made so far: samples, an isovalue, sites, and surface points inserted by hand. All
+// else follows from these and is found anew when it is asked for.
 
 const kLetters = 'ABCDEFGHJLMNPQRSUVWXYZ';
 
 class State {
   constructor(header) {
-    this.field = new Field(header);
     this.header = header;
     this.limit = 0.1;
     this.start_again();
   }
 
   start_again() {
-    this.kappa = this.header.isovalue;
+    const { header } = this;
+    this.field = new Field({ ...header, samples: [...header.samples] });
+    this.kappa = header.isovalue;
+    this.chosen_sample = header.chosen;
     this.contour = contour_of(this.field, this.kappa);
     this.sites = [];
-    this.header.sites.forEach((place) => this.add_site(nearest_vertex(this.contour, place)));
+    header.sites.forEach((place) => this.add_site(nearest_vertex(this.contour, place)));
     this.chosen = 0;
   }
   changed() {
     this.regions = regions_of(this.contour, this.sites);
     this.fault = certificate_of(this.contour, this.sites, this.regions);
-    this.loops = this.fault ? null : dual_loops(this.contour, this.regions)
-      .map((loop) => loop.map((n) => this.contour.points[this.sites[n]]));
-    this.edge = null;  // a place on the edge that screen 5 is about; none: the worst
+    this.loops = this.fault ? null : this.walks();
+    this.edge = null;  // a place on the edge that the picture of insertion is about; none: the worst
     this.by_hand = 0;
     this.said = '';
   }
-  set_kappa(kappa) {
+  // T's loops from site to site. They are K where the certificate holds; else they meet themselves.
+  walks() {
+    return dual_loops(this.contour, this.regions)
+      .map((loop) => loop.map((n) => this.contour.points[this.sites[n]]));
+  }
+  // Sites go to the vertices of another T that are nearest.
+  recontour() {
     const places = this.sites.map((v) => this.contour.points[v]);
-    this.kappa = kappa;
-    this.contour = contour_of(this.field, kappa);
+    this.contour = contour_of(this.field, this.kappa);
     this.sites = [];
     for (const place of places) {
       const v = nearest_vertex(this.contour, place, (u) => !this.sites.includes(u));
@@ -39,6 +45,20 @@ class State {
     }
     this.chosen = Math.min(this.chosen, this.sites.length - 1);
     this.changed();
+  }
+  set_kappa(kappa) {
+    this.kappa = kappa;
+    this.recontour();
+  }
+  choose_sample(i, j) { this.chosen_sample = [i, j]; }
+  // Samples at the sides of the slice stay, so that no loop is cut; and some of the surface stays.
+  can_change(i, j) { return i > 0 && j > 0 && i < this.field.columns - 1 && j < this.field.rows - 1; }
+  set_sample(value) {
+    const [i, j] = this.chosen_sample, before = this.field.at(i, j);
+    if (!this.can_change(i, j) || value === before) return;
+    this.field.set(i, j, value);
+    if (contour_of(this.field, this.kappa).points.length < 12) this.field.set(i, j, before);
+    this.recontour();
   }
   add_site(v) {
     if (v < 0 || this.sites.includes(v)) return;
@@ -80,7 +100,7 @@ class State {
   }
 
   facets() { return facets_of(this.field, this.kappa, this.loops); }
-  // The facet that screen 5 is about.
+  // The facet that the picture of insertion is about.
   facet(facets) {
     const off = (f) => distance(f.center, this.edge);
     return facets.reduce((best, f) => (this.edge ? off(f) < off(best) : f.h > best.h) ? f : best);
@@ -92,8 +112,9 @@ class State {
     this.edge = null;
     this.said = why_not === '' ? 'Inserted. Now another edge is the worst.' : `Refused: ${why_not}.`;
   }
-  finished() {
-    const loops = this.loops.map((loop) => [...loop]);
+  // Stage 2 to its end; without a certificate on walks that are no mesh.
+  finished(from = this.loops) {
+    const loops = from.map((loop) => [...loop]);
     return { loops, ...refine(this.field, this.kappa, loops, this.limit, 0.1) };
   }
 }

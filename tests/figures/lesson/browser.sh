@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The lesson in a browser: every screen, a site that is dragged and one that the keys move, both themes'
-# colors. Needs Chromium or Chrome. Usage: browser.sh SOURCE_FOLDER
+# The lesson in a browser: every picture, samples and sites that are dragged and that keys move, cells that
+# are turned, larger text. Needs Chromium or Chrome. Usage: browser.sh SOURCE_FOLDER
 set -eu
 browser=
 for name in chromium chromium-browser google-chrome google-chrome-stable; do
@@ -14,15 +14,18 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# What a reader does, after the page has begun. The answers are elements at the end of the page.
-sed '/^<\/body>$/,$d' "$1/docs/lesson.html" >"$work/lesson.html"
+# What a reader does, after the page has begun. The answers are elements at the end of the page. Its
+# drawings are where the page is.
+ln -s "$(cd "$1/docs" && pwd)/guide" "$work/guide"
+sed '/^<\/body>$/,$d' "$1/docs/index.html" >"$work/lesson.html"
 cat >>"$work/lesson.html" <<'END'
 <script>
 window.addEventListener('load', () => {
   const answers = [];
   const check = (what, holds) => answers.push(`${holds ? 'fine' : 'FAULT'}: ${what}`);
-  const find = (name) => document.querySelector(name);
-  const status = () => find('#status').textContent;
+  const { state } = lesson;
+  const figure = (name) => document.querySelector(`#picture-${name}`);
+  const status = (name) => figure(name).querySelector('.status').textContent;
   // A synthetic pointer cannot be captured.
   Element.prototype.setPointerCapture = () => {};
   const point = (target, kind, [x, y]) => target.dispatchEvent(new PointerEvent(kind,
@@ -31,48 +34,80 @@ window.addEventListener('load', () => {
     const box = target.getBoundingClientRect();
     return [box.x + box.width / 2, box.y + box.height / 2];
   };
-  const place = (n) => find(`.site:nth-of-type(${n})`).dataset.place;
-  const titles = new Set();
-  for (let n = 0; n < 6; ++n) {
-    lesson.show(n);
-    titles.add(find('#screen-title').textContent);
-    check(`screen ${n + 1} draws and speaks`, document.querySelectorAll('.picture *').length > 50 &&
-          status().length > 20 && find('#lead').children.length > 0);
-  }
-  check('six titles', titles.size === 6);
-  lesson.show(3);
-  check('the certificate fails at first', status().includes('fails') && find('.asked') !== null);
-  const first = find('.site'), before = place(1), at = middle(first.querySelector('.knob'));
-  point(first, 'pointerdown', at);
-  point(first, 'pointermove', [at[0] - 150, at[1] - 60]);
-  point(first, 'pointerup', [at[0] - 150, at[1] - 60]);
-  check('a drag moves the site', place(1) !== before);
-  const dragged = place(1);
-  point(first, 'pointermove', [at[0] + 200, at[1]]);
-  check('a site that was let go stays', place(1) === dragged);
-  first.focus();
-  first.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }));
-  check('an arrow key moves the site', place(1) !== dragged);
-  check('the site keeps the focus', document.activeElement === first);
-  const press = (label) => [...document.querySelectorAll('#controls button')]
+  const key = (target, name) => target.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true }));
+  const press = (name, label) => [...figure(name).querySelectorAll('button')]
     .find((button) => button.textContent === label).click();
-  press('Insert until it holds');
-  check('then the certificate holds', status().includes('holds'));
-  lesson.show(4);
-  const ball = find('.ball')?.getAttribute('r');
-  press('Insert x');
-  check('an insertion shows another ball', ball && find('.ball') && find('.ball').getAttribute('r') !== ball);
-  lesson.show(5);
-  const edges = Number(status().match(/(\d+) edges/)?.[1]);
-  const slider = find('#controls input');
-  slider.value = 0.05;
-  slider.dispatchEvent(new Event('input', { bubbles: true }));
-  check('a smaller limit needs more edges', Number(status().match(/(\d+) edges/)?.[1]) > edges);
-  const root = document.documentElement, theme = root.dataset.theme;
-  find('#theme-button').click();
-  check('the other theme', root.dataset.theme !== theme);
+  const move = (name, label, value) => {
+    const slider = figure(name).querySelector(`input[aria-label="${label}"]`);
+    slider.value = value;
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  };
+  for (const name of ['need', 'samples', 'contour', 'sites', 'dual', 'insertion', 'mesh']) {
+    check(`the picture ${name} draws and speaks, in place of its drawing`,
+          figure(name).querySelectorAll('.picture *').length > 50 && status(name).length > 20 &&
+          figure(name).querySelector('img').offsetWidth === 0 && figure(name).querySelector('img').naturalWidth > 0);
+  }
+  check('Marching Cubes cuts the neck', status('need').includes('2 loops'));
+  press('need', 'A few points, refined');
+  check('ten points meet themselves', status('need').includes('meets itself at A'));
+
+  const numbers = () => figure('samples').querySelectorAll('.number')[44].textContent;
+  const at = middle(figure('samples').querySelectorAll('.number')[44]), was = numbers();
+  const grips = figure('samples').querySelector('.draggable');
+  point(grips, 'pointerdown', at);
+  const down = 0.28 * figure('samples').querySelector('svg').clientWidth / 12.9;  // of 40 for a voxel's side
+  point(grips, 'pointermove', [at[0], at[1] + down]);
+  point(grips, 'pointerup', [at[0], at[1] + down]);
+  check('a number is dragged down', Number(numbers()) < Number(was));
+  check('the saddle follows', status('contour').includes('below 50: apart'));
+  move('contour', 'Its value', was);
+  check('and goes back by its slider', status('contour').includes('52.4, at least 50: joined'));
+
+  press('dual', 'Start again');
+  check('the certificate fails at first', status('dual').includes('fails') && figure('dual').querySelector('.asked'));
+  const place = () => first.dataset.place;
+  const first = figure('sites').querySelector('.handle'), before = place(), from = middle(first.querySelector('.knob'));
+  point(first, 'pointerdown', from);
+  point(first, 'pointermove', [from[0] - 150, from[1] - 60]);
+  point(first, 'pointerup', [from[0] - 150, from[1] - 60]);
+  check('a drag moves the site', place() !== before);
+  const dragged = place();
+  point(first, 'pointermove', [from[0] + 200, from[1]]);
+  check('a site that was let go stays', place() === dragged);
+  first.focus();
+  key(first, 'ArrowRight');
+  check('an arrow key moves the site', place() !== dragged);
+  check('the site keeps the focus', document.activeElement === first);
+  check('its picture speaks, others are silent', figure('sites').querySelector('.status').ariaLive === 'polite' &&
+        figure('dual').querySelector('.status').ariaLive === 'off');
+  press('dual', 'Start again');
+  press('dual', 'Insert until it holds');
+  check('then the certificate holds', status('dual').includes('holds'));
+  const ball = figure('insertion').querySelector('.ball')?.getAttribute('r');
+  press('insertion', 'Insert x');
+  press('insertion', 'Insert x');
+  const another = figure('insertion').querySelector('.ball')?.getAttribute('r');
+  check('an insertion shows another ball', ball && another && another !== ball);
+  check('the mesh counts what was inserted by hand', status('mesh').includes('19 surface points (2 by hand): 30 edges'));
+  const edges = () => Number(status('mesh').match(/(\d+) edges/)?.[1]), few = edges();
+  move('mesh', 'Limit D', 0.05);
+  check('a smaller limit needs more edges', edges() > few);
+
+  const solid = figure('cells').querySelector('svg'), seen = () => solid.innerHTML, turned = seen();
+  key(solid, 'ArrowLeft');
+  check('a cell is turned', solid.children.length > 20 && seen() !== turned);
+  check('four conditions, with their duals', figure('broken').querySelectorAll('svg').length === 8);
+  const root = document.documentElement;
   check('nothing is wider than the page', root.scrollWidth <= window.innerWidth);
-  check('the message is hidden', find('#message').hidden);
+  check('every button is named by its text', [...document.querySelectorAll('button')]
+    .every((button) => !button.ariaLabel || button.ariaLabel.includes(button.textContent)));
+  check('every link inside leads somewhere', [...document.querySelectorAll('a[href^="#"]')]
+    .every((link) => document.getElementById(link.hash.slice(1))));
+  root.style.fontSize = '200%';
+  state.redraw();
+  check('larger text stays within the page', root.scrollWidth <= window.innerWidth &&
+        figure('sites').querySelector('svg').clientWidth > 0.6 * Math.min(window.innerWidth, 832));
+  check('no message', document.querySelector('#message').hidden);
   document.body.append(...answers.map((text) => Object.assign(document.createElement('pre'), { textContent: text })));
 });
 </script>
@@ -93,7 +128,7 @@ for size in 1280,800 390,844; do
   fi
   tr '\n' ' ' <"$work/dom" | grep -o '<pre>[^<]*</pre>' | sed 's/<[^>]*>//g' >"$work/answers"
   sed "s/^/$size /" "$work/answers"
-  [ "$(grep -c '^fine' "$work/answers")" -eq 18 ] || faults=1
+  [ "$(grep -c '^fine' "$work/answers")" -eq 29 ] || faults=1
   if grep 'CONSOLE' "$work/log"; then faults=1; fi
 done
 exit $faults

@@ -110,6 +110,115 @@ test('T: vertices lie on Sigma, and the inside is on the left', () => {
   }
 });
 
+test('Marching Cubes: as many loops as there are borders, where inside corners are never joined', () => {
+  let differ = 0;
+  for (const { seed, field, contour } of scenes()) {
+    const { columns, rows } = field, is_inside = (i, j) => field.at(i, j) >= kKappa;
+    const seen = new Set();
+    let pieces = 0;
+    for (let n = 0; n < columns * rows; ++n) {
+      if (seen.has(n)) continue;
+      ++pieces;
+      for (const rest = [n]; rest.length > 0;) {
+        const m = rest.pop(), i = m % columns, j = Math.floor(m / columns);
+        if (seen.has(m)) continue;
+        seen.add(m);
+        for (let y = Math.max(0, j - 1); y <= Math.min(rows - 1, j + 1); ++y) {
+          for (let x = Math.max(0, i - 1); x <= Math.min(columns - 1, i + 1); ++x) {
+            // Outside samples are joined across a voxel too.
+            const is_near = x === i || y === j || !is_inside(i, j);
+            if (is_near && is_inside(x, y) === is_inside(i, j)) rest.push(y * columns + x);
+          }
+        }
+      }
+    }
+    const { edges, loops } = marching_cubes_of(contour);
+    assert.equal(loops, pieces - 1, `seed ${seed}`);
+    assert.equal(edges.length, contour.points.length);
+    // Each edge is in one voxel, with the inside on its left.
+    for (const [p, q] of edges) {
+      const corner = [0, 1].map((axis) => Math.floor((p[axis] + q[axis]) / 2 + 1e-12));
+      for (const axis of [0, 1]) {
+        for (const point of [p, q]) assert.ok(point[axis] >= corner[axis] - 1e-9 && point[axis] <= corner[axis] + 1 + 1e-9);
+      }
+    }
+    if (loops !== contour.loops.length) ++differ;
+  }
+  assert.ok(differ > 50);
+});
+
+test('samples: a change moves T and keeps the sites apart; those at the sides stay', () => {
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const state = new State(JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]));
+  const random = random_from(7);
+  for (let n = 0; n < 100; ++n) {
+    const place = [random.below(state.field.columns), random.below(state.field.rows)];
+    const before = state.field.at(...place), value = random.below(101);
+    state.choose_sample(...place);
+    state.set_sample(value);
+    assert.ok([before, value].includes(state.field.at(...place)));
+    if (!state.can_change(...place)) assert.equal(state.field.at(...place), before);
+    assert.equal(new Set(state.sites).size, state.sites.length);
+    const kinds = Object.values(kPictures);
+    for (const line of kinds[n % kinds.length].tell(state)) assert.doesNotMatch(line, /NaN|undefined|Infinity/);
+    if (n % 4 === 0) state.certify();
+    if (n % 25 === 24) state.start_again();
+  }
+});
+
+// Vertices minus edges plus facets, and the connected pieces, of polygons whose corners are rounded alike.
+function topology_of(polygons) {
+  const number = new Map(), parent = [], edges = new Set();
+  const root_of = (n) => parent[n] === n ? n : root_of(parent[n]);
+  const vertex = (p) => {
+    const key = p.map((x) => Math.round(500 * x)).join();
+    if (!number.has(key)) {
+      number.set(key, parent.length);
+      parent.push(parent.length);
+    }
+    return number.get(key);
+  };
+  let facets = 0;
+  for (const polygon of polygons) {
+    const corners = polygon.map(vertex).filter((v, n, all) => v !== all[(n + 1) % all.length]);
+    if (corners.length < 3) continue;
+    ++facets;
+    corners.forEach((a, n) => {
+      const b = corners[(n + 1) % corners.length];
+      edges.add(`${Math.min(a, b)} ${Math.max(a, b)}`);
+      parent[root_of(a)] = root_of(b);
+    });
+  }
+  const used = new Set([...edges].flatMap((edge) => edge.split(' ')));
+  const pieces = new Set([...used].map((v) => root_of(Number(v)))).size;
+  return { euler: used.size - edges.size + facets, pieces };
+}
+
+test('cells: closed bodies that hold a disk, a ring, two disks', () => {
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const { cells } = JSON.parse(/id="header">(.*?)<\/script>/s.exec(page)[1]);
+  assert.deepEqual(cells.map(({ sides }) => topology_of(sides)), Array(3).fill({ euler: 2, pieces: 1 }));
+  assert.deepEqual(cells.map(({ surface }) => topology_of(surface)),
+                   [{ euler: 1, pieces: 1 }, { euler: 0, pieces: 1 }, { euler: 2, pieces: 2 }]);
+  for (const point of cells.flatMap(({ sides, surface }) => [...sides, ...surface].flat())) {
+    assert.ok(length_of(point) < 1.01);
+  }
+});
+
+test('patches: pieces of a triangle cover it, each with a corner of its label', () => {
+  const corners = [[0, 0, 0], [4, 0, 1], [1, 3, 2]];
+  const area = (points) => length_of(points.slice(1, -1).map((p, n) =>
+    cross(subtract(p, points[0]), subtract(points[n + 2], points[0]))).reduce(add));
+  for (const labels of ['aaa', 'aab', 'aba', 'baa', 'abb', 'abc', 'cab'].map((word) => [...word])) {
+    const patches = patches_of(corners, labels);
+    assert.equal(new Set(patches.map(({ label }) => label)).size, new Set(labels).size);
+    assert.ok(Math.abs(patches.reduce((sum, { points }) => sum + area(points), 0) - area(corners)) < 1e-9);
+    for (const { points, label } of patches) {
+      assert.ok(corners.some((p, n) => labels[n] === label && points.includes(p)));
+    }
+  }
+});
+
 test('regions: every vertex has its nearest site, and the arcs are the regions, in pieces', () => {
   for (const { seed, contour, sites } of scenes()) {
     const regions = regions_of(contour, sites);
@@ -260,8 +369,8 @@ test('insertion: refused exactly where a ball, a half or a crossing is against i
 });
 
 test('the lesson itself: what its text and the pictures of the guide say', () => {
-  const page = fs.readFileSync(path.join(root, 'docs/lesson.html'), 'utf8');
-  const header = /id="header">(.*)<\/script>/.exec(page)[1];
+  const page = fs.readFileSync(path.join(root, 'docs/index.html'), 'utf8');
+  const header = /id="header">(.*?)<\/script>/s.exec(page)[1];
   const state = new State(JSON.parse(header));
   assert.equal(state.contour.points.length, 38);
   assert.equal(state.contour.loops.length, 1);
@@ -274,6 +383,15 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
   assert.equal(state.fault, null);
   const { loops, inserted, refused } = state.finished();
   assert.deepEqual([state.sites.length, inserted, loops[0].length, refused], [11, 19, 30, 0]);
+  // What is told counts points that were inserted by hand.
+  state.insert();
+  state.insert();
+  assert.equal(kPictures.mesh.tell(state)[0], '11 sites and 19 surface points (2 by hand): 30 edges. T has 38.');
+  state.start_again();
+  state.way = 'few';
+  assert.match(kPictures.need.tell(state)[0], /meets itself at A/);
+  state.way = 'cubes';
+  assert.match(kPictures.need.tell(state)[0], /38 edges in 2 loops\. \u03a3 has 1\./);
   for (let kappa = 40; kappa <= 65; ++kappa) {
     state.start_again();
     state.set_kappa(kappa);

@@ -53,8 +53,11 @@ function slider(label, { min, max, step, value }, change) {
   return made;
 }
 
+// Its name is its text, so that it can be called by what one sees, and the title says more. A sign or a
+// picture has the title for a name.
 function button(label, title, press) {
-  return element('button', { type: 'button', title, 'aria-label': title, onclick: press }, label);
+  const name = /\w/.test(label) ? undefined : title;
+  return element('button', { type: 'button', title, 'aria-label': name, onclick: press }, label);
 }
 
 // A symbol of page.html, made anew as an element.

@@ -136,6 +136,7 @@ class MeshView {
         const was_alone = this.hidden.size === count - 1 && !this.hidden.has(c);
         this.hide(hidden_components(was_alone ? '' : String(c + 1), count));
       });
+      alone.setAttribute('aria-label', `only component ${c + 1}`);
       shown.input.dataset.own = '';
       this.rows.push(element('li', {}, shown, alone));
     }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Voronoi cells, each with the piece of a surface in it: the topological ball property and two of
+// the ways in which a cell breaks it. For the page of the lesson and its drawing on paper.
+#pragma once
+
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace deliso::lesson {
+
+using Polygon = std::vector<Vec3>;
+
+// All of it lies in the ball around the origin of radius 1.
+struct Cell {
+  const char *title, *text;
+  std::vector<Polygon> sides;  // of the cell, counter-clockwise from outside
+  std::vector<Polygon>
+      surface;  // the piece: triangles of T cut by the cell, the outside of T in front
+  std::vector<Polygon> ends;  // the edges in which the piece ends, a pair of points each
+};
+
+// A disk, a ring, two pieces.
+std::vector<Cell> example_cells();
+
+}  // namespace deliso::lesson
