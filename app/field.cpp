@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "io/files/append_format.h"
 #include "io/filter/gaussian.h"
+#include "io/filter/label_fields.h"
 #include "io/filter/median.h"
 
 namespace deliso {
@@ -29,30 +30,31 @@ std::string list_of(std::span<const std::int64_t> labels, std::string_view separ
   return list;
 }
 
-// Cuts the labels out of the volume as an indicator. The margin has room for the filters: beyond
-// it all is 0.
-Volume indicator_of(const Volume& volume, const FieldOptions& options, const LabelSamples& extent,
-                    const Field& field, int threads) {
-  Index3 margin;
-  for (int axis = 0; axis < 3; ++axis) {
-    margin[axis] = gaussian_radius(field.sigma[axis]) + field.median + 1;
-  }
-  return label_indicator(volume, options.labels, extent, margin, threads);
-}
-
-// Finds the isovalue, in the smoothed indicator.
+// The facts of the field that was made of a label.
 LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions& options,
-                    const LabelSamples& extent, int threads) {
-  const IndicatorLevel level = find_level(field.volume, extent.volume, threads);
+                    const LabelSamples& label, int threads) {
   const Vec3 s = whole.spacing();
   LabelFacts facts;
   facts.labels = options.labels;
   facts.whole = whole.dims();
-  facts.samples = extent.samples;
-  facts.volume = world_volume(extent.volume * s.x * s.y * s.z, whole.frame());
-  facts.off_at_half = level.at_half / extent.volume - 1;
-  facts.isovalue = level.level;
+  facts.samples = label.samples;
+  facts.volume = world_volume(label.volume * s.x * s.y * s.z, whole.frame());
+  facts.weight = label.weight;
+  facts.off = inside_volume(field.volume, threads) / label.volume - 1;
   return facts;
+}
+
+// Returns the field before its filters. Labels are always smoothed.
+Field unfiltered(const Volume& volume, const FieldOptions& options) {
+  Field field{volume};
+  field.median = options.median;
+  std::optional<Length> smooth = options.smooth;
+  if (options.of_labels() && !smooth) smooth = {1, Length::Unit::voxel};
+  if (smooth) {
+    field.sigma = sigma_of(*smooth, volume);
+    field.sigma_voxels = in_voxels(*smooth, volume);
+  }
+  return field;
 }
 
 }  // namespace
@@ -80,25 +82,28 @@ Vec3 sigma_of(const Length& smooth, const Volume& volume) {
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads) {
   const Stopwatch watch;
-  Field field{volume};
-  const bool of_label = !options.labels.empty();
-  std::optional<Length> smooth = options.smooth;
-  if (of_label && !smooth) smooth = {1, Length::Unit::voxel};
-  field.median = options.median;
-  if (smooth) {
-    field.sigma = sigma_of(*smooth, volume);
-    field.sigma_voxels = in_voxels(*smooth, volume);
+  Field field = unfiltered(volume, options);
+  if (!options.labels.empty()) {
+    LabelFields labels(volume, {found.begin(), found.end()}, options.labels,
+                       {field.median, field.sigma}, name, threads);
+    const std::int64_t label = options.labels.front();
+    field.volume = labels.field(label);
+    field.label = facts_of(field, volume, options, labels.weighed(label), threads);
+  } else {
+    if (field.median > 0) field.volume = median(field.volume, field.median, threads);
+    if (options.smooth) field.volume = gaussian(field.volume, field.sigma, threads);
   }
-  LabelSamples extent;
-  if (of_label) {
-    extent = united_labels(found, options.labels, name);
-    field.volume = indicator_of(volume, options, extent, field, threads);
-  }
-  if (field.median > 0) field.volume = median(field.volume, field.median, threads);
-  if (smooth) field.volume = gaussian(field.volume, field.sigma, threads);
-  if (of_label) field.label = facts_of(field, volume, options, extent, threads);
   field.seconds = watch.seconds();
   return field;
+}
+
+std::vector<LabelSamples> weighed_labels(const Volume& volume, const FieldOptions& options,
+                                         std::span<const LabelSamples> found, std::string_view name,
+                                         int threads) {
+  const Field field = unfiltered(volume, options);
+  LabelFields labels(volume, {found.begin(), found.end()}, {}, {field.median, field.sigma}, name,
+                     threads);
+  return labels.weighed();
 }
 
 std::string field_note(const FieldOptions& options, const Volume& volume) {
@@ -144,9 +149,9 @@ std::string field_text(const Field& field) {
     lines += text("label     ", list_of(label.labels, ", "), " of ", label.whole.i, " x ",
                   label.whole.j, " x ", label.whole.k, ": ") +
              counted(label.samples, "voxel", "voxels") +
-             text(", volume ", volume_text(label.volume), "\n          the isovalue ",
-                  rounded(label.isovalue), " keeps it; at 0.5 it would be ");
-    append_format(lines, "%.2f %% off\n", 100 * label.off_at_half);
+             text(", volume ", volume_text(label.volume), "\n          weight ",
+                  rounded(label.weight), ", the volume in its surface ");
+    append_format(lines, "%+.2f %% off\n", 100 * label.off);
   }
   if (const std::string filters = filter_text(field); !filters.empty()) {
     lines += "filter    " + filters + "\n";
@@ -171,7 +176,8 @@ void add_field(JsonWriter& json, const Field& field) {
   json.add("cut_from", {double(label.whole.i), double(label.whole.j), double(label.whole.k)});
   json.add("voxels", label.samples);
   json.add("volume_of_voxels", label.volume);
-  json.add("off_at_half", label.off_at_half);
+  json.add("weight", label.weight);
+  json.add("off", label.off);
   json.close();
 }
 

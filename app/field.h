@@ -17,16 +17,14 @@
 
 namespace deliso {
 
-// Facts about --label, for reports. A Gaussian moves a surface towards its centers of curvature: at
-// one half a ball of radius R would lose 3 (sigma / R)^2 of its volume. So the isovalue is the one
-// at which the volume is that of the voxels. On flat parts it is near one half.
+// Facts about --label, for reports.
 struct LabelFacts {
   std::vector<std::int64_t> labels;
   Index3 whole;               // samples of the volume that the label is cut out of
   std::uint64_t samples = 0;  // with the labels
   double volume = 0;          // of their voxels within the box; world units
-  double off_at_half = 0;     // the volume at isovalue one half, over that, less 1
-  double isovalue = 0;
+  double weight = 0;          // io/filter/label_fields.h
+  double off = 0;             // the volume inside the field's surface over that, less 1
 };
 
 struct Field {
@@ -44,6 +42,11 @@ struct Field {
 // for a Gaussian out of range. `found`: the volume's labels; only of --label.
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
+
+// Returns all labels with their weights, for make_field() of one after the other.
+std::vector<LabelSamples> weighed_labels(const Volume& volume, const FieldOptions& options,
+                                         std::span<const LabelSamples> found, std::string_view name,
+                                         int threads);
 
 // Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for
 // one out of range.

@@ -76,7 +76,7 @@ Input input_of(const Source& source, const CommandLine& line) {
       field.is_filtered() ? value_range(field.volume, line.input) : source.range;
   Input input{line.input,     std::move(field), range,         source.log,
               source.seconds, line.isovalue,    source.warning};
-  if (input.field.label) input.isovalue = input.field.label->isovalue;
+  if (input.field.label) input.isovalue = 0;
   return input;
 }
 

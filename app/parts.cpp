@@ -52,7 +52,7 @@ FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
     const Volume all = all_of(raw);
     value_range(all, name);
     const Field field = make_field(all, line.field, find_labels(all, name, threads), name, threads);
-    return {source_of(field.volume), field.label->isovalue};
+    return {source_of(field.volume), 0};
   }
   const double isovalue = *line.isovalue;
   if (!line.field.any()) {

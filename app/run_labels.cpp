@@ -58,7 +58,7 @@ std::string row_of(const MeshRun& run) {
   if (run.has_volume()) append_format(off, "%.2f %%", 100 * run.volume_difference());
   append_format(row, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8.2f\n",
                 text(label.labels.front()).c_str(), grouped(label.samples).c_str(),
-                rounded(label.isovalue, 3).c_str(), grouped(run.vertices).c_str(),
+                rounded(label.weight, 3).c_str(), grouped(run.vertices).c_str(),
                 volume_text(label.volume).c_str(), volume.c_str(), off.c_str(),
                 grouped(run.mesh.components).c_str(),
                 run.mesh == run.report.exact ? "exact" : "not exact", run.seconds_total);
@@ -70,15 +70,18 @@ std::string row_of(const MeshRun& run) {
 int run_labels(const CommandLine& line) {
   ProgressBar reading(mesh_stages(line), !line.quiet);
   reading.show("reading", 0);
-  const Source source = read_source(line);
+  Source source = read_source(line);
   reading.clear();
   print_warning(source.warning, line);
+  const std::vector<CommandLine> lines = lines_of(line, source);
+  source.labels =
+      weighed_labels(source.volume, line.field, source.labels, line.input, line.options.threads);
   std::string table;
   append_format(table, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8s\n", "label", "voxels",
-                "isovalue", "vertices", "voxel volume", "mesh volume", "difference", "components",
+                "weight", "vertices", "voxel volume", "mesh volume", "difference", "components",
                 "topology", "seconds");
   bool all_sound = true;
-  for (const CommandLine& one : lines_of(line, source)) {
+  for (const CommandLine& one : lines) {
     const Stopwatch total;
     ProgressBar progress(mesh_stages(one), !one.quiet);
     const Input input = input_of(source, one);

@@ -56,13 +56,14 @@ double share_at(int i, int n) {
   return i == 0 || i == n - 1 ? 0.5 : 1;
 }
 
-// Adds the labels of a row, one run of equal samples after the other.
+// Adds the labels of a row of `box`, one run of equal samples after the other.
 template <class T>
-void add_row(Found& found, const T* row, Index3 dims, int j, int k, std::string_view name) {
+void add_row(Found& found, const T* row, Index3 dims, const SampleExtent& box, int j, int k,
+             std::string_view name) {
   const double share = share_at(j, dims.j) * share_at(k, dims.k);
-  for (int begin = 0; begin < dims.i;) {
+  for (int begin = box.first.i; begin <= box.last.i;) {
     int end = begin + 1;
-    while (end < dims.i && row[end] == row[begin]) ++end;
+    while (end <= box.last.i && row[end] == row[begin]) ++end;
     const double ends = (begin == 0 ? 0.5 : 0) + (end == dims.i ? 0.5 : 0);
     LabelSamples run{label_of(row[begin], {begin, j, k}, name),
                      static_cast<std::uint64_t>(end - begin),
@@ -76,62 +77,22 @@ void add_row(Found& found, const T* row, Index3 dims, int j, int k, std::string_
   }
 }
 
-// Calls f with the values at points of the voxel. They are a lattice of 64 points that has 64
-// values along each axis (Korobov 1959): surfaces of labels are often in planes of the grid, where
-// 4 x 4 x 4 points have 4.
-constexpr int kPointsOfVoxel = 64;
-template <class F>
-void for_points(const Corners& c, F&& f) {
-  const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
-  for (int n = 0; n < kPointsOfVoxel; ++n) {
-    const auto at = [n](int step) { return (n * step % kPointsOfVoxel + 0.5) / kPointsOfVoxel; };
-    const double x = at(1), y = at(19), z = at(27);
-    f(mix(mix(mix(c[0], c[1], x), mix(c[2], c[3], x), y),
-          mix(mix(c[4], c[5], x), mix(c[6], c[7], x), y), z));
-  }
-}
-
-// Counts of points in bins of equal width from 0 to the greatest sample.
-constexpr std::size_t kBins = 4096;
-struct Counts {
-  std::vector<std::uint64_t> of_bin = std::vector<std::uint64_t>(kBins);
-  std::uint64_t at_half = 0;  // points of at least one half
-};
-
-void count_points(const Volume& volume, double greatest, int k, Counts& counts) {
-  const double scale = kBins / greatest;
-  const auto bin_of = [&](double value) {
-    return std::min(static_cast<std::size_t>(std::max(0.0, value * scale)), kBins - 1);
-  };
-  const Index3 voxels = volume.voxels();
-  for (int j = 0; j < voxels.j; ++j) {
-    for (int i = 0; i < voxels.i; ++i) {
-      const Corners c = volume.corners({i, j, k});
-      if (std::all_of(c.begin(), c.end(), [&](double v) { return v == c[0]; })) {
-        counts.of_bin[bin_of(c[0])] += kPointsOfVoxel;
-        if (c[0] >= 0.5) counts.at_half += kPointsOfVoxel;
-        continue;
-      }
-      for_points(c, [&](double value) {
-        ++counts.of_bin[bin_of(value)];
-        counts.at_half += value >= 0.5;
-      });
-    }
-  }
-}
-
 }  // namespace
 
-std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads) {
+std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads,
+                                      const std::optional<SampleExtent>& within) {
   const Index3 dims = volume.dims();
-  const auto slices = static_cast<std::size_t>(dims.k);
+  const SampleExtent box =
+      within ? *within : SampleExtent{{0, 0, 0}, {dims.i - 1, dims.j - 1, dims.k - 1}};
+  const auto slices = static_cast<std::size_t>(box.dims().k);
   std::vector<Found> found(runs_of(slices, kSlicesOfCount));
   volume.visit([&](const auto* samples) {
     for_each_run(threads, slices, kSlicesOfCount,
                  [&](std::size_t task, std::size_t begin, std::size_t end) {
-                   for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-                     for (int j = 0; j < dims.j; ++j) {
-                       add_row(found[task], samples + volume.index(0, j, k), dims, j, k, name);
+                   for (std::size_t n = begin; n < end; ++n) {
+                     const int k = box.first.k + static_cast<int>(n);
+                     for (int j = box.first.j; j <= box.last.j; ++j) {
+                       add_row(found[task], samples + volume.index(0, j, k), dims, box, j, k, name);
                      }
                    }
                  });
@@ -168,14 +129,9 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
 }
 
 Volume label_indicator(const Volume& volume, std::span<const std::int64_t> labels,
-                       const LabelSamples& extent, Index3 margin, int threads) {
+                       const SampleExtent& box, int threads) {
   DELISO_CHECK(!volume.is_block());
-  const Index3 whole = volume.dims();
-  Index3 first, dims;
-  for (int axis = 0; axis < 3; ++axis) {
-    first[axis] = std::max(0, extent.first[axis] - margin[axis]);
-    dims[axis] = std::min(whole[axis] - 1, extent.last[axis] + margin[axis]) + 1 - first[axis];
-  }
+  const Index3 first = box.first, dims = box.dims();
   const std::size_t nx = static_cast<std::size_t>(dims.i), ny = static_cast<std::size_t>(dims.j);
   Buffer buffer(nx * ny * static_cast<std::size_t>(dims.k));
   auto* const out = reinterpret_cast<std::uint8_t*>(buffer.data.get());
@@ -196,39 +152,6 @@ Volume label_indicator(const Volume& volume, std::span<const std::int64_t> label
   frame.origin = frame.to_world(volume.position(first));
   const Bytes bytes = bytes_of(std::move(buffer), {});
   return {dims, volume.spacing(), SampleType::u8, bytes.data.data(), bytes.owner, frame};
-}
-
-IndicatorLevel find_level(const Volume& indicator, double target, int threads) {
-  const double greatest = value_range(indicator, "indicator").max;
-  if (!(greatest > 0)) return {0, 0.5};
-  const auto slices = static_cast<std::size_t>(std::max(0, indicator.voxels().k));
-  std::vector<Counts> parts(runs_of(slices, kSlicesOfCount));
-  for_each_run(threads, slices, kSlicesOfCount,
-               [&](std::size_t task, std::size_t begin, std::size_t end) {
-                 for (std::size_t k = begin; k < end; ++k) {
-                   count_points(indicator, greatest, static_cast<int>(k), parts[task]);
-                 }
-               });
-  Counts all;
-  for (const Counts& part : parts) {
-    all.at_half += part.at_half;
-    for (std::size_t n = 0; n < kBins; ++n) all.of_bin[n] += part.of_bin[n];
-  }
-  IndicatorLevel result{static_cast<double>(all.at_half) / kPointsOfVoxel, 0};
-  // From above, bin by bin, with points spread evenly over the last one.
-  const double wanted = target * kPointsOfVoxel;
-  double above = 0;
-  for (std::size_t n = kBins; n-- > 0;) {
-    const auto here = static_cast<double>(all.of_bin[n]);
-    if (above + here < wanted && n > 0) {
-      above += here;
-      continue;
-    }
-    const double share = here > 0 ? (wanted - above) / here : 0;
-    result.level = (static_cast<double>(n) + 1 - share) * greatest / kBins;
-    break;
-  }
-  return result;
 }
 
 }  // namespace deliso

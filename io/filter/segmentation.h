@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,12 @@
 #include "volume/volume.h"
 
 namespace deliso {
+
+// The samples of a box, the first and the last included.
+struct SampleExtent {
+  Index3 first, last;
+  Index3 dims() const { return {last.i - first.i + 1, last.j - first.j + 1, last.k - first.k + 1}; }
+};
 
 // One label's samples.
 struct LabelSamples {
@@ -20,30 +27,23 @@ struct LabelSamples {
   // edge a quarter.
   double volume = 0;
   Index3 first, last;  // of the smallest box around them
+  double weight = 0;   // of its indicator (io/filter/label_fields.h); 0: not known
 };
 
-// Returns all labels of the volume, in their order. Throws InputError, with the volume's `name`,
-// for the first sample that is no whole number of at most 2^53. The result is the same with any
-// number of threads.
-std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads = 1);
+// Returns all labels of the volume, or of a box of its samples, in their order. Throws InputError,
+// with the volume's `name`, for the first sample that is no whole number of at most 2^53. The
+// result is the same with any number of threads.
+std::vector<LabelSamples> find_labels(const Volume& volume, std::string_view name, int threads = 1,
+                                      const std::optional<SampleExtent>& within = {});
 
 // Returns all samples of `labels` as if they had one label. Throws InputError, with the volume's
 // `name` and the labels that there are, for a label without a sample. pre: labels is not empty.
 LabelSamples united_labels(std::span<const LabelSamples> found,
                            std::span<const std::int64_t> labels, std::string_view name);
 
-// Returns the indicator of `labels`, as uint8, of the box around `extent` with a margin of samples
-// on each side, as far as there are any. Its frame is moved along. pre: `volume` is no block.
+// Returns the indicator of `labels` in a box, as uint8. Its frame is moved along. pre: `volume` is
+// no block, and holds the box.
 Volume label_indicator(const Volume& volume, std::span<const std::int64_t> labels,
-                       const LabelSamples& extent, Index3 margin, int threads = 1);
-
-// The volume of {g >= level}, in voxels within the box, at one half and at the level where it is
-// `target`. It is found from 64 points of each voxel. If nothing is above 0, the level is one
-// half. pre: samples are from 0 to 1.
-struct IndicatorLevel {
-  double at_half = 0;  // volume
-  double level = 0;    // whose volume is the target
-};
-IndicatorLevel find_level(const Volume& indicator, double target, int threads = 1);
+                       const SampleExtent& box, int threads = 1);
 
 }  // namespace deliso

@@ -14,6 +14,8 @@
 #include "app/input.h"
 #include "app/run.h"
 #include "base/check.h"
+#include "base/random.h"
+#include "base/triangle.h"
 #include "deliso/deliso.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
@@ -73,6 +75,20 @@ struct Balls {
   std::filesystem::path folder;
 };
 
+// The distance of p from the closed mesh; negative outside.
+double depth_in(const TriMesh& mesh, const Vec3& p) {
+  double angles = 0, nearest2 = 1e300;
+  for (const Face& face : mesh.faces) {
+    const Vec3 a = mesh.points[face.v[0]] - p, b = mesh.points[face.v[1]] - p,
+               c = mesh.points[face.v[2]] - p;
+    const double la = length(a), lb = length(b), lc = length(c);
+    angles += 2 * std::atan2(dot(a, cross(b, c)),
+                             la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    nearest2 = std::min(nearest2, distance2_to_triangle({}, a, b, c));
+  }
+  return (angles > 6 ? 1 : -1) * std::sqrt(nearest2);
+}
+
 }  // namespace
 
 TEST_CASE("a world length is another number of samples on each axis, and vox the side of a cube") {
@@ -126,13 +142,44 @@ TEST_CASE("a label's mesh has the volume of its voxels within one percent") {
     const CommandLine line = balls.line(more);
     const Input input = read_input(line);
     REQUIRE(input.isovalue.has_value());
-    CHECK(*input.isovalue < 0.48);  // one half would shrink it
-    CHECK(input.field.label->off_at_half < -0.01);
+    CHECK(*input.isovalue == 0);
+    CHECK(input.field.label->weight > 1.04);  // equal ones would shrink it
+    CHECK(std::fabs(input.field.label->off) < 0.005);
     Report report;
     const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, line.options, report);
     CHECK(check_mesh(mesh).empty());
     CHECK(enclosed_volume(mesh) == doctest::Approx(input.field.label->volume).epsilon(0.01));
   }
+}
+
+TEST_CASE("no point is inside the meshes of two labels by more than D") {
+  const Balls balls;
+  std::vector<TriMesh> meshes;
+  double most = 0;
+  for (const std::string label : {"1", "2", "4"}) {
+    const CommandLine line = balls.line({"--label", label, "--cap"});
+    const Input input = read_input(line);
+    Report report;
+    TriMesh mesh = mesh_isosurface(input.volume(), 0, line.options, report);
+    mesh.points = mesh.world_points();
+    meshes.push_back(mesh);
+    most = std::max(most, report.max_distance);
+  }
+  // Balls 1 and 2 touch near x = 23, balls 2 and 4 near x = 45.
+  Random random(4);
+  int inside = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const double x = n % 2 == 0 ? 23 : 45;
+    const Vec3 p{random.uniform(x - 1, x + 1), random.uniform(13, 21), random.uniform(10, 18)};
+    int deep = 0;
+    for (const TriMesh& mesh : meshes) {
+      const double depth = depth_in(mesh, p);
+      inside += depth > 0;
+      deep += depth > most;
+    }
+    CHECK(deep <= 1);
+  }
+  CHECK(inside > 1000);
 }
 
 TEST_CASE("a mesh for each label, where the label lies, and each passes the check") {

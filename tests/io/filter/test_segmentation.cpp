@@ -65,6 +65,16 @@ void hold_against_brute_force(Index3 n, std::int64_t least, std::uint32_t count)
     }
   }
   CHECK(all == volume.sample_count());
+  const SampleExtent box{{2, 1, 3}, {n.i - 3, n.j - 1, n.k - 4}};
+  std::uint64_t in_box = 0;
+  for (const LabelSamples& found : find_labels(volume, "v", 2, box)) {
+    in_box += found.samples;
+    for (int axis = 0; axis < 3; ++axis) {
+      CHECK(found.first[axis] >= box.first[axis]);
+      CHECK(found.last[axis] <= box.last[axis]);
+    }
+  }
+  CHECK(in_box == static_cast<std::uint64_t>(box.dims().i * box.dims().j * box.dims().k));
 }
 
 std::string refusal(const Volume& volume) {
@@ -130,12 +140,16 @@ TEST_CASE("filters of the cut-out indicator give what filters of all of it give"
   const Volume volume = ball(40, 9, {8, 20.3, 29});
   const std::vector<std::int64_t> labels{3};
   const LabelSamples extent = united_labels(find_labels(volume, "v"), labels, "v");
-  const LabelSamples everything{3, 1, 1, {0, 0, 0}, {39, 39, 39}};
+  const SampleExtent everything{{0, 0, 0}, {39, 39, 39}};
   const Volume whole =
-      gaussian(median(label_indicator(volume, labels, everything, {}), 2), {1.5, 1, 0.7});
+      gaussian(median(label_indicator(volume, labels, everything), 2), {1.5, 1, 0.7});
   const Index3 margin{gaussian_radius(1.5) + 3, gaussian_radius(1) + 3, gaussian_radius(0.7) + 3};
-  const Volume cut =
-      gaussian(median(label_indicator(volume, labels, extent, margin, 2), 2), {1.5, 1, 0.7});
+  SampleExtent box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.first[axis] = std::max(0, extent.first[axis] - margin[axis]);
+    box.last[axis] = std::min(39, extent.last[axis] + margin[axis]);
+  }
+  const Volume cut = gaussian(median(label_indicator(volume, labels, box, 2), 2), {1.5, 1, 0.7});
   CHECK(cut.sample_count() < whole.sample_count());
   const Vec3 at = cut.frame().origin;
   CHECK(at.x == 0);  // there is no room for a margin
@@ -157,46 +171,4 @@ TEST_CASE("filters of the cut-out indicator give what filters of all of it give"
   });
   CHECK(wrong == 0);
   CHECK(inside == doctest::Approx(all).epsilon(1e-12));  // 0 beyond the cut
-}
-
-TEST_CASE("the level of a ramp is known exactly") {
-  std::vector<float> ramp;
-  for (int m = 0; m < 11 * 5 * 6; ++m) ramp.push_back(static_cast<float>(m % 11) / 10);
-  const Volume volume = Volume::from_samples({11, 5, 6}, {1, 1, 1}, ramp);
-  const double voxels = 10 * 4 * 5;
-  for (const double share : {0.1, 0.25, 0.5, 0.9}) {
-    const IndicatorLevel level = find_level(volume, share * voxels, 3);
-    CHECK(level.at_half == voxels / 2);
-    CHECK(std::fabs(level.level - (1 - share)) < 0.002);  // 64 points of a voxel, and bins
-  }
-}
-
-TEST_CASE("at the level the smoothed label has the volume of its voxels, at one half it has less") {
-  for (const double radius : {3.0, 6.0, 10.0}) {
-    CAPTURE(radius);
-    const Volume labels = ball(30, radius, {14.3, 15.1, 14.8});
-    const std::vector<std::int64_t> three{3};
-    const LabelSamples extent = united_labels(find_labels(labels, "v"), three, "v");
-    const Volume smooth = gaussian(label_indicator(labels, three, extent, {5, 5, 5}), {1, 1, 1});
-    const IndicatorLevel level = find_level(smooth, extent.volume);
-    CHECK(find_level(smooth, extent.volume, 3).level == level.level);
-    // Another count, of random points.
-    Random random(9);
-    const Box3 box = smooth.box();
-    constexpr int kPoints = 400000;
-    int above = 0, above_half = 0;
-    for (int n = 0; n < kPoints; ++n) {
-      const Vec3 p{random.uniform(0, box.hi.x), random.uniform(0, box.hi.y),
-                   random.uniform(0, box.hi.z)};
-      const double value = smooth.value(p);
-      above += value >= level.level;
-      above_half += value >= 0.5;
-    }
-    const double of_box = box.hi.x * box.hi.y * box.hi.z / kPoints;
-    CHECK(above * of_box == doctest::Approx(extent.volume).epsilon(0.015));
-    CHECK(above_half * of_box == doctest::Approx(level.at_half).epsilon(0.015));
-    // The shift of a surface by sigma^2 over its radius.
-    const double expected = -3 / (radius * radius);
-    CHECK(level.at_half / extent.volume - 1 == doctest::Approx(expected).epsilon(0.2));
-  }
 }

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "io/filter/label_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "io/filter/gaussian.h"
+#include "io/filter/median.h"
+
+namespace deliso {
+namespace {
+
+constexpr std::size_t kSlicesOfSum = 8;
+constexpr double kLargestWeight = 1e9;  // a Gaussian of kLargestSigma spreads a voxel over 1.6e7
+constexpr float kLeastRival = 1e-30F;   // less than any weighted indicator
+
+// The points of a voxel at which a field is measured. They are a lattice of 64 points that has 64
+// values along each axis (Korobov 1959): surfaces of labels are often in planes of the grid, where
+// 4 x 4 x 4 points have 4. Each row has the shares of the eight corners.
+constexpr int kPointsOfVoxel = 64;
+constexpr auto kShares = [] {
+  std::array<std::array<double, 8>, kPointsOfVoxel> shares{};
+  for (int n = 0; n < kPointsOfVoxel; ++n) {
+    const auto at = [n](int step) { return (n * step % kPointsOfVoxel + 0.5) / kPointsOfVoxel; };
+    const std::array<double, 3> p{at(1), at(19), at(27)};
+    for (int m = 0; m < 8; ++m) {
+      double share = 1;
+      for (int axis = 0; axis < 3; ++axis) share *= (m >> axis & 1) != 0 ? p[axis] : 1 - p[axis];
+      shares[n][m] = share;
+    }
+  }
+  return shares;
+}();
+
+double value_at(const Corners& c, int point) {
+  const std::array<double, 8>& share = kShares[point];
+  double sum = 0;
+  for (int m = 0; m < 8; ++m) sum += share[m] * c[m];
+  return sum;
+}
+
+Volume volume_of(std::vector<float> samples, const Volume& like) {
+  const auto owner = std::make_shared<const std::vector<float>>(std::move(samples));
+  return {like.dims(),     like.spacing(),
+          SampleType::f32, reinterpret_cast<const std::byte*>(owner->data()),
+          owner,           like.frame()};
+}
+
+SampleExtent common(const SampleExtent& a, const SampleExtent& b) {
+  SampleExtent c;
+  for (int axis = 0; axis < 3; ++axis) {
+    c.first[axis] = std::max(a.first[axis], b.first[axis]);
+    c.last[axis] = std::min(a.last[axis], b.last[axis]);
+  }
+  return c;
+}
+
+// Makes one label, named by the first, of those in `united`.
+void unite(std::vector<LabelSamples>& labels, std::span<const std::int64_t> united,
+           std::string_view name) {
+  const LabelSamples one = united_labels(labels, united, name);
+  std::erase_if(labels, [&](const LabelSamples& l) {
+    return l.label != one.label && std::ranges::find(united, l.label) != united.end();
+  });
+  *std::ranges::find(labels, one.label, &LabelSamples::label) = one;
+}
+
+// Calls f(slice's number, partial sum) for all slices of voxels, and returns the sums of runs of
+// slices, in their order.
+template <class Sum, class F>
+std::vector<Sum> sum_slices(const Volume& volume, int threads, F&& f) {
+  const auto slices = static_cast<std::size_t>(std::max(0, volume.voxels().k));
+  std::vector<Sum> sums(runs_of(slices, kSlicesOfSum));
+  for_each_run(threads, slices, kSlicesOfSum,
+               [&](std::size_t run, std::size_t begin, std::size_t end) {
+                 for (std::size_t k = begin; k < end; ++k) f(static_cast<int>(k), sums[run]);
+               });
+  return sums;
+}
+
+}  // namespace
+
+// Of a label L in its box: s_L, the largest w_M s_M of the others, and the sum of their s_M.
+struct LabelFields::Rivals {
+  SampleExtent box;
+  Volume own;
+  Volume largest, sum;
+};
+
+namespace {
+
+// Shares of points in bins of u = s / (s + O), where O is the largest of the others. Raising the
+// weight moves L's border from u = 1 to u = 0.
+constexpr std::size_t kBins = 4096;
+constexpr double kNegligible = 1e-3;  // share of the greatest u, or of 1 - u
+struct Shares {
+  std::vector<double> of_bin = std::vector<double>(kBins);  // s, and the larger labels' share
+  double own = 0;                                           // s
+};
+
+double level_of(const Corners& own, const Corners& others, int m) {
+  return own[m] > 0 ? own[m] / (own[m] + others[m]) : 0;
+}
+
+// The greatest u of a sample.
+double greatest_level(const Volume& own, const Volume& others) {
+  double greatest = 0;
+  own.visit([&](const auto* s) {
+    others.visit([&](const auto* o) {
+      for (std::size_t n = 0; n < own.sample_count(); ++n) {
+        const double s_n = static_cast<double>(s[n]), o_n = static_cast<double>(o[n]);
+        if (s_n > 0) greatest = std::max(greatest, s_n / (s_n + o_n));
+      }
+    });
+  });
+  return greatest;
+}
+
+void add_slice(const Volume& own, const Volume& others, const Volume& mass, double greatest, int k,
+               Shares& shares) {
+  const Index3 voxels = own.voxels();
+  for (int j = 0; j < voxels.j; ++j) {
+    for (int i = 0; i < voxels.i; ++i) {
+      const Corners s = own.corners({i, j, k}), o = others.corners({i, j, k});
+      double least = 1, most = 0;
+      for (int m = 0; m < 8; ++m) {
+        const double u = level_of(s, o, m);
+        least = std::min(least, u);
+        most = std::max(most, u);
+      }
+      if (most < kNegligible * greatest || least > 1 - kNegligible) continue;
+      const Corners r = mass.corners({i, j, k});
+      for (int n = 0; n < kPointsOfVoxel; ++n) {
+        const double s_n = value_at(s, n), o_n = value_at(o, n);
+        if (!(s_n + o_n > 0)) continue;
+        const double u = s_n / (s_n + o_n);
+        const auto bin = std::min(static_cast<std::size_t>(kBins * (u / greatest)), kBins - 1);
+        shares.of_bin[bin] += s_n + value_at(r, n);
+        shares.own += s_n;
+      }
+    }
+  }
+}
+
+// Returns the weight of a label at which its points hold as much of the others as others' points
+// hold of it: the integral of s_L + r over {w s_L >= O} is that of s_L.
+double balanced_weight(const Volume& own, const Volume& others, const Volume& mass, int threads) {
+  const double greatest = greatest_level(own, others);
+  Shares all;
+  for (const Shares& part : sum_slices<Shares>(own, threads, [&](int k, Shares&shares) {
+         add_slice(own, others, mass, greatest, k, shares);
+       })) {
+    all.own += part.own;
+    for (std::size_t n = 0; n < kBins; ++n) all.of_bin[n] += part.of_bin[n];
+  }
+  if (!(all.own > 0)) return 1;  // it meets no larger label
+  // From above, bin by bin, with shares spread evenly over the last one.
+  double above = 0, level = 0;
+  for (std::size_t n = kBins; n-- > 0;) {
+    const double here = all.of_bin[n];
+    if (above + here < all.own && n > 0) {
+      above += here;
+      continue;
+    }
+    const double share = here > 0 ? std::min(1.0, (all.own - above) / here) : 0;
+    level = (static_cast<double>(n) + 1 - share) * greatest / kBins;
+    break;
+  }
+  return std::clamp((1 - level) / level, 1 / kLargestWeight, kLargestWeight);
+}
+
+}  // namespace
+
+LabelFields::LabelFields(const Volume& volume, std::vector<LabelSamples> found,
+                         std::span<const std::int64_t> united, const IndicatorFilter& filter,
+                         std::string_view name, int threads)
+    : volume_(volume),
+      labels_(std::move(found)),
+      united_(united.begin(), united.end()),
+      filter_(filter),
+      name_(name),
+      threads_(threads) {
+  for (int axis = 0; axis < 3; ++axis) {
+    reach_[axis] = gaussian_radius(filter.sigma[axis]) + filter.median;
+  }
+  if (united.empty()) return;
+  unite(labels_, united, name);
+  if (united.size() > 1) {
+    for (LabelSamples& l : labels_) l.weight = 0;
+  }
+}
+
+std::size_t LabelFields::index_of(std::int64_t label) const {
+  const bool is_united = std::ranges::find(united_, label) != united_.end();
+  const auto at = std::ranges::lower_bound(labels_, is_united ? united_.front() : label, {},
+                                           &LabelSamples::label);
+  DELISO_CHECK(at != labels_.end());
+  return static_cast<std::size_t>(at - labels_.begin());
+}
+
+// The order in which labels get their weights.
+bool LabelFields::is_larger(std::size_t m, std::size_t n) const {
+  return labels_[m].samples != labels_[n].samples ? labels_[m].samples > labels_[n].samples : m < n;
+}
+
+// Returns the box of samples within this number of reaches, and one more. Beyond one reach and one
+// sample the smoothed indicator is 0.
+SampleExtent LabelFields::box(const LabelSamples& of, int times) const {
+  SampleExtent box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int margin = times * reach_[axis] + 1;
+    box.first[axis] = std::max(0, of.first[axis] - margin);
+    box.last[axis] = std::min(volume_.dims()[axis] - 1, of.last[axis] + margin);
+  }
+  return box;
+}
+
+// Returns s_L of label n; within the reach of the box's inner faces it is wrong.
+Volume LabelFields::smoothed(std::size_t n, const SampleExtent& box) const {
+  const std::int64_t label = labels_[n].label;
+  const bool is_united = !united_.empty() && label == united_.front();
+  const std::span<const std::int64_t> one(&label, 1);
+  Volume field = label_indicator(volume_, is_united ? united_ : one, box, threads_);
+  if (filter_.median > 0) field = median(field, filter_.median, threads_);
+  return gaussian(field, filter_.sigma, threads_);
+}
+
+// Returns the samples of all labels from which a filter reaches the box of label n.
+std::vector<LabelSamples> LabelFields::near(std::size_t n) const {
+  std::vector<LabelSamples> found = find_labels(volume_, name_, threads_, box(labels_[n], 2));
+  std::vector<std::int64_t> united;
+  for (const LabelSamples& l : found) {
+    if (std::ranges::find(united_, l.label) != united_.end()) united.push_back(l.label);
+  }
+  if (united.size() > 1) unite(found, united, name_);
+  return found;
+}
+
+LabelFields::Rivals LabelFields::rivals(std::size_t n, bool only_larger) const {
+  const SampleExtent own_box = box(labels_[n], 1), reached = box(labels_[n], 2);
+  Volume own = smoothed(n, own_box);
+  std::vector<float> largest(own.sample_count()), sum(only_larger ? own.sample_count() : 0);
+  for (const LabelSamples& other : near(n)) {
+    const std::size_t m = index_of(other.label);
+    if (m == n || (only_larger && !is_larger(m, n))) continue;
+    const SampleExtent from = common(reached, box(other, 1)), both = common(from, own_box);
+    if (both.dims().i <= 0 || both.dims().j <= 0 || both.dims().k <= 0) continue;
+    const Volume s = smoothed(m, from);
+    const double weight = labels_[m].weight;
+    s.visit([&](const auto* values) {
+      for_each_task(threads_, static_cast<std::size_t>(both.dims().k), [&](std::size_t slice) {
+        const int k = both.first.k + static_cast<int>(slice);
+        for (int j = both.first.j; j <= both.last.j; ++j) {
+          const auto* row =
+              values + s.index(both.first.i - from.first.i, j - from.first.j, k - from.first.k);
+          const std::size_t at =
+              own.index(both.first.i - own_box.first.i, j - own_box.first.j, k - own_box.first.k);
+          for (std::size_t i = 0; i < static_cast<std::size_t>(both.dims().i); ++i) {
+            const auto weighted = static_cast<float>(weight * static_cast<double>(row[i]));
+            largest[at + i] = std::max(largest[at + i], weighted);
+            if (only_larger) sum[at + i] += static_cast<float>(row[i]);
+          }
+        }
+      });
+    });
+  }
+  if (!only_larger) sum = {};
+  Volume others = volume_of(std::move(largest), own);
+  Volume mass = only_larger ? volume_of(std::move(sum), own) : others;
+  return {own_box, std::move(own), std::move(others), std::move(mass)};
+}
+
+// Gives weights to the wanted labels.
+void LabelFields::weigh(std::vector<std::uint8_t> wanted) {
+  std::vector<std::size_t> order(labels_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return is_larger(a, b); });
+  labels_[order[0]].weight = 1;
+  // From the smallest: a label's weight depends on those of larger ones near it.
+  for (std::size_t rank = order.size(); rank-- > 1;) {
+    const std::size_t n = order[rank];
+    if (wanted[n] == 0 || labels_[n].weight > 0) continue;
+    for (const LabelSamples& other : near(n)) {
+      const std::size_t m = index_of(other.label);
+      if (is_larger(m, n)) wanted[m] = 1;
+    }
+  }
+  for (const std::size_t n : order) {
+    if (wanted[n] == 0 || labels_[n].weight > 0) continue;
+    const Rivals of = rivals(n, true);
+    labels_[n].weight = balanced_weight(of.own, of.largest, of.sum, threads_);
+  }
+}
+
+const std::vector<LabelSamples>& LabelFields::weighed() {
+  weigh(std::vector<std::uint8_t>(labels_.size(), 1));
+  return labels_;
+}
+
+const LabelSamples& LabelFields::weighed(std::int64_t label) {
+  const std::size_t n = index_of(label);
+  std::vector<std::uint8_t> wanted(labels_.size());
+  wanted[n] = 1;
+  weigh(std::move(wanted));
+  return labels_[n];
+}
+
+Volume LabelFields::field(std::int64_t label) {
+  const std::size_t n = index_of(label);
+  std::vector<std::uint8_t> wanted(labels_.size());
+  for (const LabelSamples& other : near(n)) wanted[index_of(other.label)] = 1;
+  weigh(std::move(wanted));
+  const Rivals of = rivals(n, false);
+  std::vector<float> samples(of.own.sample_count());
+  of.own.visit([&](const auto* s) {
+    of.largest.visit([&](const auto* others) {
+      for (std::size_t at = 0; at < samples.size(); ++at) {
+        // A median may leave a sample to no label: it is outside.
+        const auto rival = std::max(static_cast<float>(others[at]), kLeastRival);
+        samples[at] = static_cast<float>(labels_[n].weight * static_cast<double>(s[at])) - rival;
+      }
+    });
+  });
+  return volume_of(std::move(samples), of.own);
+}
+
+double inside_volume(const Volume& field, int threads) {
+  std::uint64_t points = 0;
+  for (const std::uint64_t part :
+       sum_slices<std::uint64_t>(field, threads, [&](int k, std::uint64_t&sum) {
+         for (int j = 0; j < field.voxels().j; ++j) {
+           for (int i = 0; i < field.voxels().i; ++i) {
+             const Corners c = field.corners({i, j, k});
+             const auto [least, most] = std::ranges::minmax(c);
+             if (least >= 0) sum += kPointsOfVoxel;
+             if (least >= 0 || most < 0) continue;
+             for (int n = 0; n < kPointsOfVoxel; ++n) sum += value_at(c, n) >= 0 ? 1 : 0;
+           }
+         }
+       })) {
+    points += part;
+  }
+  return static_cast<double>(points) / kPointsOfVoxel;
+}
+
+}  // namespace deliso

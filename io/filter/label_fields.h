@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The fields of labels that share borders. s_L is the smoothed indicator of label L, and w_L its
+// weight. The field of L is
+//
+//   f_L = w_L s_L - max of w_M s_M over all other labels M,
+//
+// and the surface of L is {f_L = 0}. Two statements hold of the fields as they are, rounded:
+//   1. At a sample where w_L s_L and w_M s_M are the two largest, f_M = -f_L. So L and M have the
+//      same surface in voxels with eight such corners.
+//   2. f_L + f_M <= 0 at all samples, hence at all points. So no point is inside two surfaces.
+//
+// The weights keep the volumes: with equal ones a Gaussian moves a surface towards its centers of
+// curvature, and thin labels vanish. The largest label has weight 1; the others follow by size.
+// Each has the weight at which it takes as much space from the larger labels as it leaves to them.
+// Smaller labels are not asked: their share of a point, s_M, belongs to neither side. Where only
+// two labels meet, w_L s_L = w_M s_M is s_L = w_M / (w_L + w_M), an isovalue of the indicator.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "io/filter/segmentation.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// What smooths an indicator: the median of a radius, then a Gaussian; in samples.
+struct IndicatorFilter {
+  int median = 0;
+  Vec3 sigma{};
+};
+
+class LabelFields {
+ public:
+  // `found` are all labels of the volume, in their order. Those of `united` count as one label,
+  // named by the first of them. Throws as united_labels does. pre: the volume is no block.
+  LabelFields(const Volume& volume, std::vector<LabelSamples> found,
+              std::span<const std::int64_t> united, const IndicatorFilter& filter,
+              std::string_view name, int threads);
+
+  // Returns the label, with its weight. Cost: the Gaussians of all labels near it, and of the
+  // larger labels near these, and so on.
+  const LabelSamples& weighed(std::int64_t label);
+  const std::vector<LabelSamples>& weighed();  // all labels
+  // Returns f_L in float32, in a box around L beyond which it is negative. Memory: three times the
+  // result, at most.
+  Volume field(std::int64_t label);
+
+ private:
+  struct Rivals;
+
+  std::size_t index_of(std::int64_t label) const;
+  bool is_larger(std::size_t m, std::size_t n) const;
+  SampleExtent box(const LabelSamples& of, int times) const;
+  Volume smoothed(std::size_t n, const SampleExtent& box) const;
+  std::vector<LabelSamples> near(std::size_t n) const;
+  Rivals rivals(std::size_t n, bool only_larger) const;
+  void weigh(std::vector<std::uint8_t> wanted);
+
+  Volume volume_;
+  std::vector<LabelSamples> labels_;
+  std::vector<std::int64_t> united_;
+  IndicatorFilter filter_;
+  Index3 reach_;  // of the filter, in samples
+  std::string_view name_;
+  int threads_;
+};
+
+// Returns the volume of {f >= 0} in voxels, found from 64 points of each.
+double inside_volume(const Volume& field, int threads = 1);
+
+}  // namespace deliso

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "io/filter/label_fields.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "io/filter/gaussian.h"
+#include "io/filter/median.h"
+
+using namespace deliso;
+
+namespace {
+
+template <class F>
+Volume labeled(Index3 n, F&& label) {
+  std::vector<std::uint8_t> samples;
+  for (int k = 0; k < n.k; ++k) {
+    for (int j = 0; j < n.j; ++j) {
+      for (int i = 0; i < n.i; ++i) samples.push_back(static_cast<std::uint8_t>(label(i, j, k)));
+    }
+  }
+  return Volume::from_samples(n, {1, 1, 1}, samples);
+}
+
+// Five cells of a Voronoi diagram, the last of them 0, with a sheet 7 one voxel thick, and labels 8,
+// 9 and 10 of one voxel: in the sheet, in a cell, and beside that.
+constexpr Index3 kCells{26, 24, 28};
+Volume cells(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> centers(5);
+  for (Vec3& c : centers) {
+    c = {random.uniform(0, 26), random.uniform(0, 24), random.uniform(0, 28)};
+  }
+  return labeled(kCells, [&](int i, int j, int k) {
+    if (k == 14 && j > 4 && j < 20 && i < 12) return i == 6 && j == 12 ? 8 : 7;
+    if (k == 5 && j == 9 && (i == 15 || i == 16)) return i == 15 ? 9 : 10;
+    const Vec3 p{double(i), double(j), double(k)};
+    const auto nearest = std::ranges::min_element(
+        centers, {}, [&](const Vec3& c) { return distance2(c, p); });
+    return static_cast<int>((nearest - centers.begin() + 1) % 5);
+  });
+}
+
+LabelFields fields_of(const Volume& volume, const IndicatorFilter& filter,
+                      const std::vector<std::int64_t>& united = {}, int threads = 2) {
+  return {volume, find_labels(volume, "v"), united, filter, "v", threads};
+}
+
+// Returns the greatest sample of a field, and 0 if none is above.
+double greatest(const Volume& field) {
+  return std::max(0.0, value_range(field).max);
+}
+
+Volume ball(int n, double radius, const Vec3& center, int inner) {
+  return labeled({n, n, n}, [&](int i, int j, int k) {
+    const Vec3 d = Vec3{double(i), double(j), double(k)} - center;
+    return dot(d, d) > radius * radius ? 0 : dot(d, d) < 1 ? inner : 3;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the field of a label is its weighted indicator less the largest other one") {
+  for (const IndicatorFilter filter : {IndicatorFilter{0, {1, 1, 1}}, IndicatorFilter{1, {1.3, 0.6, 0.9}}}) {
+    const Volume volume = cells(3);
+    LabelFields fields = fields_of(volume, filter);
+    const std::vector<LabelSamples> labels = fields.weighed();
+    REQUIRE(labels.size() == 9);
+    std::vector<Volume> weighted;  // of the whole volume
+    for (const LabelSamples& l : labels) {
+      const std::vector<std::int64_t> one{l.label};
+      Volume s = label_indicator(volume, one, {{0, 0, 0}, {25, 23, 27}});
+      if (filter.median > 0) s = median(s, filter.median);
+      s = gaussian(s, filter.sigma);
+      std::vector<float> w;
+      s.visit([&](const auto* v) {
+        for (std::size_t n = 0; n < s.sample_count(); ++n) {
+          w.push_back(static_cast<float>(l.weight * static_cast<double>(v[n])));
+        }
+      });
+      weighted.push_back(Volume::from_samples(kCells, {1, 1, 1}, w));
+    }
+    int wrong = 0, opposite = 0, outside = 0;
+    for (std::size_t l = 0; l < labels.size(); ++l) {
+      CAPTURE(labels[l].label);
+      const Volume field = fields.field(labels[l].label);
+      const Vec3 at = field.frame().origin;
+      for (int k = 0; k < kCells.k; ++k) {
+        for (int j = 0; j < kCells.j; ++j) {
+          for (int i = 0; i < kCells.i; ++i) {
+            float others = 1e-30F;
+            for (std::size_t m = 0; m < labels.size(); ++m) {
+              if (m == l) continue;
+              others = std::max(others, static_cast<float>(weighted[m].sample(i, j, k)));
+            }
+            const float expected = static_cast<float>(weighted[l].sample(i, j, k)) - others;
+            const Index3 here{i - int(at.x), j - int(at.y), k - int(at.z)}, n = field.dims();
+            const bool is_in = here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j &&
+                               here.k >= 0 && here.k < n.k;
+            if (is_in) {
+              wrong += field.sample(here.i, here.j, here.k) != static_cast<double>(expected);
+              opposite += expected > 0;
+            } else {
+              outside += expected >= 0;
+            }
+          }
+        }
+      }
+    }
+    CHECK(wrong == 0);  // so f_M = -f_L where L and M are the two largest, and f_L + f_M <= 0
+    CHECK(outside == 0);
+    CHECK(opposite > 0.99 * 26 * 24 * 28);  // nearly every sample is inside one label
+  }
+}
+
+TEST_CASE("a label has the same weight and field alone, among all, and in any number of threads") {
+  const Volume volume = cells(5);
+  const IndicatorFilter filter{0, {1, 0.8, 1.2}};
+  LabelFields all = fields_of(volume, filter, {}, 3);
+  for (const LabelSamples& l : all.weighed()) {
+    LabelFields alone = fields_of(volume, filter, {l.label}, 1);
+    CHECK(alone.weighed(l.label).weight == l.weight);
+    const Volume a = all.field(l.label), b = alone.field(l.label);
+    REQUIRE(a.dims() == b.dims());
+    int differ = 0;
+    for (int k = 0; k < a.dims().k; ++k) {
+      for (int j = 0; j < a.dims().j; ++j) {
+        for (int i = 0; i < a.dims().i; ++i) differ += a.sample(i, j, k) != b.sample(i, j, k);
+      }
+    }
+    CHECK(differ == 0);
+  }
+}
+
+TEST_CASE("labels that count as one have the field of one label") {
+  const Volume volume = cells(7);
+  const Volume joined = labeled(kCells, [&](int i, int j, int k) {
+    const int label = static_cast<int>(volume.sample(i, j, k));
+    return label == 4 || label == 7 ? 2 : label;
+  });
+  const IndicatorFilter filter{0, {1, 1, 1}};
+  const Volume a = fields_of(volume, filter, {2, 4, 7}).field(2);
+  const Volume b = fields_of(joined, filter, {2}).field(2);
+  REQUIRE(a.dims() == b.dims());
+  int differ = 0;
+  for (int k = 0; k < a.dims().k; ++k) {
+    for (int j = 0; j < a.dims().j; ++j) {
+      for (int i = 0; i < a.dims().i; ++i) differ += a.sample(i, j, k) != b.sample(i, j, k);
+    }
+  }
+  CHECK(differ == 0);
+}
+
+TEST_CASE("labels of one voxel and sheets of one keep their volume, wherever they are") {
+  for (const double sigma : {0.7, 1.0, 2.0}) {
+    for (const std::uint64_t seed : {3, 5, 8}) {
+      CAPTURE(sigma);
+      CAPTURE(seed);
+      LabelFields fields = fields_of(cells(seed), {0, {sigma, sigma, sigma}});
+      for (const std::int64_t label : {7, 8, 9, 10}) {
+        CAPTURE(label);
+        const Volume field = fields.field(label);
+        CHECK(greatest(field) > 0);
+        const double volume = inside_volume(field);
+        const double voxels = fields.weighed(label).volume;
+        CHECK(volume > 0.75 * voxels);
+        CHECK(volume < 1.25 * voxels);
+      }
+    }
+  }
+  // In a small ball, which has a weight itself.
+  LabelFields fields = fields_of(ball(24, 4.2, {11, 12, 12}, 5), {0, {3, 3, 3}});
+  CHECK(fields.weighed(3).weight > 1.2);
+  CHECK(greatest(fields.field(5)) > 0);
+  CHECK(inside_volume(fields.field(5)) == doctest::Approx(1).epsilon(0.1));
+}
+
+TEST_CASE("weights keep volumes that equal weights would not") {
+  for (const double radius : {3.0, 6.0, 10.0}) {
+    CAPTURE(radius);
+    const Volume labels = ball(30, radius, {14.3, 15.1, 14.8}, 3);
+    LabelFields fields = fields_of(labels, {0, {1, 1, 1}});
+    const LabelSamples& three = fields.weighed(3);
+    const Volume field = fields.field(3);
+    CHECK(inside_volume(field, 3) == inside_volume(field));
+    CHECK(inside_volume(field) == doctest::Approx(three.volume).epsilon(0.004));
+    CHECK(fields.weighed(0).weight == 1);
+    // Another count, of random points; with equal weights it is the indicator above one half. The
+    // shift of a surface is sigma^2 over its radius.
+    const std::vector<std::int64_t> one{3};
+    const Volume smooth = gaussian(label_indicator(labels, one, {{0, 0, 0}, {29, 29, 29}}), {1, 1, 1});
+    Random random(9);
+    constexpr int kPoints = 400000;
+    int above = 0, above_half = 0;
+    for (int n = 0; n < kPoints; ++n) {
+      const Vec3 p{random.uniform(0, 29), random.uniform(0, 29), random.uniform(0, 29)};
+      const double value = smooth.value(p);
+      above += three.weight * value >= 1 - value;
+      above_half += value >= 0.5;
+    }
+    const double of_box = 29. * 29. * 29. / kPoints;
+    CHECK(above * of_box == doctest::Approx(three.volume).epsilon(0.02));
+    CHECK(above_half * of_box / three.volume - 1 ==
+          doctest::Approx(-3 / (radius * radius)).epsilon(0.25));
+  }
+}
