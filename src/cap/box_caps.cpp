@@ -35,9 +35,8 @@ BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>
     cap.u = (cap.across + (f % 2 == 0 ? 2 : 1)) % 3;
     cap.v = 3 - cap.across - cap.u;
     triangulate(cap);
+    if (!failure_.empty()) return;
   }
-  sort_unique(crossing_);
-  if (!possible()) return;
   number_corners();
   check_sides();
 }
@@ -52,31 +51,25 @@ void BoxCaps::collect_boundary() {
       if (!on_one_face(p, q, box_)) {
         failure_ = text("the edge ", a, "-", b, " of the boundary does not lie on the box");
       }
-      edges_.push_back({f, i});
-      edge_at_.insert(edge_at_.end(), {{a, {f, i}}, {b, {f, i}}});
+      edges_.push_back({a, b});
       shortest2 = std::min(shortest2, distance2(p, q));
     }
   }
-  std::sort(edge_at_.begin(), edge_at_.end());
   if (!edges_.empty()) shortest_ = std::sqrt(shortest2);
-}
-
-void BoxCaps::obstruct(VertexId v) {
-  for (auto at = std::lower_bound(edge_at_.begin(), edge_at_.end(), std::pair{v, EdgeRef{0, 0}});
-       at != edge_at_.end() && at->first == v; ++at) {
-    crossing_.push_back(at->second);
-  }
 }
 
 void BoxCaps::triangulate(FaceCap& cap) {
   const auto drop = [&](const Vec3& p) { return Vec2{p[cap.u], p[cap.v]}; };
   cap.plane = std::make_unique<ConstrainedTriangulation>(drop(box_.lo), drop(box_.hi));
   cap.global.assign(4, kNoId);
+  const auto is_here = [&](VertexId v) {
+    return (box_faces_at(mesh_.points[v], box_) >> cap.number & 1) != 0;
+  };
   std::vector<VertexId> vertices;
-  for (const auto& [v, edge] : edge_at_) {
-    const bool here = (box_faces_at(mesh_.points[v], box_) >> cap.number & 1) != 0;
-    if (here && (vertices.empty() || vertices.back() != v)) vertices.push_back(v);
+  for (const auto& edge : edges_) {
+    std::ranges::copy_if(edge, std::back_inserter(vertices), is_here);
   }
+  sort_unique(vertices);
   std::vector<Vec3> places;
   places.reserve(vertices.size());
   for (const VertexId v : vertices)
@@ -86,41 +79,27 @@ void BoxCaps::triangulate(FaceCap& cap) {
     const VertexId v = vertices[n], at = cap.plane->insert({places[n].x, places[n].y});
     if (at == cap.global.size()) cap.global.emplace_back(kNoId);
     if (cap.global[at] != kNoId) {
-      coincident_.emplace_back(cap.global[at], v);
-    } else {
-      cap.global[at] = v;
+      failure_ = text("vertices ", cap.global[at], " and ", v, " of the boundary coincide");
+      return;
     }
+    cap.global[at] = v;
     local[n] = at;
   }
-  if (!coincident_.empty()) return;
 
   const auto local_of = [&](VertexId v) {
     return local[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
                                           vertices.begin())];
   };
-  const std::size_t before = crossing_.size();
-  for (const EdgeRef& edge : edges_) {
-    const Face& face = mesh_.faces[edge.f];
-    const VertexId a = face.v[(edge.i + 1) % 3], b = face.v[(edge.i + 2) % 3];
+  for (const auto& [a, b] : edges_) {
     const unsigned common =
         box_faces_at(mesh_.points[a], box_) & box_faces_at(mesh_.points[b], box_);
     if ((common >> cap.number & 1) == 0) continue;
     // The cap runs along the edge in the opposite direction.
-    const VertexId from = local_of(b), to = local_of(a);
-    const auto obstacle = cap.plane->constrain(from, to, Side::inside, Side::outside);
-    if (!obstacle) continue;
-    crossing_.push_back(edge);
-    const VertexId c = cap.global[obstacle->c];
-    if (c != kNoId && obstacle->d == kNoId) obstruct(c);
-    if (obstacle->d == kNoId) continue;
-    const VertexId d = cap.global[obstacle->d];
-    for (const EdgeRef& other : edges_) {
-      const auto& v = mesh_.faces[other.f].v;
-      const VertexId p = v[(other.i + 1) % 3], q = v[(other.i + 2) % 3];
-      if ((p == c && q == d) || (p == d && q == c)) crossing_.push_back(other);
+    if (!cap.plane->constrain(local_of(b), local_of(a), Side::inside, Side::outside)) {
+      failure_ = text("the edge ", a, "-", b, " of the boundary meets another one");
+      return;
     }
   }
-  if (crossing_.size() > before) return;
   unsigned corner = 0;  // vertex 0 of the plane
   if (cap.number % 2 != 0) corner |= 1u << cap.across;
   if (!mark_inside(*cap.plane, corner_inside_[corner])) {

@@ -33,31 +33,17 @@ class BoxCaps {
   // Keeps references. pre: the mesh is linked; no side of the box is 0.
   BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>& corner_inside);
 
-  // A boundary edge, by its facet and the corner opposite to it.
-  struct EdgeRef {
-    FaceId f;
-    int i;
-    friend bool operator==(const EdgeRef&, const EdgeRef&) = default;
-    friend bool operator<(const EdgeRef& a, const EdgeRef& b) {
-      return a.f != b.f ? a.f < b.f : a.i < b.i;
-    }
-  };
-  // Returns the edges that meet another edge, or a vertex, elsewhere than at their ends; ascending.
-  // If there are any, there are no caps.
-  const std::vector<EdgeRef>& crossing_edges() const { return crossing_; }
-  // Returns pairs of boundary vertices at one position. If there are any, there are no caps.
-  const std::vector<std::pair<VertexId, VertexId>>& coincident() const { return coincident_; }
-  // Returns why no caps are possible even without crossings; empty if they are.
+  // Returns why there are no caps; empty if there are.
   const std::string& failure() const { return failure_; }
-  bool possible() const { return crossing_.empty() && coincident_.empty() && failure_.empty(); }
 
   // Improves the triangles to r/l <= lambda, as far as boundary edges, which stay unsplit, allow.
-  // pre: possible().
+  // pre: there are caps.
   void refine(double lambda);
   // Returns how many triangles stay bad (RegionRefiner::refused).
   std::size_t refused() const;
 
-  // Return the points and triangles that close the mesh when appended to its own. pre: possible().
+  // Return the points and triangles that close the mesh when appended to its own. pre: there are
+  // caps.
   const std::vector<Vec3>& new_points() const { return new_points_; }
   std::vector<Triangle> triangles() const;
 
@@ -72,7 +58,6 @@ class BoxCaps {
 
   void collect_boundary();
   void triangulate(FaceCap& cap);
-  void obstruct(VertexId v);
   void number_corners();
   void check_sides();
   void split_side(FaceCap& cap, VertexId a, VertexId b);
@@ -84,13 +69,10 @@ class BoxCaps {
   const TriMesh& mesh_;
   const Box3 box_;
   const std::array<bool, 8> corner_inside_;
-  std::vector<EdgeRef> edges_;                         // all boundary edges
-  std::vector<std::pair<VertexId, EdgeRef>> edge_at_;  // per end of each edge, sorted
+  std::vector<std::array<VertexId, 2>> edges_;  // of the boundary, directed as in their facets
   std::array<FaceCap, 6> caps_;
   std::vector<Vec3> new_points_;
   double shortest_ = 0;  // length of the shortest boundary edge
-  std::vector<EdgeRef> crossing_;
-  std::vector<std::pair<VertexId, VertexId>> coincident_;
   std::string failure_;
 };
 

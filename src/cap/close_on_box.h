@@ -2,9 +2,7 @@
 // --cap: closes the surface on the box of the volume, to the boundary of the solid {f >= kappa}.
 //
 // The mesh is changed to touch the box along its boundary alone (refine/lift_off.h). Boundary edges
-// of an embedded mesh never cross. Others are split on their curve until none cross. That
-// terminates: within a pixel the arcs are branches of one hyperbola, on different sides of its
-// asymptotes.
+// of an embedded mesh never cross. Where those of another mesh do, the solid stays open.
 #pragma once
 
 #include <array>

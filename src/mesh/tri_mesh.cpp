@@ -43,37 +43,8 @@ Quad quad_at(const TriMesh& mesh, FaceId f, int i) {
   const Face& face = mesh.faces[f];
   const FaceId g = face.n[i];
   DELISO_ASSERT(g != kNoId);
-  const VertexId b = face.v[(i + 1) % 3], c = face.v[(i + 2) % 3];
-  VertexId d = kNoId;
-  for (const VertexId v : mesh.faces[g].v) {
-    if (v != b && v != c) d = v;
-  }
-  return {f, g, face.v[i], b, c, d};
-}
-
-VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p) {
-  const auto m = VertexId(mesh.points.size());
-  mesh.points.push_back(p);
-  // In facet g, if there is one, replaces the neighbor `was` by `now`.
-  const auto replace_neighbor = [&](FaceId g, FaceId was, FaceId now) {
-    if (g != kNoId) mesh.faces[g].n[neighbor_index(mesh.faces[g], was)] = now;
-  };
-  const Face near = mesh.faces[f];
-  const int j = (i + 1) % 3, k = (i + 2) % 3;
-  const VertexId a = near.v[i], b = near.v[j], c = near.v[k];
-  const FaceId g = near.n[i], f1 = FaceId(mesh.faces.size());
-  const FaceId g1 = g == kNoId ? FaceId(kNoId) : FaceId(f1 + 1);
-  mesh.faces[f] = {{a, b, m}, {g, f1, near.n[k]}};
-  mesh.faces.push_back({{a, m, c}, {g1, near.n[j], f}});
-  replace_neighbor(near.n[j], f, f1);
-  if (g == kNoId) return m;
-  const Face far = mesh.faces[g];
-  const int d = neighbor_index(far, f);  // corners d, c, b from there on
-  const FaceId beyond_c = far.n[(d + 1) % 3], beyond_b = far.n[(d + 2) % 3];
-  mesh.faces[g] = {{far.v[d], m, b}, {f, beyond_c, g1}};
-  mesh.faces.push_back({{far.v[d], c, m}, {f1, g, beyond_b}});
-  replace_neighbor(beyond_b, g, g1);
-  return m;
+  const VertexId d = mesh.faces[g].v[neighbor_index(mesh.faces[g], f)];
+  return {f, g, face.v[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3], d};
 }
 
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star) {

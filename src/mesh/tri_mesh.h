@@ -86,11 +86,6 @@ struct Quad {
 // Returns the quad at the edge of f opposite its corner i. pre: f has a neighbor there.
 Quad quad_at(const TriMesh& mesh, FaceId f, int i);
 
-// Splits the edge of f opposite its corner i at p; its one or two facets become two or four. Facet
-// f keeps that corner and the edge's first end in the direction of f. Returns the new vertex. Keeps
-// I1 to I5.
-VertexId split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p);
-
 // Sets `star` to the facets at the corner v of facet f, f first, then by a walk over neighbors.
 // pre: neighbors are mutual (I2).
 void facets_around(const TriMesh& mesh, FaceId f, VertexId v, std::vector<FaceId>& star);

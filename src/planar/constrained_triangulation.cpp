@@ -197,44 +197,35 @@ void ConstrainedTriangulation::legalize(std::vector<std::pair<VertexId, VertexId
   }
 }
 
-std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::constrain(VertexId a,
-                                                                                      VertexId b,
-                                                                                      Side left,
-                                                                                      Side right) {
+bool ConstrainedTriangulation::constrain(VertexId a, VertexId b, Side left, Side right) {
   const auto mark = [&] {
     const PlaneEdge e = find_edge(a, b), f = find_edge(b, a);
     if (e.t != kNoId) triangles_[e.t].side[e.i] = left;
     if (f.t != kNoId) triangles_[f.t].side[f.i] = right;
     return e.t != kNoId || f.t != kNoId;
   };
-  if (mark()) return std::nullopt;
+  if (mark()) return true;
 
-  // The first edge that a-b crosses, or a vertex on it.
-  std::optional<Obstacle> obstacle;
+  // The first edge that a-b crosses; none if there is a vertex on it before.
   PlaneEdge at;
   circulate(a, [&](FaceId t, int i) {
-    const VertexId c = triangles_[t].v[(i + 1) % 3], d = triangles_[t].v[(i + 2) % 3];
-    const int at_c = turn(a, b, c), at_d = turn(a, b, d);
-    for (const auto& [v, side] : {std::pair{c, at_c}, std::pair{d, at_d}}) {
-      if (side != 0 || dot(points_[v] - points_[a], points_[b] - points_[a]) <= 0) continue;
-      obstacle = Obstacle{v, kNoId};
-      return false;
+    if (turn(a, b, triangles_[t].v[(i + 1) % 3]) >= 0 ||
+        turn(a, b, triangles_[t].v[(i + 2) % 3]) <= 0) {
+      return true;
     }
-    if (at_c >= 0 || at_d <= 0) return true;
     at = {t, i};
     return false;
   });
-  if (obstacle) return obstacle;
-  DELISO_CHECK(at.t != kNoId);
+  if (at.t == kNoId) return false;
   std::deque<std::pair<VertexId, VertexId>> crossed;
   while (true) {
     const VertexId c = triangles_[at.t].v[(at.i + 1) % 3], d = triangles_[at.t].v[(at.i + 2) % 3];
-    if (triangles_[at.t].side[at.i] != Side::none) return Obstacle{c, d};
+    if (triangles_[at.t].side[at.i] != Side::none) return false;
     crossed.emplace_back(c, d);
     const VertexId e = opposite_corner(at.t, at.i);
     if (e == b) break;
     const int side = turn(a, b, e);
-    if (side == 0) return Obstacle{e, kNoId};
+    if (side == 0) return false;
     // Leave through the edge whose ends lie on different sides.
     const FaceId g = triangles_[at.t].n[at.i];
     at = {g, corner(g, side > 0 ? d : c)};
@@ -260,7 +251,7 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cons
   }
   DELISO_CHECK(mark());
   legalize(std::move(new_edges));
-  return std::nullopt;
+  return true;
 }
 
 }  // namespace deliso

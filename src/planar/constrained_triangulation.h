@@ -58,14 +58,9 @@ class ConstrainedTriangulation {
   // Splits an edge at p and returns the new vertex. pre: p lies on the edge, exactly.
   VertexId split_edge(PlaneEdge edge, const Vec2& p);
 
-  // The reason why a segment a-b cannot be an edge: it crosses the segment c-d, or passes through
-  // the vertex c (then d is kNoId).
-  struct Obstacle {
-    VertexId c, d;
-  };
-  // Makes a-b an edge, with these marks on its left and right. If a-b meets obstacles, changes
-  // nothing and returns the first one. pre: a != b.
-  std::optional<Obstacle> constrain(VertexId a, VertexId b, Side left, Side right);
+  // Makes a-b an edge, with these marks on its left and right. Returns false, and changes nothing,
+  // if a-b crosses a segment or passes through a vertex. pre: a != b.
+  bool constrain(VertexId a, VertexId b, Side left, Side right);
 
   // Finds the triangle that holds p, on a walk from `from` over edges that are no segments. If the
   // walk ends at a segment or a side of the rectangle, finds that edge instead.

@@ -39,31 +39,17 @@ enum class Counter : std::uint8_t {
   cap_edges_lifted,       // edges and triangles within a face of the box, given a vertex off it
   cap_lifts_off_surface,  // those of them that found no point of Sigma
   cap_not_lifted,         // vertices, edges and triangles that had to stay in a face of the box
-  cap_edges_split,        // boundary edges that crossed another one
   cap_refused,            // cap triangles kept as they are, for the boundary edges next to them
   count_
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped",
-    "boundary_splits_recover",
-    "cancelled_pairs",
-    "bogus_hits",
-    "capped_insertions",
-    "refused_splits",
-    "unresolved_facets",
-    "unresolved_vertices",
-    "voxels_cut",
-    "uncertified_sites",
-    "unready_facets",
-    "crossings_handed_over",
-    "seams_refused",
-    "unrefined_facets",
-    "points_far",
-    "cap_edges_lifted",
-    "cap_lifts_off_surface",
-    "cap_not_lifted",
-    "cap_edges_split",
+    "components_skipped", "boundary_splits_recover", "cancelled_pairs",
+    "bogus_hits",         "capped_insertions",       "refused_splits",
+    "unresolved_facets",  "unresolved_vertices",     "voxels_cut",
+    "uncertified_sites",  "unready_facets",          "crossings_handed_over",
+    "seams_refused",      "unrefined_facets",        "points_far",
+    "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
     "cap_refused"};
 static_assert(!kCounterNames.back().empty());
 

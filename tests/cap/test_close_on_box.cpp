@@ -238,7 +238,7 @@ TEST_CASE(
   {
     const TriMesh mesh = make_tri_mesh(points, triangles);
     BoxCaps caps(mesh, box, outside);
-    REQUIRE(caps.possible());
+    REQUIRE(caps.failure() == "");
     caps.refine(2);
     CHECK(caps.new_points().empty());
     CHECK(caps.triangles().size() == 1);
@@ -248,8 +248,10 @@ TEST_CASE(
   tent(2, 4, points, triangles);
   const TriMesh crossing = make_tri_mesh(points, triangles);
   const BoxCaps caps(crossing, box, outside);
-  CHECK_FALSE(caps.possible());
-  CHECK(caps.crossing_edges().size() >= 2);
+  CHECK(caps.failure().ends_with("of the boundary meets another one"));
+  points[4] = points[1];
+  const TriMesh touching = make_tri_mesh(points, triangles);
+  CHECK(BoxCaps(touching, box, outside).failure().ends_with("of the boundary coincide"));
 
   std::vector<Triangle> open{triangles[0], triangles[1]};
   const BoxCaps hole(make_tri_mesh(points, open), box, outside);

@@ -214,4 +214,23 @@ inline void split_facet(TriMesh& mesh, FaceId f, const Vec3& p) {
   mesh = make_tri_mesh(std::move(mesh.points), triangles);
 }
 
+// Splits the edge of f opposite its corner i at p.
+inline void split_edge(TriMesh& mesh, FaceId f, int i, const Vec3& p) {
+  const VertexId b = mesh.faces[f].v[(i + 1) % 3], c = mesh.faces[f].v[(i + 2) % 3];
+  const auto v = VertexId(mesh.points.size());
+  Triangles triangles;
+  for (const Face& face : mesh.faces) {
+    if (!has_corner(face.v, b) || !has_corner(face.v, c)) {
+      triangles.push_back(face.v);
+      continue;
+    }
+    for (const VertexId end : {b, c}) {
+      triangles.push_back(face.v);
+      std::ranges::replace(triangles.back(), end, v);
+    }
+  }
+  mesh.points.push_back(p);
+  mesh = make_tri_mesh(std::move(mesh.points), triangles);
+}
+
 }  // namespace deliso::test
