@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/triangle.h"
+#include "delaunay/voronoi.h"
 #include "refine/refinement.h"
 #include "surface/criteria.h"
 
@@ -50,6 +52,55 @@ void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, d
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
+std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal) const {
+  const TriMesh& mesh = mesh_->mesh;
+  const auto at = [&](VertexId v) {
+    return c.what != Proposal::Vertex::none && v == c.vertex ? c.place : mesh.points[v];
+  };
+  if (refusal == Refusal::no_surface_point && !c.duals.empty()) {
+    const Triangle& v = c.in.facets[c.duals.size() - 1];
+    const Vec3 p = at(v[0]), q = at(v[1]), r = at(v[2]);
+    const FacetLine line = facet_line(p, q, r);
+    const double longest = std::sqrt(std::max({distance2(p, q), distance2(q, r), distance2(r, p)}));
+    const Vec3 reach = std::min(line.radius, longest) * line.normal;
+    return Segment{line.center - reach, line.center + reach};
+  }
+  if (refusal != Refusal::turned) return std::nullopt;
+  // The new facets, then those around the cavity, which keep their places.
+  std::vector<Triangle> facets = c.in.facets;
+  for (const FaceId f : c.cavity) {
+    for (const FaceId g : mesh.faces[f].n) {
+      if (g != kNoId && std::ranges::find(c.cavity, g) == c.cavity.end()) {
+        facets.push_back(mesh.faces[g].v);
+      }
+    }
+  }
+  const auto normal = [&](const Triangle& v) {
+    const Vec3 n = area_normal(at(v[0]), at(v[1]), at(v[2]));
+    return n / length(n);
+  };
+  double least = c.least_cosine;
+  std::optional<Segment> sharpest;
+  for (std::size_t f = 0; f < c.in.facets.size(); ++f) {
+    for (std::size_t g = f + 1; g < facets.size(); ++g) {
+      for (std::size_t side = 0; side < 3; ++side) {
+        const VertexId a = facets[f][side], b = facets[f][(side + 1) % 3];
+        const Triangle& other = facets[g];
+        bool is_across = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+          is_across = is_across || (other[i] == b && other[(i + 1) % 3] == a);
+        }
+        if (!is_across) continue;
+        const double cosine = dot(normal(facets[f]), normal(other));
+        if (cosine >= least) continue;
+        least = cosine;
+        sharpest = Segment{at(a), at(b)};
+      }
+    }
+  }
+  return sharpest;
+}
+
 void TraceRecorder::operation_tried(Operation operation, const Proposal& proposal,
                                     std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
@@ -57,6 +108,7 @@ void TraceRecorder::operation_tried(Operation operation, const Proposal& proposa
   if (!trace_.is_full()) {
     const bool has_vertex = proposal.what != Proposal::Vertex::none;
     if (has_vertex) event.place = proposal.place;
+    event.edge = refusal ? culprit(proposal, *refusal) : std::nullopt;
     if (refusal) {
       number_mesh(proposal.was.facets, kNoId, event.star);
       number_mesh(proposal.in.facets, has_vertex ? proposal.vertex : kNoId, event.cone);

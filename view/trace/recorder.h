@@ -81,6 +81,9 @@ class TraceRecorder : public Observer {
   void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                    std::vector<Triangle>& out) const;
   TraceEvent& asks(Routine routine, Reason reason, double value);
+  // What refused it, as a line: the dual line that misses Sigma, as far as a surface point may be,
+  // or the edge that would be too sharp.
+  std::optional<Segment> culprit(const Proposal& proposal, Refusal refusal) const;
   // Ends the event.
   void record(TraceOutcome outcome);
   void show(RecordId r);

@@ -86,7 +86,8 @@ struct TraceEvent {
   std::uint8_t reason = 0;
   double value = kNone;                  // how far the criterion is passed, or as the reason says
   Triangle caller{kNoId, kNoId, kNoId};  // the facet that asks, or a vertex alone
-  std::optional<Segment> edge;           // its Voronoi edge, within the box
+  // Its Voronoi edge, within the box; of a refused operation of Stage 2 what refused it.
+  std::optional<Segment> edge;
   std::optional<std::pair<Vec3, double>> ball;  // its surface Delaunay ball: center and radius
   std::vector<Vec3> hits;                       // of Sigma with the edge
 

@@ -22,7 +22,7 @@ RoutineName name_of(Routine routine) {
        "ApproximateGeom: a facet that does not follow the surface roughly has its surface point "
        "inserted"},
       {"certify", "", 1,
-       "a site whose region on the exact contour T breaks one of the closed-ball conditions has "
+       "a site whose region on the exact contour T breaks one of the conditions C1 to C4 has "
        "the vertex of T inserted that is furthest from it there"},
       {"find_protrusions", "", 1,
        "a vertex of T that is too far from the facets at its site is inserted: a thin branch "
@@ -103,16 +103,16 @@ std::string_view name_of(TraceOutcome outcome) {
 
 std::string_view text_of(Refusal refusal) {
   constexpr std::string_view texts[] = {
-      "E or what takes its place is no disk (G1)",
-      "E has a vertex inside, which would go (G1)",
-      "a new facet's dual line misses the surface (G3)",
+      "E or what takes its place is no disk",
+      "E has a vertex inside, which would go",
+      "a new facet's dual line misses the surface",
       "the point is too near to a vertex of E",
       "a boundary edge encroached upon that cannot be split",
-      "an edge would be too sharp, or a component reversed (G2)",
-      "nothing would be better (G4)",
-      "a vertex would go that is too far from the new facets (G4)",
-      "a new facet would cross another (G5)",
-      "it would change facets of another region, and is tried again later (G0)"};
+      "an edge would be too sharp, or a component reversed",
+      "nothing would be better",
+      "a vertex would go that is too far from the new facets",
+      "a new facet would cross another",
+      "it would change facets of another region, and is tried again later"};
   static_assert(sizeof(texts) / sizeof(texts[0]) == kRefusals);
   return texts[static_cast<std::size_t>(refusal)];
 }

@@ -403,6 +403,7 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
   // Plateaus: many attempts fail.
   std::set<std::uint8_t> outcomes;
   std::size_t cones = 0;
+  std::array<std::size_t, kRefusals> culprits{};
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -427,12 +428,34 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
       outcomes.insert(a.outcome[e]);
       // E is in the mesh.
       for (const Triangle& t : triangles_of(a.star, e)) CHECK(complex.count(rotated(t)) == 1);
-      cones += triangles_of(a.cone, e).size();
+      const auto cone = triangles_of(a.cone, e);
+      cones += cone.size();
+      const Vec3 from{a.edge[6 * e], a.edge[6 * e + 1], a.edge[6 * e + 2]},
+          to{a.edge[6 * e + 3], a.edge[6 * e + 4], a.edge[6 * e + 5]};
+      if (!is_finite(from)) continue;
+      ++culprits[refusal];
+      const Vec3 place{a.place[3 * e], a.place[3 * e + 1], a.place[3 * e + 2]};
+      const auto at = [&](VertexId v) { return v == kNoId ? place : run.trace.point(v); };
+      const auto is_far = [](double x, double y) { return std::abs(x - y) > 1e-4; };
+      const bool is_dual_line = refusal == static_cast<std::size_t>(Refusal::no_surface_point);
+      // A line whose points are equally far from the corners of a new facet, or an edge of one.
+      CHECK(std::any_of(cone.begin(), cone.end(), [&](const Triangle& t) {
+        std::size_t ends = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vec3 p = at(t[i]), q = at(t[(i + 1) % 3]);
+          if (is_dual_line && is_far(distance(from, p), distance(from, q))) return false;
+          if (is_dual_line && is_far(distance(to, p), distance(to, q))) return false;
+          if (distance(p, from) < 1e-4 || distance(p, to) < 1e-4) ++ends;
+        }
+        return is_dual_line || ends == 2;
+      }));
     }
     CHECK(refused == counted);
   }
   CHECK(outcomes.size() >= 5);
   CHECK(cones > 100);
+  CHECK(culprits[static_cast<std::size_t>(Refusal::no_surface_point)] > 10);
+  CHECK(culprits[static_cast<std::size_t>(Refusal::turned)] > 10);
 }
 
 TEST_CASE("every number of an event has a name") {

@@ -1,21 +1,23 @@
 'use strict';
 // What is drawn of one event over the surface: the point and what called for it, the conflict zone
 // or the cavity, and the Voronoi edge with its hits. Also the cone, the surface ball, and the
-// facets that came and went. Each kind of thing has a color and a switch of its own.
+// facets that came and went. Each kind of thing has a color and a switch of its own; colors are seen on
+// light and on dark ground.
 
 const kMarks = {
-  point: { label: 'Point', color: 0x14213d },
+  point: { label: 'Point', color: 0x7a5cc9 },
   caller: { label: 'What called for it', color: 0xffc233 },
   edge: { label: 'Voronoi edge and its hits', color: 0x0b90b1 },
-  ball: { label: 'Surface ball', color: 0x1f4e8c },
+  ball: { label: 'Surface ball', color: 0x3f76bd },
   zone: { label: 'Conflict zone', color: 0x7b9fd6 },
-  star: { label: 'Disk looked at (D_q or E), its boundary', color: 0x5a2d00 },
+  star: { label: 'Disk looked at (D_q or E), its boundary', color: 0xa0622d },
   cone: { label: 'Cone D that was refused', color: 0x4361ee, dash: 'dashed' },
   came: { label: 'Facets that come', color: 0x1d74d8 },
   went: { label: 'Facets that go', color: 0xf08a24, dash: 'dashed' },
 };
 
 const kRefusedPoint = { label: 'Point that was refused', color: kMarks.went.color };
+const kCulprit = { label: 'Dual line or edge that refuses it', color: 0xd1345b };
 
 // The edges that one of these triangles alone has: pairs of vertices.
 function boundary_of(triangles) {
@@ -102,7 +104,10 @@ class EventMarks {
     return Object.entries(kMarks).filter(([key]) => this.on[key] && there(key))
       .map(([key]) => this.mark(key, e));
   }
-  mark(key, e) { return key === 'point' && this.trace.refused(e) ? kRefusedPoint : kMarks[key]; }
+  mark(key, e) {
+    if (!this.trace.refused(e)) return kMarks[key];
+    return key === 'point' ? kRefusedPoint : key === 'edge' && this.trace.stage(e) === 2 ? kCulprit : kMarks[key];
+  }
 
   // Whether so little changes that it can be pointed at.
   is_small(e) {
@@ -159,7 +164,7 @@ class EventMarks {
   show_edge(e) {
     const edge = this.trace.edge(e);
     if (edge) {
-      this.lines.edge.add(edge.subarray(0, 3), edge.subarray(3, 6), kMarks.edge.color, 2.5);
+      this.lines.edge.add(edge.subarray(0, 3), edge.subarray(3, 6), this.mark('edge', e).color, 3);
     }
     const hits = this.trace.items('hits', e);
     for (let n = 0; n < hits.length; n += 3) {

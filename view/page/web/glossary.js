@@ -11,7 +11,7 @@ const kTerms = {
   'surface ball': 'the ball around the surface point through the corners of the facet',
   'surface point': 'the point nearest to the circumcenter where the dual line meets Σ and Σ faces as the facet does',
   'circumradius': 'the circumradius of a facet',
-  'certificate': 'the four conditions C1 to C4 on regions; where they hold, K has the topology of T',
+  'certificate': 'four conditions with which K has the topology of T',
   'cavity': 'the facets that an operation removes, a disk',
   'cone': 'the facets from a new vertex to the boundary of the cavity',
   'criterion': 'a bound on a measure of a facet',

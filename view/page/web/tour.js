@@ -29,8 +29,9 @@ function tour_stops(trace) {
   const protrusion = heaviest(trace, (e) => because(e) === 'protrusion' && done(e) ? value(e) : none);
   const insertion = heaviest(trace, (e) => kInsertions.includes(trace.routine(e).name) &&
     done(e) && trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
+  // What refuses it can be drawn, and few facets are around it.
   const refusal = heaviest(trace, (e) => trace.stage(e) === 2 && trace.refused(e)
-    ? trace.size('cone', e) + trace.size('star', e) : none);
+    ? (trace.edge(e) ? 1000 : 0) + (kInsertions.includes(trace.routine(e).name) ? 500 : 0) - Math.abs(trace.size('cone', e) - 6) : none);
   const worst = heaviest(trace, (e) => limit && because(e) === limit && trace.stage(e) === 2 ? value(e) : none);
   const last = trace.count - 1;
   const farthest = trace.arrays.event_worst?.[last];
@@ -42,21 +43,20 @@ function tour_stops(trace) {
       `The run begins with ${counted(trace.vertices[1], 'site', 'sites')} on the isosurface, samples of it. Each dot is one.`,
          'The trace has no events.', true),
     stop('A region that breaks a condition', broken, (e) =>
-      `Here a condition of Stage 1 fails (${because(e)}): the pieces around this site do not meet as pieces ` +
-      'of a surface should. A new site is inserted to mend it.', 'No region broke a condition in this trace.'),
+      `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
     stop('A protrusion', protrusion, (e) =>
       `The mesh would miss this protrusion of the surface. A site is inserted ${rounded(value(e))} units ` +
       'from the nearest one.', 'No protrusion was missed in this trace.'),
     stop('From Recover to Refine', trace.switch_at, () =>
-      'The switch: the shape is now right. The tetrahedra are left behind, and Refine works on the plain ' +
-      'mesh of triangles.', 'The trace ends before Refine begins.', true),
+      'The switch: the topology is now right, the shape is not. The tetrahedra are left behind, and Refine works ' +
+      'on the plain mesh of triangles.', 'The trace ends before Refine begins.', true),
     stop('An insertion with its cavity', insertion, (e) =>
       `A point is inserted. The cavity of ${counted(cavity(e), 'facet', 'facets')} goes, and a cone of ` +
       `${counted(trace.size('added', e), 'facet', 'facets')} around the point takes its place.`,
          'No point was inserted in Refine.'),
     stop('A refused operation', refusal, (e) =>
-      `The operation \u201c${operation(e)}\u201d was refused: ${trace.outcome_text(e)}. A gate tests every change, and ` +
-      'this one did not pass. The mesh stays as it was.', 'No operation was refused in this trace.'),
+      `The operation \u201c${operation(e)}\u201d was refused: ${trace.outcome_text(e)}` +
+      `${trace.edge(e) ? ' (in red)' : ''}. A gate tests every change, and this one did not pass. The mesh stays as it was.`, 'No operation was refused in this trace.'),
     stop('The worst facet', worst, (e) =>
       `This facet breaks its criterion most: ${kCriteria[limit].label} is ${rounded(value(e))} times the limit.`,
          'No facet was over a limit in Refine.'),
@@ -110,6 +110,7 @@ class Tour {
     if (!this.on) return;
     this.at = -1;
     this.invite();
+    this.place.querySelector('button').focus();
     this.leave();
   }
 }
