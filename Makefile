@@ -3,13 +3,15 @@
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
-# AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options).
+# AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options); for
+# `make site`: SITE (folder), REPOSITORY (its address, which the page's links lead to).
 BUILD ?= build
 JOBS  ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 OUT   ?= .
 ISO   ?=
 SEEDS ?= 5
+SITE  ?= $(BUILD)/site
 DATA  ?= $(or $(DELISO_DATA),datasets)
 
 MAKEFLAGS += --no-print-directory
@@ -22,7 +24,7 @@ CLANG ?= clang++
 SINCE ?=
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures bench datasets tables quality sanitize fuzz tidy format format-check install
+.PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: doctest clean
 
 all:
@@ -49,6 +51,10 @@ figures:
 	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
 	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
+
+# A folder that any static host serves: the page docs/index.html with its drawings.
+site:
+	@sh figures/lesson/site.sh '$(SITE)' '$(REPOSITORY)'
 
 # The micro-benchmarks, one primitive each; they need no data.
 bench:

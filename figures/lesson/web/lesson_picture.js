@@ -34,7 +34,6 @@ class Picture {
     this.width = this.scale * (this.columns - 0.1);
     this.height = this.scale * (this.rows - 0.1);
     this.svg.setAttribute('viewBox', `0 0 ${this.width} ${this.height}`);
-    this.svg.setAttribute('height', this.height);
   }
   to_paper([x, y]) {
     return [this.scale * (x + 0.45), this.height - this.scale * (y + 0.45)];

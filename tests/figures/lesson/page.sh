@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# docs/index.html is what its sources give, and asks nothing of others but its drawings; what it links is
-# there.
+# docs/index.html is what its sources give, and asks nothing of others but its drawings. Its prices are those
+# of docs/results.md. The site has what the page links, or links the repository.
 # Usage: page.sh SOURCE_FOLDER LESSON
 set -eu
 work=$(mktemp -d)
@@ -30,4 +30,25 @@ done
 [ "$(grep -c '<figure data-picture=' "$page")" -eq 7 ]
 grep -o 'src="[^"]*"' "$page" | cut -d '"' -f 2 | while read -r drawing; do
   test -f "$1/docs/$drawing" || { echo "no $drawing"; exit 1; }
+done
+
+# A column of the table of prices, from Table 3.
+for volume in FUEL ENGINE; do
+  awk -F '|' -v volume=" $volume " '/^\*\*Table / { table = $0 }
+    table ~ /Table 3/ && $2 == volume { printf "%.1f µs\n%.1f µs\n%s\n%s\n", 1e6 * $4, 1e6 * $8, $6, $10 }' \
+    "$1/docs/results.md" | sed 's/^ *//;s/ *$//' >"$work/prices"
+  [ "$(wc -l <"$work/prices")" -eq 4 ]
+  while read -r price; do
+    grep -q "^<tr>.*<td>$price</td>" "$page" || { echo "$volume: no $price on the page"; exit 1; }
+  done <"$work/prices"
+done
+make -s -C "$1" site SITE="$work/site"
+links() { grep -o 'href="[^"#]*' "$work/site/index.html" | cut -d '"' -f 2 | grep . | sort -u; }
+[ "$(links | wc -l)" -ge 15 ]
+for file in $(links) $(grep -o 'src="[^"]*"' "$work/site/index.html" | cut -d '"' -f 2); do
+  test -f "$work/site/$file" || { echo "the site has no $file"; exit 1; }
+done
+make -s -C "$1" site SITE="$work/site" REPOSITORY=https://host/owner/name
+for link in $(links); do
+  test -f "$1/${link#https://host/owner/name/blob/main/}" || { echo "no $link"; exit 1; }
 done
