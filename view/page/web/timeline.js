@@ -212,7 +212,8 @@ class Timeline {
       context.fillRect(x, kHead, 1, bottom - kHead);
       context.textAlign = 'center';
       for (const [stage, from, to] of [[1, labels, x], [2, x, width]]) {
-        if (to - from > 60) context.fillText(`Stage ${stage}`, (from + to) / 2, height);
+        const text = to - from > 60 ? `Stage ${stage}` : to - from > 10 ? String(stage) : '';
+        context.fillText(text, (from + to) / 2, height);
       }
     }
     this.draw_head();
