@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 #include <type_traits>
 
@@ -40,31 +41,25 @@ Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins
   return histogram;
 }
 
-double otsu_threshold(const Histogram& histogram) {
-  const std::size_t bins = histogram.counts.size();
-  double total = 0, total_sum = 0;
-  for (std::size_t b = 0; b < bins; ++b) {
-    total += static_cast<double>(histogram.counts[b]);
-    total_sum += static_cast<double>(histogram.counts[b]) * static_cast<double>(b);
+Histogram bulk_histogram(const Volume& volume, ValueRange range, int bins) {
+  constexpr double kOutlierShare = 1e-4;  // at either end
+  for (;;) {
+    Histogram h = make_histogram(volume, range, bins);
+    const double rest = kOutlierShare * std::accumulate(h.counts.begin(), h.counts.end(), 0.0);
+    const auto bulk_from = [&](auto bin, auto end) {
+      for (double sum = 0; bin + 1 != end; ++bin) {
+        if ((sum += static_cast<double>(*bin)) > rest) break;
+      }
+      return bin;
+    };
+    const auto first = bulk_from(h.counts.begin(), h.counts.end());
+    const auto end = bulk_from(h.counts.rbegin(), std::reverse_iterator(first)).base();
+    if (10 * (end - first) >= 9 * std::ssize(h.counts) || !(h.width > 0)) return h;
+    const double low = range.min + h.width * static_cast<double>(first - h.counts.begin());
+    const double high = low + h.width * static_cast<double>(end - first);
+    if (!(high - low < range.max - range.min)) return h;
+    range = {low, std::min(range.max, high)};
   }
-  double best_variance = -1;
-  double below = 0, below_sum = 0;
-  // Equally good thresholds form a gap in the histogram: take its middle.
-  std::size_t first_best = bins / 2, last_best = bins / 2;
-  for (std::size_t b = 0; b + 1 < bins; ++b) {
-    below += static_cast<double>(histogram.counts[b]);
-    below_sum += static_cast<double>(histogram.counts[b]) * static_cast<double>(b);
-    const double above = total - below;
-    if (below == 0 || above == 0) continue;
-    const double gap = below_sum / below - (total_sum - below_sum) / above;
-    const double variance = below * above * gap * gap;
-    if (variance > best_variance) {
-      best_variance = variance;
-      first_best = b + 1;
-    }
-    if (variance >= best_variance) last_best = b + 1;
-  }
-  return histogram.range.min + histogram.width * static_cast<double>(first_best + last_best) / 2;
 }
 
 std::string histogram_text(const Histogram& histogram, int rows) {

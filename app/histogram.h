@@ -21,9 +21,9 @@ struct Histogram {
 // type each bin has the same number of values.
 Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins);
 
-// Returns the value between two bins with the largest variance between the two classes of samples
-// (Otsu 1979). For one bin, the middle of the range.
-double otsu_threshold(const Histogram& histogram);
+// Returns the same without outliers, if a tenth of the bins have no other samples: they are a
+// ten-thousandth of the samples at either end.
+Histogram bulk_histogram(const Volume& volume, ValueRange range, int bins);
 
 bool is_integer(SampleType type);
 

@@ -20,16 +20,15 @@ namespace {
 
 constexpr int kBins = 256;
 constexpr int kRows = 16;
-constexpr std::size_t kSuggestions = 5;
 // Limit for counting the surface's components: a second or two.
 constexpr std::size_t kSamples = std::size_t{1} << 25;
 constexpr double kCrossings = 1 << 22;
 
-Suggestion suggestion_of(const Valley& valley, const Volume& volume, const Options& options) {
-  const SurfaceEstimate surface = estimate_surface(volume, valley.isovalue);
-  Suggestion s{valley, expected_vertices(surface, volume, options), std::nullopt};
+Suggestion suggestion_of(const Threshold& threshold, const Volume& volume, const Options& options) {
+  const SurfaceEstimate surface = estimate_surface(volume, threshold.isovalue);
+  Suggestion s{threshold, expected_vertices(surface, volume, options), std::nullopt};
   if (volume.sample_count() <= kSamples && surface.crossings <= kCrossings) {
-    s.components = summarize_contour(volume, valley.isovalue).components.size();
+    s.components = summarize_contour(volume, threshold.isovalue).components.size();
   }
   return s;
 }
@@ -75,15 +74,12 @@ std::string suggestions_text(const Info& info) {
   text += labels_text(info.labels);
   const char* heading = info.labels.empty() ? "try     " : "or      ";
   for (const Suggestion& s : info.suggestions) {
-    const Valley& v = s.valley;
+    const Threshold& v = s.threshold;
     append_format(text, "%s  --iso %-10s  %s\n", heading, number_text(v.isovalue).c_str(),
                   size_text(s).c_str());
     text += "                            " + percent(v.below) + " of the samples below, " +
-            percent(v.above) + " above";
-    text += info.one_mode ? ", by Otsu's rule: there is one mode\n"
-            : v.in_tail   ? ", beyond the mode at " + rounded(v.mode_below) + ": bone, in a CT\n"
-                          : ", between the modes at " + rounded(v.mode_below) + " and " +
-                              rounded(v.mode_above) + "\n";
+            percent(1 - v.below) + " above, between means of " + rounded(v.mean_below) + " and " +
+            rounded(v.mean_above) + "\n";
     heading = "        ";
   }
   return text;
@@ -93,17 +89,17 @@ std::string suggestions_text(const Info& info) {
 
 Info find_info(const Input& input, const CommandLine& line) {
   const Volume& volume = input.volume();
-  Info info{input, make_histogram(volume, *input.range, kBins), {}, {}, {}, false, 0, {}, 0, {}, 0};
+  Info info{input, make_histogram(volume, *input.range, kBins), {}, {}, {}, 0, {}, 0, {}, 0};
   const Stopwatch to_suggest;
   if (!input.field.is_filtered() && looks_like_labels(volume)) {
     info.labels = find_labels(volume, input.name, line.options.threads);
   }
-  // A label's isovalue is known.
-  const Modes modes = input.field.label ? Modes{} : find_modes(volume, *input.range, kSuggestions);
-  info.padding = modes.padding;
-  info.one_mode = modes.by_otsu;
-  for (const Valley& valley : modes.valleys) {
-    info.suggestions.push_back(suggestion_of(valley, volume, line.options));
+  if (!input.field.label) {  // a label's isovalue is known
+    const Thresholds found = find_thresholds(volume, *input.range);
+    info.padding = found.padding;
+    for (const Threshold& threshold : found.levels) {
+      info.suggestions.push_back(suggestion_of(threshold, volume, line.options));
+    }
   }
   info.seconds_suggestions = to_suggest.seconds();
   info.isovalue = input.isovalue;
@@ -150,14 +146,11 @@ std::string info_json(const Info& info) {
   json.open_list("suggestions");
   for (const Suggestion& s : info.suggestions) {
     json.open_item();
-    json.add("isovalue", s.valley.isovalue);
-    json.add("rule", info.one_mode ? "otsu" : s.valley.in_tail ? "tail" : "valley");
-    json.add("share_below", s.valley.below);
-    json.add("share_above", s.valley.above);
-    if (!info.one_mode) {
-      json.add("mode_below", s.valley.mode_below);
-      if (!s.valley.in_tail) json.add("mode_above", s.valley.mode_above);
-    }
+    json.add("isovalue", s.threshold.isovalue);
+    json.add("share_below", s.threshold.below);
+    json.add("share_above", 1 - s.threshold.below);
+    json.add("mean_below", s.threshold.mean_below);
+    json.add("mean_above", s.threshold.mean_above);
     json.add("expected_vertices", std::round(s.vertices));
     if (s.components) json.add("components", *s.components);
     json.close();

@@ -10,14 +10,14 @@
 #include "app/command_line.h"
 #include "app/histogram.h"
 #include "app/input.h"
-#include "app/modes.h"
+#include "app/thresholds.h"
 #include "contour/contour.h"
 #include "io/filter/segmentation.h"
 
 namespace deliso {
 
 struct Suggestion {
-  Valley valley;
+  Threshold threshold;
   double vertices = 0;                      // expected for a mesh with the options
   std::optional<std::uint64_t> components;  // of the exact surface, if they are quickly counted
 };
@@ -28,7 +28,6 @@ struct Info {
   std::vector<Padding> padding;
   std::vector<LabelSamples> labels;     // of samples that look like labels
   std::vector<Suggestion> suggestions;  // best first
-  bool one_mode = false;                // the suggestion is Otsu's
   double seconds_suggestions = 0;
 
   std::optional<double> isovalue;  // the user's; the members below are about it

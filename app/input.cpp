@@ -7,9 +7,9 @@
 
 #include "app/histogram.h"
 #include "app/looks_like_labels.h"
-#include "app/modes.h"
 #include "app/output.h"
 #include "app/text.h"
+#include "app/thresholds.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "io/volume/read_volume.h"
@@ -41,10 +41,10 @@ void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
 std::string gray_image_warning(const CommandLine& line, const Volume& volume,
                                const ValueRange& range) {
   if (!line.field.of_labels() || looks_like_labels(volume)) return "";
-  const Modes modes = find_modes(volume, range, 1);
-  if (modes.valleys.empty()) return "";  // all samples are equal
+  const std::vector<Threshold> levels = find_thresholds(volume, range).levels;
+  if (levels.empty()) return "";  // all samples are equal
   return one_line(line.input + " looks like a gray image, not like labels: try --iso " +
-                  number_text(modes.valleys[0].isovalue));
+                  number_text(levels[0].isovalue));
 }
 
 }  // namespace

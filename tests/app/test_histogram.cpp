@@ -23,20 +23,6 @@ Histogram histogram_of(const Volume& volume) {
   return make_histogram(volume, value_range(volume), 256);
 }
 
-// Between-class variance of {< threshold} and {>= threshold}, straight from the samples.
-template <class T>
-double variance_between(const std::vector<T>& samples, double threshold) {
-  double counts[2] = {0, 0}, sums[2] = {0, 0};
-  for (const T s : samples) {
-    const int side = s >= threshold;
-    ++counts[side];
-    sums[side] += static_cast<double>(s);
-  }
-  if (counts[0] == 0 || counts[1] == 0) return 0;
-  const double gap = sums[0] / counts[0] - sums[1] / counts[1];
-  return counts[0] * counts[1] * gap * gap;
-}
-
 }  // namespace
 
 TEST_CASE("every sample is in one bin, its own where there is a bin per value") {
@@ -60,24 +46,6 @@ TEST_CASE("every sample is in one bin, its own where there is a bin per value") 
   }
 }
 
-TEST_CASE("no threshold separates the samples better than Otsu's") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    std::vector<std::uint8_t> samples(20 + random.below(500));
-    const std::uint32_t peaks[] = {random.below(200), random.below(200)};
-    for (auto& s : samples)
-      s = static_cast<std::uint8_t>(peaks[random.below(2)] + random.below(40));
-    const Volume volume = volume_of(samples);
-    const double isovalue = std::ceil(otsu_threshold(histogram_of(volume))) - 0.4;
-    double best = 0;
-    for (int threshold = 0; threshold <= 256; ++threshold) {
-      best = std::max(best, variance_between(samples, threshold));
-    }
-    CHECK(variance_between(samples, isovalue) == doctest::Approx(best));
-  }
-}
-
 TEST_CASE("a single value and the widest range of doubles do no harm") {
   const double largest = std::numeric_limits<double>::max();
   for (const std::vector<double>& samples :
@@ -85,7 +53,6 @@ TEST_CASE("a single value and the widest range of doubles do no harm") {
     const Histogram histogram = histogram_of(volume_of(samples));
     CHECK(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}) ==
           samples.size());
-    otsu_threshold(histogram);
     CHECK(!histogram_text(histogram, 16).empty());
   }
 }

@@ -27,8 +27,8 @@ Volume labeled(Index3 n, F&& label) {
   return Volume::from_samples(n, {1, 1, 1}, samples);
 }
 
-// Five cells of a Voronoi diagram, the last of them 0, with a sheet 7 one voxel thick, and labels 8,
-// 9 and 10 of one voxel: in the sheet, in a cell, and beside that.
+// Five cells of a Voronoi diagram, the last of them 0, with a sheet 7 one voxel thick, and labels
+// 8, 9 and 10 of one voxel: in the sheet, in a cell, and beside that.
 constexpr Index3 kCells{26, 24, 28};
 Volume cells(std::uint64_t seed) {
   Random random(seed);
@@ -40,8 +40,8 @@ Volume cells(std::uint64_t seed) {
     if (k == 14 && j > 4 && j < 20 && i < 12) return i == 6 && j == 12 ? 8 : 7;
     if (k == 5 && j == 9 && (i == 15 || i == 16)) return i == 15 ? 9 : 10;
     const Vec3 p{double(i), double(j), double(k)};
-    const auto nearest = std::ranges::min_element(
-        centers, {}, [&](const Vec3& c) { return distance2(c, p); });
+    const auto nearest =
+        std::ranges::min_element(centers, {}, [&](const Vec3& c) { return distance2(c, p); });
     return static_cast<int>((nearest - centers.begin() + 1) % 5);
   });
 }
@@ -66,7 +66,8 @@ Volume ball(int n, double radius, const Vec3& center, int inner) {
 }  // namespace
 
 TEST_CASE("the field of a label is its weighted indicator less the largest other one") {
-  for (const IndicatorFilter filter : {IndicatorFilter{0, {1, 1, 1}}, IndicatorFilter{1, {1.3, 0.6, 0.9}}}) {
+  for (const IndicatorFilter filter :
+       {IndicatorFilter{0, {1, 1, 1}}, IndicatorFilter{1, {1.3, 0.6, 0.9}}}) {
     const Volume volume = cells(3);
     LabelFields fields = fields_of(volume, filter);
     const std::vector<LabelSamples> labels = fields.weighed();
@@ -193,7 +194,8 @@ TEST_CASE("weights keep volumes that equal weights would not") {
     // Another count, of random points; with equal weights it is the indicator above one half. The
     // shift of a surface is sigma^2 over its radius.
     const std::vector<std::int64_t> one{3};
-    const Volume smooth = gaussian(label_indicator(labels, one, {{0, 0, 0}, {29, 29, 29}}), {1, 1, 1});
+    const Volume smooth =
+        gaussian(label_indicator(labels, one, {{0, 0, 0}, {29, 29, 29}}), {1, 1, 1});
     Random random(9);
     constexpr int kPoints = 400000;
     int above = 0, above_half = 0;
