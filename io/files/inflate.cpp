@@ -289,7 +289,11 @@ Inflated inflate_zlib(std::span<const std::byte> in, std::span<std::byte> out) {
 }  // namespace
 
 Inflated inflate(std::span<const std::byte> in, Wrapping wrapping, std::span<std::byte> out) {
-  return wrapping == Wrapping::gzip ? inflate_gzip(in, out) : inflate_zlib(in, out);
+  if (wrapping == Wrapping::gzip) return inflate_gzip(in, out);
+  if (wrapping == Wrapping::zlib) return inflate_zlib(in, out);
+  Decoder decoder(in, out);
+  const bool ended = decoder.run();
+  return {decoder.written(), ended, decoder.fault()};
 }
 
 }  // namespace deliso

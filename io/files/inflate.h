@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decompression of deflate data (RFC 1951) in its two usual wrappings, gzip (RFC 1952) and zlib
-// (RFC 1950).
+// Decompression of deflate data (RFC 1951), as it is or in its two usual wrappings, gzip (RFC 1952)
+// and zlib (RFC 1950).
 //
 // 1. Nothing is written outside `out` and nothing read outside `in`, whatever the input holds.
 // 2. The output is its own window: a match copies from what `out` already holds.
@@ -13,11 +13,11 @@
 
 namespace deliso {
 
-enum class Wrapping { gzip, zlib };
+enum class Wrapping { gzip, zlib, none };
 
 struct Inflated {
   std::size_t size = 0;         // bytes written to `out`
-  bool ended = false;           // the data ended here, with the right checksum
+  bool ended = false;           // the data ended here, with the right checksum if there is one
   const char* fault = nullptr;  // message about the data, or null
 };
 

@@ -13,6 +13,8 @@
 #include "base/frame.h"
 #include "base/text.h"
 #include "io/files/field_reader.h"
+#include "io/files/inflate.h"
+#include "io/files/jpeg.h"
 #include "io/files/packbits.h"
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
@@ -45,18 +47,25 @@ constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110,
 
 constexpr std::string_view kExplicitLittle = "1.2.840.10008.1.2.1",
                            kImplicitLittle = "1.2.840.10008.1.2",
-                           kExplicitBig = "1.2.840.10008.1.2.2", kRle = "1.2.840.10008.1.2.5";
+                           kExplicitBig = "1.2.840.10008.1.2.2",
+                           kDeflated = "1.2.840.10008.1.2.1.99";
 
-constexpr std::pair<std::string_view, std::string_view> kOtherSyntaxes[] = {
-    {"1.2.840.10008.1.2.1.99", "a deflated data set"},
-    {"1.2.840.10008.1.2.4.50", "JPEG"},
-    {"1.2.840.10008.1.2.4.51", "JPEG"},
-    {"1.2.840.10008.1.2.4.57", "lossless JPEG"},
-    {"1.2.840.10008.1.2.4.70", "lossless JPEG"},
-    {"1.2.840.10008.1.2.4.80", "JPEG-LS"},
-    {"1.2.840.10008.1.2.4.81", "JPEG-LS"},
-    {"1.2.840.10008.1.2.4.90", "JPEG 2000"},
-    {"1.2.840.10008.1.2.4.91", "JPEG 2000"}};
+// Transfer syntaxes whose samples are compressed, all explicit and little-endian.
+struct CodedSyntax {
+  std::string_view uid;
+  DicomCoding coding;
+  const char* foreign = nullptr;  // its name, if it is not read
+};
+constexpr CodedSyntax kCodedSyntaxes[] = {
+    {"1.2.840.10008.1.2.5", DicomCoding::rle},
+    {"1.2.840.10008.1.2.4.57", DicomCoding::jpeg},
+    {"1.2.840.10008.1.2.4.70", DicomCoding::jpeg},
+    {"1.2.840.10008.1.2.4.80", DicomCoding::jpeg},
+    {"1.2.840.10008.1.2.4.81", DicomCoding::jpeg},
+    {"1.2.840.10008.1.2.4.50", DicomCoding::jpeg, "JPEG that loses detail"},
+    {"1.2.840.10008.1.2.4.51", DicomCoding::jpeg, "JPEG that loses detail"},
+    {"1.2.840.10008.1.2.4.90", DicomCoding::jpeg, "JPEG 2000"},
+    {"1.2.840.10008.1.2.4.91", DicomCoding::jpeg, "JPEG 2000"}};
 
 constexpr const char* kConvert =
     "convert it with 'gdcmconv --raw IN OUT', or the series with 'dcm2niix -o OUT FOLDER'";
@@ -81,6 +90,7 @@ class DicomParser {
       if (element.tag == kTransferSyntax) syntax_ = string_at(element);
       at_ += element.length;
     }
+    if (syntax_ == kDeflated) inflate_rest();
     choose_syntax();
     read_elements(bytes_.size(), &file_.common, 0);
     if (!has_pixels_) return std::nullopt;
@@ -140,16 +150,30 @@ class DicomParser {
                           is_upper(bytes_.data[at_ + 5]);
       syntax_ = has_vr ? kExplicitLittle : kImplicitLittle;
     }
-    for (const auto& [uid, what] : kOtherSyntaxes) {
-      if (syntax_ != uid) continue;
-      fail(bytes_.name, text("is compressed (", what, "): ", kConvert));
-    }
     is_explicit_ = syntax_ != kImplicitLittle;
-    file_.is_rle = syntax_ == kRle;
     file_.is_big_endian = syntax_ == kExplicitBig;
     if (file_.is_big_endian) order_ = std::endian::big;
-    if (is_explicit_ && !file_.is_rle && !file_.is_big_endian && syntax_ != kExplicitLittle) {
-      fail(bytes_.name, text("has transfer syntax ", quote(syntax_), ": ", kConvert));
+    const auto coded = std::ranges::find(kCodedSyntaxes, syntax_, &CodedSyntax::uid);
+    if (coded != std::end(kCodedSyntaxes)) {
+      file_.coding = coded->coding;
+      if (coded->foreign) file_.fault = text("is compressed (", coded->foreign, "): ", kConvert);
+    } else if (is_explicit_ && !file_.is_big_endian && syntax_ != kExplicitLittle) {
+      file_.fault = text("has transfer syntax ", quote(syntax_), ": ", kConvert);
+    }
+  }
+
+  // Replaces the rest of the file by what it inflates to (PS3.5, A.5).
+  void inflate_rest() {
+    const Bytes packed = bytes_.from(at_);
+    for (std::size_t size = 8 * packed.size();; size *= 4) {
+      Buffer buffer(size);
+      const Inflated result = inflate(packed.data, Wrapping::none, buffer.span());
+      if (result.fault) fail(packed.name, text("its deflated data set is damaged: ", result.fault));
+      if (!result.ended) continue;
+      bytes_ = file_.bytes = bytes_of(std::move(buffer), packed.name).first(result.size);
+      at_ = 0;
+      syntax_ = kExplicitLittle;
+      return;
     }
   }
 
@@ -298,8 +322,9 @@ class DicomParser {
   void read_pixel_data(const Element& element) {
     has_pixels_ = true;
     is_word_data_ = element.vr == "OW";
-    if (element.undefined != file_.is_rle) fail_damaged(element.at);
-    if (!file_.is_rle) {
+    const bool is_plain = file_.coding == DicomCoding::plain;
+    if (is_plain == element.undefined && file_.fault.empty()) fail_damaged(element.at);
+    if (!element.undefined) {
       file_.pixels = bytes_.data.subspan(at_, element.length);
       return;
     }
@@ -307,7 +332,11 @@ class DicomParser {
       const Element item = next(bytes_.size());
       if (item.tag == kSequenceEnd) return;
       if (item.tag != kItem || item.undefined) fail_damaged(item.at);
-      if (!is_table) file_.fragments.push_back(bytes_.data.subspan(at_, item.length));
+      // No fragment of JPEG but a frame's first begins with its marker.
+      const bool goes_on = file_.coding == DicomCoding::jpeg && !file_.fragments.empty() &&
+                           !bytes_.text().substr(at_, item.length).starts_with("\xff\xd8");
+      if (!is_table && !goes_on) file_.fragments.emplace_back();
+      if (!is_table) file_.fragments.back().push_back(bytes_.data.subspan(at_, item.length));
       at_ += item.length;
     }
   }
@@ -333,16 +362,17 @@ class DicomParser {
     // Old files do not tell that they are gray.
     const bool is_gray = file_.photometric.empty() || file_.photometric.starts_with("MONOCHROME");
     if (file_.samples_per_pixel != 1 || !is_gray) {
-      fail(name,
-           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed"));
+      file_.fault =
+          text("is in color (", quote(file_.photometric), "): only grayscale can be meshed");
     }
     const int bits = file_.bits_allocated;
     if ((bits != 8 && bits != 16 && bits != 32) || file_.bits_stored < 1 ||
         file_.bits_stored > bits || file_.high_bit < file_.bits_stored - 1 ||
         file_.high_bit >= bits) {
-      fail(name, text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
-                      file_.high_bit, ": only those in 8, 16 and 32 are read"));
+      file_.fault = text("has samples of ", file_.bits_stored, " bits in ", bits, ", up to bit ",
+                         file_.high_bit, ": only those in 8, 16 and 32 are read");
     }
+    if (!file_.fault.empty()) return;
     if (file_.rows == 0 || file_.columns == 0) fail(name, "does not tell its Rows and Columns");
     file_.is_swapped_bytes = file_.is_big_endian && is_word_data_ && bits == 8;
     const std::size_t frames = static_cast<std::size_t>(file_.frame_count),
@@ -351,12 +381,16 @@ class DicomParser {
       fail(name, text("has ", found, " bytes of samples: ", frames, " frames of ", file_.columns,
                       " x ", file_.rows, " need ", size, " each"));
     };
-    if (file_.is_rle) {
+    if (file_.coding != DicomCoding::plain) {
       if (file_.fragments.size() != frames) {
         fail(name, text("has ", file_.fragments.size(), " compressed frames in place of ", frames));
       }
-      for (const auto& fragment : file_.fragments) {
-        if (size > largest_unpacked(fragment.size())) fail_size(fragment.size());
+      for (const auto& fragments : file_.fragments) {
+        std::size_t packed = 0;
+        for (const auto& fragment : fragments) packed += fragment.size();
+        const bool is_rle = file_.coding == DicomCoding::rle;
+        if (size > (is_rle ? largest_unpacked(packed) : 2 * largest_jpeg(packed)))
+          fail_size(packed);
       }
     } else {
       // An odd number of bytes is padded to an even one.
@@ -374,7 +408,7 @@ class DicomParser {
     }
   }
 
-  const Bytes& bytes_;
+  Bytes bytes_;
   std::size_t at_ = 0;
   bool is_explicit_ = true;
   std::endian order_ = std::endian::little;
@@ -419,6 +453,34 @@ void extract_bits(std::span<std::byte> samples, int bits_stored, int high_bit) {
   }
 }
 
+// Decodes a frame in JPEG or JPEG-LS. Returns the number of bits of its samples.
+int unpack_jpeg(const DicomFile& file, std::size_t frame, std::span<std::byte> out) {
+  std::span<const std::byte> packed = file.fragments[frame][0];
+  std::vector<std::byte> joined;
+  if (file.fragments[frame].size() > 1) {
+    for (const auto& part : file.fragments[frame]) {
+      joined.insert(joined.end(), part.begin(), part.end());
+    }
+    packed = joined;
+  }
+  std::vector<std::uint16_t> samples(out.size() / size_of(file.type()));
+  const JpegPicture picture = decode_jpeg(packed, static_cast<std::size_t>(file.columns),
+                                          static_cast<std::size_t>(file.rows), samples);
+  const char* fault = picture.fault;
+  if (!fault && picture.bits > file.bits_allocated) fault = "more bits than there is room for";
+  if (fault) {
+    fail(file.name(),
+         text("its JPEG of frame ", frame + 1, " is damaged, or not lossless: ", fault));
+  }
+  file.visit_type([&]<class T>(T) {
+    for (std::size_t n = 0; n < samples.size(); ++n) {
+      const T value = static_cast<T>(samples[n]);
+      std::memcpy(&out[n * sizeof value], &value, sizeof value);
+    }
+  });
+  return picture.bits;
+}
+
 }  // namespace
 
 SampleType DicomFile::type() const {
@@ -445,8 +507,14 @@ DicomPlane DicomFile::plane(std::size_t frame) const {
 
 void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
   const std::size_t first = frame * out.size();
-  if (is_rle) {
-    unpack_rle(*this, fragments[frame], out);
+  int stored = bits_stored, high = high_bit;
+  if (coding == DicomCoding::rle) {
+    unpack_rle(*this, fragments[frame][0], out);
+  } else if (coding == DicomCoding::jpeg) {
+    // A negative sample is one by the highest bit of its code, even if others are said to be
+    // stored.
+    const int coded = unpack_jpeg(*this, frame, out);
+    if (coded <= high) stored = std::min(stored, coded), high = coded - 1;
   } else if (is_swapped_bytes) {
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = pixels[(first + n) ^ 1];
   } else {
@@ -455,8 +523,8 @@ void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
       swap_bytes(out, size_of(type()));
     }
   }
-  if (bits_stored == bits_allocated) return;
-  visit_type([&]<class T>(T) { extract_bits<T>(out, bits_stored, high_bit); });
+  if (stored == bits_allocated) return;
+  visit_type([&]<class T>(T) { extract_bits<T>(out, stored, high); });
 }
 
 // Without a preamble: an element of the first groups, as every data set begins.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One DICOM file (PS3.5, PS3.10): of its data set only what a volume is made of. Explicit and
-// implicit VR, either byte order, samples plain or in RLE; files without a preamble too.
+// implicit VR, either byte order, deflated or not, samples plain, in RLE, lossless JPEG or JPEG-LS;
+// files without a preamble too.
 #pragma once
 
 #include <array>
@@ -25,15 +26,18 @@ struct DicomPlane {
   std::optional<double> slope{}, intercept{};
 };
 
+enum class DicomCoding : std::uint8_t { plain, rle, jpeg };
+
 struct DicomFile {
   Bytes bytes;
+  std::string fault;   // why the samples are not read, or empty
   std::string series;  // SeriesInstanceUID
   std::string photometric;
   std::int64_t columns = 0, rows = 0, frame_count = 1;
   int samples_per_pixel = 1;
   int bits_allocated = 0, bits_stored = 0, high_bit = 0;
   bool is_signed = false;
-  bool is_rle = false;
+  DicomCoding coding = DicomCoding::plain;
   bool is_big_endian = false;
   bool is_swapped_bytes = false;  // 8-bit samples in big-endian words of 16 bits
 
@@ -41,8 +45,9 @@ struct DicomFile {
   std::vector<DicomPlane> planes;     // one per frame, or none
   std::vector<double> frame_offsets;  // along the normal, or none
 
-  std::span<const std::byte> pixels;                  // unless it is RLE
-  std::vector<std::span<const std::byte>> fragments;  // of RLE, one per frame
+  std::span<const std::byte> pixels;  // if they are plain
+  // Else of each frame; only JPEG has several for one frame.
+  std::vector<std::vector<std::span<const std::byte>>> fragments;
 
   const std::string& name() const { return bytes.name; }
   SampleType type() const;
@@ -62,13 +67,14 @@ struct DicomFile {
   // Returns the frame's plane, with what all frames have in common.
   DicomPlane plane(std::size_t frame) const;
   // True if the stored samples are those of `type()`, in one piece.
-  bool is_plain() const { return !is_rle && bits_stored == bits_allocated && !is_swapped_bytes; }
+  bool is_plain() const {
+    return coding == DicomCoding::plain && bits_stored == bits_allocated && !is_swapped_bytes;
+  }
   // Fills `out` with the samples of a frame in native order. pre: out.size() == frame_size().
   void write_frame(std::size_t frame, std::span<std::byte> out) const;
 };
 
-// Returns nullopt if the file has no image. Throws InputError if it is damaged, or has an image
-// whose samples cannot be read.
+// Returns nullopt if the file has no image. Throws InputError if it is damaged.
 std::optional<DicomFile> parse_dicom(const Bytes& bytes);
 
 }  // namespace deliso

@@ -50,6 +50,7 @@ std::string base_name(const DicomFile& file) {
 
 // Refuses a file whose images cannot be in a volume with those of `first`.
 void require_same_kind(const DicomFile& file, const DicomFile& first) {
+  if (!file.fault.empty()) fail(file.name(), file.fault);
   const auto refuse = [&](const std::string& fault) {
     fail(file.name(), text(fault, ", unlike '", base_name(first), "'"));
   };

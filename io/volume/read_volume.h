@@ -10,8 +10,8 @@
 //   VTK XML         .vti, one piece                   appended (raw, base64), binary, ascii;
 //                                                     plain or vtkZLibDataCompressor
 //   NumPy           .npy, an array [z][y][x]          raw, C or Fortran order
-//   DICOM           a folder of slices; one file of   raw (either VR, either byte order), RLE
-//                   several frames
+//   DICOM           a folder of slices; one file of   raw (either VR, either byte order), deflated,
+//                   several frames                    RLE, lossless JPEG, JPEG-LS
 //   TIFF, BigTIFF   a folder of slices; one file of   raw, LZW, Deflate, PackBits; strips, tiles
 //                   several pages
 //   plain           any, dims and type from options   raw
@@ -33,7 +33,7 @@
 //    - data of another size than in the header, more than one data file or piece;
 //    - DICOM slices that are missing, double, or of different series, sizes or directions;
 //    - TIFF slices of different sizes or types;
-//    - pictures in color, JPEG and other codecs of pictures;
+//    - pictures in color, JPEG that loses detail, JPEG 2000 and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
 //    For other formats with known first bytes the message has a way to convert them
 //    (foreign_formats.h).

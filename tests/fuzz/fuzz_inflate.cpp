@@ -11,7 +11,7 @@ using namespace deliso::fuzz;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size < 2) return 0;
-  const Wrapping wrapping = bytes[0] % 2 == 0 ? Wrapping::gzip : Wrapping::zlib;
+  const auto wrapping = static_cast<Wrapping>(bytes[0] % 3);
   const std::size_t room = std::size_t{1} << (bytes[1] % 20);
   const std::vector<std::uint8_t> copy(bytes + 2, bytes + size);
   const auto in = std::as_bytes(std::span(copy));

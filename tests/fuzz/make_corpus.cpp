@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "fuzz/reader_target.h"
+#include "io/files/jpeg_writer.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/volume_files.h"
@@ -57,11 +58,23 @@ void add_volumes(Corpus& corpus) {
   }
   for (const bool binary : {false, true}) corpus.add("vtk", vtk_of_many(binary));
   const Truth slices = random_truth(SampleType::i16, {4, 3, 2}, 17);
-  for (const bool is_rle : {false, true}) {
-    const DicomForm form{.is_rle = is_rle};
+  for (const DicomForm& form : {DicomForm{}, DicomForm{.coding = DicomForm::Coding::rle}}) {
     corpus.add("dicom", dicom_file(form, dicom_image(slices, form, 0, 1)) +
                             std::string(fuzz::kDetached) +
                             dicom_file(form, dicom_image(slices, form, 1, 1)));
+  }
+  for (int n = 0; n < 16; ++n) {
+    JpegImage image{16, 4, 2 + n};
+    if (n == 15) image = {64, 1, 8};
+    for (int at = 0; at < 64; ++at) image.samples.push_back(at * n % 23 % (1 << image.bits) % 9);
+    for (const bool is_ls : {false, true}) {
+      JpegForm form{.is_ls = is_ls, .predictor = 1 + n % 7, .near = image.bits > 3 ? n % 3 : 0};
+      form.restart_rows = n % 4;
+      if (n % 5 == 0) form.preset[4] = 3;
+      const std::string size{static_cast<char>(image.columns - 1),
+                             static_cast<char>(image.rows - 1)};
+      corpus.add("jpeg", size + jpeg_stream(image, form));
+    }
   }
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     Random random(seed);

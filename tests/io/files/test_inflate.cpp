@@ -124,6 +124,7 @@ TEST_CASE("random blocks of every kind, with random codes, are decompressed") {
     REQUIRE(is_whole(run(gzip_wrapped(data, content), Wrapping::gzip, content.size()), content));
     REQUIRE(
         is_whole(run(zlib_wrapped(data, content), Wrapping::zlib, content.size() + 9), content));
+    REQUIRE(is_whole(run(data, Wrapping::none, content.size() + 9), content));
 
     // A smaller buffer gets the beginning, which is no fault.
     if (content.empty()) continue;

@@ -64,13 +64,18 @@ TEST_CASE("a series is sorted by the places of its slices, in every encoding") {
   const DicomForm forms[] = {{},
                              {.is_explicit = false},
                              {.order = std::endian::big},
-                             {.is_rle = true},
+                             {.coding = DicomForm::Coding::rle},
+                             {.coding = DicomForm::Coding::jpeg},
+                             {.coding = DicomForm::Coding::jpeg_ls},
+                             {.coding = DicomForm::Coding::deflated},
                              {.has_preamble = false},
                              {.is_explicit = false, .has_preamble = false, .has_lengths = false}};
   for (const SampleType type : {SampleType::u8, SampleType::i8, SampleType::u16, SampleType::i16,
                                 SampleType::u32, SampleType::i32}) {
     const Truth truth = oblique_truth(type);
     for (const DicomForm& form : forms) {
+      const bool is_jpeg = form.is_packed() && form.coding != DicomForm::Coding::rle;
+      if (is_jpeg && size_of(type) > 2) continue;
       ReadLog log;
       const std::string series = write_series(folder, truth, form);
       const Volume volume = read_volume(series, {}, &log);
@@ -244,16 +249,85 @@ TEST_CASE("each fault of a series has its message, with the file") {
 
 TEST_CASE("transfer syntaxes that are not read are named") {
   const TemporaryFolder folder;
-  const std::pair<const char*, const char*> syntaxes[] = {
-      {"1.2.840.10008.1.2.1.99", "is compressed (a deflated data set): convert it with 'gdcmconv"},
-      {"1.2.840.10008.1.2.4.70", "is compressed (lossless JPEG): convert it with 'gdcmconv"},
+  const std::pair<std::string, const char*> syntaxes[] = {
       {"1.2.840.10008.1.2.4.90", "is compressed (JPEG 2000): convert it with 'gdcmconv"},
+      {"1.2.840.10008.1.2.4.51",
+       "is compressed (JPEG that loses detail): convert it with 'gdcmconv"},
       {"1.2.3", "has transfer syntax '1.2.3': convert it with 'gdcmconv"}};
   for (const auto& [uid, message] : syntaxes) {
-    const std::string file = std::string(128, '\0') + "DICM" +
-                             dicom_elements({}, {{0x00020010, {"UI", uid}}}) + "damaged data set";
-    CHECK(dicom_fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
+    for (const DicomForm& form : {DicomForm{.coding = DicomForm::Coding::jpeg}, DicomForm{}}) {
+      const Truth truth = oblique_truth(SampleType::u16);
+      const std::string data = dicom_elements(form, dicom_image(truth, form, 0, kSlices));
+      const std::string file =
+          std::string(128, '\0') + "DICM" + dicom_elements({}, {{0x00020010, {"UI", uid}}}) + data;
+      CHECK(dicom_fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
+    }
   }
+}
+
+TEST_CASE("a JPEG of fewer bits than are stored has its sign in the highest of them") {
+  const TemporaryFolder folder;
+  Truth truth = oblique_truth(SampleType::i16);
+  const DicomForm form{.coding = DicomForm::Coding::jpeg};
+  for (const int bits : {16, 12, 9}) {
+    for (const int stored : {16, 12}) {
+      const int used = std::min(bits, stored);
+      const std::string series =
+          write_series(folder, truth, form, [&](int k, DicomElements& elements) {
+            JpegImage image{4, 3, bits};
+            for (int n = 0; n < 12; ++n) {
+              std::int16_t value;
+              std::memcpy(&value, &truth.bytes[static_cast<std::size_t>(2 * (12 * k + n))], 2);
+              image.samples.push_back(value & ((1 << bits) - 1));
+            }
+            std::string stream = jpeg_stream(image, {});
+            if (stream.size() % 2 != 0) stream += '\0';
+            elements[0x00280101].value = little(static_cast<std::uint64_t>(stored), 2);
+            elements[0x00280102].value = little(static_cast<std::uint64_t>(stored - 1), 2);
+            elements[0x7fe00010].value = little(0xe000fffe, 4) + little(0, 4) +
+                                         little(0xe000fffe, 4) + little(stream.size(), 4) + stream;
+          });
+      const Volume volume = read_volume(series);
+      for (int n = 0; n < 60; ++n) {
+        std::int16_t value;
+        std::memcpy(&value, &truth.bytes[static_cast<std::size_t>(2 * n)], 2);
+        CHECK(volume.sample(n % 4, n / 4 % 3, n / 12) ==
+              static_cast<std::int16_t>(value << (16 - used)) >> (16 - used));
+      }
+    }
+  }
+}
+
+TEST_CASE("compressed samples that are damaged or missing have a message") {
+  const TemporaryFolder folder;
+  using Coding = DicomForm::Coding;
+  const Truth truth = oblique_truth(SampleType::i16);
+  for (const Coding coding : {Coding::rle, Coding::jpeg, Coding::jpeg_ls, Coding::deflated}) {
+    const DicomForm form{.coding = coding};
+    const std::string whole = dicom_file(form, dicom_image(truth, form, 0, kSlices));
+    for (std::size_t size = 200; size + 9 < whole.size(); size += 13) {
+      CHECK(dicom_fault(folder.write("v.dcm", whole.substr(0, size))) != "");
+    }
+    if (!form.is_packed()) continue;
+    DicomElements elements = dicom_image(truth, form, 0, kSlices);
+    elements[0x00280011] = {"US", little(5, 2)};
+    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))) ==
+          (coding == Coding::rle
+               ? "v.dcm: its run lengths are damaged"
+               : "v.dcm: its JPEG of frame 1 is damaged, or not lossless: another size"));
+    elements[0x00280008] = {"IS", "4"};
+    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))) ==
+          "v.dcm: has 5 compressed frames in place of 4");
+    elements[0x00280010] = elements[0x00280011] = {"US", little(65535, 2)};
+    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements)))
+              .find("compressed frames in place") != std::string::npos);
+  }
+  // Memory is taken for samples that can be there only.
+  const DicomForm form{.coding = Coding::rle};
+  DicomElements elements = dicom_image(truth, form, 0, kSlices);
+  elements[0x00280010] = elements[0x00280011] = {"US", little(65535, 2)};
+  CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))).find("bytes of samples") !=
+        std::string::npos);
 }
 
 // The place of its frames was 0 0 0, without a word.

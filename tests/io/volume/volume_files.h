@@ -17,6 +17,7 @@
 
 #include "base/random.h"
 #include "io/files/deflate_writer.h"
+#include "io/files/jpeg_writer.h"
 #include "io/files/temporary_folder.h"
 #include "io/files/vtk_array.h"
 #include "io/volume/read_volume.h"
@@ -400,10 +401,12 @@ inline std::string npy(const Truth& t, std::endian order, int version) {
 struct DicomForm {
   bool is_explicit = true;
   std::endian order = std::endian::little;
-  bool is_rle = false;
+  enum class Coding { plain, rle, jpeg, jpeg_ls, deflated } coding = Coding::plain;
   bool has_preamble = true;
   bool has_lengths = true;  // of sequences and their items
   enum class Place { stack, offsets, shared, each } place = Place::shared;  // of several frames
+
+  bool is_packed() const { return coding != Coding::plain && coding != Coding::deflated; }
 };
 
 // Runs of equal bytes, and stretches of others.
@@ -445,7 +448,7 @@ inline DicomElement dicom_vector(const Vec3& v) {
 
 inline std::string dicom_element(const DicomForm& form, std::uint32_t tag, DicomElement element) {
   const auto number = [&](std::uint64_t n, int bytes) { return ordered(n, bytes, form.order); };
-  const bool is_fragments = element.vr == "OB" && form.is_rle;
+  const bool is_fragments = element.vr == "OB" && form.is_packed();
   const bool has_length = !is_fragments && (form.has_lengths || element.vr != "SQ");
   if (element.value.size() % 2 != 0) element.value += element.vr == "DS" ? ' ' : '\0';
   std::string out = number(tag >> 16, 2) + number(tag & 0xffff, 2);
@@ -480,13 +483,32 @@ inline DicomElement dicom_sequence(const DicomForm& form, const std::vector<Dico
 inline std::string dicom_file(const DicomForm& form, const DicomElements& elements) {
   std::string file;
   if (form.has_preamble) {
-    const char* syntax = form.is_rle                         ? "1.2.840.10008.1.2.5"
+    using enum DicomForm::Coding;
+    const char* syntax = form.coding == rle                  ? "1.2.840.10008.1.2.5"
+                         : form.coding == jpeg               ? "1.2.840.10008.1.2.4.57"
+                         : form.coding == jpeg_ls            ? "1.2.840.10008.1.2.4.80"
+                         : form.coding == deflated           ? "1.2.840.10008.1.2.1.99"
                          : !form.is_explicit                 ? "1.2.840.10008.1.2"
                          : form.order == std::endian::little ? "1.2.840.10008.1.2.1"
                                                              : "1.2.840.10008.1.2.2";
     file = std::string(128, '\0') + "DICM" + dicom_elements({}, {{0x00020010, {"UI", syntax}}});
   }
-  return file + dicom_elements(form, elements);
+  const std::string data = dicom_elements(form, elements);
+  return file + (form.coding == DicomForm::Coding::deflated ? deflated(data, data.size()) : data);
+}
+
+// A frame of 8 or 16 bits as lossless JPEG or JPEG-LS. The form depends on the samples.
+inline std::string dicom_jpeg(const std::string& frame, const Truth& t, bool is_ls) {
+  const std::size_t sample = size_of(t.type);
+  JpegImage image{t.dims.i, t.dims.j, static_cast<int>(8 * sample)};
+  for (std::size_t n = 0; n < frame.size(); n += sample) {
+    std::uint16_t value = static_cast<unsigned char>(frame[n]);
+    if (sample == 2) std::memcpy(&value, &frame[n], 2);
+    image.samples.push_back(value);
+  }
+  JpegForm form{.is_ls = is_ls, .predictor = 1 + image.samples[0] % 7};
+  form.restart_rows = image.samples[0] % 3;
+  return jpeg_stream(image, form);
 }
 
 // The elements of `count` frames from `first` on. One frame is a slice of a series.
@@ -544,9 +566,21 @@ inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int firs
       t.in_order(form.order)
           .substr(static_cast<std::size_t>(first) * frame, static_cast<std::size_t>(count) * frame);
   all[0x7fe00010] = {sample > 1 || !form.is_explicit ? "OW" : "OB", bytes};
-  if (form.is_rle) {
+  if (form.is_packed()) {
     std::string items = little(0xe000fffe, 4) + little(0, 4);
+    const auto add = [&](std::string item) {
+      if (item.size() % 2 != 0) item += '\0';
+      items += little(0xe000fffe, 4) + little(item.size(), 4) + item;
+    };
     for (std::size_t at = 0; at < bytes.size(); at += frame) {
+      if (form.coding != DicomForm::Coding::rle) {
+        // In two fragments.
+        const bool is_ls = form.coding == DicomForm::Coding::jpeg_ls;
+        const std::string stream = dicom_jpeg(bytes.substr(at, frame), t, is_ls);
+        add(stream.substr(0, 20));
+        add(stream.substr(20));
+        continue;
+      }
       std::string header = little(sample, 4), segments;
       for (std::size_t byte = sample; byte-- > 0;) {  // the highest first
         std::string plane;
@@ -555,8 +589,7 @@ inline DicomElements dicom_image(const Truth& t, const DicomForm& form, int firs
         segments += pack_bits(plane);
       }
       header.resize(64);
-      if (segments.size() % 2 != 0) segments += '\0';
-      items += little(0xe000fffe, 4) + little(64 + segments.size(), 4) + header + segments;
+      add(header + segments);
     }
     all[0x7fe00010] = {"OB", items};
   }
@@ -843,18 +876,25 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
   // DICOM has no left-handed axes.
   if (t.type != SampleType::f32 && t.type != SampleType::f64 &&
       !(dot(cross(t.axes[0], t.axes[1]), t.axes[2]) < 0)) {
-    std::vector<std::pair<std::string, DicomForm>> forms{{"dicom explicit", {}},
-                                                         {"dicom implicit", {.is_explicit = false}},
-                                                         {"dicom be", {.order = std::endian::big}},
-                                                         {"dicom rle", {.is_rle = true}}};
+    using Coding = DicomForm::Coding;
+    std::vector<std::pair<std::string, DicomForm>> forms{
+        {"dicom explicit", {}},
+        {"dicom implicit", {.is_explicit = false}},
+        {"dicom be", {.order = std::endian::big}},
+        {"dicom rle", {.coding = Coding::rle}},
+        {"dicom deflated", {.coding = Coding::deflated}}};
+    if (size_of(t.type) <= 2) {
+      forms.push_back({"dicom jpeg", {.coding = Coding::jpeg}});
+      forms.push_back({"dicom jpeg-ls", {.coding = Coding::jpeg_ls}});
+    }
     for (const auto& [label, plain] : forms) {
       for (const auto place : {DicomForm::Place::stack, DicomForm::Place::offsets,
                                DicomForm::Place::shared, DicomForm::Place::each}) {
         DicomForm form = plain;
         form.place = place;
         form.has_lengths = place != DicomForm::Place::each;
-        form.has_preamble =
-            place != DicomForm::Place::stack || form.is_rle || form.order == std::endian::big;
+        form.has_preamble = place != DicomForm::Place::stack || form.coding != Coding::plain ||
+                            form.order == std::endian::big;
         all.push_back({label, {{"v.dcm", dicom_file(form, dicom_image(t, form, 0, t.dims.k))}}});
       }
     }
