@@ -81,34 +81,16 @@ std::string over_text(const Verification& v, double voxel) {
                      rounded(v.quality.min_angle), " degrees\n");
 }
 
-std::string boundary_text(const BoundaryQuality& b, const Criteria& limits, double voxel) {
-  std::string line =
-      text("boundary  of ", b.edges, " edges on the box ", b.above_r_min, " are above r_min");
-  if (limits[Criterion::distance] < Options::kNone) line += text(", ", b.over_distance, " over h");
-  if (limits[Criterion::h_over_r] < Options::kNone)
-    line += text(", ", b.over_h_over_r, " over h/r");
-  return line + text(", ", b.without_curve, " without curve; h at most ", rounded(b.max_h / voxel),
-                     " voxels, largest h/r ", rounded(b.max_h_over_r), "\n          of ",
-                     b.triangles, " triangles along it ", b.over_lambda, " pass r/l, ", b.slivers,
-                     " have an angle below ", kSliverDegrees, "; largest r/l ",
-                     rounded(b.max_r_over_l), ", smallest angle ", rounded(b.min_angle),
-                     " degrees\n");
+std::string boundary_text(const BoundaryDistances& b, double voxel) {
+  return text("boundary  of ", b.edges, " edges on the box ", b.over_a_limit,
+              " pass a limit on h or h/r; h at most ", rounded(b.max_h / voxel), " voxels\n");
 }
 
-void add_boundary(JsonWriter& json, const BoundaryQuality& b, double voxel) {
+void add_boundary(JsonWriter& json, const BoundaryDistances& b, double voxel) {
   json.open("boundary");
   json.add("edges", b.edges);
-  json.add("edges_above_r_min", b.above_r_min);
+  json.add("over_a_limit", b.over_a_limit);
   json.add("max_h_voxels", b.max_h / voxel);
-  json.add("max_h_over_r_above_r_min", b.max_h_over_r);
-  json.add("over_distance", b.over_distance);
-  json.add("over_h_over_r", b.over_h_over_r);
-  json.add("without_curve", b.without_curve);
-  json.add("triangles", b.triangles);
-  json.add("over_lambda", b.over_lambda);
-  json.add("slivers", b.slivers);
-  json.add("max_r_over_l", b.max_r_over_l);
-  json.add("min_angle_degrees", b.min_angle);
   json.close();
 }
 
@@ -192,7 +174,7 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   out += distances_text("mesh->    ", v.to_surface, bound, voxel, volume);
   out += distances_text("->mesh    ", v.from_surface, 2 * bound, voxel, volume);
   out += "criteria  " + limits_text(v.limits, voxel) + "\n" + over_text(v, voxel);
-  if (v.boundary.edges > 0) out += boundary_text(v.boundary, v.limits, voxel);
+  if (v.boundary.edges > 0) out += boundary_text(v.boundary, voxel);
   bool any = false;
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);

@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "base/triangle.h"
-#include "check/nearest_triangles.h"
 #include "check/patch_at.h"
+#include "isosurface/boundary_midpoint.h"
 
 namespace deliso {
 namespace {
@@ -76,6 +76,23 @@ Distances summarize(std::vector<double> values, const CleanMesh& mesh, const Dis
   return d;
 }
 
+// Returns the distance from the middle of a boundary edge to the curve on its face of the box; on
+// an edge of the box, to the nearer of two curves. Infinite if the edge's ball does not meet it.
+double distance_to_curve(const Vec3& a, const Vec3& b, const Isosurface& surface) {
+  const Box3 box = surface.volume().box();
+  double nearest = kInfinity;
+  // Meshes from files may be off the planes by rounding.
+  const double slack = 1e-6 * box.smallest_side();
+  const unsigned faces = box_faces_at(a, box, slack) & box_faces_at(b, box, slack);
+  for (int face = 0; face < 6; ++face) {
+    if ((faces >> face & 1) == 0) continue;
+    const auto x =
+        boundary_midpoint(surface.volume(), surface.kappa(), static_cast<BoxFace>(face), a, b);
+    if (x) nearest = std::min(nearest, distance(*x, 0.5 * (a + b)));
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
@@ -128,7 +145,7 @@ Distances distances_from_surface(std::span<const Vec3> samples, const CleanMesh&
                                  const TriangleTree& tree, const DistanceBound& bound,
                                  int threads) {
   if (mesh.triangles.empty()) return {};
-  const std::vector<NearestTriangle> found = nearest_triangles(samples, tree, threads);
+  const std::vector<NearestTriangle> found = tree.nearest(samples, threads);
   std::vector<double> values;
   values.reserve(found.size());
   for (const NearestTriangle& nearest : found) {
@@ -137,6 +154,20 @@ Distances distances_from_surface(std::span<const Vec3> samples, const CleanMesh&
   return summarize(
       std::move(values), mesh, bound, [&](std::size_t n) { return samples[n]; },
       [&](std::size_t n) { return found[n].triangle; });
+}
+
+BoundaryDistances boundary_distances(const CleanMesh& mesh, const Isosurface& surface,
+                                     const Criteria& limits) {
+  BoundaryDistances d;
+  for (const CleanMesh::End& edge : mesh.ends) {
+    ++d.edges;
+    const Vec3 &a = mesh.points[edge.from], &b = mesh.points[edge.to];
+    const double r = 0.5 * distance(a, b), h = distance_to_curve(a, b, surface);
+    d.over_a_limit += r > limits.r_min && (h == kInfinity || h > limits[Criterion::distance] ||
+                                           h > limits[Criterion::h_over_r] * r);
+    if (h < kInfinity) d.max_h = std::max(d.max_h, h);
+  }
+  return d;
 }
 
 double distance_off_surface(const Vec3& p, const Isosurface& surface, double tolerance,

@@ -12,6 +12,7 @@
 #include "check/triangle_tree.h"
 #include "check/validity.h"
 #include "isosurface/isosurface.h"
+#include "surface/criteria.h"
 
 namespace deliso {
 
@@ -62,6 +63,21 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
 Distances distances_from_surface(std::span<const Vec3> samples, const CleanMesh& mesh,
                                  const TriangleTree& tree, const DistanceBound& bound,
                                  int threads = 1);
+
+// The edges of the mesh on the box, against the curves in which Sigma meets the box.
+struct BoundaryDistances {
+  std::size_t edges = 0;
+  // The largest h. It runs from the middle of an edge to the curve, across the edge within its face
+  // of the box.
+  double max_h = 0;
+  // Edges of r > r_min, half of their length, over a limit on h or h/r. Also those whose ball does
+  // not meet the curve.
+  std::size_t over_a_limit = 0;
+};
+
+// Measures the boundary. pre: `mesh` ends on the box only.
+BoundaryDistances boundary_distances(const CleanMesh& mesh, const Isosurface& surface,
+                                     const Criteria& limits);
 
 // Returns 0 if p is on Sigma. That is so if a point of Sigma is within `tolerance` of p, on the
 // lines through p along the gradient and the axes. It is also so if g is as near to kappa as at the

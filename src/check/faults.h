@@ -38,9 +38,20 @@ enum class FaultKind : std::uint8_t {
   too_far,                // a distance over the given bound
   not_measured,           // omitted, since it would cost more than n log n
 };
-inline constexpr std::size_t kFaultKinds = 22;
+inline constexpr std::array<std::string_view, 22> kFaultNames{
+    "vertices not finite",  "duplicate vertices",    "unused vertices",
+    "degenerate triangles", "duplicate triangles",   "non-manifold edges",
+    "orientation",          "non-manifold vertices", "holes",
+    "self-intersections",   "vertices off surface",  "vertices on components left out",
+    "missing components",   "extra components",      "different components",
+    "turned components",    "turned caps",           "no volume",
+    "restricted share",     "over limits",           "too far",
+    "not measured"};
+inline constexpr std::size_t kFaultKinds = kFaultNames.size();
 
-std::string_view name_of(FaultKind kind);  // "duplicate vertices"
+constexpr std::string_view name_of(FaultKind kind) {
+  return kFaultNames[static_cast<std::size_t>(kind)];
+}
 
 struct Fault {
   std::string what;  // one line with the ids

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "contour/voxel_point.h"
 #include "isosurface/isosurface.h"
 
 namespace deliso {
@@ -28,11 +29,11 @@ class PatchAt {
 
   const Isosurface& surface_;
   Vec3 p_;
-  // In units of voxels.
-  Vec3 per_spacing_, room_;  // room_: from the point to the nearer face of the voxel
-  double value_;             // less kappa
-  Vec3 slope_, twist_;       // d/dx, d/dy, d/dz; d/dydz, d/dzdx, d/dxdy
-  double third_;             // d/dxdydz
+  TrilinearPatch patch_;
+  // In units of voxels. `u_` lies in the voxel; `room_`: from the point to the voxel's nearer face.
+  Vec3 per_spacing_, u_, room_;
+  double value_;  // less kappa
+  Vec3 slope_;
 };
 
 }  // namespace deliso

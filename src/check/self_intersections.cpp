@@ -80,7 +80,7 @@ class Search {
       return work.boxes > limits_.boxes || work.tests > limits_.tests || work.found > limits_.found;
     };
     work.boxes = work.tests = work.found = 0;
-    tree_.for_each_leaf_near(box, 0, leaf, work.boxes, [&](std::size_t other, const Box3&) {
+    tree_.for_each_leaf_at(box, leaf, work.boxes, [&](std::size_t other) {
       const std::span<const FaceId> theirs = tree_.leaf(other);
       const std::span<const Box3> their_boxes = tree_.boxes_of_leaf(other);
       for (std::size_t m = 0; m < mine.size(); ++m) {

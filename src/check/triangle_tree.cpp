@@ -10,6 +10,10 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kTaskLeaves = 1u << 13;  // of a subtree built in one task
+constexpr std::size_t kPointsPerTask = 1u << 14;
+// Bound on the leaves visited for these points. A mesh has about five near a point. If very many
+// overlap, the rest of the task is given up.
+constexpr std::size_t kMaxLeavesPerTask = 1u << 20;
 
 }  // namespace
 
@@ -92,12 +96,21 @@ void TriangleTree::build(const Subtree& part, std::span<Item> items) {
   boxes_[part.node] = united(boxes_[2 * part.node + 1], boxes_[2 * part.node + 2]);
 }
 
-NearestTriangle TriangleTree::nearest(const Vec3& p, double within2,
-                                      std::size_t* leaves_left) const {
-  NearestTriangle best{kNoId, within2};
-  std::size_t all = leaf_count() + 1;
-  if (!order_.empty()) search({0, 0, leaf_count()}, p, best, leaves_left ? *leaves_left : all);
-  return best;
+std::vector<NearestTriangle> TriangleTree::nearest(std::span<const Vec3> points,
+                                                   int threads) const {
+  std::vector<NearestTriangle> found(points.size());
+  if (order_.empty()) return found;
+  for_each_run(threads, points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+    std::size_t leaves_left = kMaxLeavesPerTask;
+    FaceId near = 0;  // of the last point, which is near the next one
+    for (std::size_t n = begin; n < end; ++n) {
+      found[n] = {near, distance2(near, points[n])};
+      search(points[n], found[n], leaves_left);
+      near = found[n].triangle;
+      if (leaves_left == 0) found[n].distance2 = kGivenUp;
+    }
+  });
+  return found;
 }
 
 void TriangleTree::search(const Subtree& part, const Vec3& p, NearestTriangle& best,

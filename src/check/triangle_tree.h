@@ -21,6 +21,9 @@ struct NearestTriangle {
   double distance2 = std::numeric_limits<double>::infinity();
 };
 
+// The squared distance of a point whose search was given up.
+inline constexpr double kGivenUp = -1;
+
 class TriangleTree {
  public:
   // Keeps references: both must outlive the tree. The tree is the same for any number of
@@ -40,32 +43,35 @@ class TriangleTree {
     return std::span(triangle_boxes_).subspan(n * kLeafTriangles, leaf(n).size());
   }
 
-  // Returns the triangle nearest to p, if nearer than the square root of `within2`; otherwise
-  // kNoId. Each leaf visited subtracts one from `leaves_left`. At 0 the search ends and returns the
-  // best triangle found.
-  NearestTriangle nearest(const Vec3& p, double within2 = std::numeric_limits<double>::infinity(),
-                          std::size_t* leaves_left = nullptr) const;
+  // Returns the triangle nearest to p, or `best` if none is nearer.
+  NearestTriangle nearest(const Vec3& p, NearestTriangle best = {}) const {
+    std::size_t leaves_left = leaf_count() + 1;
+    search(p, best, leaves_left);
+    return best;
+  }
+  // Returns the nearest triangle of each point; kNoId if there are no triangles. A point whose
+  // search was given up has the distance kGivenUp. The result is the same for any number of
+  // threads.
+  std::vector<NearestTriangle> nearest(std::span<const Vec3> points, int threads) const;
 
   double distance2(FaceId f, const Vec3& p) const {
     const Triangle& t = triangles_[f];
     return distance2_to_triangle(p, points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
-  // Calls visit(leaf, its box) for every leaf from number `first` on whose box is at most `within`
-  // from `box` along each axis. Goes in the order of leaf numbers, until visit returns false. Each
-  // box tested adds one to `boxes_tested`.
+  // Calls visit(leaf) for every leaf from number `first` on whose box meets `box`. Goes in the
+  // order of leaf numbers, until visit returns false. Each box tested adds one to `boxes_tested`.
   template <class Visit>
-  void for_each_leaf_near(const Box3& box, double within, std::size_t first,
-                          std::size_t& boxes_tested, Visit&& visit) const {
+  void for_each_leaf_at(const Box3& box, std::size_t first, std::size_t& boxes_tested,
+                        Visit&& visit) const {
     Subtree stack[kMaxDepth];
     std::size_t size = 0;
     if (!order_.empty()) stack[size++] = {0, 0, leaf_count()};
-    const Box3 grown = box.grown(within);
     while (size > 0) {
       const Subtree part = stack[--size];
-      if (part.end <= first || (++boxes_tested, !meet(boxes_[part.node], grown))) continue;
+      if (part.end <= first || (++boxes_tested, !meet(boxes_[part.node], box))) continue;
       if (part.is_leaf()) {
-        if (!visit(part.begin, boxes_[part.node])) break;
+        if (!visit(part.begin)) break;
       } else {
         stack[size++] = part.right();
         stack[size++] = part.left();
@@ -89,6 +95,10 @@ class TriangleTree {
 
   void split(const Subtree& part, std::span<Item> items);
   void build(const Subtree& part, std::span<Item> items);
+  // Lowers `best`. Each leaf visited subtracts one from `leaves_left`; at 0 the search ends.
+  void search(const Vec3& p, NearestTriangle& best, std::size_t& leaves_left) const {
+    if (!order_.empty()) search({0, 0, leaf_count()}, p, best, leaves_left);
+  }
   void search(const Subtree& part, const Vec3& p, NearestTriangle& best,
               std::size_t& leaves_left) const;
 

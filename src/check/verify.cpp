@@ -328,7 +328,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
     require_distance(result.from_surface, voxel, "a point of the surface", faults);
   }
   hold_to_limits(clean, surface, options, result);
-  result.boundary = measure_boundary(clean, surface, options.limits);
+  result.boundary = boundary_distances(clean, surface, options.limits);
   result.seconds_distances += of_limits.seconds();
   return result;
 }

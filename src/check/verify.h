@@ -23,7 +23,6 @@
 #include <vector>
 
 #include "base/topology_counts.h"
-#include "check/boundary_quality.h"
 #include "check/delaunay_share.h"
 #include "check/distances.h"
 #include "check/faults.h"
@@ -78,7 +77,7 @@ struct Verification {
   double max_h_above_r_min = 0, max_h_over_r_above_r_min = 0;  // of triangles with a surface ball
   PerCriterion<std::size_t> over;                              // triangles over the limit
   std::size_t over_a_limit = 0;                                // any of them
-  BoundaryQuality boundary;
+  BoundaryDistances boundary;
   double seconds_validity = 0, seconds_topology = 0, seconds_delaunay = 0, seconds_distances = 0;
 };
 

@@ -20,6 +20,15 @@ class TrilinearPatch {
   double value(const Vec3& u) const;
   Vec3 gradient(const Vec3& u) const;
 
+  // The values on a line, as a cubic in its parameter.
+  struct Cubic {
+    double c0, c1, c2, c3;
+    double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+    double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
+  };
+  Cubic along(const Vec3& from, double value_there, const Vec3& gradient_there,
+              const Vec3& direction) const;
+
   // Returns a point of Sigma near `from`, strictly within the voxel, and if possible a thousandth
   // of it from its faces. Newton's method nearly always finds one near by, on the line along the
   // gradient. Otherwise it is the nearest sign change on the lines along the gradient, along the
@@ -29,17 +38,9 @@ class TrilinearPatch {
   Vec3 surface_point_near(const Vec3& from) const;
 
  private:
-  // The values on a line, as a cubic in its parameter.
-  struct Cubic {
-    double c0, c1, c2, c3;
-    double at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
-    double slope(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
-  };
   // Returns a point on those lines at least `clearance` from the voxel's faces; nothing if no line
   // has one. pre: `from` is as far from them.
   std::optional<Vec3> surface_point_within(const Vec3& from, double clearance) const;
-  Cubic along(const Vec3& from, double value_there, const Vec3& gradient_there,
-              const Vec3& direction) const;
 
   // Returns a root in (0, limit], by Newton's method from 0; nothing if it strays or is slow.
   static std::optional<double> newton(const Cubic& f, double limit);

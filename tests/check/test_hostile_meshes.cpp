@@ -8,7 +8,6 @@
 #include <string>
 
 #include "check/hostile_meshes.h"
-#include "check/nearest_triangles.h"
 #include "check/self_intersections.h"
 #include "check/verify.h"
 #include "contour/contour.h"
@@ -191,7 +190,7 @@ TEST_CASE("nearest triangles are those of brute force, or given up") {
   std::vector<Vec3> points(20000);
   for (Vec3& p : points) p = {random.uniform(0, 23), random.uniform(0, 23), random.uniform(0, 23)};
   const TriangleTree tree(needles.points, needles.triangles);
-  const std::vector<NearestTriangle> found = nearest_triangles(points, tree, 2);
+  const std::vector<NearestTriangle> found = tree.nearest(points, 2);
   const auto given_up = std::count_if(
       found.begin(), found.end(), [](const NearestTriangle& t) { return t.distance2 == kGivenUp; });
   CHECK(given_up > 0);

@@ -61,7 +61,7 @@ std::vector<std::uint32_t> nearest_components(const TriMesh& mesh, const Contour
   const TriangleTree tree(contour.points, contour.triangles);
   std::vector<std::uint32_t> components;
   for (const Vec3& p : mesh.points) {
-    const FaceId t = tree.nearest(p, 1e9).triangle;
+    const FaceId t = tree.nearest(p).triangle;
     components.push_back(contour.component[contour.triangles[t][0]]);
   }
   return components;

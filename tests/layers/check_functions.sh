@@ -9,7 +9,6 @@ set -eu
 cd "$1"
 
 allowed="
-src/check/boundary_quality.cpp: atan2
 src/mesh/quality.cpp: atan2
 io/volume/sample_grid.cpp: acos
 view/render/camera.cpp: cos sin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boundary edges against circles of known sagitta, and along the curves that the stages follow.
-#include "check/boundary_quality.h"
+#include "check/distances.h"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +8,7 @@
 
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
+#include "mesh/quality.h"
 
 using namespace deliso;
 
@@ -65,33 +66,25 @@ TEST_CASE("h of polygons inscribed into a circle is their sagitta") {
     CAPTURE(n);
     const CleanMesh mesh = prism(surface, n);
     const double expected = std::tan(kPi / n / 2);
-    Criteria limits;
-    limits[Criterion::h_over_r] = 0.1;
-    limits[Criterion::distance] = 0.3;
-    const BoundaryQuality q = measure_boundary(mesh, surface, limits);
-    CHECK(q.edges == std::size_t(2 * n));
-    CHECK(q.triangles == std::size_t(2 * n));
-    CHECK(q.without_curve == 0);
-    CHECK(q.max_h_over_r == doctest::Approx(expected).epsilon(0.03));
-    CHECK(q.max_h == doctest::Approx(20 * (1 - std::cos(kPi / n))).epsilon(0.03));
-    CHECK(q.over_h_over_r == (expected > 0.1 ? std::size_t(2 * n) : 0));
-    CHECK(q.over_distance == (20 * (1 - std::cos(kPi / n)) > 0.3 ? std::size_t(2 * n) : 0));
-    CHECK(q.above_r_min == std::size_t(2 * n));
+    const double h = 20 * (1 - std::cos(kPi / n));
+    const auto measured = [&](double distance, double h_over_r, double r_min) {
+      Criteria limits;
+      limits[Criterion::distance] = distance;
+      limits[Criterion::h_over_r] = h_over_r;
+      limits.r_min = r_min;
+      const BoundaryDistances d = boundary_distances(mesh, surface, limits);
+      CHECK(d.edges == std::size_t(2 * n));
+      CHECK(d.max_h == doctest::Approx(h).epsilon(0.03));
+      return d.over_a_limit;
+    };
+    CHECK(measured(kNotAsked, 0.1, 0) == (expected > 0.1 ? std::size_t(2 * n) : 0));
+    CHECK(measured(0.3, kNotAsked, 0) == (h > 0.3 ? std::size_t(2 * n) : 0));
+    CHECK(measured(0.97 * h, kNotAsked, 0) == std::size_t(2 * n));
+    CHECK(measured(kNotAsked, 0.97 * expected, 0) == std::size_t(2 * n));
+    CHECK(measured(1.03 * h, 1.03 * expected, 0) == 0);
     // No limits, or no edge large enough for them.
-    const BoundaryQuality unasked = measure_boundary(mesh, surface, {});
-    CHECK(unasked.over_h_over_r == 0);
-    CHECK(unasked.over_distance == 0);
-    CHECK(unasked.max_h_over_r == q.max_h_over_r);
-    limits.r_min = 20;
-    const BoundaryQuality small = measure_boundary(mesh, surface, limits);
-    CHECK(small.above_r_min == 0);
-    CHECK(small.over_h_over_r == 0);
-    CHECK(small.over_distance == 0);
-    // All triangles are right-angled: the edge, 8 along the axis, and the diagonal.
-    const double edge = 40 * std::sin(kPi / n), diagonal = std::sqrt(edge * edge + 64);
-    CHECK(q.max_r_over_l == doctest::Approx(diagonal / 2 / std::min(edge, 8.0)).epsilon(0.01));
-    CHECK(q.over_lambda == 0);
-    CHECK(q.slivers == 0);
+    CHECK(measured(kNotAsked, kNotAsked, 0) == 0);
+    CHECK(measured(0.3, 0.1, 20) == 0);
   }
 }
 
@@ -113,11 +106,16 @@ TEST_CASE("the stages follow the curves on the box, without slivers along them")
     limits[Criterion::distance] = options.limits[Criterion::distance].in(scene.volume);
     limits[Criterion::r_over_l] = options.limits[Criterion::r_over_l].value;
     limits.r_min = report.r_min;
-    const BoundaryQuality q = measure_boundary(clean, scene.surface, limits);
-    edges += static_cast<int>(q.edges);
-    CHECK(q.without_curve == 0);
-    CHECK(100 * q.over_distance <= q.edges);
-    CHECK(100 * q.slivers <= q.triangles);
+    const BoundaryDistances d = boundary_distances(clean, scene.surface, limits);
+    edges += static_cast<int>(d.edges);
+    CHECK(100 * d.over_a_limit <= d.edges);
+    std::vector<Triangle> along;
+    for (const CleanMesh::End& end : clean.ends) {
+      const Triangle& t = clean.triangles[end.triangle];
+      if (along.empty() || along.back() != t) along.push_back(t);
+    }
+    const MeshQuality q = measure_quality(make_tri_mesh(mesh.points, along), 2, 0);
+    CHECK(100 * (q.angle_histogram[0] + q.angle_histogram[1]) <= along.size());
   }
   CHECK(edges > 500);
 }
