@@ -13,7 +13,6 @@
 #include "blocks/seams.h"
 #include "cap/close_on_box.h"
 #include "cap/dissolve.h"
-#include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "mesh_parts.h"
 #include "refine/coarsen.h"
@@ -36,8 +35,7 @@ Parameters begin(const Volume& shape, double isovalue, const Options& options, R
 std::optional<Dissolved> dissolved(const VolumeSource& source, double kappa,
                                    const Options& options) {
   if (!options.cap || options.components.is_all()) return std::nullopt;
-  const Volume volume = all_of(source);
-  return dissolve_others(build_contour(volume, kappa), volume, kappa, options.components);
+  return dissolve_others(all_of(source), kappa, options.components);
 }
 
 // Does what only the whole mesh can have done: topology, counts and caps.

@@ -2,6 +2,7 @@
 #include "cap/box_caps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -12,16 +13,6 @@
 #include "delaunay/hilbert.h"
 
 namespace deliso {
-
-namespace {
-
-// Returns the other faces that two points of a face have in common: on an edge of the box, its
-// other face.
-unsigned other_faces(const Vec3& p, const Vec3& q, const Box3& box, int face) {
-  return box_faces_at(p, box) & box_faces_at(q, box) & ~(1u << face);
-}
-
-}  // namespace
 
 BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>& corner_inside)
     : mesh_(mesh), box_(box), corner_inside_(corner_inside) {
@@ -143,41 +134,33 @@ void BoxCaps::number_corners() {
   }
 }
 
-// Checks that two faces agree about the edge of the box between them. If one is inside there, so is
-// the other, or a boundary edge of the mesh runs there.
+// Checks that two faces agree about the edge of the box between them: where the inside of one ends
+// there, without a boundary edge of the mesh, so does that of the other, in the other direction.
 void BoxCaps::check_sides() {
+  std::vector<std::array<VertexId, 2>> sides;
   for (const FaceCap& cap : caps_) {
-    for (FaceId t = 0; t < cap.plane->triangles().size(); ++t) {
-      const PlaneTriangle& at = cap.plane->triangle(t);
-      for (int i = 0; at.inside && i < 3; ++i) {
-        if (at.n[i] != kNoId || at.side[i] != Side::none) continue;
-        const VertexId a = cap.global[at.v[(i + 1) % 3]], b = cap.global[at.v[(i + 2) % 3]];
-        const unsigned others = other_faces(point(a), point(b), box_, cap.number);
-        bool agreed = false;
-        for (const FaceCap& other : caps_) {
-          if ((others >> other.number & 1) == 0) continue;
-          const auto from = other.on_sides.find(b), to = other.on_sides.find(a);
-          if (from == other.on_sides.end() || to == other.on_sides.end()) continue;
-          const PlaneEdge e = other.plane->find_edge(from->second, to->second);
-          agreed |= e.t != kNoId && other.plane->triangle(e.t).inside;
-        }
-        if (agreed) continue;
-        failure_ =
-            text("faces of the box do not agree what is inside between vertices ", a, " and ", b);
-        return;
+    for (const PlaneTriangle& t : cap.plane->triangles()) {
+      for (int i = 0; t.inside && i < 3; ++i) {
+        if (t.n[i] != kNoId || t.side[i] != Side::none) continue;
+        sides.push_back({cap.global[t.v[(i + 1) % 3]], cap.global[t.v[(i + 2) % 3]]});
       }
     }
+  }
+  std::ranges::sort(sides);
+  for (const auto& [a, b] : sides) {
+    if (std::ranges::binary_search(sides, std::array{b, a})) continue;
+    failure_ =
+        text("faces of the box do not agree what is inside between vertices ", a, " and ", b);
+    return;
   }
 }
 
 void BoxCaps::split_side(FaceCap& cap, VertexId a, VertexId b) {
   const Vec3 p = point(a), q = point(b);
   const Vec3 middle = 0.5 * (p + q);
-  FaceCap* other = nullptr;
-  for (FaceCap& candidate : caps_) {
-    if ((other_faces(p, q, box_, cap.number) >> candidate.number & 1) != 0) other = &candidate;
-  }
-  DELISO_CHECK(other != nullptr);
+  const unsigned others = box_faces_at(p, box_) & box_faces_at(q, box_) & ~(1u << cap.number);
+  DELISO_CHECK(std::has_single_bit(others));
+  FaceCap* const other = &caps_[static_cast<std::size_t>(std::countr_zero(others))];
   const VertexId a1 = cap.on_sides.at(a), b1 = cap.on_sides.at(b);
   const VertexId a2 = other->on_sides.at(a), b2 = other->on_sides.at(b);
   if (distance2(p, q) < shortest_ * shortest_ || middle == p || middle == q) {

@@ -2,14 +2,13 @@
 #include "cap/dissolve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/check.h"
 #include "base/disjoint_sets.h"
+#include "contour/contour_stream.h"
 
 namespace deliso {
 namespace {
@@ -24,23 +23,36 @@ void for_each_sample(Index3 dims, Visit&& visit) {
   }
 }
 
-// Returns the two samples of the grid edge that a vertex of T lies on. Nothing for other vertices,
-// or if rounding put it on a sample.
-std::optional<std::array<Index3, 2>> grid_edge(const Volume& volume, const Vec3& p) {
-  std::array<Index3, 2> ends;
-  int along = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double spacing = volume.spacing()[axis];
-    const auto nearest = static_cast<int>(std::lround(p[axis] / spacing));
-    ends[0][axis] = ends[1][axis] = nearest;
-    if (p[axis] == nearest * spacing) continue;
-    ++along;
-    const int low = nearest - (p[axis] < nearest * spacing);
-    ends[0][axis] = std::clamp(low, 0, volume.dims()[axis] - 2);
-    ends[1][axis] = ends[0][axis] + 1;
+// Unites the samples at a component's crossings, those on either side: one side of a component
+// belongs to one region, even where no grid edge runs along it.
+class SidesOfComponents final : public ContourSink {
+ public:
+  SidesOfComponents(const Volume& volume, DisjointSets& samples)
+      : volume_(volume), samples_(samples) {}
+
+  VertexId crossing(int, Index3, double, double, std::uint8_t) override { return kNoId; }
+  void voxel(const VoxelPieces& p) override {
+    for (int l = 0; l < p.loops.count; ++l) {
+      if (p.label[l] >= sides.size()) sides.resize(p.label[l] + 1, {kNoId, kNoId});
+      for (const std::uint8_t e : p.loops.edges(l)) {
+        for (const int m : corners_of_edge(e)) {
+          const Index3 at = corner_of(p.voxel, m);
+          const auto sample = static_cast<std::uint32_t>(volume_.index(at.i, at.j, at.k));
+          std::uint32_t& side = sides[p.label[l]][p.corners[m] >= 0];
+          if (side == kNoId) side = sample;
+          samples_.unite(side, sample);
+        }
+      }
+    }
   }
-  return along == 1 ? std::optional(ends) : std::nullopt;
-}
+
+  // Per label: a sample outside and one inside; kNoId if the label was replaced in its own voxel.
+  std::vector<std::array<std::uint32_t, 2>> sides;
+
+ private:
+  const Volume& volume_;
+  DisjointSets& samples_;
+};
 
 struct Region {
   std::uint64_t samples = 0;
@@ -60,8 +72,7 @@ struct Region {
 
 }  // namespace
 
-Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, double kappa,
-                          const ComponentChoice& choice) {
+Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentChoice& choice) {
   const Index3 dims = volume.dims();
   const auto number = [&](Index3 p) {
     return static_cast<std::uint32_t>(volume.index(p.i, p.j, p.k));
@@ -78,18 +89,10 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
       if (--q[axis] >= 0 && is_inside(p) == is_inside(q)) joined.unite(number(q), number(p));
     }
   });
-  // One side of a component belongs to one region, even where no grid edge runs along it.
-  const std::vector<ContourComponent>& components = contour.summary.components;
-  std::vector<std::array<std::uint32_t, 2>> sides(components.size(), {kNoId, kNoId});
-  for (VertexId v = 0; v < contour.points.size(); ++v) {
-    const auto ends = grid_edge(volume, contour.points[v]);
-    if (!ends || is_inside((*ends)[0]) == is_inside((*ends)[1])) continue;
-    for (const Index3 end : *ends) {
-      std::uint32_t& side = sides[contour.component[v]][is_inside(end)];
-      if (side == kNoId) side = number(end);
-      joined.unite(side, number(end));
-    }
-  }
+  SidesOfComponents walk(volume, joined);
+  WalkResult found = walk_contour(volume, kappa, walk);
+  ContourSummary summary;
+  const std::vector<std::uint32_t> component_of = found.components.finish(summary.components);
 
   const std::vector<std::uint32_t> region_of = joined.take_numbers();
   std::vector<Region> regions(1 + *std::max_element(region_of.begin(), region_of.end()));
@@ -98,18 +101,17 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
     region.add({1, p, p});
     region.inside = is_inside(p);
   });
-  for (std::uint32_t c = 0; c < components.size(); ++c) {
-    const bool is_known = sides[c][0] != kNoId && sides[c][1] != kNoId;
-    for (std::uint32_t& side : sides[c]) {
-      if (side == kNoId) continue;
-      side = region_of[side];
-      // A component with an unknown side must stay: it counts as two.
-      regions[side].components.insert(regions[side].components.end(), is_known ? 1 : 2, c);
-    }
+  std::vector<std::array<std::uint32_t, 2>> sides(summary.components.size());
+  for (std::size_t label = 0; label < walk.sides.size(); ++label) {
+    const auto& [outside, inside] = walk.sides[label];
+    if (inside != kNoId) sides[component_of[label]] = {region_of[outside], region_of[inside]};
+  }
+  for (std::uint32_t c = 0; c < sides.size(); ++c) {
+    for (const std::uint32_t side : sides[c]) regions[side].components.push_back(c);
   }
 
   Dissolved result;
-  result.kept.assign(components.size(), 1);
+  result.kept.assign(sides.size(), 1);
   std::vector<std::uint32_t> into(regions.size());
   std::iota(into.begin(), into.end(), 0);
   const auto current = [&](std::uint32_t r) {
@@ -118,7 +120,7 @@ Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, doub
   };
   using Leaf = std::pair<std::uint64_t, std::uint32_t>;  // sorted by samples
   std::set<Leaf> leaves;
-  const std::vector<std::uint8_t> is_chosen = chosen_components(contour.summary, choice);
+  const std::vector<std::uint8_t> is_chosen = chosen_components(summary, choice);
   const auto enqueue_leaf = [&](std::uint32_t r) {
     Region& region = regions[r];
     std::erase_if(region.components, [&](std::uint32_t c) { return !result.kept[c]; });

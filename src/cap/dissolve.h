@@ -23,8 +23,7 @@ struct Dissolved {
 
 // Returns the components to keep. Chosen components are kept. A component is also kept if one of
 // its regions spans choice.min_voxels voxels along some axis, or is bounded by other kept
-// components. pre: `contour` is that of the volume at kappa.
-Dissolved dissolve_others(const ContourMesh& contour, const Volume& volume, double kappa,
-                          const ComponentChoice& choice);
+// components.
+Dissolved dissolve_others(const Volume& volume, double kappa, const ComponentChoice& choice);
 
 }  // namespace deliso

@@ -102,8 +102,7 @@ class PieceMesher final : public ContourSink {
     for (const std::uint8_t e : pieces.loops.edges(0)) {
       const int axis = e / 4;
       for (const int corner : corners_of_edge(e)) {
-        Index3 at{pieces.voxel.i + (corner & 1), pieces.voxel.j + (corner >> 1 & 1),
-                  pieces.voxel.k + (corner >> 2)};
+        Index3 at = corner_of(pieces.voxel, corner);
         const bool inside = pieces.corners[corner] >= 0;
         const int step = (corner >> axis & 1) != 0 ? 1 : -1;
         for (int n = 0; n < kThinSamples; ++n) {

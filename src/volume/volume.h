@@ -45,6 +45,12 @@ struct Index3 {
   friend bool operator==(const Index3&, const Index3&) = default;
 };
 
+// Returns the sample at corner m of a voxel; the corner is at the high end of axis k if bit k of m
+// is set.
+constexpr Index3 corner_of(Index3 voxel, int m) {
+  return {voxel.i + (m & 1), voxel.j + (m >> 1 & 1), voxel.k + (m >> 2)};
+}
+
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
 
