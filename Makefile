@@ -47,7 +47,7 @@ test: doctest
 # docs/index.html.
 figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets guide_figures lesson
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets marching_cubes guide_figures lesson
 	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
 	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'

@@ -236,7 +236,6 @@ void check_part(CommandLine& line, const Given& given) {
     if (given(other)) refuse(other);
   }
   if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
-  if (line.method == Method::marching_cubes) refuse("--method marching-cubes");
   if (line.field.all_labels) refuse("--label all");
   constexpr std::string_view kOfJoin[] = {"--float",      "--double", "--ply-ascii", "--format",
                                           "--attributes", "--check",  "--json"};
@@ -274,7 +273,7 @@ void check_combination(CommandLine& line) {
 // --vertices and --triangles choose the bound on the distance in Stage 2. They exclude options that
 // set this bound, and options without that stage.
 template <class Given>
-void check_counts(const Options& options, Method method, bool paper, const Given& given) {
+void check_counts(const Options& options, bool paper, const Given& given) {
   const std::string_view name = given("--vertices")    ? "--vertices"
                                 : given("--triangles") ? "--triangles"
                                                        : "";
@@ -284,7 +283,6 @@ void check_counts(const Options& options, Method method, bool paper, const Given
   };
   if (given("--vertices") && given("--triangles")) refuse("--triangles");
   if (given("--max-distance")) refuse("--max-distance");
-  if (method == Method::marching_cubes) refuse("--method marching-cubes");
   if (options.recover == RecoverWay::paper) {
     refuse(paper && !given("--recover") ? "--paper" : "--recover paper");
   }
@@ -385,7 +383,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   if (command == Command::mesh && !named) refuse_unknown_command(line.input, false);
   line.command = command;
   take_paper(line.options, line.paper, given);
-  check_counts(line.options, line.method, line.paper, given);
+  check_counts(line.options, line.paper, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     line.given.limits.values[n] = given(kCriterionWords[n].option);
   }

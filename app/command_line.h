@@ -33,10 +33,6 @@ struct ClipChoice {
 // The meaning of a picture's colors.
 enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient };
 
-// The two stages, or Marching Cubes for comparison (app/marching_cubes.h). Of the stages' options
-// Marching Cubes uses only `cap`.
-enum class Method : std::uint8_t { delaunay, marching_cubes };
-
 // The field that is made of the samples (app/field.h).
 struct FieldOptions {
   int median = 0;                    // radius, in samples; 0: none
@@ -63,7 +59,6 @@ struct CommandLine {
   ReadOptions read;
   FieldOptions field;
   MeshWriteOptions write;  // its format is set if there is an output
-  Method method = Method::delaunay;
   Options options;
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each

@@ -74,9 +74,6 @@ std::optional<Criteria> noted_criteria(std::span<const std::string> comments) {
 std::string criteria_note(const CommandLine& line, const Volume& volume) {
   const Options& options = line.options;
   const std::string field = field_note(line.field, volume);
-  if (line.method == Method::marching_cubes) {
-    return text(kProgram, " ", kVersion, " method=marching-cubes", field);
-  }
   if (options.stop_after_recover) {
     return text(kProgram, " ", kVersion, " stop-after=recover", field);
   }

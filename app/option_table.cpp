@@ -214,10 +214,6 @@ constexpr OptionSpec kRest[] = {
        require(o, v, "recover");
        l.options.stop_after_recover = true;
      }},
-    {"--method", 0, "delaunay|marching-cubes", kMeshOnly,
-     "marching-cubes: Marching Cubes for comparison, which ignores the other options here but "
-     "--cap (default delaunay)",
-     [](Line& l, Text o, Text v) { l.method = choose<Method>(o, v); }},
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
     {"--single-stage", 0, "", kMeshAndTrace,

@@ -43,7 +43,6 @@ void add_options(JsonWriter& json, const CommandLine& line) {
     }
   }
   add_length(json, "rmin", options.r_min);
-  json.add("method", line.method == Method::marching_cubes ? "marching-cubes" : "delaunay");
   if (options.target_vertices != Options::kNoTarget) {
     json.add("vertices", options.target_vertices);
   }

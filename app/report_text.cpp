@@ -209,14 +209,13 @@ std::string report_text(const MeshRun& run) {
                    report.r_min, verbose);
 
   const Options& options = run.line.options;
-  const bool refined =
-      run.line.method == Method::delaunay && !options.stop_after_recover && !options.single_stage;
+  const bool refined = !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
     text += distance_text(options, report, run.input.volume().voxel(), verbose);
   }
   if (run.verification) text += verification_text(*run.verification, run.input.volume());
   if (verbose) append_counters(text, report);
-  if (run.line.method == Method::delaunay && run.triangles > 0) text += verdict_text(run);
+  if (run.triangles > 0) text += verdict_text(run);
   append_format(text, "cost      %.2f seconds, %.1f MiB at most\n", run.seconds_total,
                 static_cast<double>(run.peak_bytes) / 0x1p20);
   return text;

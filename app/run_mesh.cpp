@@ -11,7 +11,6 @@
 #include "app/count_stop.h"
 #include "app/criteria_note.h"
 #include "app/expected_vertices.h"
-#include "app/marching_cubes.h"
 #include "app/mesh_attributes.h"
 #include "app/mesh_run.h"
 #include "app/output.h"
@@ -211,14 +210,11 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
   require_limits(line.options, volume);
-  const bool by_cubes = line.method == Method::marching_cubes;
-  const SurfaceEstimate estimate = estimate_surface(volume, isovalue);
-  warn_of_size(by_cubes ? estimate.crossings : expected_vertices(estimate, volume, line.options),
-               warn);
+  warn_of_size(expected_vertices(estimate_surface(volume, isovalue), volume, line.options), warn);
 
   Options options = line.options;
   options.observer = &progress;
-  TriMesh mesh = mesher_of(line.method)(volume, isovalue, options, run.report);
+  TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
   if (mesh.faces.empty() && !line.allow_empty) {
     throw InputError("the mesh at isovalue " + number_text(isovalue) +
                      " is empty (--allow-empty accepts that)");

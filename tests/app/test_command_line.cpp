@@ -112,7 +112,7 @@ TEST_CASE("every option reaches its field") {
       "mesh --iso=-1.5e2 --eps 0.3 --eps1 0.4 --eps2 0.5 --lambda 1.5 --rmin 0.5vox --max-distance "
       "7 "
       "--max-radius 8 --seed 18446744073709551615 --samples 9 --min-component 2.5 --threads 3 "
-      "--fingers 0.25 --recover paper --method marching-cubes --stop-after recover --max-vertices "
+      "--fingers 0.25 --recover paper --stop-after recover --max-vertices "
       "1000 "
       "--block-side 48 --roi 0:4,1:5,2:6 --single-stage --cap --solver schwarze --json - --quiet "
       "--allow-empty --check --ply-ascii --float --dims 4x5x6 --type uint16 --spacing 1,2,2.5 "
@@ -132,7 +132,6 @@ TEST_CASE("every option reaches its field") {
   CHECK(options.threads == 3);
   CHECK(options.recover == RecoverWay::paper);
   CHECK(same(options.fingers, {0.25, Length::Unit::world}));
-  CHECK(line.method == Method::marching_cubes);
   CHECK(options.stop_after_recover);
   CHECK(options.max_vertices == 1000);
   CHECK(options.block_side == 48);
@@ -624,7 +623,6 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x NAME", "--threads", "0", false},
       {"x NAME", "--block-side", "1 half"},
       {"x --iso 1 NAME", "--recover", "hope"},
-      {"x --iso 1 NAME", "--method", "cubes"},
       {"x --iso 1 NAME", "--solver", "newton"},
       {"x --iso 1 NAME", "--format", "gif"},
       {"a.nrrd --iso 1 NAME", "--median", "0 4 -1 1.5 1vox", false},
@@ -731,8 +729,7 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused; pa
   CHECK(line.words == split("--iso=1 --part=3/64 --output=p.part --cap --largest=2"));
   for (const std::string other :
        {"--vertices 100", "--triangles 100", "--paper", "--recover paper", "--single-stage",
-        "--eps2 0.2", "--float", "--format stl", "--ply-ascii", "--json a.json", "--check",
-        "--method marching-cubes"}) {
+        "--eps2 0.2", "--float", "--format stl", "--ply-ascii", "--json a.json", "--check"}) {
     CAPTURE(other);
     CHECK(refusal("a.nrrd --iso 1 -o p.part --part 1/2 " + other).starts_with("--part and "));
   }

@@ -87,10 +87,4 @@ TEST_CASE("caps do not count") {
   CHECK(out.warnings.size() == (out.stop == CountStop::none ? 0 : 1));
 }
 
-TEST_CASE("Marching Cubes cannot have a number") {
-  CHECK_THROWS_AS(
-      outcome_of({"builtin:torus:16", "--vertices", "100", "--method", "marching-cubes"}),
-      InputError);
-}
-
 }  // namespace deliso

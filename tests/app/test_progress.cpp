@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/marching_cubes.h"
 #include "base/random.h"
+#include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "surface/observer.h"
 
@@ -55,13 +55,8 @@ TEST_CASE("the bar never goes back") {
 }
 
 TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage ends") {
-  for (const std::vector<std::string_view>& more :
-       std::vector<std::vector<std::string_view>>{{},
-                                                  {"--paper"},
-                                                  {"--check"},
-                                                  {"--cap", "-q"},
-                                                  {"--method", "marching-cubes"},
-                                                  {"--stop-after", "recover"}}) {
+  for (const std::vector<std::string_view>& more : std::vector<std::vector<std::string_view>>{
+           {}, {"--paper"}, {"--check"}, {"--cap", "-q"}, {"--stop-after", "recover"}}) {
     const std::vector<StageCost> stages = mesh_stages(command_line(more));
     ProgressModel model(stages);
     CHECK(model.at(stages.front().stage, 0) == 0);
@@ -80,7 +75,6 @@ TEST_CASE("the program knows every stage that a run reports") {
                                                   {"--paper"},
                                                   {"--cap"},
                                                   {"--single-stage", "--recover", "paper"},
-                                                  {"--method", "marching-cubes"},
                                                   {"--vertices", "500"},
                                                   {"--stop-after", "recover"}}) {
     CommandLine line = command_line(more);
@@ -102,7 +96,7 @@ TEST_CASE("the program knows every stage that a run reports") {
     line.options.observer = &stages;
     const Volume volume = make_builtin_volume("builtin:fuel:24");
     Report report;
-    mesher_of(line.method)(volume, 0.3, line.options, report);
+    mesh_isosurface(volume, 0.3, line.options, report);
     std::vector<std::string> known;
     for (const StageCost& s : mesh_stages(line)) {
       if (s.stage != "reading" && s.stage != "weld" && s.stage != "seams" && s.stage != "check" &&
@@ -135,7 +129,7 @@ TEST_CASE("in blocks the bar runs from reading to the seams") {
   } stages(line);
   line.options.observer = &stages;
   Report report;
-  mesher_of(line.method)(make_builtin_volume("builtin:fuel:24"), 0.3, line.options, report);
+  mesh_isosurface(make_builtin_volume("builtin:fuel:24"), 0.3, line.options, report);
   CHECK(stages.order == std::vector<std::string>{"blocks", "weld", "seams", "cap"});
   CHECK(stages.reached.size() > 4 + 27);
   CHECK(std::ranges::is_sorted(stages.reached));

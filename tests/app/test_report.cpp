@@ -78,7 +78,6 @@ std::vector<json::Value> all_reports() {
                                              {"--paper"},
                                              {"--max-radius", "3", "--eps1", "0.2"},
                                              {"--stop-after", "recover"},
-                                             {"--method", "marching-cubes", "--check"},
                                              {"--iso", "1e9", "--allow-empty", "--check"}}) {
     std::vector<std::string> arguments{field};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -242,8 +241,7 @@ TEST_CASE("--verbose adds lines to the report, and leaves none out") {
   const std::vector<std::string_view> runs[] = {{"builtin:noise:16"},
                                                 {"builtin:torus", "--cap", "--check"},
                                                 {"builtin:fuel:24", "--vertices", "300"},
-                                                {"builtin:torus", "--paper"},
-                                                {"builtin:torus", "--method", "marching-cubes"}};
+                                                {"builtin:torus", "--paper"}};
   for (const std::vector<std::string_view>& arguments : runs) {
     std::vector<std::string_view> more = arguments;
     more.push_back("--verbose");

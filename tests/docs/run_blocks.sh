@@ -19,6 +19,7 @@ scratch=$(cd "$work/scratch" && pwd)
 # The page's reader has installed the library into ~/.local and has the program built.
 ln -s "$prefix" "$work/home/.local"
 ln -s "$prefix/bin/deliso" "$scratch/build/deliso"
+ln -s "$(cd "$(dirname "$write_volumes")/.." && pwd)/bench" "$scratch/build/bench"
 ln -s "$source/examples" "$scratch/examples"
 HOME=$(cd "$work/home" && pwd)
 PATH=$prefix/bin:$tests:$PATH

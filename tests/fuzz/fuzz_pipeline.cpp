@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/marching_cubes.h"
 #include "fuzz/reader_target.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
@@ -133,7 +132,7 @@ double make_isovalue(ByteSource& source, const Volume& volume, const ValueRange&
 }
 
 // Small triangles are left alone from a tenth of a voxel on, so that every input is done soon.
-Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
+Options make_options(ByteSource& source, const Vec3& spacing) {
   Options options;
   options.recover = source.below(3) == 0 ? RecoverWay::paper : RecoverWay::certified;
   const std::uint8_t flags = source.next();
@@ -149,7 +148,7 @@ Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
   if ((flags & 32) != 0) options.max_vertices = 4 + 8 * source.below(256);
   if ((flags & 64) != 0) options.block_side = static_cast<int>(2 + source.below(8));
   if ((flags & 128) != 0) {
-    const std::uint32_t rare = source.below(8);
+    const std::uint32_t rare = source.below(7);
     options.stop_after_recover = rare == 0;
     options.single_stage = rare == 1 && options.recover == RecoverWay::paper;
     if (rare == 2) options.limits[Criterion::distance] = {spacing.x * (0.01 + source.share())};
@@ -157,19 +156,17 @@ Options make_options(ByteSource& source, const Vec3& spacing, bool& by_cubes) {
     if (rare == 4) options.limits[Criterion::h_over_r].value = 0.05 + source.share();
     if (rare == 5) options.limits[Criterion::r_over_pole].value = 0.05 + source.share();
     if (rare == 6) options.cubic = CubicMethod::schwarze;
-    by_cubes = rare == 7;
   }
   return options;
 }
 
-void write_case(const Volume& volume, double isovalue, const Options& o, bool by_cubes,
-                const char* path) {
+void write_case(const Volume& volume, double isovalue, const Options& o, const char* path) {
   stress::write_nrrd(volume, path);
   std::printf(
       "deliso %s --iso %.17g --recover %s --rmin %.17gvox --fingers %.17gvox "
       "--min-component %g --seed %llu --lambda %.17g --samples %zu --max-vertices %zu "
       "--block-side %d%s%s"
-      " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s%s --check\n",
+      " --max-distance %.17g%s --max-radius %.17g --eps1 %.17g --eps2 %.17g%s --check\n",
       path, isovalue, o.recover == RecoverWay::paper ? "paper" : "certified", o.r_min.value,
       o.fingers.value, o.components.min_voxels, static_cast<unsigned long long>(o.seed),
       o.limits[Criterion::r_over_l].value, o.samples, o.max_vertices, o.block_side,
@@ -178,8 +175,7 @@ void write_case(const Volume& volume, double isovalue, const Options& o, bool by
       o.limits[Criterion::distance].unit == Length::Unit::voxel ? "vox" : "",
       o.limits[Criterion::radius].value, o.limits[Criterion::h_over_r].value,
       o.limits[Criterion::r_over_pole].value,
-      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "",
-      by_cubes ? " --method marching-cubes" : "");
+      o.cubic == CubicMethod::schwarze ? " --solver schwarze" : "");
   std::fflush(stdout);
 }
 
@@ -200,19 +196,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (std::uint8_t& byte : front) byte = source.next();
   const Volume volume = make_volume(source);
   ByteSource choices(front, sizeof front);
-  bool by_cubes = false;
-  const Options options = make_options(choices, volume.spacing(), by_cubes);
+  const Options options = make_options(choices, volume.spacing());
   const ValueRange range = value_range(volume);
   const double isovalue = make_isovalue(choices, volume, range);
   if (const char* path = std::getenv("DELISO_FUZZ_WRITE")) {
-    write_case(volume, isovalue, options, by_cubes, path);
+    write_case(volume, isovalue, options, path);
   }
 
   Report report;
   TriMesh mesh;
   try {
-    mesh = by_cubes ? mesh_by_cubes(volume, isovalue, options, report)
-                    : mesh_isosurface(volume, isovalue, options, report);
+    mesh = mesh_isosurface(volume, isovalue, options, report);
   } catch (const InputError& error) {
     check_message(error);
     const bool has_voxel = volume.box().smallest_side() > 0;
@@ -220,7 +214,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     return 0;
   }
   const stress::Verdict verdict = stress::judge(volume, mesh, options, report);
-  const bool certified = options.recover == RecoverWay::certified && !by_cubes;
+  const bool certified = options.recover == RecoverWay::certified;
   // The paper's tests leave vertices unresolved on noise, and the mesh is no manifold there: that
   // is known, and counted.
   if (verdict.invalid && (certified || !any_doubt(report))) found(verdict.fault);

@@ -132,7 +132,6 @@ constexpr DrawnOption kDrawn[] = {
        return Words{"--single-stage", "--recover=paper", kPapersEnd};
      },
      kPapers},
-    {"--method", [](Random&, auto&) { return Words{"--method=marching-cubes"}; }, kPapers},
     {"--stop-after", [](Random&, auto&) { return Words{"--stop-after=recover"}; },
      kCoarser | kAlways},
     {"--fingers", [](Random& r, auto&) { return Words{"--fingers=" + number(r, 0.05, 2) + "vox"}; },

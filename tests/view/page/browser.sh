@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 "$deliso" builtin:torus:20 -q -o "$work/torus.ply"
-"$deliso" builtin:fuel:20 --method marching-cubes -q -o "$work/fuel <b>.ply"
+"$deliso" builtin:fuel:20 --max-distance 0.3vox -q -o "$work/fuel <b>.ply"
 printf 'OFF\n0 0 0\n' >"$work/empty.off"
 "$deliso" view "$work/torus.ply" "$work/fuel <b>.ply" --volume builtin:fuel:20 -q \
   -o "$work/two.html"

@@ -17,10 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/command_line.h"
-#include "deliso/deliso.h"
 #include "mesh/tri_mesh.h"
-#include "surface/report.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -31,20 +28,8 @@ namespace deliso {
 using VoxelTriangle = std::array<std::uint8_t, 3>;
 std::vector<VoxelTriangle> marching_cubes_case(int mask);
 
-// Returns the mesh of {g = kappa} in the scaled frame. A corner with a value of at least kappa is
+// Returns the mesh of {g = kappa} in the volume's frame. A corner with a value of at least kappa is
 // inside. Throws InputError at 2^32 - 1 vertices or more.
 TriMesh marching_cubes(const Volume& volume, double kappa);
-
-// Returns that mesh as mesh_isosurface() would: with the volume's frame, closed on the box with
-// options.cap, and with the report filled in. Uses only these other options: threads, observer and
-// solver. Throws InputError as mesh_isosurface() does.
-TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& options,
-                      Report& report);
-
-// Returns the function that makes a mesh this way.
-inline decltype(mesh_by_cubes)& mesher_of(Method method) {
-  if (method == Method::marching_cubes) return mesh_by_cubes;
-  return mesh_isosurface;
-}
 
 }  // namespace deliso

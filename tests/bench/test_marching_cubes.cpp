@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All 256 cases against the definition of a consistent table, and whole meshes, noise included,
 // against the mesh checker.
-#include "app/marching_cubes.h"
+#include "support/marching_cubes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/marching_cubes.h"
+#include "support/marching_cubes.h"
 
 #include <span>
 #include <utility>
 
 #include "base/check.h"
-#include "cap/close_on_box.h"
-#include "contour/contour.h"
 #include "contour/contour_stream.h"
 #include "contour/voxel_topology.h"
-#include "kdtree/voxel_tree.h"
-#include "surface/observer.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {
@@ -100,29 +95,9 @@ TriMesh marching_cubes(const Volume& volume, double kappa) {
   std::vector<Triangle> triangles;
   TableSink sink(volume, points, triangles);
   walk_contour(volume, kappa, sink);
-  return make_tri_mesh(std::move(points), triangles);
-}
-
-TriMesh mesh_by_cubes(const Volume& volume, double isovalue, const Options& options,
-                      Report& report) {
-  const StepTimer total(report.seconds_total);
-  require_limits(options, volume);
-  const Parameters parameters = resolve(options, volume);
-  report.r_min = parameters.r_min;
-  begin_stage(parameters.observer, "cubes");
-  report.kappa_effective = geometric_isovalue(volume.type(), isovalue);
-  report.exact = summarize_contour(volume, report.kappa_effective).topology();
-  SurfaceMesh s{marching_cubes(volume, report.kappa_effective), {}, {}, {}};
-  if (options.cap) {
-    begin_stage(parameters.observer, "cap");
-    const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
-    const Isosurface surface(volume, tree, report.kappa_effective, options.cubic);
-    s.duals.resize(s.mesh.faces.size());
-    close_on_box(s, surface, {surface, {}}, corners_inside(volume, surface.kappa()), parameters,
-                 report);
-  }
-  s.mesh.frame = volume.frame();
-  return std::move(s.mesh);
+  TriMesh mesh = make_tri_mesh(std::move(points), triangles);
+  mesh.frame = volume.frame();
+  return mesh;
 }
 
 }  // namespace deliso
