@@ -29,14 +29,15 @@ constexpr std::size_t kPreamble = 128;
 constexpr int kMaxDepth = 32;  // of nested sequences; real ones have about six
 
 // Group and element.
-constexpr std::uint32_t kTransferSyntax = 0x00020010, kSeries = 0x0020000e, kPosition = 0x00200032,
+constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
+                        kSeries = 0x0020000e, kSeriesNumber = 0x00200011, kPosition = 0x00200032,
                         kOrientation = 0x00200037, kSamplesPerPixel = 0x00280002,
                         kPhotometric = 0x00280004, kFrames = 0x00280008, kRows = 0x00280010,
                         kColumns = 0x00280011, kPixelSpacing = 0x00280030,
                         kBitsAllocated = 0x00280100, kBitsStored = 0x00280101,
                         kHighBit = 0x00280102, kSigned = 0x00280103, kIntercept = 0x00281052,
                         kSlope = 0x00281053, kDistance = 0x00180088, kFrameOffsets = 0x3004000c,
-                        kDoseScaling = 0x3004000e, kDetectors = 0x00540022,
+                        kDoseScaling = 0x3004000e, kDetectors = 0x00540022, kSlices = 0x00540080,
                         kSharedGroups = 0x52009229, kFrameGroups = 0x52009230,
                         kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
                         kSequenceEnd = 0xfffee0dd;
@@ -80,9 +81,7 @@ class DicomParser {
   explicit DicomParser(const Bytes& bytes) : bytes_(bytes) { file_.bytes = bytes; }
 
   std::optional<DicomFile> run() {
-    const bool has_preamble =
-        bytes_.text().substr(std::min(kPreamble, bytes_.size())).starts_with("DICM");
-    at_ = has_preamble ? kPreamble + 4 : 0;
+    at_ = has_dicom_preamble(bytes_) ? kPreamble + 4 : 0;
     // The first group is explicit, little-endian, and tells how the others are.
     while (bytes_.size() - at_ >= 8 && number<std::uint16_t>(at_) == 2) {
       const Element element = next(bytes_.size());
@@ -277,6 +276,18 @@ class DicomParser {
       case kSeries:
         file_.series = string_at(element);
         break;
+      case kDescription:
+        file_.description = string_at(element);
+        break;
+      case kSeriesNumber:
+        file_.series_number = to_int(string_at(element)).value_or(file_.series_number);
+        break;
+      case kSlices:
+        file_.frame_slices.clear();
+        for (std::size_t n = 0; n + 1 < element.length; n += 2) {
+          file_.frame_slices.push_back(number<std::uint16_t>(at_ + n));
+        }
+        break;
       case kSamplesPerPixel:
         file_.samples_per_pixel = short_at(element);
         break;
@@ -359,9 +370,7 @@ class DicomParser {
 
   void check_image() {
     const std::string& name = bytes_.name;
-    // Old files do not tell that they are gray.
-    const bool is_gray = file_.photometric.empty() || file_.photometric.starts_with("MONOCHROME");
-    if (file_.samples_per_pixel != 1 || !is_gray) {
+    if (!file_.is_gray()) {
       file_.fault =
           text("is in color (", quote(file_.photometric), "): only grayscale can be meshed");
     }
@@ -402,9 +411,9 @@ class DicomParser {
       fail(name,
            text("has the places of ", file_.planes.size(), " frames, and ", frames, " frames"));
     }
-    if (!file_.frame_offsets.empty() && file_.frame_offsets.size() != frames) {
-      fail(name, text("has the offsets of ", file_.frame_offsets.size(), " frames, and ", frames,
-                      " frames"));
+    for (const std::size_t count : {file_.frame_offsets.size(), file_.frame_slices.size()}) {
+      if (count == 0 || count == frames) continue;
+      fail(name, text("has the offsets of ", count, " frames, and ", frames, " frames"));
     }
   }
 
@@ -527,9 +536,13 @@ void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
   visit_type([&]<class T>(T) { extract_bits<T>(out, stored, high); });
 }
 
+bool has_dicom_preamble(const Bytes& bytes) {
+  return bytes.text().substr(std::min(kPreamble, bytes.size())).starts_with("DICM");
+}
+
 // Without a preamble: an element of the first groups, as every data set begins.
 bool looks_like_dicom(const Bytes& bytes) {
-  if (bytes.text().substr(std::min(kPreamble, bytes.size())).starts_with("DICM")) return true;
+  if (has_dicom_preamble(bytes)) return true;
   if (bytes.size() <= kPreamble) return false;
   const std::string_view tag = bytes.text().substr(0, 4);
   for (const std::string_view known :

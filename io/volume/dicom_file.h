@@ -5,7 +5,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +26,13 @@ struct DicomPlane {
   std::optional<std::array<double, 2>> spacing{};   // along x and y
   std::optional<double> distance{};                 // SpacingBetweenSlices
   std::optional<double> slope{}, intercept{};
+
+  // pre: directions.
+  bool is_right_angled() const {
+    const auto& [x, y] = *directions;
+    return std::abs(length(x) - 1) <= 0.01 && std::abs(length(y) - 1) <= 0.01 &&
+           std::abs(dot(x, y)) <= 0.01;
+  }
 };
 
 enum class DicomCoding : std::uint8_t { plain, rle, jpeg };
@@ -32,6 +41,8 @@ struct DicomFile {
   Bytes bytes;
   std::string fault;   // why the samples are not read, or empty
   std::string series;  // SeriesInstanceUID
+  std::string description;
+  std::int64_t series_number = std::numeric_limits<std::int64_t>::max();  // without one it is last
   std::string photometric;
   std::int64_t columns = 0, rows = 0, frame_count = 1;
   int samples_per_pixel = 1;
@@ -44,12 +55,17 @@ struct DicomFile {
   DicomPlane common;                  // of all frames
   std::vector<DicomPlane> planes;     // one per frame, or none
   std::vector<double> frame_offsets;  // along the normal, or none
+  std::vector<int> frame_slices;      // of nuclear medicine, the numbers of their slices; or none
 
   std::span<const std::byte> pixels;  // if they are plain
   // Else of each frame; only JPEG has several for one frame.
   std::vector<std::vector<std::span<const std::byte>>> fragments;
 
   const std::string& name() const { return bytes.name; }
+  // Old files do not tell that they are gray.
+  bool is_gray() const {
+    return samples_per_pixel == 1 && (photometric.empty() || photometric.starts_with("MONOCHROME"));
+  }
   SampleType type() const;
   // Calls f with a number of that type.
   template <class F>

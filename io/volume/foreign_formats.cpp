@@ -63,11 +63,16 @@ void refuse_file(const Bytes& bytes) {
        "dimensions and type)");
 }
 
-void refuse_folder(const std::string& path) {
+void refuse_zarr(const std::string& path) {
   std::error_code fault;
   for (const char* name : {".zarray", ".zgroup", "zarr.json"}) {
     if (std::filesystem::exists(path + "/" + name, fault)) fail(path, kZarr);
   }
+}
+
+void refuse_folder(const std::string& path) {
+  refuse_zarr(path);
+  std::error_code fault;
   // One name does not justify a walk through a folder of many files.
   int looked_at = 0;
   for (auto entry = std::filesystem::directory_iterator(path, fault);

@@ -11,6 +11,7 @@ namespace deliso {
 
 // Throw an InputError, for a file in an unknown format and for a folder.
 [[noreturn]] void refuse_file(const Bytes& bytes);
+void refuse_zarr(const std::string& path);  // only if it is Zarr
 [[noreturn]] void refuse_folder(const std::string& path);
 
 }  // namespace deliso

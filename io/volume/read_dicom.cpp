@@ -11,18 +11,20 @@
 #include <vector>
 
 #include "base/text.h"
+#include "io/files/text_scan.h"
 #include "io/volume/dicom_file.h"
+#include "io/volume/dicom_series.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
+#include "io/volume/upright_volume.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
 namespace {
 
-// Places are written with about three decimals, so they are not even to the last digit.
-constexpr double kUnevenSteps = 0.1;      // of the step: the largest error of a slice's place
-constexpr double kDirectionError = 1e-3;  // of a unit vector
-constexpr double kSpacingError = 1e-4;    // of the spacing
+// The errors of a slice's place, in steps: the largest that is read, and the largest without a
+// note. Places are written with about three decimals, so they are not even to the last digit.
+constexpr double kUnevenSteps = 0.1, kNotedSteps = 0.005;
 
 // A frame of a file. Its plane is computed when needed: frames may be many and small.
 struct Slice {
@@ -48,19 +50,12 @@ std::string base_name(const DicomFile& file) {
   return std::filesystem::path(file.name()).filename().string();
 }
 
-// Refuses a file whose images cannot be in a volume with those of `first`.
+// Refuses a file whose samples cannot be in a volume with those of `first`.
 void require_same_kind(const DicomFile& file, const DicomFile& first) {
   if (!file.fault.empty()) fail(file.name(), file.fault);
   const auto refuse = [&](const std::string& fault) {
     fail(file.name(), text(fault, ", unlike '", base_name(first), "'"));
   };
-  if (file.series != first.series) {
-    fail(file.name(), text("is of another series than '", base_name(first),
-                           "' (SeriesInstanceUID): give each series a folder of its own"));
-  }
-  if (file.columns != first.columns || file.rows != first.rows) {
-    refuse(text("has ", file.columns, " x ", file.rows, " samples"));
-  }
   if (file.type() != first.type()) refuse(text("has samples of type ", name_of(file.type())));
   if (file.photometric != first.photometric) refuse("is " + file.photometric);
 }
@@ -76,19 +71,21 @@ DicomPlane placed_plane(const Slice& slice) {
     if (!is_stack) fail(file.name(), "has no ImageOrientationPatient");
     plane.directions = {Vec3{1, 0, 0}, Vec3{0, 1, 0}};
   }
-  auto& [x, y] = *plane.directions;
-  if (!(std::abs(length(x) - 1) <= 0.01 && std::abs(length(y) - 1) <= 0.01 &&
-        std::abs(dot(x, y)) <= 0.01)) {
+  if (!plane.is_right_angled()) {
     fail(slice.name(), "its ImageOrientationPatient is no pair of directions at right angles");
   }
+  auto& [x, y] = *plane.directions;
   x = x / length(x);
   y = y / length(y);
   if (is_stack) {
     if (file.frame_offsets.empty() && !plane.distance) {
       fail(file.name(), "does not tell the distance of its frames (SpacingBetweenSlices)");
     }
+    const double number = file.frame_slices.empty()
+                              ? static_cast<double>(slice.frame)
+                              : file.frame_slices[slice.frame] - file.frame_slices[0];
     const double offset = file.frame_offsets.empty()
-                              ? static_cast<double>(slice.frame) * *plane.distance
+                              ? number * *plane.distance
                               : file.frame_offsets[slice.frame] - file.frame_offsets[0];
     plane.position = plane.position.value_or(Vec3{}) + offset * cross(x, y);
   }
@@ -131,8 +128,8 @@ std::vector<Slice> sorted_slices(const std::vector<DicomFile>& files) {
 }
 
 // Returns the step from a slice to the next. Refuses slices that are missing, that are there twice,
-// or whose places are uneven.
-Vec3 step_between(const std::vector<Slice>& slices) {
+// or whose places are uneven, and notes those that are so a little.
+Vec3 step_between(const VolumeInput& input, const std::vector<Slice>& slices) {
   const std::size_t count = slices.size() - 1;
   const Vec3 begin = slices[0].position;
   const Vec3 step = (slices[count].position - begin) / static_cast<double>(count);
@@ -140,7 +137,12 @@ Vec3 step_between(const std::vector<Slice>& slices) {
   for (std::size_t n = 0; n < count; ++n) gaps.push_back(slices[n + 1].height - slices[n].height);
   const double mean = (slices[count].height - slices[0].height) / static_cast<double>(count);
   const auto refuse = [&](std::size_t n, const std::string& fault) {
-    fail(slices[n + 1].name(), fault + text(" '", base_name(*slices[n].file), "'"));
+    const Slice &here = slices[n + 1], &before = slices[n];
+    const std::string frame = before.file->frame_count == 1 ? "" : text("frame ", before.frame + 1);
+    const bool is_same = before.file == here.file;
+    const std::string file =
+        is_same ? "" : text("'", base_name(*before.file), frame.empty() ? "'" : "', ");
+    fail(here.name(), text(fault, " ", file, frame));
   };
   for (std::size_t n = 0; n < count; ++n) {
     if (gaps[n] <= 0.01 * mean) refuse(n, "has the same place (ImagePositionPatient) as");
@@ -154,6 +156,7 @@ Vec3 step_between(const std::vector<Slice>& slices) {
                      ", where others have ", rounded(*middle), ", from"));
     }
   }
+  double worst = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const Vec3 even = begin + static_cast<double>(n + 1) * step;
     const double error = distance(slices[n + 1].position, even);
@@ -161,41 +164,19 @@ Vec3 step_between(const std::vector<Slice>& slices) {
       fail(slices[n + 1].name(), text("lies ", rounded(error), " from its place in even steps of ",
                                       rounded(length(step)), ": resample the series"));
     }
+    worst = std::max(worst, error);
+  }
+  if (worst > kNotedSteps * length(step)) {
+    input.note(text("slices lie up to ", rounded(worst), " from the even steps of ",
+                    rounded(length(step)), " with which they are read"));
   }
   return step;
 }
 
-}  // namespace
-
-Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>& files) {
-  if (files.size() == 1 && files[0].frame_count == 1) {
-    fail(files[0].name(), "is one slice: give the folder that holds the series");
-  }
-  const std::vector<Slice> slices = sorted_slices(files);
+// Returns the volume of the slices, whose grid but for the type is `grid`.
+Volume volume_of_slices(const VolumeInput& input, const std::vector<DicomFile>& files,
+                        const std::vector<Slice>& slices, SampleGrid grid) {
   const DicomFile& first = *slices[0].file;
-  const DicomPlane plane = placed_plane(slices[0]);
-  SampleGrid grid = grid_of(input);
-  grid.type = first.type();
-  grid.byte_order = first.is_big_endian ? std::endian::big : std::endian::little;
-  grid.dims = {first.columns, first.rows, static_cast<std::int64_t>(slices.size())};
-  grid.set_spacing({(*plane.spacing)[0], (*plane.spacing)[1], 1});
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * (*plane.directions)[axis];
-  }
-  grid.steps[2] = step_between(slices);
-  grid.origin = slices[0].position;
-  const DicomPlane given = slices[0].plane();
-  if (given.directions) grid.space = AnatomicalSpace::lps;
-  if (!given.position || !given.directions) {
-    const char* missing = given.position     ? "orientation"
-                          : given.directions ? "position"
-                                             : "position and orientation";
-    input.note(text("does not tell its ", missing, ": world coordinates are not the patient's"));
-  }
-  if (first.photometric == "MONOCHROME1") {
-    input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
-  }
-
   const bool is_scaled = std::ranges::any_of(
       slices, [](const Slice& slice) { return slice.slope() != 1 || slice.intercept() != 0; });
   const auto is_in_place = [&](const Slice& slice) {
@@ -235,11 +216,65 @@ Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>&
   return volume_from_slices(grid, write);
 }
 
+Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files) {
+  if (files.size() == 1 && files[0].frame_count == 1) {
+    fail(files[0].name(), "is one slice: give the folder that holds the series");
+  }
+  const std::vector<Slice> slices = sorted_slices(files);
+  const DicomFile& first = *slices[0].file;
+  const DicomPlane plane = placed_plane(slices[0]);
+  SampleGrid grid = grid_of(input);
+  grid.type = first.type();
+  grid.byte_order = first.is_big_endian ? std::endian::big : std::endian::little;
+  grid.dims = {first.columns, first.rows, static_cast<std::int64_t>(slices.size())};
+  grid.set_spacing({(*plane.spacing)[0], (*plane.spacing)[1], 1});
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * (*plane.directions)[axis];
+  }
+  grid.steps[2] = step_between(input, slices);
+  grid.origin = slices[0].position;
+  const DicomPlane given = slices[0].plane();
+  if (given.directions) grid.space = AnatomicalSpace::lps;
+  if (!given.position || !given.directions) {
+    const char* missing = given.position     ? "orientation"
+                          : given.directions ? "position"
+                                             : "position and orientation";
+    input.note(text("does not tell its ", missing, ": world coordinates are not the patient's"));
+  }
+  if (first.photometric == "MONOCHROME1") {
+    input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");
+  }
+  const SampleGrid upright = upright_grid(grid);
+  if (upright.steps[2] == grid.steps[2]) return volume_of_slices(input, files, slices, grid);
+  SampleGrid whole = upright;
+  whole.roi.reset();
+  whole.region = {};
+  return resampled_upright(input, grid, volume_of_slices(input, files, slices, whole));
+}
+
+}  // namespace
+
+Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files) {
+  const ChosenSeries series = choose_series(input, std::move(files));
+  if (series.left_out.empty()) return read_slices(input, series.files);
+  input.note(series.left_out);
+  try {
+    return read_slices(input, series.files);
+  } catch (const InputError& error) {
+    throw InputError(text(error.what(), " (", series.left_out, ")"));
+  }
+}
+
 Volume read_dicom(const VolumeInput& input) {
   std::vector<DicomFile> files;
   if (auto file = parse_dicom(input.bytes)) files.push_back(std::move(*file));
+  const std::filesystem::path path(input.name());
+  if (files.empty() && lower(path.filename().string()) == "dicomdir") {
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    return read_folder({{folder, {}, nullptr}, input.directory, input.options, input.log});
+  }
   if (files.empty()) fail(input.name(), "is DICOM without an image");
-  return read_dicom_slices(input, files);
+  return read_dicom_series(input, std::move(files));
 }
 
 }  // namespace deliso

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A folder is a volume if its files are slices: a DICOM series, else TIFF files of one page each.
+// A folder is a volume if its files are slices: DICOM, else TIFF files of one page each. Without
+// slices of its own it is one if those of its subfolders are, in DICOM.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -17,11 +18,13 @@
 namespace deliso {
 namespace {
 
+// Returns the files of a folder, and of its subfolders with a recursive Iterator.
+template <class Iterator>
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> paths;
   std::error_code fault;
-  std::filesystem::directory_iterator entry(folder, fault);
-  for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
+  Iterator entry(folder, std::filesystem::directory_options::skip_permission_denied, fault);
+  for (; !fault && entry != Iterator(); entry.increment(fault)) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
   }
@@ -30,26 +33,45 @@ std::vector<std::string> files_in(const std::string& folder) {
   return paths;
 }
 
+struct Images {
+  std::vector<DicomFile> dicom{};
+  std::vector<Bytes> tiff{};
+  std::vector<std::string> others{};
+};
+
+Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const Bytes&)) {
+  Images images;
+  for (const std::string& path : paths) {
+    const Bytes bytes = open_file(path, NamedBy::file);
+    std::optional<DicomFile> slice;
+    if (is_dicom(bytes)) slice = parse_dicom(bytes);
+    if (slice) {
+      images.dicom.push_back(std::move(*slice));
+    } else if (looks_like_tiff(bytes)) {
+      images.tiff.push_back(bytes);
+    } else {
+      images.others.push_back(path);
+    }
+  }
+  return images;
+}
+
 }  // namespace
 
 Volume read_folder(const VolumeInput& input) {
-  std::vector<DicomFile> dicom;
-  std::vector<Bytes> tiff;
-  std::vector<std::string> others;
-  for (const std::string& path : files_in(input.name())) {
-    const Bytes bytes = open_file(path, NamedBy::file);
-    std::optional<DicomFile> slice;
-    if (looks_like_dicom(bytes)) slice = parse_dicom(bytes);
-    if (slice) {
-      input.log.files.push_back(path);
-      dicom.push_back(std::move(*slice));
-    } else if (looks_like_tiff(bytes)) {
-      tiff.push_back(bytes);
-    } else {
-      others.push_back(path);
-    }
+  namespace fs = std::filesystem;
+  auto [dicom, tiff, others] =
+      images_of(files_in<fs::directory_iterator>(input.name()), looks_like_dicom);
+  if (dicom.empty() && tiff.empty()) {
+    // Files of any kind may be in subfolders, so those without a preamble are not tried.
+    refuse_zarr(input.name());
+    Images nested =
+        images_of(files_in<fs::recursive_directory_iterator>(input.name()), has_dicom_preamble);
+    if (nested.dicom.empty()) refuse_folder(input.name());
+    dicom = std::move(nested.dicom);
+    tiff = std::move(nested.tiff);
+    others = std::move(nested.others);
   }
-  if (dicom.empty() && tiff.empty()) refuse_folder(input.name());
   if (!dicom.empty()) {
     for (const Bytes& bytes : tiff) others.push_back(bytes.name);
   }
@@ -59,9 +81,13 @@ Volume read_folder(const VolumeInput& input) {
     input.note(text("passed over '", first, more > 0 ? text("' and ", more, " more") : "'", ": no ",
                     dicom.empty() ? "TIFF" : "DICOM", " images"));
   }
-  if (dicom.empty()) return read_tiff_slices(input, std::move(tiff));
+  if (dicom.empty()) {
+    refuse_series(input.name(), input.options);
+    return read_tiff_slices(input, std::move(tiff));
+  }
   refuse_spacing(input.name(), input.options);
-  return read_dicom_slices(input, dicom);
+  for (const DicomFile& file : dicom) input.log.files.push_back(file.name());
+  return read_dicom_series(input, std::move(dicom));
 }
 
 }  // namespace deliso

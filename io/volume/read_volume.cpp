@@ -38,12 +38,14 @@ void refuse_array(const std::string& name, const ReadOptions& options) {
 Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
+    refuse_series(input.name(), input.options);
     return read_raw(input);
   }
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
     if (format.has_spacing) refuse_spacing(input.name(), input.options);
+    if (format.read != read_dicom) refuse_series(input.name(), input.options);
     return format.read(input);
   }
   refuse_file(input.bytes);
@@ -81,6 +83,7 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   try {
     if (input.starts_with("builtin:")) {
       refuse_array(input, options);
+      refuse_series(input, options);
       return make_builtin_volume(input, options);
     }
     const std::size_t slash = input.rfind('/');
@@ -104,6 +107,10 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
 void refuse_spacing(const std::string& name, const ReadOptions& options) {
   if (options.spacing)
     fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
+}
+
+void refuse_series(const std::string& name, const ReadOptions& options) {
+  if (options.series) fail(name, "has no series to choose from, as a folder of DICOM has");
 }
 
 SampleGrid grid_of(const VolumeInput& input) {

@@ -31,7 +31,7 @@
 //      are allowed);
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
-//    - DICOM slices that are missing, double, or of different series, sizes or directions;
+//    - DICOM slices that are missing or double; several series, if the options name none;
 //    - TIFF slices of different sizes or types;
 //    - pictures in color, JPEG that loses detail, JPEG 2000 and other codecs of pictures;
 //    - bzip2, hex, lz4 and lzma encodings.
@@ -78,8 +78,9 @@ struct ReadOptions {
   // If given, only the region that it returns for the volume's size and spacing is read, as a block
   // of the whole (Volume::as_block). Not with a roi.
   RegionOf region{};
-  std::optional<std::string> array{};  // which of a VTK file's arrays, by its name
-  std::optional<Vec3> spacing{};       // of NumPy and TIFF, along x, y and z; else 1,1,1 or TIFF's
+  std::optional<std::string> array{};     // which of a VTK file's arrays, by its name
+  std::optional<std::uint64_t> series{};  // which of a DICOM folder's series, from 1 on
+  std::optional<Vec3> spacing{};  // of NumPy and TIFF, along x, y and z; else 1,1,1 or TIFF's
 };
 
 // A named array of a file.

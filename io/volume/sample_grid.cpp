@@ -12,8 +12,6 @@
 namespace deliso {
 namespace {
 
-constexpr double kShearTolerance = 1e-4;
-
 bool is_swapped(const SampleGrid& grid) {
   return grid.byte_order != std::endian::native && size_of(grid.type) > 1;
 }

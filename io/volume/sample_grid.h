@@ -25,6 +25,9 @@
 
 namespace deliso {
 
+// The largest cosine of two axes that are taken to be at right angles.
+constexpr double kShearTolerance = 1e-4;
+
 struct SampleGrid {
   std::string name;  // of the input, for messages
   std::optional<Roi> roi{};

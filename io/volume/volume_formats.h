@@ -49,11 +49,13 @@ Volume read_vti(const VolumeInput& input);
 bool looks_like_npy(const Bytes& bytes);
 Volume read_npy(const VolumeInput& input);
 
-// A file of several frames.
+bool has_dicom_preamble(const Bytes& bytes);
+// True for some files without a preamble too.
 bool looks_like_dicom(const Bytes& bytes);
+// A file of several frames; or a DICOMDIR, which stands for its folder.
 Volume read_dicom(const VolumeInput& input);
-// The slices of a series. `input` has their folder's name.
-Volume read_dicom_slices(const VolumeInput& input, const std::vector<DicomFile>& files);
+// One series of these files. `input` has their folder's name.
+Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files);
 
 bool looks_like_tiff(const Bytes& bytes);
 Volume read_tiff(const VolumeInput& input);
@@ -67,8 +69,10 @@ Volume read_folder(const VolumeInput& input);
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 
-// Throws InputError if a spacing is given, for formats that have their own.
+// Throw InputError if a spacing is given, for formats that have their own; or a series, for formats
+// that have none.
 void refuse_spacing(const std::string& name, const ReadOptions& options);
+void refuse_series(const std::string& name, const ReadOptions& options);
 
 // Opens the file that a header of `input` names, and logs it. Relative names begin at the header's
 // folder.

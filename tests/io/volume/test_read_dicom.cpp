@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/random.h"
+#include "base/text.h"
 #include "io/volume/read_volume.h"
 #include "volume_files.h"
 
@@ -198,13 +200,14 @@ TEST_CASE("each fault of a series has its message, with the file") {
         "series/e.dcm: its ImagePositionPatient is '1\\2', not 3 numbers");
   CHECK(with(0x00200032, {"DS", "1\\nan\\2"}).find("not 3 numbers") != std::string::npos);
   CHECK(with(0x00200037, {"DS", ""}) == "series/e.dcm: has no ImageOrientationPatient");
-  CHECK(with(0x00200037, {"DS", "0.6\\0.8\\0\\0\\0\\1"}) ==
-        "series/e.dcm: has another orientation than 'a'");
+  const std::string missing =
+      "series/a: slices are missing before it: it lies 6, where others have 3, from 'b.dcm' (left "
+      "out 'e.dcm': of another series, size, spacing or orientation)";
+  CHECK(with(0x00200037, {"DS", "0.6\\0.8\\0\\0\\0\\1"}) == missing);
   CHECK(with(0x00200037, {"DS", "0.6\\0.8\\0\\0.6\\0.8\\0"}).find("is no pair of directions") !=
         std::string::npos);
-  CHECK(with(0x0020000e, {"UI", "1.2.4"}).starts_with("series/e.dcm: is of another series"));
-  CHECK(with(0x00280030, {"DS", "1.25\\0.6"}) ==
-        "series/e.dcm: has PixelSpacing 0.6, unlike 'a' with 0.5");
+  CHECK(with(0x0020000e, {"UI", "1.2.4"}) == missing);
+  CHECK(with(0x00280030, {"DS", "1.25\\0.6"}) == missing);
   CHECK(with(0x00280030, {"DS", ""}) == "series/e.dcm: has no PixelSpacing");
   CHECK(with(0x00280011, number(3)).starts_with("series/e.dcm: has 24 bytes of samples: "));
   CHECK(with(0x00280010, number(0)) == "series/e.dcm: does not tell its Rows and Columns");
@@ -233,12 +236,6 @@ TEST_CASE("each fault of a series has its message, with the file") {
   options = {};
   options.roi = Roi{{0, 0, 0}, {4, 3, 6}};
   CHECK(dicom_fault(series, options).starts_with("series: region 0:6 along z"));
-
-  // The places of a tilted gantry do not follow the normal.
-  series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
-    elements[0x00200032] = dicom_vector(truth.origin + k * (truth.step(2) + 0.2 * truth.step(1)));
-  });
-  CHECK(dicom_fault(series).starts_with("series: sheared grid: its axes y and z"));
 
   const std::string whole = dicom_file({}, dicom_image(truth, {}, 2, 1));
   for (std::size_t size = 140; size < whole.size(); size += 7) {
@@ -377,6 +374,197 @@ TEST_CASE("nuclear medicine has the place of its frames in the detector's sequen
   }
 }
 
+// Two frames of one slice, as of two times, were a stack of twice the height.
+TEST_CASE("frames of nuclear medicine are placed by the numbers of their slices") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u8);
+  const DicomForm form{.place = DicomForm::Place::stack};
+  const auto with = [&](const std::vector<std::uint64_t>& numbers) {
+    DicomElements elements = dicom_image(truth, form, 0, kSlices);
+    std::string words;
+    for (const std::uint64_t number : numbers) words += little(number, 2);
+    elements[0x00540080] = {"US", words};
+    return folder.write("v.dcm", dicom_file(form, elements));
+  };
+  CHECK(bytes_of_samples(read_volume(with({1, 2, 3, 4, 5}))) == truth.bytes);
+  const Volume mixed = read_volume(with({3, 5, 4, 2, 1}));
+  CHECK(distance(mixed.frame().origin, truth.origin - 2 * truth.step(2)) < 1e-12);
+  const int frames[] = {4, 3, 0, 2, 1};
+  for (int n = 0; n < 60; ++n) {
+    CHECK(mixed.sample(n % 4, n / 4 % 3, n / 12) ==
+          static_cast<std::uint8_t>(
+              truth.bytes[static_cast<std::size_t>(n % 12 + 12 * frames[n / 12])]));
+  }
+  CHECK(dicom_fault(with({1, 2, 3, 1, 2}))
+            .ends_with("v.dcm, frame 4: has the same place (ImagePositionPatient) as frame 1"));
+  CHECK(dicom_fault(with({1, 2, 3})) == "v.dcm: has the offsets of 3 frames, and 5 frames");
+}
+
+TEST_CASE("a folder of several series lists them, and one of them is taken") {
+  const TemporaryFolder folder;
+  const Truth head = oblique_truth(SampleType::i16);
+  Truth chest = random_truth(SampleType::u8, {5, 3, 4}, 9);
+  const auto add = [&](const std::string& path, const Truth& truth, int k, const char* number,
+                       const char* name, const char* uid) {
+    DicomElements elements = dicom_image(truth, {}, k, 1);
+    elements[0x0008103e] = {"LO", name};
+    elements[0x0020000e] = {"UI", uid};
+    elements[0x00200011] = {"IS", number};
+    std::filesystem::create_directories(folder.path(path.substr(0, path.rfind('/'))));
+    folder.write(path, dicom_file({}, elements));
+  };
+  for (int k = 0; k < kSlices; ++k) add(text("disk/b/head/", k), head, k, "7", "Head", "1.2.3");
+  for (int k = 0; k < 4; ++k) add(text("disk/a/", k), chest, k, "12", "Chest \x01 1.0", "1.2.4");
+  // A scout of its own, and one in the series, are no volumes.
+  add("disk/a/scout", random_truth(SampleType::u8, {9, 9, 2}, 1), 0, "1", "Scout", "1.2.5");
+  Truth side = chest;
+  std::swap(side.axes[1], side.axes[2]);
+  add("disk/a/side", side, 1, "12", "Chest", "1.2.4");
+  folder.write("disk/DICOMDIR", dicom_file({}, {{0x00041130, {"CS", "DISK"}}}));
+
+  const std::string list =
+      "holds 2 series, of which --series N takes one: 1 is 'Head', 5 images of 4 x 3 "
+      "('b/head/0'); 2 is 'Chest ? 1.0', 4 images of 5 x 3 ('a/0')";
+  CHECK(dicom_fault(folder.path("disk")) == "disk: " + list);
+  CHECK(dicom_fault(folder.path("disk/DICOMDIR")).ends_with("disk: " + list));
+  ReadOptions options;
+  for (const std::uint64_t beyond : {0, 3}) {
+    options.series = beyond;
+    CHECK(dicom_fault(folder.path("disk"), options) == "disk: " + list);
+  }
+  for (const char* input : {"disk", "disk/DICOMDIR"}) {
+    options.series = 1;
+    ReadLog log;
+    CHECK(bytes_of_samples(read_volume(folder.path(input), options, &log)) == head.bytes);
+    REQUIRE(log.notes.size() == 1);
+    CHECK(log.notes[0].ends_with("disk: passed over 'DICOMDIR': no DICOM images"));
+    options.series = 2;
+    CHECK(bytes_of_samples(read_volume(folder.path(input), options, &log)) == chest.bytes);
+    REQUIRE(log.notes.size() == 3);
+    CHECK(log.notes[2].ends_with(
+        "disk: left out 'a/side': of another series, size, spacing or orientation"));
+  }
+  // A folder with images of its own is no more than these.
+  ReadLog log;
+  CHECK(bytes_of_samples(read_volume(folder.path("disk/a"), {}, &log)) == chest.bytes);
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].ends_with(
+      "disk/a: left out 'scout' and 1 more: of another series, size, spacing or orientation"));
+  std::filesystem::create_directories(folder.path("disk/a/nested"));
+  std::filesystem::copy(folder.path("disk/b/head"), folder.path("disk/a/nested"));
+  CHECK(bytes_of_samples(read_volume(folder.path("disk/a"))) == chest.bytes);
+
+  // Nobody else has series.
+  options.series = 1;
+  CHECK(dicom_fault("builtin:sphere:8", options).find("has no series to choose from") !=
+        std::string::npos);
+  folder.write("v.npy", "\x93NUMPY");
+  CHECK(dicom_fault(folder.path("v.npy"), options).find("has no series to choose from") !=
+        std::string::npos);
+}
+
+TEST_CASE("images in color or of a codec that is not read do not disturb a series beside them") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u16);
+  const std::string series = write_series(folder, truth);
+  for (int k = 0; k < 2; ++k) {
+    DicomElements elements = dicom_image(truth, {}, k, 1);
+    elements[0x0020000e] = {"UI", "1.2.4"};
+    elements[0x00280004] = {"CS", "RGB"};
+    folder.write(text("series/color", k), dicom_file({}, elements));
+  }
+  ReadLog log;
+  CHECK(bytes_of_samples(read_volume(series, {}, &log)) == truth.bytes);
+  REQUIRE(log.notes.size() == 1);
+  CHECK(log.notes[0].find("left out 'color0' and 1 more: ") != std::string::npos);
+}
+
+TEST_CASE("slices that are a little out of step are read with a note") {
+  const TemporaryFolder folder;
+  const Truth truth = oblique_truth(SampleType::u8);
+  for (const double error : {0.001, 0.02, 0.1}) {
+    ReadLog log;
+    read_volume(write_series(folder, truth, {},
+                             [&](int k, DicomElements& elements) {
+                               if (k == 2)
+                                 elements[0x00200032] =
+                                     dicom_vector(truth.origin + (2 + error / 3) * truth.step(2));
+                             }),
+                {}, &log);
+    CHECK(log.notes.size() == (error > 0.01 ? 1 : 0));
+    if (!log.notes.empty()) {
+      CHECK(log.notes[0].ends_with(
+          text("slices lie up to ", error, " from the even steps of 3 with which they are read")));
+    }
+  }
+}
+
+// The field is linear, so interpolation is exact.
+TEST_CASE("slices of a tilted gantry are resampled upright") {
+  const TemporaryFolder folder;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Truth truth = oblique_truth(seed % 2 == 0 ? SampleType::i16 : SampleType::u8);
+    const auto field = [&](double i, double j, double k) { return 90 + 7 * i - 5 * j - 11 * k; };
+    visit_type(truth.type, [&]<class T>(T) {
+      for (int n = 0; n < 60; ++n) {
+        const T value = static_cast<T>(field(n % 4, n / 4 % 3, n / 12));
+        std::memcpy(&truth.bytes[static_cast<std::size_t>(n) * sizeof value], &value, sizeof value);
+      }
+    });
+    // In samples along x and y; whole ones too, and none.
+    const double quarter = 0.25 * (static_cast<double>(random.below(9)) - 4);
+    const double shifts[] = {seed % 3 == 0 ? 0 : random.uniform(-1, 1),
+                             seed % 4 == 0   ? quarter
+                             : seed % 3 == 1 ? 0
+                                             : random.uniform(-0.6, 0.6)};
+    const Vec3 step = truth.step(2) + shifts[0] * truth.step(0) + shifts[1] * truth.step(1);
+    const std::string series = write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+      elements[0x00200032] = dicom_vector(truth.origin + k * step);
+    });
+    const double sides[] = {4 + 4 * std::abs(shifts[0]), 3 + 4 * std::abs(shifts[1])};
+    if (sides[0] * sides[1] > 4 * 12) {
+      CHECK(dicom_fault(series).starts_with("series: sheared grid: its axes "));
+      continue;
+    }
+    ReadLog log;
+    const Volume volume = read_volume(series, {}, &log);
+    const bool is_tilted = shifts[0] != 0 || shifts[1] != 0;
+    REQUIRE(log.notes.size() == (is_tilted ? 1 : 0));
+    CHECK(volume.type() == (is_tilted ? SampleType::f32 : truth.type));
+    const Index3 dims = volume.dims();
+    REQUIRE(dims.k == kSlices);
+    CHECK(dims.i == static_cast<int>(std::ceil(sides[0] - 1e-6)));
+    CHECK(dims.j == static_cast<int>(std::ceil(sides[1] - 1e-6)));
+    int inside = 0;
+    for (int n = 0; n < dims.i * dims.j * dims.k; ++n) {
+      const Index3 at{n % dims.i, n / dims.i % dims.j, n / dims.i / dims.j};
+      const Vec3 spacing = volume.spacing();
+      const Vec3 world =
+          volume.frame().to_world({at.i * spacing.x, at.j * spacing.y, at.k * spacing.z});
+      // In the file's slices.
+      const Vec3 in_slice = world - truth.origin - at.k * step;
+      const double i = dot(in_slice, truth.axes[0]) / truth.spacing.x,
+                   j = dot(in_slice, truth.axes[1]) / truth.spacing.y;
+      CHECK(std::abs(dot(in_slice, truth.axes[2])) < 1e-9);
+      const bool is_inside = i > -1e-6 && j > -1e-6 && i < 3 + 1e-6 && j < 2 + 1e-6;
+      inside += is_inside;
+      CHECK(std::abs(volume.sample(at.i, at.j, at.k) -
+                     (is_inside ? field(i, j, at.k) : field(0, 2, 4))) < 1e-4);
+    }
+    CHECK(inside >= 2 * 1 * kSlices);
+    ReadOptions options;
+    options.roi = Roi{{1, 0, 2}, {3, 2, 5}};
+    const Volume part = read_volume(series, options);
+    for (int n = 0; n < 12; ++n) {
+      CHECK(part.sample(n % 2, n / 2 % 2, n / 4) == volume.sample(1 + n % 2, n / 2 % 2, 2 + n / 4));
+    }
+    CHECK(distance(part.frame().origin, volume.frame().to_world({volume.spacing().x, 0,
+                                                                 2 * volume.spacing().z})) < 1e-9);
+  }
+}
+
 TEST_CASE("a file of several frames says where they are") {
   const TemporaryFolder folder;
   const Truth truth = oblique_truth(SampleType::u8);
@@ -393,7 +581,7 @@ TEST_CASE("a file of several frames says where they are") {
   CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9"}) ==
         "v.dcm: has the offsets of 4 frames, and 5 frames");
   CHECK(with(Place::offsets, 0x3004000c, {"DS", "0\\3\\6\\9\\9"}) ==
-        "v.dcm, frame 5: has the same place (ImagePositionPatient) as 'v.dcm'");
+        "v.dcm, frame 5: has the same place (ImagePositionPatient) as frame 4");
   CHECK(with(Place::shared, 0x52009230, dicom_sequence({}, {{}, {}})) ==
         "v.dcm: has the places of 2 frames, and 5 frames");
   CHECK(with(Place::shared, 0x52009229, dicom_sequence({}, {})) == "v.dcm: has no PixelSpacing");
