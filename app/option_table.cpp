@@ -136,7 +136,8 @@ constexpr OptionSpec kInputAndOutput[] = {
      "which array of a VTK file (default: the one that it calls active, or the first that can be "
      "meshed; the info command lists them)",
      [](Line& l, Text, Text v) { l.read.array = v; }},
-    {"--series", 0, "N", kVolume, "which series of a folder of DICOM; without it, they are listed",
+    {"--series", 0, "N", kVolume,
+     "which series of a folder of DICOM (default: the only one; several are listed)",
      [](Line& l, Text o, Text v) { l.read.series = parse_count(o, v, 1); }},
     {"--median", 0, "R", kVolume,
      "the median of the (2R+1)^3 samples around each, R from 1 to 3, before all else",

@@ -116,7 +116,7 @@ TEST_CASE("every option reaches its field") {
       "1000 "
       "--block-side 48 --roi 0:4,1:5,2:6 --single-stage --cap --solver schwarze --json - --quiet "
       "--allow-empty --check --ply-ascii --float --dims 4x5x6 --type uint16 --spacing 1,2,2.5 "
-      "--endian big --skip 12 -o a.ply in.raw");
+      "--endian big --skip 12 --series 3 -o a.ply in.raw");
   CHECK(line.isovalue == -150);
   const Options& options = line.options;
   CHECK(options.epsilon == 0.3);
@@ -151,6 +151,7 @@ TEST_CASE("every option reaches its field") {
   CHECK(line.read.raw->spacing == Vec3{1, 2, 2.5});
   CHECK(line.read.raw->byte_order == std::endian::big);
   CHECK(line.read.raw->skip == 12);
+  CHECK(line.read.series == 3);
   REQUIRE(line.read.roi.has_value());
   CHECK(line.read.roi->begin == Index3{0, 1, 2});
   CHECK(line.read.roi->end == Index3{4, 5, 6});
@@ -621,6 +622,7 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x NAME", "--vertices --triangles", not_below_0 + " 3 1e4", false},
       {"x NAME", "--seed", not_below_0 + " 1.5 1e3 18446744073709551616", false},
       {"x NAME", "--threads", "0", false},
+      {"x NAME", "--series", not_below_0 + " 0 1.5", false},
       {"x NAME", "--block-side", "1 half"},
       {"x --iso 1 NAME", "--recover", "hope"},
       {"x --iso 1 NAME", "--solver", "newton"},
