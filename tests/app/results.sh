@@ -378,14 +378,14 @@ holds "and --label is as it was" empty stderr
 holds "info proposes isovalues of a gray image" grep -q '^try       --iso ' report
 holds "and no label" [ "$(grep -c -e '--label' report)" -eq 0 ]
 holds "the JSON says this too" grep -q '^  "looks_like_labels": false,$' info.json
-head -c 13824 "$deliso" >gray.raw
+head -c 1728 "$deliso" >gray.raw
 for label in 0 all; do
-  "$deliso" gray.raw --dims 24x24x24 --type uint8 --label $label -o gray-%d.ply >stdout 2>stderr || :
+  "$deliso" gray.raw --dims 12x12x12 --type uint8 --label $label -o gray-%d.ply >stdout 2>stderr || :
   holds "--label of a gray image warns once" [ "$(grep -c . stderr)" -eq 1 ]
   holds "with the isovalue" \
     grep -q '^deliso: warning: gray.raw looks like a gray image, not like labels: try --iso ' stderr
 done
-"$deliso" gray.raw --dims 24x24x24 --type uint8 --label 0 -o gray.ply -q 2>stderr || :
+"$deliso" gray.raw --dims 12x12x12 --type uint8 --label 0 -o gray.ply -q 2>stderr || :
 holds "unless it is quiet" empty stderr
 
 ls -A >names
