@@ -103,7 +103,7 @@ std::string man_page() {
   for (const BuiltinField& field : builtin_fields()) {
     fields += text(".TP\n.B builtin:", field.name, "\n", roff(field.description), "\n");
   }
-  return text(".TH DELISO 1 \"\" \"deliso ", kVersion, "\" \"User Commands\"\n",
+  return text(R"(.TH DELISO 1 "" "deliso )", kVersion, "\" \"User Commands\"\n",
               ".SH NAME\ndeliso \\- Delaunay meshes of isosurfaces of volume data\n",
               ".SH SYNOPSIS\n", synopsis, ".SH DESCRIPTION\n", roff(kPurpose), "\n.PP\n",
               roff(kVolumeFiles), "\n.PP\n", roff(kMeshFiles), "\n.SH COMMANDS\n", commands,

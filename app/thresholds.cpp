@@ -120,8 +120,8 @@ Thresholds find_thresholds(const Volume& volume, const ValueRange& all) {
   const Histogram h = bulk_histogram(volume, range, kThresholdBins);
   if (!(h.width > 0) || !std::isfinite(h.width)) return found;
   const std::vector<double> counts(h.counts.begin(), h.counts.end());
-  std::vector<double> roots;
-  for (const double n : counts) roots.push_back(std::sqrt(n));
+  std::vector<double> roots = counts;
+  for (double& n : roots) n = std::sqrt(n);
   const Sums samples(counts), sums(roots);
   const std::size_t bins = counts.size();
   const auto height = [&](std::size_t bin) {
