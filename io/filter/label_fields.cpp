@@ -151,6 +151,7 @@ void add_slice(const Volume& own, const Volume& others, const Volume& mass, doub
 // hold of it: the integral of s_L + r over {w s_L >= O} is that of s_L.
 double balanced_weight(const Volume& own, const Volume& others, const Volume& mass, int threads) {
   const double greatest = greatest_level(own, others);
+  if (!(greatest > 0)) return 1;  // a median has removed it
   Shares all;
   for (const Shares& part : sum_slices<Shares>(own, threads, [&](int k, Shares&shares) {
          add_slice(own, others, mass, greatest, k, shares);
