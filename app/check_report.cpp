@@ -86,27 +86,22 @@ std::string boundary_text(const BoundaryDistances& b, double voxel) {
               " pass a limit on h or h/r; h at most ", rounded(b.max_h / voxel), " voxels\n");
 }
 
-void add_boundary(JsonWriter& json, const BoundaryDistances& b, double voxel) {
-  json.open("boundary");
-  json.add("edges", b.edges);
-  json.add("over_a_limit", b.over_a_limit);
-  json.add("max_h_voxels", b.max_h / voxel);
-  json.close();
-}
-
-void add_distances(JsonWriter& json, std::string_view key, const Distances& d, double voxel) {
-  json.open(key);
-  json.add("points", d.points);
-  json.add("max", d.max / voxel);
-  json.add("mean", d.mean / voxel);
-  json.add("rms", d.rms / voxel);
-  json.add("quantile_999", d.quantile_999 / voxel);
-  json.add("beyond_bound", d.beyond);
-  json.add("beyond_bound_above_r_min", d.too_far);
-  json.add("beyond_bound_below_r_min", d.beyond - d.too_far);
-  json.add("not_found", d.not_found);
-  json.add("given_up", d.given_up);
-  json.close();
+void add_distances(ReportWriter& out, std::string_view key, const Distances& d, double voxel,
+                   std::string_view words) {
+  out.open(key, words);
+  out.add("points", d.points, "how many");
+  out.add("max", d.max / voxel, "the largest distance; voxels");
+  out.add("mean", d.mean / voxel, "the mean; voxels");
+  out.add("rms", d.rms / voxel, "the root of the mean square; voxels");
+  out.add("quantile_999", d.quantile_999 / voxel, "what 99.9 % keep to; voxels");
+  out.add("beyond_bound", d.beyond, "points further than the bound");
+  out.add("beyond_bound_above_r_min", d.too_far,
+          "of these, those at triangles above r_min, or further than r_min");
+  out.add("beyond_bound_below_r_min", d.beyond - d.too_far, "the others, which r_min allows");
+  out.add("not_found", d.not_found, "points with no surface near by");
+  out.add("given_up", d.given_up,
+          "points left out since too many triangles lie across each other there");
+  out.close();
 }
 
 std::string delaunay_text(const DelaunayShare& d) {
@@ -190,83 +185,114 @@ std::string verification_text(const Verification& v, const Volume& volume) {
   return out;
 }
 
-void add_verification(JsonWriter& json, const Verification& v, const Volume& volume) {
+void add_verification(ReportWriter& out, const Verification& v, const Volume& volume) {
   const double voxel = volume.voxel();
   const DelaunayShare& d = v.delaunay;
-  json.open("check");
-  json.add("vertices", v.vertices);
-  json.add("triangles", v.triangles);
-  add_topology(json, "topology", v.mesh);
-  add_topology(json, "exact_topology", v.exact);
-  json.add("equal_components", v.equal_components);
-  json.add("small_components", v.left_out);
-  json.add("surface_tolerance_voxels", v.surface_tolerance / voxel);
-  json.add("max_off_surface_voxels", v.max_off_surface / voxel);
-  if (v.solid) {
-    add_solid(json, v.solid->cap_vertices, v.solid->cap_triangles,
-              world_volume(v.solid->volume, volume.frame()), v.solid->quality);
-    json.add("caps_off_box_voxels", v.solid->off_box / voxel);
-    json.add("cap_self_intersections", v.solid->self_intersections);
+  out.open("check", "what the verifier found, given the mesh and the volume alone");
+  out.add("vertices", v.vertices, "of the mesh");
+  out.add("triangles", v.triangles, "of the mesh");
+  add_topology(out, "topology", v.mesh, "of the mesh, without caps");
+  add_topology(out, "exact_topology", v.exact, "of the surface");
+  out.add("equal_components", v.equal_components, "of both, one to one, with equal topology");
+  out.add("small_components", v.left_out,
+          "components of the surface, missing as --min-component and --largest allow");
+  out.add("surface_tolerance_voxels", v.surface_tolerance / voxel,
+          "how far a vertex may be off the surface; voxels");
+  out.add("max_off_surface_voxels", v.max_off_surface / voxel,
+          "the largest distance of a vertex beyond that; 0: none; voxels");
+  const SolidSummary solid = v.solid.value_or(SolidSummary());
+  if (out.if_any(v.solid.has_value())) {
+    add_solid(out, solid.cap_vertices, solid.cap_triangles,
+              world_volume(solid.volume, volume.frame()), solid.quality);
   }
-  json.open("restricted_delaunay");
-  json.add("triangles", d.triangles);
-  json.add("measured", d.measured);
-  json.add("delaunay", d.delaunay);
-  json.add("restricted", d.restricted);
-  json.add("share", d.share());
-  json.add("missing_facets", d.missing);
-  json.add("multiple_voronoi_edges", d.multiple);
-  json.add("occupied_surface_balls", d.occupied);
-  json.add("without_surface_ball", d.without_ball);
-  json.close();
-  add_distances(json, "mesh_to_surface_voxels", v.to_surface, voxel);
-  add_distances(json, "surface_to_mesh_voxels", v.from_surface, voxel);
-  json.open("criteria");
+  if (out.if_any(v.solid.has_value())) {
+    out.add("caps_off_box_voxels", solid.off_box / voxel,
+            "the largest distance of a cap's corner from the box; voxels");
+  }
+  if (out.if_any(v.solid.has_value())) {
+    out.add("cap_self_intersections", solid.self_intersections,
+            "pairs of crossing triangles, one or both of the caps");
+  }
+  out.open("restricted_delaunay", "how many triangles are restricted Delaunay facets");
+  out.add("triangles", d.triangles, "of the surface");
+  out.add("measured", d.measured,
+          "false: given up, since it would take more than n log n; what follows is 0");
+  out.add("delaunay", d.delaunay, "those that are Delaunay facets");
+  out.add("restricted", d.restricted, "those whose Voronoi edge meets the surface too");
+  out.add("share", d.share(), "restricted over triangles");
+  out.add("missing_facets", d.missing, "restricted facets that are no triangles");
+  out.add("multiple_voronoi_edges", d.multiple, "that meet the surface more than once");
+  out.add("occupied_surface_balls", d.occupied, "that hold a vertex");
+  out.add("without_surface_ball", d.without_ball, "triangles whose dual line misses the surface");
+  out.close();
+  add_distances(out, "mesh_to_surface_voxels", v.to_surface, voxel,
+                "from points of the triangles to the surface; voxels");
+  add_distances(out, "surface_to_mesh_voxels", v.from_surface, voxel,
+                "from points of the surface to the mesh; voxels");
+  out.open("criteria", "what triangles were held to, and how many miss it");
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const CriterionWords& words = kCriterionWords[n];
     if (words.check_help.empty()) continue;
     const double limit = v.limits.limits.values[n];
     const bool is_length = kCriterionTable[n].is_length;
-    json.add(text("max_", words.key, is_length ? "_voxels" : ""),
-             is_length ? limit / voxel : limit);
-    json.add(text("over_", words.key), v.over.values[n]);
+    const bool is_always = static_cast<Criterion>(n) == Criterion::r_over_l;
+    out.add(text("max_", words.key, is_length ? "_voxels" : ""), is_length ? limit / voxel : limit,
+            text("the bound on ", words.measured, is_always ? "" : ", null: none",
+                 is_length ? "; voxels" : ""),
+            is_always ? Rule::none : Rule::nullable);
+    out.add(text("over_", words.key), v.over.values[n],
+            text("triangles over the bound on ", words.measured));
   }
-  json.add("r_min_voxels", v.limits.r_min / voxel);
-  json.add("over_a_limit", v.over_a_limit);
-  json.add("above_r_min", v.triangles_above_r_min);
-  json.add("max_h_voxels_above_r_min", v.max_h_above_r_min / voxel);
-  json.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min);
-  json.add("over_lambda_above_r_min", v.quality.over_lambda_above_r_min);
-  json.add("min_angle_degrees", v.quality.min_angle);
-  json.add("max_angle_degrees", v.quality.max_angle);
-  json.add("max_r_over_l_above_r_min", v.quality.max_r_over_l_above_r_min);
-  json.close();
-  add_boundary(json, v.boundary, voxel);
-  json.open("seconds");
-  json.add("validity", v.seconds_validity);
-  json.add("topology", v.seconds_topology);
-  json.add("delaunay", v.seconds_delaunay);
-  json.add("distances", v.seconds_distances);
-  json.close();
-  json.open("faults");
+  out.add("r_min_voxels", v.limits.r_min / voxel,
+          "smaller triangles are held to the bound on r/l only; voxels");
+  out.add("over_a_limit", v.over_a_limit, "triangles over any bound, of any size");
+  out.add("above_r_min", v.triangles_above_r_min, "triangles with r above r_min");
+  out.add("max_h_voxels_above_r_min", v.max_h_above_r_min / voxel,
+          "the largest h of these; voxels");
+  out.add("max_h_over_r_above_r_min", v.max_h_over_r_above_r_min, "the largest h/r of these");
+  out.add("over_lambda_above_r_min", v.quality.over_lambda_above_r_min,
+          "these over the bound on r/l");
+  out.add("min_angle_degrees", v.quality.min_angle, "the smallest angle");
+  out.add("max_angle_degrees", v.quality.max_angle, "the largest");
+  out.add("max_r_over_l_above_r_min", v.quality.max_r_over_l_above_r_min,
+          "the largest r/l of those above r_min", Rule::nullable);
+  out.close();
+  out.open("boundary", "how the mesh ends on the box");
+  out.add("edges", v.boundary.edges, "on the box");
+  out.add("over_a_limit", v.boundary.over_a_limit,
+          "longer than 2 r_min, and over a limit on h or h/r, or with no curve near by");
+  out.add("max_h_voxels", v.boundary.max_h / voxel,
+          "the largest distance of an edge's middle from the curve; voxels");
+  out.close();
+  out.open("seconds", "where the time went");
+  out.add_seconds("validity", v.seconds_validity, "the rules of a mesh");
+  out.add_seconds("topology", v.seconds_topology, "the comparison with the exact contour");
+  out.add_seconds("delaunay", v.seconds_delaunay, "restricted Delaunay facets");
+  out.add_seconds("distances", v.seconds_distances, "distances and criteria");
+  out.close();
+  out.open("faults", "kinds of which there is one at least; none: the mesh is sound");
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
-    if (v.faults.count(kind) == 0) continue;
-    json.open(name_of(kind));
-    json.add("count", v.faults.count(kind));
-    json.open_list("first");
-    for (const Fault& fault : v.faults.first(kind)) {
-      const Vec3 at = volume.frame().to_world(fault.at);
-      json.open_item();
-      json.add("what", fault.what);
-      json.add("at", {at.x, at.y, at.z});
-      json.close();
-    }
-    json.close();
-    json.close();
+    if (!out.if_any(v.faults.count(kind) > 0)) continue;
+    out.open(name_of(kind), "docs/guide/report.md");
+    out.add("count", v.faults.count(kind), "how many");
+    out.add_objects("first", "one of the first few", v.faults.first(kind), [&](const Fault& fault) {
+      out.add("what", fault.what, "one line with ids");
+      out.add("at", volume.frame().to_world(fault.at), "where; world frame");
+    });
+    out.close();
   }
-  json.close();
-  json.close();
+  out.close();
+  out.close();
+}
+
+void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const Input& input,
+               const Verification& v) {
+  out.add("mesh", mesh, "its file");
+  out.add("criteria_of_file", by_comments, "judged by the criteria in the file's comment");
+  add_input(out, input);
+  out.add("isovalue", input.isovalue.value_or(0), "as given");
+  add_verification(out, v, input.volume());
 }
 
 }  // namespace deliso

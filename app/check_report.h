@@ -9,7 +9,7 @@
 #include "app/command_line.h"
 #include "app/criteria_note.h"
 #include "app/input.h"
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "check/verify.h"
 
 namespace deliso {
@@ -41,6 +41,9 @@ CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comme
 std::string verification_text(const Verification& v, const Volume& volume);
 
 // Adds an object "check".
-void add_verification(JsonWriter& json, const Verification& v, const Volume& volume);
+void add_verification(ReportWriter& out, const Verification& v, const Volume& volume);
+// Adds the members of the check command's report.
+void add_check(ReportWriter& out, std::string_view mesh, bool by_comments, const Input& input,
+               const Verification& v);
 
 }  // namespace deliso

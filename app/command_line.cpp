@@ -222,31 +222,6 @@ void check_join(CommandLine& line) {
   check_file(line);
 }
 
-// Refuses options that a part cannot have: of the file that a mesh is written to, and those that
-// need all of the mesh (mesh_parts.h), by their names.
-template <class Given>
-void check_part(CommandLine& line, const Given& given) {
-  if (!line.part) return;
-  const auto refuse = [](std::string_view other) {
-    throw InputError(text("--part and ", other, " exclude each other"));
-  };
-  constexpr std::string_view kOfAll[] = {"--vertices", "--triangles", "--eps2", "--paper",
-                                         "--single-stage"};
-  for (const std::string_view other : kOfAll) {
-    if (given(other)) refuse(other);
-  }
-  if (line.options.recover == RecoverWay::paper) refuse("--recover paper");
-  if (line.field.all_labels) refuse("--label all");
-  constexpr std::string_view kOfJoin[] = {"--float",      "--double", "--ply-ascii", "--format",
-                                          "--attributes", "--check",  "--json"};
-  for (const std::string_view other : kOfJoin) {
-    if (given(other)) {
-      throw InputError(text("--part and ", other, " exclude each other: give it to deliso join"));
-    }
-  }
-  if (line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
-}
-
 // Checks the conditions between options, after all are read.
 void check_combination(CommandLine& line) {
   if (line.command == Command::check && !line.meshes.empty() && line.input.empty()) {
@@ -270,25 +245,38 @@ void check_combination(CommandLine& line) {
   check_file(line);
 }
 
-// --vertices and --triangles choose the bound on the distance in Stage 2. They exclude options that
-// set this bound, and options without that stage.
+// An option, others that exclude it, and where these belong instead.
+struct Exclusion {
+  std::string_view option, others, hint;
+};
+// --vertices and --triangles choose the bound on the distance in Stage 2, so that others cannot set
+// it, and that there must be this stage. A part has no mesh file, and is made without the rest of
+// the mesh (mesh_parts.h).
+constexpr Exclusion kExclusions[] = {
+    {"--float", "--double", ""},
+    {"--vertices", "--triangles --max-distance --single-stage --stop-after --max-vertices", ""},
+    {"--triangles", "--max-distance --single-stage --stop-after --max-vertices", ""},
+    {"--part", "--vertices --triangles --eps2 --paper --single-stage", ""},
+    {"--part", "--float --double --ply-ascii --format --attributes --check --json",
+     ": give it to deliso join"}};
+
 template <class Given>
-void check_counts(const Options& options, bool paper, const Given& given) {
-  const std::string_view name = given("--vertices")    ? "--vertices"
-                                : given("--triangles") ? "--triangles"
-                                                       : "";
-  if (name.empty()) return;
-  const auto refuse = [&](std::string_view other) {
-    throw InputError(std::string(name) + " and " + std::string(other) + " exclude each other");
+void check_exclusions(const CommandLine& line, const Given& given) {
+  const auto refuse = [](std::string_view option, std::string_view other, std::string_view hint) {
+    throw InputError(text(option, " and ", other, " exclude each other", hint));
   };
-  if (given("--vertices") && given("--triangles")) refuse("--triangles");
-  if (given("--max-distance")) refuse("--max-distance");
-  if (options.recover == RecoverWay::paper) {
-    refuse(paper && !given("--recover") ? "--paper" : "--recover paper");
+  for (const Exclusion& row : kExclusions) {
+    if (!given(row.option)) continue;
+    for (const std::string_view other : split(row.others, ' ')) {
+      if (given(other)) refuse(row.option, other, row.hint);
+    }
   }
-  if (options.single_stage) refuse("--single-stage");
-  if (options.stop_after_recover) refuse("--stop-after");
-  if (given("--max-vertices")) refuse("--max-vertices");
+  for (const std::string_view option : {"--vertices", "--triangles", "--part"}) {
+    if (line.options.recover != RecoverWay::paper || !given(option)) continue;
+    refuse(option, line.paper && !given("--recover") ? "--paper" : "--recover paper", "");
+  }
+  if (line.part && line.field.all_labels) refuse("--part", "--label all", "");
+  if (line.part && line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
 }
 
 // Applies --paper where options are not given. The paper's criteria turn the bound on the distance
@@ -327,7 +315,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   const auto given = [&](std::string_view name) {
     return static_cast<bool>(
-        seen[static_cast<std::size_t>(&find_option(name) - option_table().data())]);
+        seen[static_cast<std::size_t>(&option_named(name) - option_table().data())]);
   };
   bool options_end = false;
   for (; at < arguments.size(); ++at) {
@@ -383,20 +371,16 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   if (command == Command::mesh && !named) refuse_unknown_command(line.input, false);
   line.command = command;
   take_paper(line.options, line.paper, given);
-  check_counts(line.options, line.paper, given);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     line.given.limits.values[n] = given(kCriterionWords[n].option);
   }
   line.given.r_min = given("--rmin");
-  if (given("--float") && given("--double")) {
-    throw InputError("--float and --double exclude each other");
-  }
   if (line.read.raw && !(given("--dims") && given("--type"))) {
     throw InputError("a raw file needs both --dims and --type");
   }
   if (line.read.raw && line.read.spacing) line.read.raw->spacing = *line.read.spacing;
   check_labels(line);
-  check_part(line, given);
+  check_exclusions(line, given);
   check_combination(line);
   return line;
 }

@@ -87,30 +87,29 @@ std::string components_text(const ContourSummary& surface) {
   return text;
 }
 
-void add_components(JsonWriter& json, const ContourSummary& surface) {
-  const std::vector<ContourComponent> sorted = largest_first(surface);
+void add_components(ReportWriter& out, const ContourSummary& surface) {
+  std::vector<ContourComponent> sorted = largest_first(surface);
   const std::uint64_t whole = crossings_of(sorted);
-  json.open_list("largest_components");
-  for (const ContourComponent& c : std::span(sorted).first(std::min(kListed, sorted.size()))) {
-    json.open_item();
-    json.add("share", share(c.crossings, whole));
-    json.add("first_voxel", {double(c.lo.i), double(c.lo.j), double(c.lo.k)});
-    json.add("last_voxel", {double(c.hi.i), double(c.hi.j), double(c.hi.k)});
-    json.add("euler", c.euler);
-    json.add("boundary_loops", c.boundary_loops);
-    json.close();
-  }
-  json.close();
-  json.open_list("component_sizes");
-  for (const SizeClass& c : size_classes(surface)) {
-    json.open_item();
-    json.add("longest_side_from", c.lo);
-    json.add("longest_side_to", 2 * c.lo - 1);
-    json.add("components", c.count);
-    json.add("share", share(c.crossings, whole));
-    json.close();
-  }
-  json.close();
+  constexpr std::string_view kShare = "of the grid edges that the surface crosses";
+  sorted.resize(std::min(kListed, sorted.size()));
+  out.add_objects("largest_components", "one of a hundred at most, in the order of --largest",
+                  sorted, [&](const ContourComponent& c) {
+                    out.add("share", share(c.crossings, whole), kShare, Rule::not_negative);
+                    out.add("first_voxel", c.lo, "the lowest corner of the voxels it meets, x y z",
+                            Rule::not_negative);
+                    out.add("last_voxel", c.hi, "the highest corner of the voxels it meets, x y z",
+                            Rule::not_negative);
+                    out.add("euler", c.euler, "V - E + F");
+                    out.add("boundary_loops", c.boundary_loops, "closed curves in which it ends");
+                  });
+  out.add_objects(
+      "component_sizes", "how many components there are of a size", size_classes(surface),
+      [&](const SizeClass& c) {
+        out.add("longest_side_from", c.lo, "of the component's box; voxels", Rule::positive);
+        out.add("longest_side_to", 2 * c.lo - 1, "of the component's box; voxels", Rule::positive);
+        out.add("components", c.count, "connected ones");
+        out.add("share", share(c.crossings, whole), kShare, Rule::not_negative);
+      });
 }
 
 }  // namespace deliso

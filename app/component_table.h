@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "contour/contour.h"
 
 namespace deliso {
@@ -15,6 +15,6 @@ namespace deliso {
 std::string components_text(const ContourSummary& surface);
 
 // Adds a list "largest_components", at most a hundred, and a list "component_sizes".
-void add_components(JsonWriter& json, const ContourSummary& surface);
+void add_components(ReportWriter& out, const ContourSummary& surface);
 
 }  // namespace deliso

@@ -159,26 +159,37 @@ std::string field_text(const Field& field) {
   return lines;
 }
 
-void add_field(JsonWriter& json, const Field& field) {
-  if (field.median > 0 || field.sigma_voxels > 0) {
-    json.open("filter");
-    if (field.median > 0) json.add("median_radius", field.median);
-    if (field.sigma_voxels > 0) {
-      json.add("sigma_voxels", field.sigma_voxels);
-      json.add("sigma_samples", {field.sigma.x, field.sigma.y, field.sigma.z});
-    }
-    json.close();
+void add_field(ReportWriter& out, const Field& field) {
+  if (out.if_any(field.median > 0 || field.sigma_voxels > 0)) {
+    out.open("filter",
+             "with --median, --smooth or --label: what the samples went through before all else; "
+             "type and range are those after it");
+    if (out.if_any(field.median > 0))
+      out.add("median_radius", field.median, "with --median; samples", Rule::positive);
+    if (out.if_any(field.sigma_voxels > 0))
+      out.add("sigma_voxels", field.sigma_voxels, "of the Gaussian; voxels (of the shortest side)",
+              Rule::not_negative);
+    if (out.if_any(field.sigma_voxels > 0))
+      out.add("sigma_samples", field.sigma, "the same along x, y and z; samples");
+    out.close();
   }
-  if (!field.label) return;
-  const LabelFacts& label = *field.label;
-  json.open("label");
-  json.add("labels", std::vector<double>(label.labels.begin(), label.labels.end()));
-  json.add("cut_from", {double(label.whole.i), double(label.whole.j), double(label.whole.k)});
-  json.add("voxels", label.samples);
-  json.add("volume_of_voxels", label.volume);
-  json.add("weight", label.weight);
-  json.add("off", label.off);
-  json.close();
+  if (!out.if_any(field.label.has_value())) return;
+  const LabelFacts label = field.label.value_or(LabelFacts());
+  out.open("label",
+           "with --label: the labels whose indicator is meshed; dims and origin are of the box "
+           "that is cut out around them");
+  out.add_list("labels", std::vector<double>(label.labels.begin(), label.labels.end()), "integer",
+               "whose samples are inside");
+  out.add("cut_from", label.whole, "samples of the whole volume along x, y and z", Rule::positive);
+  out.add("voxels", label.samples, "samples with the labels");
+  out.add("volume_of_voxels", label.volume, "of their voxels, within the box; world units, cubed");
+  out.add("weight", label.weight,
+          "of its smoothed indicator, less which the largest other weighted one is the field that "
+          "is meshed, at 0");
+  out.add(
+      "off", label.off,
+      "the share by which the volume inside the field's surface differs from that of the voxels");
+  out.close();
 }
 
 }  // namespace deliso

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "io/filter/segmentation.h"
 #include "volume/volume.h"
 
@@ -63,6 +63,6 @@ std::string filter_text(const Field& field);
 // Gives aligned lines; none without a filter.
 std::string field_text(const Field& field);
 // Adds the objects "filter" and "label", as far as there are any.
-void add_field(JsonWriter& json, const Field& field);
+void add_field(ReportWriter& out, const Field& field);
 
 }  // namespace deliso

@@ -6,14 +6,13 @@
 #include <cstddef>
 
 #include "app/component_table.h"
-#include "app/expected_vertices.h"
-#include "app/json.h"
-#include "app/looks_like_labels.h"
 #include "app/text.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "deliso/expected_vertices.h"
 #include "io/files/append_format.h"
+#include "io/filter/looks_like_labels.h"
 
 namespace deliso {
 namespace {
@@ -131,44 +130,49 @@ std::string info_text(const Info& info) {
   return text;
 }
 
+void add_info(ReportWriter& out, const Info& info) {
+  add_input(out, info.input);
+  out.add_objects("padding",
+                  "a value that fills what was not measured, left out of the suggestions",
+                  info.padding, [&](const Padding& p) {
+                    out.add("value", p.value, "exactly this");
+                    out.add("share", p.share, "of all samples");
+                  });
+  out.add("looks_like_labels", !info.labels.empty(),
+          "the samples are few whole numbers in flat pieces, as in a segmentation: for --label");
+  out.add_objects("suggestions", "an isovalue to try, the lower first", info.suggestions,
+                  [&](const Suggestion& s) {
+                    out.add("isovalue", s.threshold.isovalue, "for --iso");
+                    out.add("share_below", s.threshold.below,
+                            "of the samples that are neither padding nor outliers");
+                    out.add("share_above", 1 - s.threshold.below, "of the same");
+                    out.add("mean_below", s.threshold.mean_below, "of the class of samples below");
+                    out.add("mean_above", s.threshold.mean_above, "of the class above");
+                    out.add("expected_vertices", static_cast<std::uint64_t>(std::round(s.vertices)),
+                            "of a mesh by the options given");
+                    if (out.if_any(s.components.has_value())) {
+                      out.add("components", s.components.value_or(0),
+                              "of the exact surface; left out where the volume is large");
+                    }
+                  });
+  out.add_seconds("seconds_read", info.input.seconds, "reading, and looking at every sample once");
+  out.add_seconds("seconds_suggestions", info.seconds_suggestions, "finding the suggestions");
+  if (!out.if_any(info.isovalue.has_value())) return;
+  out.open("surface", "with --iso: the exact surface");
+  out.add("isovalue", info.isovalue.value_or(0), "as given");
+  out.add("isovalue_effective", info.effective,
+          "as used: a hair lower where samples or saddles equal it");
+  add_topology(out, "topology", info.contour.topology(), "of the surface");
+  out.add("active_voxels", info.contour.active_voxels, "voxels that it meets");
+  add_components(out, info.contour);
+  out.add_seconds("seconds_contour", info.seconds_contour, "finding it");
+  out.close();
+}
+
 std::string info_json(const Info& info) {
-  JsonWriter json("info");
-  add_input(json, info.input);
-  json.open_list("padding");
-  for (const Padding& p : info.padding) {
-    json.open_item();
-    json.add("value", p.value);
-    json.add("share", p.share);
-    json.close();
-  }
-  json.close();
-  json.add("looks_like_labels", !info.labels.empty());
-  json.open_list("suggestions");
-  for (const Suggestion& s : info.suggestions) {
-    json.open_item();
-    json.add("isovalue", s.threshold.isovalue);
-    json.add("share_below", s.threshold.below);
-    json.add("share_above", 1 - s.threshold.below);
-    json.add("mean_below", s.threshold.mean_below);
-    json.add("mean_above", s.threshold.mean_above);
-    json.add("expected_vertices", std::round(s.vertices));
-    if (s.components) json.add("components", *s.components);
-    json.close();
-  }
-  json.close();
-  json.add("seconds_read", info.input.seconds);
-  json.add("seconds_suggestions", info.seconds_suggestions);
-  if (info.isovalue) {
-    json.open("surface");
-    json.add("isovalue", *info.isovalue);
-    json.add("isovalue_effective", info.effective);
-    add_topology(json, "topology", info.contour.topology());
-    json.add("active_voxels", info.contour.active_voxels);
-    add_components(json, info.contour);
-    json.add("seconds_contour", info.seconds_contour);
-    json.close();
-  }
-  return json.finish();
+  ReportWriter out("info");
+  add_info(out, info);
+  return out.finish();
 }
 
 }  // namespace deliso

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "app/histogram.h"
 #include "app/input.h"
-#include "app/thresholds.h"
 #include "contour/contour.h"
+#include "io/filter/histogram.h"
 #include "io/filter/segmentation.h"
+#include "io/filter/thresholds.h"
 
 namespace deliso {
 
@@ -41,5 +41,6 @@ Info find_info(const Input& input, const CommandLine& line);
 
 std::string info_text(const Info& info);
 std::string info_json(const Info& info);
+void add_info(ReportWriter& out, const Info& info);  // the members of that
 
 }  // namespace deliso

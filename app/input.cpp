@@ -5,36 +5,20 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/histogram.h"
-#include "app/looks_like_labels.h"
 #include "app/output.h"
 #include "app/text.h"
-#include "app/thresholds.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
+#include "io/filter/histogram.h"
+#include "io/filter/looks_like_labels.h"
+#include "io/filter/thresholds.h"
 #include "io/volume/read_volume.h"
 
 namespace deliso {
 namespace {
 
-std::string_view name_of(AnatomicalSpace space) {
-  switch (space) {
-    case AnatomicalSpace::ras:
-      return "right-anterior-superior";
-    case AnatomicalSpace::lps:
-      return "left-posterior-superior";
-    case AnatomicalSpace::unknown:
-      break;
-  }
-  return "unknown";
-}
-
 std::string text_of(const Vec3& v) {
   return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
-}
-
-void add_vector(JsonWriter& json, std::string_view key, const Vec3& v) {
-  json.add(key, {v.x, v.y, v.z});
 }
 
 // Returns a warning if the user wants labels of a volume that looks like a gray image.
@@ -48,6 +32,18 @@ std::string gray_image_warning(const CommandLine& line, const Volume& volume,
 }
 
 }  // namespace
+
+std::string_view name_of(AnatomicalSpace space) {
+  switch (space) {
+    case AnatomicalSpace::ras:
+      return "right-anterior-superior";
+    case AnatomicalSpace::lps:
+      return "left-posterior-superior";
+    case AnatomicalSpace::unknown:
+      break;
+  }
+  return "unknown";
+}
 
 void print_warning(const std::string& warning, const CommandLine& line) {
   if (warning.empty() || line.quiet) return;
@@ -119,32 +115,39 @@ std::string input_text(const Input& input) {
   return text + field_text(input.field);
 }
 
-void add_input(JsonWriter& json, const Input& input) {
+void add_input(ReportWriter& out, const Input& input) {
   const Volume& volume = input.volume();
   const Frame& at = volume.frame();
-  const Index3 dims = volume.dims();
-  json.open("volume");
-  json.add("input", input.name);
-  json.add("dims", {double(dims.i), double(dims.j), double(dims.k)});
-  json.add("type", name_of(volume.type()));
-  add_vector(json, "spacing", volume.spacing());
-  add_vector(json, "origin", at.origin);
-  add_vector(json, "axis_x", at.axes[0]);
-  add_vector(json, "axis_y", at.axes[1]);
-  add_vector(json, "axis_z", at.axes[2]);
-  json.add("space", name_of(at.space));
-  if (input.range) json.add("range", {input.range->min, input.range->max});
-  if (!input.log.arrays.empty()) json.open("arrays");
-  for (const NamedArray& array : input.log.arrays) {
-    json.open(array.name);
-    json.add("type", array.type);
-    json.add("components", array.components);
-    json.add("read", array.read);
-    json.close();
+  out.open("volume", "what was read");
+  out.add("input", input.name, "as it was given: a path, builtin:NAME, or - for standard input");
+  out.add("dims", volume.dims(), "samples along x, y and z", Rule::positive);
+  out.add_choice("type", static_cast<std::size_t>(volume.type()), names_up_to(SampleType::f64),
+                 "of a sample");
+  out.add("spacing", volume.spacing(), "between samples along x, y and z; world units");
+  out.add("origin", at.origin, "of the first sample; world units");
+  out.add("axis_x", at.axes[0], "the direction of the volume's x axis in the world");
+  out.add("axis_y", at.axes[1], "of its y axis");
+  out.add("axis_z", at.axes[2], "of its z axis");
+  out.add_choice("space", static_cast<std::size_t>(at.space), names_up_to(AnatomicalSpace::lps),
+                 "which way the world's axes point in a patient");
+  const ValueRange range = input.range.value_or(ValueRange());
+  out.add_list("range", std::array{range.min, range.max}, "number",
+               "the smallest and the largest sample");
+  if (out.if_any(!input.log.arrays.empty())) {
+    out.open("arrays",
+             "of a VTK file, by their names: type, components, and whether the volume is this one "
+             "(read)");
+    for (const NamedArray& array : input.log.arrays) {
+      out.open(array.name, "");
+      out.add("type", array.type, "");
+      out.add("components", array.components, "");
+      out.add("read", array.read, "");
+      out.close();
+    }
+    out.close(true);
   }
-  if (!input.log.arrays.empty()) json.close();
-  add_field(json, input.field);
-  json.close();
+  add_field(out, input.field);
+  out.close();
 }
 
 }  // namespace deliso

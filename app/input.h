@@ -7,7 +7,7 @@
 
 #include "app/command_line.h"
 #include "app/field.h"
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "io/volume/read_volume.h"
 #include "volume/volume.h"
 
@@ -48,8 +48,10 @@ void print_warning(const std::string& warning, const CommandLine& line);
 // Returns why there is no surface at the isovalue: the range of the samples.
 std::string no_surface_text(double isovalue, const ValueRange& range);
 
+std::string_view name_of(AnatomicalSpace space);
+
 // Give aligned lines, and an object "volume".
 std::string input_text(const Input& input);
-void add_input(JsonWriter& json, const Input& input);
+void add_input(ReportWriter& out, const Input& input);
 
 }  // namespace deliso

@@ -10,10 +10,10 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
-#include "app/place_faults.h"
 #include "app/progress.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
+#include "check/place_faults.h"
 #include "check/verify.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
@@ -84,6 +84,10 @@ std::function<void(const std::string&)> warner(ProgressBar& progress, const Comm
 
 // Writes the report to standard output, or to standard error if a file goes there.
 void print_report(const MeshRun& run);
+
+// Returns what rounding made, "2 pairs of triangles cross, 1 triangle flat", of the kinds that
+// there are.
+std::string place_faults_text(const PlaceFaults& faults);
 
 std::string report_text(const MeshRun& run);
 std::string report_json(const MeshRun& run);

@@ -364,9 +364,9 @@ constexpr CommandSpec kCommandTable[] = {
      "one run of deliso mesh makes, to the last byte. A part knows its options. Refused are parts "
      "that do not belong together or to the volume, a part that is missing, twice, or not as it "
      "was made."},
-    {Command::help, "help", "help [COMMAND|man|bash|zsh]",
-     "All options of a command, or texts for other programs: the manual page, and how the shells "
-     "complete an option."},
+    {Command::help, "help", "help [COMMAND|man|bash|zsh|schema]",
+     "All options of a command, or texts for other programs: the manual page, how shells complete "
+     "an option, the JSON Schema of --json."},
     {Command::version, "version", "version", "The version."},
 };
 
@@ -428,17 +428,16 @@ const OptionSpec& option_named(std::string_view name) {
 
 std::vector<std::string_view> split(std::string_view words, char separator) {
   std::vector<std::string_view> parts;
-  for (std::size_t at = 0, end; at < words.size(); at = end + 1) {
-    end = std::min(words.find(separator, at), words.size());
-    parts.push_back(words.substr(at, end - at));
+  for (std::size_t at = 0; at <= words.size(); at += parts.back().size() + 1) {
+    parts.push_back(words.substr(at, words.find(separator, at) - at));
   }
   return parts;
 }
 
 std::vector<std::string_view> choices_of(const OptionSpec& spec) {
-  const bool is_name =
-      std::ranges::any_of(spec.argument, [](char c) { return 'A' <= c && c <= 'Z'; });
-  return split(is_name ? "" : spec.argument, '|');
+  const auto is_capital = [](char c) { return 'A' <= c && c <= 'Z'; };
+  if (spec.argument.empty() || std::ranges::any_of(spec.argument, is_capital)) return {};
+  return split(spec.argument, '|');
 }
 
 }  // namespace deliso

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program says of itself to other programs, from the table of options.
+// What the program says of itself to other programs: texts from its tables.
 #pragma once
 
 #include <string>
@@ -33,6 +33,7 @@ std::string man_page();
 std::string bash_completion();
 std::string zsh_completion();
 std::string markdown_tables();  // of docs/guide/command-line.md, one for each group
+std::string report_schema();    // of what mesh, check and info write with --json (report_json.cpp)
 
 struct HelpText {
   std::string_view topic;  // of deliso help
@@ -41,6 +42,7 @@ struct HelpText {
 inline constexpr HelpText kTextTable[] = {{"man", man_page},
                                           {"bash", bash_completion},
                                           {"zsh", zsh_completion},
-                                          {"markdown", markdown_tables}};
+                                          {"markdown", markdown_tables},
+                                          {"schema", report_schema}};
 
 }  // namespace deliso

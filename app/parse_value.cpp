@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/option_table.h"
 #include "base/check.h"
 #include "view/render/font.h"
 
@@ -37,13 +38,12 @@ std::optional<double> read_finite(std::string_view text) {
 template <class Number, std::size_t N>
 std::optional<std::array<Number, N>> read_list(std::string_view text, char separator) {
   std::array<Number, N> numbers;
+  const std::vector<std::string_view> parts = split(text, separator);
+  if (parts.size() != N) return std::nullopt;
   for (std::size_t n = 0; n < N; ++n) {
-    const std::size_t end = text.find(separator);
-    if ((end == std::string_view::npos) != (n + 1 == N)) return std::nullopt;
-    const auto value = read_all<Number>(text.substr(0, end));
+    const auto value = read_all<Number>(parts[n]);
     if (!value || !std::isfinite(static_cast<double>(*value))) return std::nullopt;
     numbers[n] = *value;
-    if (n + 1 < N) text.remove_prefix(end + 1);
   }
   return numbers;
 }
@@ -108,14 +108,12 @@ Length parse_length(std::string_view option, std::string_view text, Length::Unit
 std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_view text) {
   constexpr std::int64_t kLargest = std::int64_t{1} << 53;
   std::vector<std::int64_t> labels;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto label = read_all<std::int64_t>(text.substr(begin, end - begin));
+  for (const std::string_view word : split(text, ',')) {
+    const auto label = read_all<std::int64_t>(word);
     if (!label || *label < -kLargest || *label > kLargest) {
       refuse(option, text, "whole numbers as in '1' or '1,4', or all");
     }
     labels.push_back(*label);
-    begin = end + 1;
   }
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
@@ -164,11 +162,8 @@ PictureSize parse_picture_size(std::string_view option, std::string_view text) {
 
 std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std::string_view text) {
   std::vector<std::optional<ClipChoice>> clips;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('/', begin), text.size());
-    const std::string_view word = text.substr(begin, end - begin);
+  for (const std::string_view word : split(text, '/')) {
     clips.push_back(word == "off" ? std::nullopt : std::optional(parse_clip(option, word)));
-    begin = end + 1;
   }
   return clips;
 }
@@ -180,13 +175,8 @@ std::string parse_drawable(std::string_view option, std::string_view text) {
 
 std::vector<std::string> parse_labels(std::string_view option, std::string_view given) {
   const std::string text = parse_drawable(option, given);
-  std::vector<std::string> labels;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('/', begin), text.size());
-    labels.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return labels;
+  const std::vector<std::string_view> labels = split(text, '/');
+  return {labels.begin(), labels.end()};
 }
 
 Vec3 parse_color(std::string_view option, std::string_view text) {

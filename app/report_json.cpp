@@ -1,177 +1,259 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "app/check_report.h"
 #include "app/count_stop.h"
-#include "app/json.h"
+#include "app/criterion_words.h"
+#include "app/info.h"
 #include "app/mesh_run.h"
+#include "app/option_texts.h"
+#include "app/report_writer.h"
 #include "app/solid.h"
 #include "app/text.h"
+#include "base/text.h"
 
 namespace deliso {
 namespace {
 
-void add_searches(JsonWriter& json, std::string_view key, const SearchCounters& counters) {
-  json.open(key);
-  json.add("searches", counters.searches);
-  json.add("searches_with_hit", counters.searches_with_hit);
-  json.add("computations", counters.computations);
-  json.add("computations_with_hit", counters.computations_with_hit);
-  json.close();
+void add_searches(ReportWriter& out, std::string_view key, const SearchCounters& counters,
+                  std::string_view words) {
+  out.open(key, words);
+  out.add("searches", counters.searches, "lines searched for points of the surface");
+  out.add("searches_with_hit", counters.searches_with_hit, "those that met the surface");
+  out.add("computations", counters.computations,
+          "voxels looked at for all; over searches this is CPI");
+  out.add("computations_with_hit", counters.computations_with_hit,
+          "for those that met it; over searches_with_hit this is CPI*");
+  out.close();
 }
 
-// Adds an object with a value and its unit.
-void add_length(JsonWriter& json, std::string_view key, const Length& length) {
-  constexpr std::string_view kUnits[] = {"world", "box", "voxel"};
-  json.open(key);
-  json.add("value", length.value);
-  json.add("unit", kUnits[static_cast<std::size_t>(length.unit)]);
-  json.close();
+void add_length(ReportWriter& out, std::string_view key, const Length& length,
+                std::string_view words) {
+  const std::string units[] = {"world", "box", "voxel"};
+  out.open(key, words);
+  out.add("value", length.value, "in the unit; null: none is asked for", Rule::nullable);
+  out.add_choice("unit", static_cast<std::size_t>(length.unit), units,
+                 "of the world, shares of the box's smallest side, or voxels: sides of a cube with "
+                 "a voxel's volume");
+  out.close();
 }
 
-void add_options(JsonWriter& json, const CommandLine& line) {
+void add_options(ReportWriter& out, const CommandLine& line) {
+  const std::string ways[] = {"certified", "paper"}, solvers[] = {"schwarze", "isolation"};
   const Options& options = line.options;
-  json.open("options");
-  json.add("recover", options.recover == RecoverWay::paper ? "paper" : "certified");
-  add_length(json, "fingers", options.fingers);
-  json.add("eps", options.epsilon);
+  out.open("options", "by what the mesh was asked for");
+  out.add_choice("recover", static_cast<std::size_t>(options.recover), ways,
+                 "how Stage 1 decides that the topology is complete");
+  add_length(out, "fingers", options.fingers,
+             "how far the surface may be from the mesh of Stage 1");
+  out.add("eps", options.epsilon, "h/r in Stage 1, the paper's way; null: not asked for",
+          Rule::nullable);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     std::string key(kCriterionTable[n].name);
     std::ranges::replace(key, '-', '_');
+    const Length& limit = options.limits.values[n];
+    const std::string words = text("the limit of ", kCriterionWords[n].measured, " in Stage 2");
     if (kCriterionTable[n].is_length) {
-      add_length(json, key, options.limits.values[n]);
+      add_length(out, key, limit, words);
     } else {
-      json.add(key, options.limits.values[n].value);
+      const bool is_always = static_cast<Criterion>(n) == Criterion::r_over_l;
+      out.add(key, limit.value, words, is_always ? Rule::none : Rule::nullable);
     }
   }
-  add_length(json, "rmin", options.r_min);
-  if (options.target_vertices != Options::kNoTarget) {
-    json.add("vertices", options.target_vertices);
+  add_length(out, "rmin", options.r_min,
+             "triangles of a smaller circumradius are not refined for distance");
+  if (out.if_any(options.target_vertices != Options::kNoTarget)) {
+    out.add("vertices", options.target_vertices, "with --vertices: how many are wanted");
   }
-  if (options.target_triangles != Options::kNoTarget) {
-    json.add("triangles", options.target_triangles);
+  if (out.if_any(options.target_triangles != Options::kNoTarget)) {
+    out.add("triangles", options.target_triangles,
+            "with --triangles: how many are wanted, caps left out");
   }
-  json.add("seed", options.seed);
-  json.add("samples", options.samples);
-  json.add("min_component", options.components.min_voxels);
-  json.add("largest", options.components.largest);
-  json.add("solver", options.cubic == CubicMethod::schwarze ? "schwarze" : "isolation");
-  json.add("threads", options.threads);
-  json.add("single_stage", options.single_stage);
-  json.add("stop_after_recover", options.stop_after_recover);
-  json.add("cap", options.cap);
-  json.close();
+  out.add("seed", options.seed, "of what is random");
+  out.add("samples", options.samples, "random points to begin with");
+  out.add("min_component", options.components.min_voxels,
+          "smaller components are left out; voxels");
+  out.add("largest", options.components.largest, "only this many components, the largest; 0: all");
+  out.add_choice("solver", static_cast<std::size_t>(options.cubic), solvers, "of cubics");
+  out.add("threads", options.threads, "as given, or as many as the machine has");
+  out.add("single_stage", options.single_stage, "all refinement in three dimensions");
+  out.add("stop_after_recover", options.stop_after_recover, "Stage 1 alone");
+  out.add("cap", options.cap, "closed on the box");
+  out.close();
 }
 
-void add_quality(JsonWriter& json, const MeshQuality& quality) {
-  json.open("quality");
-  json.add("min_angle_degrees", quality.min_angle);
-  json.add("max_angle_degrees", quality.max_angle);
-  json.open("triangles_by_min_angle_degrees");
+void add_seconds(ReportWriter& out, const MeshRun& run) {
+  const Report& report = run.report;
+  out.open("seconds", "where the time went");
+  out.add_seconds("read", run.input.seconds, "reading, and looking at every sample once");
+  out.add_seconds("filter", run.input.field.seconds, "--median, --smooth and --label");
+  out.add_seconds("tree", report.seconds_tree, "the min/max tree");
+  out.add_seconds("contour", report.seconds_contour, "the exact contour and its boundary curves");
+  out.add_seconds("init", report.seconds_init, "the paper's way: the first points");
+  out.add_seconds("labels", report.seconds_labels,
+                  "certified: the first sites, and whose the contour's vertices are");
+  out.add_seconds("recover", report.seconds_recover, "the rest of Stage 1");
+  out.add_seconds("poles", report.seconds_poles, "pole heights");
+  out.add_seconds("refine", report.seconds_refine, "Stage 2");
+  out.add_seconds("meshing", report.seconds_total, "all that makes the mesh");
+  out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards, --check included");
+  out.add_seconds("cap", report.seconds_cap, "closing on the box");
+  out.add_seconds("write", run.seconds_write, "writing the mesh");
+  out.add_seconds("total", run.seconds_total, "the run");
+  out.close();
+}
+
+void add_quality(ReportWriter& out, const MeshQuality& quality) {
+  out.open("quality", "the shape of the surface's triangles, caps left out");
+  out.add("min_angle_degrees", quality.min_angle, "the smallest angle");
+  out.add("max_angle_degrees", quality.max_angle, "the largest");
+  out.open("triangles_by_min_angle_degrees", "how many have their smallest angle in which range");
   for (std::size_t bin = 0; bin < MeshQuality::kAngleBins; ++bin) {
-    json.add(std::to_string(5 * bin) + "-" + std::to_string(5 * bin + 5),
-             quality.angle_histogram[bin]);
+    out.add(text(5 * bin, "-", 5 * bin + 5), quality.angle_histogram[bin],
+            text(5 * bin, " to ", 5 * bin + 5, " degrees"));
   }
-  json.close();
-  json.add("max_r_over_l", quality.max_r_over_l);
-  json.open("r_over_l_quantiles");
+  out.close();
+  out.add("max_r_over_l", quality.max_r_over_l,
+          "the largest r/l; null where a triangle has no area", Rule::nullable);
+  out.open("r_over_l_quantiles", "r/l that a share of the triangles keeps to");
   for (std::size_t n = 0; n < MeshQuality::kQuantiles.size(); ++n) {
-    json.add(number_text(MeshQuality::kQuantiles[n]), quality.r_over_l_quantiles[n]);
+    out.add(number_text(MeshQuality::kQuantiles[n]), quality.r_over_l_quantiles[n], "this share",
+            Rule::nullable);
   }
-  json.close();
-  json.add("max_r_over_l_above_r_min", quality.max_r_over_l_above_r_min);
-  json.add("over_lambda", quality.over_lambda);
-  json.add("over_lambda_above_r_min", quality.over_lambda_above_r_min);
-  json.add("degenerate_triangles", quality.degenerate_faces);
-  json.add("max_radius", quality.max_radius);
-  json.add("area", quality.area);
-  json.add("min_edge", quality.min_edge);
-  json.add("mean_edge", quality.mean_edge);
-  json.add("max_edge", quality.max_edge);
-  json.close();
+  out.close();
+  out.add("max_r_over_l_above_r_min", quality.max_r_over_l_above_r_min,
+          "the largest r/l of triangles with r above r_min", Rule::nullable);
+  out.add("over_lambda", quality.over_lambda, "triangles with r/l over lambda");
+  out.add("over_lambda_above_r_min", quality.over_lambda_above_r_min, "those with r above r_min");
+  out.add("degenerate_triangles", quality.degenerate_faces, "without area");
+  out.add("max_radius", quality.max_radius, "the largest r; scaled frame", Rule::nullable);
+  out.add("area", quality.area, "of all triangles; scaled frame");
+  out.add("min_edge", quality.min_edge, "the shortest edge; scaled frame", Rule::nullable);
+  out.add("mean_edge", quality.mean_edge, "the mean one; scaled frame", Rule::nullable);
+  out.add("max_edge", quality.max_edge, "the longest one; scaled frame", Rule::nullable);
+  out.close();
+}
+
+void add_operations(ReportWriter& out, const Report& report) {
+  out.open("operations", "what Stage 2 tried");
+  for (std::size_t r = 0; r < kOperations; ++r) {
+    const OperationCounts& counts = report.operations[r];
+    out.open(name_of(static_cast<Operation>(r)),
+             "how often it was done, and refused for which reasons");
+    out.add("done", counts.done, "tries that changed the mesh");
+    for (std::size_t n = 0; n < kRefusals; ++n) {
+      out.add(name_of(static_cast<Refusal>(n)), counts.refused[n], "refused");
+    }
+    out.close();
+  }
+  out.close();
+}
+
+void add_mesh(ReportWriter& out, const MeshRun& run) {
+  const Report& report = run.report;
+  out.open("mesh", "the mesh, and the exact surface beside it");
+  out.add("output", run.line.output, "its file; empty: none was written");
+  out.add("vertices", run.vertices, "caps included");
+  out.add("triangles", run.triangles, "caps included");
+  if (out.if_any(by_count(run.line.options))) {
+    out.add_choice("count_stop", static_cast<std::size_t>(count_stop(run)),
+                   names_up_to(CountStop::refinement),
+                   "with --vertices or --triangles: what stopped the number, caps left out; none: "
+                   "at most as many, and at most 2 % or one fewer");
+  }
+  if (out.if_any(report[Counter::cap_lifts_off_surface] > 0)) {
+    out.add(
+        "max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel(),
+        "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
+  }
+  out.add("fault", run.fault, "the first rule of a mesh that it breaks; empty: none");
+  add_topology(out, "topology", run.mesh, "of the mesh, without caps");
+  add_topology(out, "exact_topology", report.exact, "of the surface");
+  out.add("topology_exact", run.mesh == report.exact, "the two are equal");
+  add_quality(out, run.quality);
+  if (out.if_any(run.line.options.cap)) {
+    add_solid(out, run.vertices - report.cap.surface_vertices,
+              run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
+  }
+  if (out.if_any(run.line.options.cap)) {
+    out.add("cap_failure", report.cap.failure,
+            "with --cap: why the mesh stayed open; empty: it is closed");
+  }
+  if (out.if_any(run.line.options.cap)) {
+    out.add("cap_crossings", run.has_solid() ? run.written.crossings : 0,
+            "with --cap: pairs of crossing triangles, caps and surface, of the mesh as it is in "
+            "the file, when it is closed");
+  }
+  if (out.if_any(run.input.field.label && run.has_volume())) {
+    out.add("volume", run.volume,
+            "with --label: enclosed by the mesh, if it is closed; world units, cubed");
+  }
+  const PlaceFaults by_rounding = run.by_rounding();
+  out.add("crossings_by_rounding", by_rounding.crossings,
+          "pairs of triangles that cross since coordinates are written in single precision");
+  out.add("flat_by_rounding", by_rounding.flat, "triangles that have no area for this reason");
+  out.add("coincident_by_rounding", by_rounding.coincident,
+          "vertices that are where another one is for this reason");
+  out.add("mended_vertices", run.mended,
+          "vertices that are not at the nearest float, so that rounding makes fewer faults");
+  out.close();
+}
+
+void add_run(ReportWriter& out, const MeshRun& run) {
+  const Report& report = run.report;
+  add_input(out, run.input);
+  out.add("isovalue", run.input.isovalue.value_or(0), "as given");
+  out.add("isovalue_effective", report.kappa_effective,
+          "as used: a hair lower where samples or saddles equal it");
+  out.add("r_min", report.r_min, "the option resolved; scaled frame");
+  add_options(out, run.line);
+  add_seconds(out, run);
+  out.open("points", "how many points there were when");
+  out.add("initial", report.points_initial, "to begin with");
+  out.add("recovered", report.points_recovered, "when Stage 1 ended");
+  out.add("insertions_recover", report.insertions_recover(), "in Stage 1");
+  out.add("insertions_refine", report.insertions_refine, "in Stage 2");
+  out.close();
+  add_searches(out, "searches_recover", report.searches_recover, "of Stage 1");
+  add_searches(out, "searches_refine", report.searches_refine, "of Stage 2");
+  out.add("max_distance", report.max_distance,
+          "D when Stage 2 ended: as asked for, or as far as --vertices allows, null: none; scaled "
+          "frame",
+          Rule::nullable);
+  out.add("largest_h", report.largest_h,
+          "of triangles above r_min when Stage 2 ended; scaled frame");
+  add_operations(out, report);
+  out.open("counters", "what was refused or left unresolved; all 0 in a clean run");
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    out.add(name_of(static_cast<Counter>(n)), report.counters[n], "docs/guide/report.md");
+  }
+  out.close();
+  add_mesh(out, run);
+  if (out.if_any(run.verification.has_value())) {
+    add_verification(out, run.verification.value_or(Verification()), run.input.volume());
+  }
+  out.add("peak_memory_bytes", run.peak_bytes,
+          "the most that the process has held in RAM; in a host of the library, with all that is "
+          "the host's");
 }
 
 }  // namespace
 
 std::string report_json(const MeshRun& run) {
-  const Report& report = run.report;
-  JsonWriter json("mesh");
-  add_input(json, run.input);
-  json.add("isovalue", *run.input.isovalue);
-  json.add("isovalue_effective", report.kappa_effective);
-  json.add("r_min", report.r_min);
-  add_options(json, run.line);
+  ReportWriter out("mesh");
+  add_run(out, run);
+  return out.finish();
+}
 
-  json.open("seconds");
-  json.add("read", run.input.seconds);
-  json.add("filter", run.input.field.seconds);
-  json.add("tree", report.seconds_tree);
-  json.add("contour", report.seconds_contour);
-  json.add("init", report.seconds_init);
-  json.add("labels", report.seconds_labels);
-  json.add("recover", report.seconds_recover);
-  json.add("poles", report.seconds_poles);
-  json.add("refine", report.seconds_refine);
-  json.add("meshing", report.seconds_total);
-  json.add("check", run.seconds_check);
-  json.add("cap", report.seconds_cap);
-  json.add("write", run.seconds_write);
-  json.add("total", run.seconds_total);
-  json.close();
-  json.open("points");
-  json.add("initial", report.points_initial);
-  json.add("recovered", report.points_recovered);
-  json.add("insertions_recover", report.insertions_recover());
-  json.add("insertions_refine", report.insertions_refine);
-  json.close();
-  add_searches(json, "searches_recover", report.searches_recover);
-  add_searches(json, "searches_refine", report.searches_refine);
-  json.add("max_distance", report.max_distance);
-  json.add("largest_h", report.largest_h);
-  json.open("operations");
-  for (std::size_t r = 0; r < kOperations; ++r) {
-    const OperationCounts& counts = report.operations[r];
-    json.open(name_of(static_cast<Operation>(r)));
-    json.add("done", counts.done);
-    for (std::size_t n = 0; n < kRefusals; ++n) {
-      json.add(name_of(static_cast<Refusal>(n)), counts.refused[n]);
-    }
-    json.close();
-  }
-  json.close();
-  json.open("counters");
-  for (std::size_t n = 0; n < kCounterCount; ++n) {
-    json.add(name_of(static_cast<Counter>(n)), report.counters[n]);
-  }
-  json.close();
-
-  json.open("mesh");
-  json.add("output", run.line.output);
-  json.add("vertices", run.vertices);
-  json.add("triangles", run.triangles);
-  if (by_count(run.line.options)) json.add("count_stop", name_of(count_stop(run)));
-  if (report[Counter::cap_lifts_off_surface] > 0) {
-    json.add("max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel());
-  }
-  json.add("fault", run.fault);
-  add_topology(json, "topology", run.mesh);
-  add_topology(json, "exact_topology", run.report.exact);
-  json.add("topology_exact", run.mesh == run.report.exact);
-  add_quality(json, run.quality);
-  if (run.line.options.cap) {
-    add_solid(json, run.vertices - report.cap.surface_vertices,
-              run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
-    json.add("cap_failure", report.cap.failure);
-    json.add("cap_crossings", run.has_solid() ? run.written.crossings : 0);
-  }
-  if (run.input.field.label && run.has_volume()) json.add("volume", run.volume);
-  const PlaceFaults by_rounding = run.by_rounding();
-  json.add("crossings_by_rounding", by_rounding.crossings);
-  json.add("flat_by_rounding", by_rounding.flat);
-  json.add("coincident_by_rounding", by_rounding.coincident);
-  json.add("mended_vertices", run.mended);
-  json.close();
-  if (run.verification) add_verification(json, *run.verification, run.input.volume());
-  json.add("peak_memory_bytes", run.peak_bytes);
-  return json.finish();
+std::string report_schema() {
+  const CommandLine line;
+  const Input input{
+      "", {Volume::without_samples({2, 2, 2}, {1, 1, 1}, SampleType::u8, {})}, {}, {}};
+  ReportWriter out;
+  out.describe_report("mesh", [&] { add_run(out, MeshRun(line, input)); });
+  out.describe_report("check", [&] { add_check(out, "", false, input, {}); });
+  out.describe_report("info", [&] { add_info(out, {input, {}, {}, {}, {}, 0, {}, 0, {}, 0}); });
+  return out.finish();
 }
 
 }  // namespace deliso

@@ -160,6 +160,17 @@ std::string verdict_text(const MeshRun& run) {
 
 }  // namespace
 
+std::string place_faults_text(const PlaceFaults& faults) {
+  std::string text;
+  const auto add = [&](std::size_t n, const char* one, const char* many, const char* what) {
+    if (n > 0) text.append(text.empty() ? "" : ", ").append(counted(n, one, many)).append(what);
+  };
+  add(faults.crossings, "pair", "pairs", " of triangles cross");
+  add(faults.flat, "triangle", "triangles", " flat");
+  add(faults.coincident, "vertex", "vertices", " coincide with others");
+  return text;
+}
+
 std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
   std::string text = input_text(run.input);

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/bring_home.h"
 #include "app/check_report.h"
 #include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "base/check.h"
+#include "check/bring_home.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "io/mesh/read_mesh.h"
@@ -29,13 +29,9 @@ CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comme
   run.verification =
       verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
 
-  JsonWriter json("check");
-  json.add("mesh", line.meshes.front());
-  json.add("criteria_of_file", run.by_comments);
-  add_input(json, input);
-  json.add("isovalue", *input.isovalue);
-  add_verification(json, run.verification, volume);
-  run.json = json.finish();
+  ReportWriter out("check");
+  add_check(out, line.meshes.front(), run.by_comments, input, run.verification);
+  run.json = out.finish();
   return run;
 }
 

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "app/facet_colors.h"
-#include "app/facet_values.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/text.h"
 #include "base/box3.h"
 #include "base/check.h"
+#include "check/facet_values.h"
 #include "io/mesh/read_mesh.h"
 #include "view/render/font.h"
 #include "view/render/render.h"
@@ -30,12 +30,7 @@ Box3 box_of(std::span<const TriMesh> meshes) {
   Box3 box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
   for (const TriMesh& mesh : meshes) {
     for (const Face& face : mesh.faces) {
-      for (const VertexId v : face.v) {
-        for (int axis = 0; axis < 3; ++axis) {
-          box.lo[axis] = std::min(box.lo[axis], mesh.points[v][axis]);
-          box.hi[axis] = std::max(box.hi[axis], mesh.points[v][axis]);
-        }
-      }
+      for (const VertexId v : face.v) box = united(box, {mesh.points[v], mesh.points[v]});
     }
   }
   return box;

@@ -32,17 +32,17 @@ std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, doub
   return line;
 }
 
-void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
-               const MeshQuality& caps) {
-  json.open("solid");
-  json.add("volume", volume);
-  json.add("cap_vertices", cap_vertices);
-  json.add("cap_triangles", cap_triangles);
-  json.add("cap_area", caps.area);
-  json.add("cap_min_angle_degrees", caps.min_angle);
-  json.add("cap_max_r_over_l", caps.max_r_over_l);
-  json.add("cap_over_lambda", caps.over_lambda);
-  json.close();
+void add_solid(ReportWriter& out, std::size_t cap_vertices, std::size_t cap_triangles,
+               double volume, const MeshQuality& caps) {
+  out.open("solid", "with --cap: the surface closed on the box");
+  out.add("volume", volume, "enclosed; world units, cubed");
+  out.add("cap_vertices", cap_vertices, "of no triangle of the surface");
+  out.add("cap_triangles", cap_triangles, "on the box");
+  out.add("cap_area", caps.area, "of the caps; scaled frame");
+  out.add("cap_min_angle_degrees", caps.min_angle, "the smallest angle of a cap's triangle");
+  out.add("cap_max_r_over_l", caps.max_r_over_l, "their largest r/l", Rule::nullable);
+  out.add("cap_over_lambda", caps.over_lambda, "those with r/l over lambda");
+  out.close();
 }
 
 }  // namespace deliso

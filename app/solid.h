@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "mesh/quality.h"
 #include "volume/volume.h"
 
@@ -22,7 +22,7 @@ std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, doub
 std::string volume_text(double volume);
 
 // Adds an object "solid".
-void add_solid(JsonWriter& json, std::size_t cap_vertices, std::size_t cap_triangles, double volume,
-               const MeshQuality& caps);
+void add_solid(ReportWriter& out, std::size_t cap_vertices, std::size_t cap_triangles,
+               double volume, const MeshQuality& caps);
 
 }  // namespace deliso

@@ -11,12 +11,13 @@ std::string topology_text(const TopologyCounts& topology) {
          counted(topology.boundary_loops, "boundary loop", "boundary loops");
 }
 
-void add_topology(JsonWriter& json, std::string_view key, const TopologyCounts& topology) {
-  json.open(key);
-  json.add("components", topology.components);
-  json.add("euler", topology.euler);
-  json.add("boundary_loops", topology.boundary_loops);
-  json.close();
+void add_topology(ReportWriter& out, std::string_view key, const TopologyCounts& topology,
+                  std::string_view words) {
+  out.open(key, words);
+  out.add("components", topology.components, "connected ones");
+  out.add("euler", topology.euler, "V - E + F of all components together");
+  out.add("boundary_loops", topology.boundary_loops, "closed curves in which it ends");
+  out.close();
 }
 
 }  // namespace deliso

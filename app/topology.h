@@ -5,12 +5,13 @@
 #include <string>
 #include <string_view>
 
-#include "app/json.h"
+#include "app/report_writer.h"
 #include "base/topology_counts.h"
 
 namespace deliso {
 
 std::string topology_text(const TopologyCounts& topology);
-void add_topology(JsonWriter& json, std::string_view key, const TopologyCounts& topology);
+void add_topology(ReportWriter& out, std::string_view key, const TopologyCounts& topology,
+                  std::string_view words);
 
 }  // namespace deliso

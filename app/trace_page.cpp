@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/criterion_words.h"
-#include "app/json.h"
 #include "base/text.h"
+#include "io/files/json.h"
 #include "view/trace/trace.h"
 #include "view/trace/trace_names.h"
 

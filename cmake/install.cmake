@@ -9,10 +9,10 @@ install(CODE "
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  # The program writes its manual page, and the completions of two shells.
+  # The program writes its manual page, the completions of two shells, and the schema of its JSON.
   if(NOT CMAKE_CROSSCOMPILING)
     foreach(text "man:deliso.1:man/man1" "bash:deliso:bash-completion/completions"
-                 "zsh:_deliso:zsh/site-functions")
+                 "zsh:_deliso:zsh/site-functions" "schema:report.schema.json:deliso")
       string(REPLACE ":" ";" text ${text})
       list(GET text 0 topic)
       list(GET text 1 name)

@@ -20,7 +20,6 @@ namespace deliso {
 namespace {
 
 constexpr std::size_t kSlicesOfCount = 8;
-constexpr double kLargestLabel = 0x1p53;  // beyond it doubles skip whole numbers
 constexpr std::size_t kLabelsNamed = 12;  // in a message
 
 using Found = std::map<std::int64_t, LabelSamples>;

@@ -13,6 +13,8 @@
 
 namespace deliso {
 
+inline constexpr double kLargestLabel = 0x1p53;  // beyond it doubles skip whole numbers
+
 // The samples of a box, the first and the last included.
 struct SampleExtent {
   Index3 first, last;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A reader of JSON (RFC 8259), and a validator for the keywords of JSON Schema 2020-12 in
-// docs/report.schema.json. These are type, properties, required, additionalProperties, items, enum,
-// const, minimum, oneOf and $ref into $defs. Any other keyword in a schema is a fault.
+// A reader of JSON (RFC 8259), and a validator for the keywords of JSON Schema 2020-12 that reports
+// use: type, properties, required, additionalProperties, items, enum, const, minimum and oneOf. Any
+// other keyword in a schema is a fault.
 #pragma once
 
 #include <algorithm>
@@ -130,20 +130,8 @@ class Validator {
   explicit Validator(const Value& root) : root_(root) {}
 
   std::string fault(const Value& value) const { return fault(value, root_, "$"); }
-  // By one of the schema's definitions.
-  std::string fault(const Value& value, const std::string& definition) const {
-    return fault(value, resolve("#/$defs/" + definition), "$");
-  }
 
  private:
-  const Value& resolve(const std::string& reference) const {
-    constexpr std::string_view kPrefix = "#/$defs/";
-    if (!reference.starts_with(kPrefix)) throw std::runtime_error("reference " + reference);
-    const Value* definition = root_.find("$defs")->find(reference.substr(kPrefix.size()));
-    if (definition == nullptr) throw std::runtime_error("no definition " + reference);
-    return *definition;
-  }
-
   static bool has_type(const Value& value, const std::string& type) {
     constexpr std::array<std::string_view, 6> kNames{"null",   "boolean", "number",
                                                      "string", "array",   "object"};
@@ -165,9 +153,8 @@ class Validator {
 
   std::string fault_by(const Value& value, const Value& schema, const std::string& keyword,
                        const Value& rule, const std::string& at) const {
-    constexpr std::array<std::string_view, 4> kNotes{"$schema", "$defs", "title", "description"};
+    constexpr std::array<std::string_view, 3> kNotes{"$schema", "title", "description"};
     if (std::ranges::find(kNotes, keyword) != kNotes.end()) return {};
-    if (keyword == "$ref") return fault(value, resolve(rule.string), at);
     if (keyword == "oneOf") {
       std::string all;
       int fitting = 0;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "app/facet_values.h"
 #include "base/triangle.h"
+#include "check/facet_values.h"
 #include "deliso/deliso.h"
 
 using namespace deliso;

@@ -7,7 +7,8 @@ rm -rf "$2"
 cmake --install "$1" --prefix "$2" >/dev/null
 loose=$(grep -rhE '^ *# *include "' "$2/include" | grep -v '"deliso/' || :)
 [ -z "$loose" ] || { echo "includes that are not under deliso/: $loose"; exit 1; }
-for file in man/man1/deliso.1 bash-completion/completions/deliso zsh/site-functions/_deliso; do
+for file in man/man1/deliso.1 bash-completion/completions/deliso zsh/site-functions/_deliso \
+  deliso/report.schema.json; do
   [ -s "$2/share/$file" ] || { echo "no $file"; exit 1; }
 done
 [ "$(ls "$2/include")" = deliso ]

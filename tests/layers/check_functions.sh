@@ -17,10 +17,10 @@ view/render/color_bar.cpp: log10 pow
 view/render/occlusion.cpp: asin
 view/render/render.cpp: log
 view/render/scale_bar.cpp: log10 pow
-app/facet_values.cpp: atan2
-app/histogram.cpp: log1p
+src/check/facet_values.cpp: atan2
+io/filter/histogram.cpp: log1p
 app/info.cpp: log10 pow
-app/thresholds.cpp: log10 pow
+io/filter/thresholds.cpp: log10 pow
 "
 functions='a?(sin|cos|tan)h?|atan2|sincos|exp2?|expm1|exp10|log2?|log1[0p]|pow|cbrt|hypot|erfc?'
 functions="($functions|[tl]gamma|beta|expint|riemann_zeta|[a-z_]*(bessel_|neumann|ellint_)[a-z0-9_]*)[fl]?"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mixtures with known materials, and samples with and without padding.
-#include "app/thresholds.h"
+#include "io/filter/thresholds.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 #include <numbers>
 #include <vector>
 
-#include "app/histogram.h"
 #include "base/random.h"
+#include "io/filter/histogram.h"
 
 using namespace deliso;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An estimate of a mesh's number of vertices. It counts the grid edges that the surface crosses in
-// some slices of the volume. Each criterion needs a number of vertices per area.
+// An estimate of a mesh's number of vertices. It counts the grid edges that the surface crosses, at
+// some of the samples. Each criterion needs a number of vertices per area.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct SurfaceEstimate {
   double thin = 0;
 };
 
-// Returns the size of the surface from about 4 million samples, or 32 slices if these are more, or
-// all of a smaller volume. Within a few percent if neighboring slices are similar.
+// Returns the size of the surface from about 4 million samples, or all of a smaller volume. Within
+// a few percent.
 SurfaceEstimate estimate_surface(const Volume& volume, double kappa);
 
 // Returns the expected number of vertices. By the bound on the distance it is right within a factor

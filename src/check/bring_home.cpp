@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/bring_home.h"
+#include "check/bring_home.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/json.h"
+#include "io/files/json.h"
 
 #include <cmath>
 #include <utility>
 
-#include "app/text.h"
 #include "base/check.h"
-#include "base/version.h"
+#include "base/text.h"
 
 namespace deliso {
 namespace {
@@ -31,12 +30,6 @@ std::size_t utf8_length(std::string_view s) {
 
 JsonWriter::JsonWriter() {
   open_bracket('{');
-}
-
-JsonWriter::JsonWriter(std::string_view command) : JsonWriter() {
-  add("schema", kSchema);
-  add("command", command);
-  add("version", kVersion);
 }
 
 void JsonWriter::open(std::string_view key) {
@@ -132,7 +125,7 @@ void JsonWriter::begin_member(std::string_view key) {
 }
 
 void JsonWriter::append_number(double value) {
-  text_ += std::isfinite(value) ? number_text(value) : "null";
+  text_ += std::isfinite(value) ? text(value) : "null";
 }
 
 void JsonWriter::append_string(std::string_view s) {

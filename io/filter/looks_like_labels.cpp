@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/looks_like_labels.h"
+#include "io/filter/looks_like_labels.h"
 
 #include <algorithm>
 #include <array>
@@ -9,13 +9,14 @@
 #include <map>
 #include <type_traits>
 
+#include "io/filter/segmentation.h"
+
 namespace deliso {
 namespace {
 
 constexpr std::size_t kMostValues = 4096, kFewValues = 16;  // L1, L3
 constexpr double kFlatNeighbors = 0.5, kFlatValues = 0.5;   // L2
 constexpr double kMostSteps = 0.75;                         // L3
-constexpr double kLargestLabel = 0x1p53;                    // beyond it doubles skip whole numbers
 constexpr std::size_t kSamplesSeen = std::size_t{1} << 22;
 
 // The neighbors of one value's samples.

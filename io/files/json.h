@@ -13,14 +13,9 @@
 
 namespace deliso {
 
-// The version of the commands' JSON; docs/report.schema.json has the rules for a new one.
-inline constexpr int kSchema = 1;
-
 class JsonWriter {
  public:
   JsonWriter();
-  // Begins the JSON of a command with "schema", "command" and "version".
-  explicit JsonWriter(std::string_view command);
 
   void open(std::string_view key);       // begins an object within the current one
   void open_list(std::string_view key);  // begins a list of objects there

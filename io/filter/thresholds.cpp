@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/thresholds.h"
+#include "io/filter/thresholds.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
-#include "app/histogram.h"
+#include "io/filter/histogram.h"
 
 namespace deliso {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numbers behind --color-by, against triangles and fields where they are known.
-#include "app/facet_values.h"
+#include "check/facet_values.h"
 
 #include <doctest/doctest.h>
 

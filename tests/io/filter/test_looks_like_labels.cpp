@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Random segmentations against gray images. (The sizes of labels are the limits of the header.)
-#include "app/looks_like_labels.h"
+#include "io/filter/looks_like_labels.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/place_faults.h"
+#include "check/place_faults.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "app/text.h"
 #include "base/box3.h"
 #include "base/sorted_list.h"
 #include "base/to_float.h"
@@ -20,9 +19,9 @@ namespace {
 // Returns the float next to x that is on the other side of it than `rounded`; x itself if it is a
 // float.
 double other_float(double x, double rounded) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kEndless = std::numeric_limits<float>::infinity();
   if (x == rounded) return x;
-  return std::nextafter(static_cast<float>(rounded), rounded < x ? kInfinity : -kInfinity);
+  return std::nextafter(static_cast<float>(rounded), rounded < x ? kEndless : -kEndless);
 }
 
 // The triangles whose boxes meet those of a vertex's own, as a mesh of their own.
@@ -126,17 +125,6 @@ PlaceFaults find_place_faults(const std::vector<Vec3>& points, std::span<const T
   sort_unique(vertices);
   *where = std::move(vertices);
   return faults;
-}
-
-std::string place_faults_text(const PlaceFaults& faults) {
-  std::string text;
-  const auto add = [&](std::size_t n, const char* one, const char* many, const char* what) {
-    if (n > 0) text.append(text.empty() ? "" : ", ").append(counted(n, one, many)).append(what);
-  };
-  add(faults.crossings, "pair", "pairs", " of triangles cross");
-  add(faults.flat, "triangle", "triangles", " flat");
-  add(faults.coincident, "vertex", "vertices", " coincide with others");
-  return text;
 }
 
 std::vector<Vec3> round_without_faults(const std::vector<Vec3>& exact,

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "mesh/tri_mesh.h"
@@ -25,10 +24,6 @@ struct PlaceFaults {
 // Counts the faults. `where`, if given, receives the vertices that have a part in one, ascending.
 PlaceFaults find_place_faults(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                               int threads, std::vector<VertexId>* where = nullptr);
-
-// Returns what rounding made, "2 pairs of triangles cross, 1 triangle flat", of the kinds that
-// there are.
-std::string place_faults_text(const PlaceFaults& faults);
 
 // Returns the points rounded to floats. Vertices in faults of the nearest floats take others of the
 // eight floats around them if that leaves fewer faults. Four rounds over these vertices; none while

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The estimate against what meshing gives, and against areas that are known.
-#include "app/expected_vertices.h"
+#include "deliso/expected_vertices.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/facet_values.h"
+#include "check/facet_values.h"
 
 #include <algorithm>
 #include <cmath>

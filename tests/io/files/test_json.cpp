@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/json.h"
+#include "io/files/json.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/histogram.h"
+#include "io/filter/histogram.h"
 
 #include <algorithm>
 #include <cmath>
