@@ -378,7 +378,6 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   if (line.read.raw && !(given("--dims") && given("--type"))) {
     throw InputError("a raw file needs both --dims and --type");
   }
-  if (line.read.raw && line.read.spacing) line.read.raw->spacing = *line.read.spacing;
   check_labels(line);
   check_exclusions(line, given);
   check_combination(line);

@@ -35,12 +35,15 @@ enum class ColorBy : std::uint8_t { side, component, angle, distance, gradient }
 
 // The field that is made of the samples (app/field.h).
 struct FieldOptions {
+  std::optional<double> nan;         // the value of NaN samples
   int median = 0;                    // radius, in samples; 0: none
   std::optional<Length> smooth;      // sigma
   std::vector<std::int64_t> labels;  // the field is the indicator of these
-  bool all_labels = false;           // a mesh for each label of the volume
+  // Segments of the file, whose labels belong to these (app/input.h).
+  std::vector<std::string> segments;
+  bool all_labels = false;  // a mesh for each label of the volume
 
-  bool of_labels() const { return all_labels || !labels.empty(); }
+  bool of_labels() const { return all_labels || !labels.empty() || !segments.empty(); }
   bool any() const { return of_labels() || median > 0 || smooth; }
 };
 

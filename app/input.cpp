@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/input.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 
@@ -9,8 +11,11 @@
 #include "app/text.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
+#include "io/files/text_scan.h"
 #include "io/filter/histogram.h"
 #include "io/filter/looks_like_labels.h"
+#include "io/filter/nan_samples.h"
 #include "io/filter/thresholds.h"
 #include "io/volume/read_volume.h"
 
@@ -50,6 +55,31 @@ void print_warning(const std::string& warning, const CommandLine& line) {
   std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
 }
 
+void find_segments(CommandLine& line) {
+  if (line.field.segments.empty()) return;
+  const std::vector<NamedSegment> known = read_segments(line.input);
+  std::string names;
+  for (const NamedSegment& segment : known) {
+    names += text(names.empty() ? ", but " : ", ", quote(segment.name));
+  }
+  for (const std::string& name : std::exchange(line.field.segments, {})) {
+    const auto found = std::ranges::find(known, name, &NamedSegment::name);
+    if (found == known.end()) {
+      throw InputError(text(line.input, ": has no segment ", quote(name),
+                            names.empty() ? ": --label takes whole numbers, or all" : names));
+    }
+    if (line.read.channel.value_or(found->channel) != found->channel) {
+      throw InputError(text(line.input, ": segment ", quote(name), " is in channel ",
+                            found->channel, ", not in ", *line.read.channel));
+    }
+    line.read.channel = found->channel;
+    line.field.labels.push_back(found->label);
+  }
+  std::ranges::sort(line.field.labels);
+  const auto twice = std::ranges::unique(line.field.labels);
+  line.field.labels.erase(twice.begin(), twice.end());
+}
+
 Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
   ReadLog log;
@@ -57,6 +87,13 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   others.insert(others.end(), log.files.begin(), log.files.end());
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
+  if (line.field.nan) {
+    std::uint64_t count = 0;
+    volume = without_nan(volume, *line.field.nan, count);
+    log.notes.push_back(
+        counted(count, "sample is NaN, and taken as ", "samples are NaN, and taken as ") +
+        number_text(*line.field.nan));
+  }
   const ValueRange range = value_range(volume, line.input);
   std::vector<LabelSamples> labels;
   if (line.field.of_labels()) labels = find_labels(volume, line.input, line.options.threads);

@@ -25,6 +25,10 @@ struct Input {
   const Volume& volume() const { return field.volume; }
 };
 
+// Replaces the segments of --label by their labels, and chooses the channel that has them. Throws
+// InputError if the line's input does not name them, or not in one channel.
+void find_segments(CommandLine& line);
+
 // Reads the command's input. Throws InputError, also for the first NaN or infinite sample. Also
 // throws if an output of the run cannot be written, or is a file that is read: of the volume or of
 // `others`.

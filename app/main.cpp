@@ -12,6 +12,7 @@
 #endif
 
 #include "app/command_line.h"
+#include "app/input.h"
 #include "app/output.h"
 #include "app/run.h"
 #include "app/signals.h"
@@ -23,7 +24,8 @@ namespace {
 using namespace deliso;
 
 int run(std::span<const std::string_view> arguments) {
-  const CommandLine line = parse_command_line(arguments);
+  CommandLine line = parse_command_line(arguments);
+  find_segments(line);
   switch (line.command) {
     case Command::help:
       print(help_text(line.help_of));

@@ -61,6 +61,10 @@ int parse_radius(std::string_view option, std::string_view text) {
   return static_cast<int>(radius);
 }
 
+std::int64_t parse_place(std::string_view option, std::string_view text) {
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(parse_count(option, text, 1), 1 << 30));
+}
+
 void require(std::string_view option, std::string_view text, std::string_view only) {
   if (text == only) return;
   throw InputError(std::string(option) + " " + std::string(text) + " is not in this version: use " +
@@ -139,6 +143,20 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--series", 0, "N", kVolume,
      "which series of a folder of DICOM (default: the only one; several are listed)",
      [](Line& l, Text o, Text v) { l.read.series = parse_count(o, v, 1); }},
+    {"--channel", 0, "N", kVolume,
+     "which channel of a file that has several (NIfTI, NRRD, MetaImage, TIFF), counted from 1",
+     [](Line& l, Text o, Text v) { l.read.channel = parse_place(o, v); }},
+    {"--time", 0, "N", kVolume, "which time of a file that has several, counted from 1",
+     [](Line& l, Text o, Text v) { l.read.time = parse_place(o, v); }},
+    {"--spacing", 0, "SX,SY,SZ", kVolume,
+     "distance between samples along the file's axes (default: what the file says, or 1,1,1)",
+     [](Line& l, Text o, Text v) { l.read.spacing = parse_spacing(o, v); }},
+    {"--origin", 0, "X,Y,Z", kVolume,
+     "where the file's first sample lies (default: what the file says, or 0,0,0)",
+     [](Line& l, Text o, Text v) { l.read.origin = parse_point(o, v); }},
+    {"--nan", 0, "VALUE", kVolume,
+     "the value of NaN samples, before all else (default: they are refused)",
+     [](Line& l, Text o, Text v) { l.field.nan = parse_number(o, v); }},
     {"--median", 0, "R", kVolume,
      "the median of the (2R+1)^3 samples around each, R from 1 to 3, before all else",
      [](Line& l, Text o, Text v) { l.field.median = parse_radius(o, v); }},
@@ -146,11 +164,15 @@ constexpr OptionSpec kInputAndOutput[] = {
      "a Gaussian of the samples, after --median: sigma in world units, or in voxels as 0.7vox",
      [](Line& l, Text o, Text v) { l.field.smooth = parse_length(o, v, Length::Unit::world); }},
     {"--label", 0, "L[,L...]|all", kVolume,
-     "the surface around these labels of a segmentation, smoothed by --smooth (default 1vox), in "
-     "place of --iso; all, of mesh alone: a mesh for each label but 0, with %d in FILE's name",
+     "the surface around these labels of a segmentation, or segments that a .seg.nrrd names, "
+     "smoothed by --smooth (default 1vox), in place of --iso; all, of mesh alone: a mesh for each "
+     "label but 0, with %d in FILE's name",
      [](Line& l, Text o, Text v) {
        l.field.all_labels = v == "all";
-       if (!l.field.all_labels) l.field.labels = parse_label_list(o, v);
+       if (l.field.all_labels) return;
+       LabelList labels = parse_label_list(o, v);
+       l.field.labels = std::move(labels.numbers);
+       l.field.segments = std::move(labels.names);
      }},
 };
 
@@ -230,9 +252,6 @@ constexpr OptionSpec kRest[] = {
     {"--type", 0, "uint8|int8|uint16|int16|uint32|int32|float32|float64", kVolume,
      "type of its samples",
      [](Line& l, Text o, Text v) { raw_layout(l).type = in_option(o, v, parse_sample_type); }},
-    {"--spacing", 0, "SX,SY,SZ", kVolume,
-     "distance between samples, of a raw file, a NumPy array or a TIFF stack (default 1,1,1)",
-     [](Line& l, Text o, Text v) { l.read.spacing = parse_spacing(o, v); }},
     {"--endian", 0, "little|big", kVolume, "its byte order (default little)",
      [](Line& l, Text o, Text v) {
        raw_layout(l).byte_order = choose<bool>(o, v) ? std::endian::big : std::endian::little;

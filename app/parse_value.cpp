@@ -105,18 +105,24 @@ Length parse_length(std::string_view option, std::string_view text, Length::Unit
   return {*value, in_voxels ? Length::Unit::voxel : unit};
 }
 
-std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_view text) {
+LabelList parse_label_list(std::string_view option, std::string_view text) {
   constexpr std::int64_t kLargest = std::int64_t{1} << 53;
-  std::vector<std::int64_t> labels;
+  LabelList labels;
   for (const std::string_view word : split(text, ',')) {
+    if (word.find_first_not_of("+-. 0123456789") != word.npos) {
+      labels.names.emplace_back(word);
+      continue;
+    }
     const auto label = read_all<std::int64_t>(word);
     if (!label || *label < -kLargest || *label > kLargest) {
-      refuse(option, text, "whole numbers as in '1' or '1,4', or all");
+      refuse(option, text,
+             "whole numbers as in '1' or '1,4', names of the file's segments, or all");
     }
-    labels.push_back(*label);
+    labels.numbers.push_back(*label);
   }
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  std::vector<std::int64_t>& numbers = labels.numbers;
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return labels;
 }
 

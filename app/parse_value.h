@@ -21,8 +21,12 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
 // 0.5vox, or a plain number in `unit`.
 Length parse_length(std::string_view option, std::string_view text, Length::Unit unit);
 PartChoice parse_part(std::string_view option, std::string_view text);  // 3/64, from 1/64 on
-// Whole numbers of at most 2^53, each once, in order; 1,4.
-std::vector<std::int64_t> parse_label_list(std::string_view option, std::string_view text);
+// Whole numbers of at most 2^53, each once, in order, and names of segments; 1,4 or Liver.
+struct LabelList {
+  std::vector<std::int64_t> numbers;
+  std::vector<std::string> names;
+};
+LabelList parse_label_list(std::string_view option, std::string_view text);
 Vec3 parse_spacing(std::string_view option, std::string_view text);              // 1,1,2.5
 Vec3 parse_point(std::string_view option, std::string_view text);                // 1,-2,2.5
 View parse_view(std::string_view option, std::string_view text);                 // 30,25

@@ -12,6 +12,7 @@
 #include "deliso/options.h"
 #include "io/files/text_scan.h"
 #include "io/filter/gaussian.h"
+#include "io/filter/nan_samples.h"
 #include "mesh_parts.h"
 
 namespace deliso {
@@ -45,9 +46,16 @@ Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
 }
 
-FieldSource field_source(const VolumeSource& raw, const CommandLine& line,
+FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
                          const std::string& name) {
   const int threads = line.options.threads;
+  VolumeSource raw = stored;
+  if (line.field.nan) {
+    raw = {stored.shape, [stored, value = *line.field.nan](const SampleBox& box) {
+             std::uint64_t count = 0;
+             return without_nan(stored.read(box), value, count);
+           }};
+  }
   if (line.field.of_labels()) {
     const Volume all = all_of(raw);
     value_range(all, name);
@@ -109,6 +117,7 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
   try {
     CommandLine line = parse_command_line(words);
     if (line.field.all_labels) throw InputError("it is of all labels");
+    find_segments(line);
     return line;
   } catch (const InputError& error) {
     throw InputError(text(quote(part.name), " is no sound part: ", error.what()));

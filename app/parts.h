@@ -34,7 +34,8 @@ struct FieldSource {
 // Returns the field. Each box is filtered by itself, with the samples around it that the filters
 // reach, so its samples are those of the whole field. Of labels all of the volume is read now.
 // Reading throws InputError, with the volume's `name`, for a NaN or infinite sample.
-FieldSource field_source(const VolumeSource& raw, const CommandLine& line, const std::string& name);
+FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
+                         const std::string& name);
 
 // Meshes the part that the line asks for. Throws InputError.
 PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::string& name,

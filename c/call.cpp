@@ -51,10 +51,10 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const double spac
 }
 
 CommandLine parse(std::vector<std::string> words, const char* const* options) {
-  constexpr std::string_view kOfFiles[] = {"iso",     "output",  "format",    "json",      "quiet",
-                                           "verbose", "roi",     "part",      "type",      "array",
-                                           "dims",    "skip",    "spacing",   "endian",    "volume",
-                                           "help",    "version", "ply-ascii", "attributes"};
+  constexpr std::string_view kOfFiles[] = {
+      "iso",     "output",    "format",     "json",   "quiet",   "verbose", "roi",    "part",
+      "type",    "array",     "dims",       "skip",   "spacing", "endian",  "volume", "help",
+      "version", "ply-ascii", "attributes", "origin", "channel", "time"};
   for (; options && *options; ++options) {
     const std::string_view option = *options, name = option.substr(0, option.find('='));
     if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) {
@@ -62,7 +62,9 @@ CommandLine parse(std::vector<std::string> words, const char* const* options) {
     }
     words.push_back(text("--", option));
   }
-  return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  CommandLine line = parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  if (!line.field.segments.empty()) throw InputError("an array does not name its labels");
+  return line;
 }
 
 CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options) {

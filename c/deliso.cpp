@@ -17,6 +17,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "c/call.h"
+#include "io/filter/nan_samples.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/sample_grid.h"
 
@@ -28,8 +29,11 @@ namespace {
 Input input_of(const deliso_volume& volume, const CommandLine& line) {
   const Stopwatch watch;
   const int threads = line.options.threads;
-  Source source{volume.volume, value_range(volume.volume, kName), {}, {}, 0};
-  if (line.field.of_labels()) source.labels = find_labels(volume.volume, kName, threads);
+  std::uint64_t count = 0;
+  const Volume samples =
+      line.field.nan ? without_nan(volume.volume, *line.field.nan, count) : volume.volume;
+  Source source{samples, value_range(samples, kName), {}, {}, 0};
+  if (line.field.of_labels()) source.labels = find_labels(samples, kName, threads);
   source.seconds = watch.seconds();
   return deliso::input_of(source, line);
 }

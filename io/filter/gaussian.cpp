@@ -112,9 +112,7 @@ Volume filtered(const Volume& volume, const T* samples, const Vec3& sigma, int t
                  }
                });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  const Volume result(dims, volume.spacing(), sample_type_of<Out>(), bytes.data.data(), bytes.owner,
-                      volume.frame());
-  return volume.is_block() ? result.as_block(volume.first(), volume.whole_dims()) : result;
+  return volume.with_samples(sample_type_of<Out>(), bytes.data.data(), bytes.owner);
 }
 
 }  // namespace

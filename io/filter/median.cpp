@@ -177,9 +177,7 @@ Volume filtered(const Volume& volume, const T* samples, int radius, int threads)
     }
   });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  const Volume result(dims, volume.spacing(), volume.type(), bytes.data.data(), bytes.owner,
-                      volume.frame());
-  return volume.is_block() ? result.as_block(volume.first(), volume.whole_dims()) : result;
+  return volume.with_samples(volume.type(), bytes.data.data(), bytes.owner);
 }
 
 }  // namespace

@@ -51,8 +51,7 @@ Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
   grid.name = input;
   grid.dims.fill(size);
   grid.type = whole->type();
-  grid.roi = options.roi;
-  grid.region = options.region;
+  grid.read = options;
   const auto bytes_at = [](const auto* samples) {
     return reinterpret_cast<const std::byte*>(samples);
   };

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "base/text.h"
 #include "io/files/text_scan.h"
 
 namespace deliso {
@@ -19,27 +21,38 @@ constexpr const char* kPicture =
 constexpr const char* kPictures =
     "is a folder of pictures: make one raw file of the slices with 'convert SLICES -depth 8 "
     "gray:volume.raw', and give --dims and --type";
-constexpr const char* kZarr =
-    "is Zarr: write the array with Python's zarr.open(PATH)[:].tofile('volume.raw'), and give "
-    "--dims and --type";
-constexpr const char* kAnalyze = "is ANALYZE 7.5: convert it with 'mri_convert FILE volume.nii'";
+constexpr const char* kUnpack = "is compressed: unpack it with '";
+constexpr const char* kByNibabel =
+    R"(: convert it with python3 -c "import nibabel; nibabel.save(nibabel.load('FILE'), )"
+    "'volume.nii')\"";
+constexpr const char* kZarrArray =
+    R"(is Zarr: write the array with python3 -c "import numpy, zarr; numpy.save('volume.npy', )"
+    "zarr.open('FOLDER', mode='r')[:])\"";
+// OME-Zarr, for the most part.
+constexpr const char* kZarrGroup =
+    R"(is a group of Zarr arrays: write one, as here time 0 and channel 0 of OME-Zarr's largest, )"
+    R"(with python3 -c "import numpy, zarr; numpy.save('volume.npy', )"
+    "zarr.open('FOLDER', mode='r')['0'][0, 0])\"";
 
 struct Signature {
   std::size_t offset;
-  std::string_view bytes;
-  const char* message;
+  std::string_view bytes, message, rest = {};
 };
 constexpr Signature kSignatures[] = {
     {0, "\x89HDF\r\n\x1a\n"sv,
-     "is HDF5: make it raw with 'h5dump -d DATASET -b LE -o volume.raw FILE', and give --dims and "
-     "--type"},
+     R"(is HDF5: 'h5ls -r FILE' lists its arrays; write one with python3 -c "import h5py, numpy; )",
+     "numpy.save('volume.npy', h5py.File('FILE')['ARRAY'])\""},
     {208, "MAP "sv,
      "is MRC: read it as raw data, with --skip 1024 (and its extended header), --dims and --type"},
     {0, "\x89PNG\r\n\x1a\n"sv, kPicture},
     {0, "\xff\xd8\xff"sv, kPicture},
+    {0, "BZh"sv, kUnpack, "bunzip2 FILE'"},
+    {0, "\xfd\x37zXZ"sv, kUnpack, "unxz FILE'"},
+    {0, "\x28\xb5\x2f\xfd"sv, kUnpack, "unzstd FILE'"},
+    {0, "PK\3\4"sv, "is a zip archive, as NumPy's .npz is: unpack it with 'unzip FILE'"},
     // The size of the header, in either byte order; NIfTI has a magic number as well.
-    {0, "\x5c\x01\0\0"sv, kAnalyze},
-    {0, "\0\0\x01\x5c"sv, kAnalyze},
+    {0, "\x5c\x01\0\0"sv, "is ANALYZE 7.5", kByNibabel},
+    {0, "\0\0\x01\x5c"sv, "is ANALYZE 7.5", kByNibabel},
 };
 
 bool has_ending(std::string_view text, std::string_view end) {
@@ -47,13 +60,23 @@ bool has_ending(std::string_view text, std::string_view end) {
          starts_with_ignoring_case(text.substr(text.size() - end.size()), end);
 }
 
+// Refuses formats whose first bytes are those of others: MINC is HDF5, too.
+void refuse_name(const std::string& name) {
+  constexpr std::pair<std::string_view, const char*> kEndings[] = {
+      {".mgz", "MGH"}, {".mgh", "MGH"}, {".mnc", "MINC"}};
+  for (const auto& [ending, format] : kEndings) {
+    if (has_ending(name, ending)) fail(name, text("is ", format, kByNibabel));
+  }
+}
+
 }  // namespace
 
 void refuse_file(const Bytes& bytes) {
   if (bytes.size() == 0) fail(bytes.name, "is empty");
+  refuse_name(bytes.name);
   for (const Signature& known : kSignatures) {
     if (bytes.size() >= known.offset && bytes.text().substr(known.offset).starts_with(known.bytes))
-      fail(bytes.name, known.message);
+      fail(bytes.name, text(known.message, known.rest));
   }
   if (has_ending(bytes.name, ".raw") || has_ending(bytes.name, ".img"))
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
@@ -63,11 +86,35 @@ void refuse_file(const Bytes& bytes) {
        "dimensions and type)");
 }
 
+void refuse_gzip(const std::string& name) {
+  refuse_name(name);
+  fail(name, "is compressed, but holds no NIfTI header: unpack it with 'gunzip FILE'");
+}
+
+std::string conversion_by_vtk(std::string_view reader, std::string_view filter) {
+  const std::string f =
+      filter.empty() ? "r" : text("vtk.", filter, "; f.SetInputConnection(r.GetOutputPort())");
+  return text("convert it with python3 -c \"import vtk; r = vtk.", reader,
+              "(); r.SetFileName('FILE'); f = ", f,
+              "; w = vtk.vtkXMLImageDataWriter(); w.SetInputConnection(f.GetOutputPort()); "
+              "w.SetFileName('volume.vti'); w.Write()\"");
+}
+
+void refuse_cells(const std::string& name, std::string_view reader) {
+  fail(name, "has data of cells, not of points: " +
+                 conversion_by_vtk(reader, "vtkCellDataToPointData()"));
+}
+
 void refuse_zarr(const std::string& path) {
   std::error_code fault;
-  for (const char* name : {".zarray", ".zgroup", "zarr.json"}) {
-    if (std::filesystem::exists(path + "/" + name, fault)) fail(path, kZarr);
-  }
+  const auto has = [&](const char* name) {
+    return std::filesystem::exists(path + "/" + name, fault);
+  };
+  const bool is_new = has("zarr.json");
+  const bool is_group =
+      is_new && open_file(path + "/zarr.json").text().find("\"group\"") != std::string_view::npos;
+  if (has(".zgroup") || is_group) fail(path, kZarrGroup);
+  if (has(".zarray") || is_new) fail(path, kZarrArray);
 }
 
 void refuse_folder(const std::string& path) {

@@ -247,8 +247,7 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
   const SampleGrid upright = upright_grid(grid);
   if (upright.steps[2] == grid.steps[2]) return volume_of_slices(input, files, slices, grid);
   SampleGrid whole = upright;
-  whole.roi.reset();
-  whole.region = {};
+  whole.read = {};
   return resampled_upright(input, grid, volume_of_slices(input, files, slices, whole));
 }
 

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "io/volume/dicom_file.h"
 #include "io/volume/foreign_formats.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -59,6 +60,7 @@ Images images_of(const std::vector<std::string>& paths, bool (*is_dicom)(const B
 }  // namespace
 
 Volume read_folder(const VolumeInput& input) {
+  choose_volume(input.name(), input.options, {});
   namespace fs = std::filesystem;
   auto [dicom, tiff, others] =
       images_of(files_in<fs::directory_iterator>(input.name()), looks_like_dicom);
@@ -85,7 +87,7 @@ Volume read_folder(const VolumeInput& input) {
     refuse_series(input.name(), input.options);
     return read_tiff_slices(input, std::move(tiff));
   }
-  refuse_spacing(input.name(), input.options);
+  note_place(input);
   for (const DicomFile& file : dicom) input.log.files.push_back(file.name());
   return read_dicom_series(input, std::move(dicom));
 }

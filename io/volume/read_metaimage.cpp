@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // MetaImage (MetaIO): lines "Key = Value". The last one, ElementDataFile, has the place of the
 // data: LOCAL (after the line) or a file.
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -107,21 +109,22 @@ SampleGrid read_grid(const VolumeInput& input, const MetaHeader& header) {
   grid.byte_order = header.is_true({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false)
                         ? std::endian::big
                         : std::endian::little;
-  if (header.has("elementnumberofchannels") && header.integer("ElementNumberOfChannels") != 1)
-    header.fail_key("ElementNumberOfChannels", header.get("ElementNumberOfChannels"),
-                    "only scalar volumes can be meshed");
   const std::int64_t dimension = header.integer("NDims");
   const std::optional<std::vector<std::int64_t>> sizes = to_ints(header.get("DimSize"));
   if (!sizes || static_cast<std::int64_t>(sizes->size()) != dimension)
     header.fail_key("DimSize", header.get("DimSize"),
                     "not " + std::to_string(dimension) + " integers as NDims says");
-  bool three = sizes->size() >= 3;
-  for (std::size_t n = 3; n < sizes->size(); ++n) three &= (*sizes)[n] == 1;
-  if (!three)
+  bool is_known = sizes->size() >= 3;
+  for (std::size_t n = 4; n < sizes->size(); ++n) is_known &= (*sizes)[n] == 1;
+  if (!is_known)
     header.fail_key("DimSize", header.get("DimSize"),
-                    "only three-dimensional volumes can be meshed");
-  for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = (*sizes)[n];
-  data_size(grid);
+                    "only three-dimensional volumes, at one time or several, can be meshed");
+  const std::int64_t channels =
+      header.has("elementnumberofchannels") ? header.integer("ElementNumberOfChannels") : 1;
+  using Kind = DataAxis::Kind;
+  set_axes(grid, std::array{DataAxis{Kind::channel, channels}, DataAxis{Kind::x, (*sizes)[0]},
+                            DataAxis{Kind::y, (*sizes)[1]}, DataAxis{Kind::z, (*sizes)[2]},
+                            DataAxis{Kind::time, sizes->size() > 3 ? (*sizes)[3] : 1}});
   read_geometry(header, sizes->size(), grid);
   return grid;
 }

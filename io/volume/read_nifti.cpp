@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NIfTI-1 and NIfTI-2 (nifti1.h and nifti2.h of the NIfTI Data Format Working Group). The binary
 // header has 348 or 540 bytes, in either byte order, in the file of the data or beside it.
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -10,8 +11,10 @@
 #include "io/files/field_reader.h"
 #include "io/files/inflate.h"
 #include "io/files/text_scan.h"
+#include "io/volume/foreign_formats.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -32,7 +35,7 @@ struct NiftiHeader {
   double pixdim[8]{};
   double data_offset = 0;
   double slope = 0, intercept = 0;
-  int qform_code = 0, sform_code = 0;
+  int qform_code = 0, sform_code = 0, units = 0;
   double quatern[3]{}, qoffset[3]{};
   double srow[3][4]{};
 };
@@ -52,6 +55,7 @@ NiftiHeader parse_version_1(const FieldReader& fields, bool swapped) {
   read_reals<float>(fields, 108, &h.data_offset, 1);
   read_reals<float>(fields, 112, &h.slope, 1);
   read_reals<float>(fields, 116, &h.intercept, 1);
+  h.units = fields.get<std::uint8_t>(123);
   h.qform_code = fields.get<std::int16_t>(252);
   h.sform_code = fields.get<std::int16_t>(254);
   read_reals<float>(fields, 256, h.quatern, 3);
@@ -72,6 +76,7 @@ NiftiHeader parse_version_2(const FieldReader& fields, bool swapped) {
   read_reals<double>(fields, 184, &h.intercept, 1);
   h.qform_code = fields.get<std::int32_t>(344);
   h.sform_code = fields.get<std::int32_t>(348);
+  h.units = fields.get<std::int32_t>(500);
   read_reals<double>(fields, 352, h.quatern, 3);
   read_reals<double>(fields, 376, h.qoffset, 3);
   for (std::size_t row = 0; row < 3; ++row)
@@ -161,6 +166,18 @@ void read_geometry(const NiftiHeader& h, SampleGrid& grid) {
   grid.space = AnatomicalSpace::ras;
 }
 
+// Converts lengths in meters or micrometers: RAS+ is in millimeters, for viewers and for writers.
+void to_millimeters(const VolumeInput& input, const NiftiHeader& h, SampleGrid& grid) {
+  constexpr int kMeter = 1, kMicrometer = 3, kOfSpace = 7;
+  const int unit = h.units & kOfSpace;
+  if (unit != kMeter && unit != kMicrometer) return;
+  const auto convert = [&](Vec3& v) { v = unit == kMeter ? 1000 * v : v / 1000; };
+  convert(grid.origin);
+  for (Vec3& step : grid.steps) convert(step);
+  input.note(std::string("lengths are in millimeters, the header's in ") +
+             (unit == kMeter ? "meters" : "micrometers"));
+}
+
 SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   SampleGrid grid = grid_of(input);
   grid.type = sample_type(input, h.datatype);
@@ -168,14 +185,18 @@ SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   if (h.dim[0] < 3 || h.dim[0] > 7)
     fail(input.name(), "has " + std::to_string(h.dim[0]) +
                            " dimensions: only three-dimensional volumes can be meshed");
-  for (std::int64_t n = 4; n <= h.dim[0]; ++n) {
+  for (std::int64_t n = 6; n <= h.dim[0]; ++n) {
     if (h.dim[n] == 1) continue;
     fail(input.name(), "dimension " + std::to_string(n) + " has size " + std::to_string(h.dim[n]) +
-                           ": only one scalar volume without time steps can be meshed");
+                           ": only channels (5) and times (4) can be told apart");
   }
-  for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = h.dim[n + 1];
-  data_size(grid);
+  const auto size = [&](std::int64_t n) { return n <= h.dim[0] ? h.dim[n] : 1; };
+  using Kind = DataAxis::Kind;
+  set_axes(grid, std::array{DataAxis{Kind::x, h.dim[1]}, DataAxis{Kind::y, h.dim[2]},
+                            DataAxis{Kind::z, h.dim[3]}, DataAxis{Kind::time, size(4)},
+                            DataAxis{Kind::channel, size(5)}});
   read_geometry(h, grid);
+  to_millimeters(input, h, grid);
   return grid;
 }
 
@@ -217,7 +238,7 @@ Volume read_nifti(const VolumeInput& input) {
     head = start.span().first(inflated.size);
   }
   const std::optional<NiftiHeader> header = parse_header(head);
-  if (!header) fail(input.name(), "is compressed, but holds no NIfTI header");
+  if (!header) refuse_gzip(input.name());
   const SampleGrid grid = read_grid(input, *header);
 
   const Bytes data = header->in_one_file ? input.bytes : open_image_file(input);

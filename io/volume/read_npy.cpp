@@ -140,9 +140,11 @@ Volume read_npy(const VolumeInput& input) {
   SampleGrid grid = grid_of(input);
   grid.type = samples.type;
   grid.byte_order = samples.byte_order;
-  grid.set_spacing(input.options.spacing.value_or(Vec3{1, 1, 1}));
   for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = shape[is_fortran ? n : 2 - n];
-  if (is_fortran) std::swap(grid.steps[0], grid.steps[2]);
+  if (is_fortran) {  // a spacing of the options is along the world's axes
+    std::swap(grid.steps[0], grid.steps[2]);
+    if (grid.read.spacing) std::swap(grid.read.spacing->x, grid.read.spacing->z);
+  }
   const Bytes data = bytes.from(begin + length);
   if (samples.wide == 0) return volume_from_raw(grid, data);
   if (data.size() != data_size(grid)) return volume_from_raw(grid, data);  // refuses the size

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NRRD, by teem's "Definition of NRRD File Format". A magic line is first, then lines "field:
 // value", an empty line, and the data. The data may also be in another file.
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -16,8 +18,8 @@ namespace {
 
 class NrrdHeader {
  public:
-  explicit NrrdHeader(const VolumeInput& input) : input_(input) {
-    TextCursor text(input.bytes.text());
+  explicit NrrdHeader(const Bytes& bytes) : name_(bytes.name) {
+    TextCursor text(bytes.text());
     text.line();  // the magic
     while (!text.at_end()) {
       const std::string_view line = text.line();
@@ -25,8 +27,11 @@ class NrrdHeader {
       if (line[0] == '#') continue;
       const std::size_t colon = line.find(':');
       if (colon == std::string_view::npos)
-        fail(input.name(), "header line " + quote(line) + " is no 'field: value'");
-      if (line.substr(colon).starts_with(":=")) continue;  // a key of the user's
+        fail(name_, "header line " + quote(line) + " is no 'field: value'");
+      if (line.substr(colon).starts_with(":=")) {  // a key of the user's
+        keys_[std::string(line.substr(0, colon))] = line.substr(colon + 2);
+        continue;
+      }
       std::string field = lower(trimmed(line.substr(0, colon)));
       std::erase(field, ' ');
       fields_[field] = trimmed(line.substr(colon + 1));
@@ -40,11 +45,11 @@ class NrrdHeader {
   std::string_view get(const std::string& field, const char* fallback = nullptr) const {
     const auto found = fields_.find(field);
     if (found != fields_.end()) return found->second;
-    if (!fallback) fail(input_.name(), "the header has no field '" + field + "'");
+    if (!fallback) fail(name_, "the header has no field '" + field + "'");
     return fallback;
   }
   [[noreturn]] void fail_field(const std::string& field, const std::string& fault) const {
-    fail(input_.name(), "field '" + field + "' is " + quote(get(field, "")) + ": " + fault);
+    fail(name_, "field '" + field + "' is " + quote(get(field, "")) + ": " + fault);
   }
   std::int64_t integer(const std::string& field, const char* fallback = nullptr) const {
     const std::optional<std::int64_t> value = to_int(get(field, fallback));
@@ -58,11 +63,16 @@ class NrrdHeader {
       fail_field(field, "not " + std::to_string(axes) + " numbers");
     return *values;
   }
+  // Returns the value of a user's key; nullopt if it is missing.
+  std::optional<std::string_view> key(const std::string& name) const {
+    const auto found = keys_.find(name);
+    return found == keys_.end() ? std::nullopt : std::optional(trimmed(found->second));
+  }
   std::size_t data_offset() const { return data_offset_; }
 
  private:
-  const VolumeInput& input_;
-  std::map<std::string, std::string_view> fields_;
+  const std::string& name_;
+  std::map<std::string, std::string_view> fields_, keys_;
   std::size_t data_offset_ = 0;
 };
 
@@ -88,19 +98,63 @@ std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view t
   return vectors;
 }
 
-// Returns the three axes of the samples. Of more than three, axes of size 1 are dropped, the last
-// ones first.
-std::vector<std::size_t> spatial_axes(const VolumeInput& input, const NrrdHeader& header,
-                                      const std::vector<std::int64_t>& sizes) {
-  std::vector<std::size_t> axes;
-  for (std::size_t axis = 0; axis < sizes.size(); ++axis) axes.push_back(axis);
-  for (std::size_t n = axes.size(); n-- > 0 && axes.size() > 3;)
-    if (sizes[axes[n]] == 1) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(n));
-  if (axes.size() != 3) {
+constexpr std::size_t kMostNrrdAxes = 16;  // of teem
+
+// The axes of the data, and those of space among them.
+struct NrrdAxes {
+  std::vector<DataAxis> all;
+  std::vector<std::size_t> of_space;
+};
+
+// Tells which axes are of space. Of more than three these are left out: axes that the header calls
+// something else, then axes of size 1, then any; the last ones first. An axis that is left out
+// counts times if its kind is time, or if it has none and is not the first; else channels.
+NrrdAxes axes_of(const VolumeInput& input, const NrrdHeader& header,
+                 const std::vector<std::int64_t>& sizes) {
+  using Kind = DataAxis::Kind;
+  const std::vector<std::string_view> kinds = words_of(header.get("kinds", ""));
+  const auto vectors = parse_vectors(header.get("spacedirections", ""));
+  const auto kind_of = [&](std::size_t axis) {
+    const std::string kind = axis < kinds.size() ? lower(kinds[axis]) : "";
+    if (!kind.empty() && kind != "domain" && kind != "space" && kind[0] != '?' && kind != "none")
+      return kind;
+    const bool has_none = vectors && axis < vectors->size() && !(*vectors)[axis];
+    return std::string(has_none ? "none" : "");
+  };
+  NrrdAxes axes;
+  for (std::size_t axis = 0; axis < std::min(sizes.size(), kMostNrrdAxes); ++axis) {
+    axes.of_space.push_back(axis);
+    axes.all.push_back({Kind::x, sizes[axis]});
+  }
+  const auto drop = [&](auto is_dropped) {
+    for (std::size_t n = axes.of_space.size(); n-- > 0 && axes.of_space.size() > 3;) {
+      const std::size_t axis = axes.of_space[n];
+      if (!is_dropped(axis)) continue;
+      const std::string kind = kind_of(axis);
+      const bool has_kind = !kind.empty() && kind != "none";
+      const bool is_time = has_kind ? kind == "time" : axis > 0;
+      axes.all[axis].kind = is_time ? Kind::time : Kind::channel;
+      axes.of_space.erase(axes.of_space.begin() + static_cast<std::ptrdiff_t>(n));
+    }
+  };
+  drop([&](std::size_t axis) { return !kind_of(axis).empty(); });
+  drop([&](std::size_t axis) { return sizes[axis] == 1; });
+  drop([](std::size_t) { return true; });
+  const auto has_several = [&](Kind kind) {
+    return std::ranges::count_if(
+        axes.all, [&](const DataAxis& axis) { return axis.kind == kind && axis.size != 1; });
+  };
+  if (sizes.size() < 3 || sizes.size() > kMostNrrdAxes || has_several(Kind::time) > 1 ||
+      has_several(Kind::channel) > 1) {
     fail(input.name(), "sizes " + quote(header.get("sizes")) + " are " +
                            std::to_string(sizes.size()) +
                            "-dimensional: only three-dimensional scalar volumes can be meshed");
   }
+  for (const Kind kind : {Kind::x, Kind::y, Kind::z}) {
+    axes.all[axes.of_space[static_cast<std::size_t>(kind)]].kind = kind;
+  }
+  std::erase_if(axes.all,
+                [](const DataAxis& axis) { return axis.kind > Kind::z && axis.size == 1; });
   return axes;
 }
 
@@ -164,6 +218,29 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
   }
 }
 
+// Returns the segments of a segmentation as Slicer saves it. In files before its version 4.11 each
+// has a layer of its own, with the label 1.
+std::vector<NamedSegment> segments_of(const NrrdHeader& header) {
+  std::vector<NamedSegment> segments;
+  for (std::int64_t n = 0;; ++n) {
+    const std::string start = "Segment" + std::to_string(n) + "_";
+    const auto name = header.key(start + "Name");
+    if (!name) return segments;
+    const auto number = [&](const char* key, std::int64_t fallback) {
+      return to_int(header.key(start + key).value_or("")).value_or(fallback);
+    };
+    segments.push_back({std::string(*name), number("LabelValue", 1), number("Layer", n) + 1});
+  }
+}
+
+std::string list_of(const std::vector<NamedSegment>& segments) {
+  std::string list;
+  for (const NamedSegment& segment : segments) {
+    list += (list.empty() ? "" : ", ") + quote(segment.name);
+  }
+  return list;
+}
+
 SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   SampleGrid grid = grid_of(input);
   grid.type = supported_type(input, header.get("type"));
@@ -172,10 +249,11 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   if (!sizes) header.fail_field("sizes", "not a list of integers");
   if (static_cast<std::int64_t>(sizes->size()) != dimension)
     header.fail_field("sizes", "not " + std::to_string(dimension) + " numbers as 'dimension' says");
-  const std::vector<std::size_t> axes = spatial_axes(input, header, *sizes);
-  for (std::size_t n = 0; n < 3; ++n) grid.dims[n] = (*sizes)[axes[n]];
-  data_size(grid);
-  read_geometry(input, header, axes, sizes->size(), grid);
+  const NrrdAxes axes = axes_of(input, header, *sizes);
+  const std::string segments = list_of(segments_of(header));
+  set_axes(grid, axes.all, segments.empty() ? "" : "; --label NAME chooses one of " + segments);
+  if (!segments.empty()) input.note("names segments, which --label takes: " + segments);
+  read_geometry(input, header, axes.of_space, sizes->size(), grid);
   return grid;
 }
 
@@ -189,12 +267,16 @@ Bytes find_data(const VolumeInput& input, const NrrdHeader& header) {
 
 }  // namespace
 
+std::vector<NamedSegment> segments_of_nrrd(const Bytes& bytes) {
+  return segments_of(NrrdHeader(bytes));
+}
+
 bool looks_like_nrrd(const Bytes& bytes) {
   return bytes.text().starts_with("NRRD000");
 }
 
 Volume read_nrrd(const VolumeInput& input) {
-  const NrrdHeader header(input);
+  const NrrdHeader header(input.bytes);
   SampleGrid grid = read_grid(input, header);
   const std::string encoding = lower(header.get("encoding"));
   const bool raw = encoding == "raw";

@@ -12,7 +12,6 @@ Volume read_raw(const VolumeInput& input) {
     grid.dims[static_cast<std::size_t>(axis)] = layout.dims[axis];
   grid.type = layout.type;
   grid.byte_order = layout.byte_order;
-  grid.set_spacing(layout.spacing);
   if (layout.skip > input.bytes.size())
     fail(input.name(), "has " + std::to_string(input.bytes.size()) + " bytes, fewer than the " +
                            std::to_string(layout.skip) + " to skip");

@@ -4,13 +4,17 @@
 //
 // A page does not tell the distance to the next. ImageJ and OME-TIFF write it into the first page's
 // description; else samples are one apart, or as the option says. ImageJ also writes a stack of
-// over 4 GB as one page, with the others behind it.
+// over 4 GB as one page, with the others behind it. Both tell which pages are of which channel and
+// time.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -19,8 +23,10 @@
 
 #include "base/text.h"
 #include "io/files/text_scan.h"
+#include "io/files/vtk_xml.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/scaled_samples.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/tiff_file.h"
 #include "io/volume/volume_formats.h"
 
@@ -84,12 +90,19 @@ class Description {
     const std::size_t pixels = text.find("<Pixels ");
     if (pixels != std::string_view::npos) {
       is_ome_ = true;
-      text_ = text.substr(pixels, text.find('>', pixels) - pixels);
+      const std::size_t end = std::min(text.find('>', pixels), text.size());
+      text_ = text.substr(pixels, end - pixels);
+      inside_ = text.substr(end, text.find("</Pixels>", end) - end);
     }
   }
 
   bool is_imagej() const { return is_imagej_; }
   bool is_ome() const { return is_ome_; }
+  VolumeCounts counts() const {
+    if (is_imagej_) return {count("channels"), count("frames")};
+    return is_ome_ ? VolumeCounts{count("SizeC"), count("SizeT")} : VolumeCounts{};
+  }
+  std::string_view inside() const { return inside_; }  // the elements in OME's Pixels
   // Returns the value of a key; empty if there is none.
   std::string_view operator()(std::string_view key) const {
     const std::string start = is_ome_ ? text(" ", key, "=\"") : text("\n", key, "=");
@@ -102,7 +115,7 @@ class Description {
   double number(std::string_view key) const { return to_double((*this)(key)).value_or(0); }
 
  private:
-  std::string_view text_;
+  std::string_view text_, inside_;
   bool is_imagej_ = false, is_ome_ = false;
 };
 
@@ -186,15 +199,62 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
   return {1, 1, 1};
 }
 
-// Refuses descriptions of several channels or times.
-void check_counts(const VolumeInput& input, const Description& description) {
-  if (!description.is_imagej() && !description.is_ome()) return;
-  const bool is_imagej = description.is_imagej();
-  for (const char* key : {is_imagej ? "channels" : "SizeC", is_imagej ? "frames" : "SizeT"}) {
-    if (description.count(key) == 1) continue;
-    fail(input.name(), text("has ", key, " = ", description(key),
-                            ": only a stack of one channel and one time can be meshed"));
+// Returns the axes of the planes of a file: z, channels and times, the fastest first. ImageJ has
+// channels first, OME tells the order.
+std::vector<DataAxis> axes_of(const VolumeInput& input, const Description& description,
+                              std::int64_t planes) {
+  std::string_view order = description.is_ome() ? description("DimensionOrder") : "XYCZT";
+  if (order.empty()) order = "XYZCT";
+  if (!order.starts_with("XY") || !std::ranges::is_permutation(order.substr(2), "ZCT"sv)) {
+    fail(input.name(), text("its DimensionOrder is ", quote(order), ", not XY and Z, C, T"));
   }
+  const VolumeCounts counts = description.counts();
+  const bool is_one = counts.channels == 1 && counts.times == 1;
+  std::vector<DataAxis> axes;
+  for (const char axis : order.substr(2)) {
+    if (axis == 'C') axes.push_back({DataAxis::Kind::channel, counts.channels});
+    if (axis == 'T') axes.push_back({DataAxis::Kind::time, counts.times});
+    if (axis == 'Z') {
+      const std::int64_t depth = description.count(description.is_ome() ? "SizeZ" : "slices");
+      axes.push_back({DataAxis::Kind::z, is_one ? planes : depth});
+    }
+  }
+  return axes;
+}
+
+// Returns the page of each plane: OME may number them in another order than they come in.
+std::vector<std::size_t> pages_of_planes(const VolumeInput& input, const Description& description,
+                                         std::span<const DataAxis> axes, std::size_t pages) {
+  std::vector<std::size_t> page_of(pages);
+  std::iota(page_of.begin(), page_of.end(), std::size_t{0});
+  const auto most = static_cast<std::int64_t>(pages);
+  std::int64_t told = 0;
+  for (XmlTag tag = next_tag(description.inside(), 0); !tag.name.empty();
+       tag = next_tag(description.inside(), tag.end)) {
+    if (tag.name != "TiffData") continue;
+    const auto number = [&](const char* key, std::int64_t missing) {
+      return to_int(tag.attribute(key).value_or("")).value_or(missing);
+    };
+    const std::int64_t page = number("IFD", 0);
+    std::int64_t plane = 0, step = 1;
+    for (const DataAxis& axis : axes) {
+      const char* first = axis.kind == DataAxis::Kind::z         ? "FirstZ"
+                          : axis.kind == DataAxis::Kind::channel ? "FirstC"
+                                                                 : "FirstT";
+      plane += step * std::clamp<std::int64_t>(number(first, 0), 0, most);
+      step *= axis.size;
+    }
+    const std::int64_t rest = most - std::max(plane, page);
+    const std::int64_t count = number("PlaneCount", tag.attribute("IFD") ? 1 : rest);
+    if (page < 0 || count < 1 || count > rest || count > most - told) {
+      fail(input.name(), "its TiffData are of pages that it does not have: give a file with all");
+    }
+    told += count;
+    for (std::int64_t n = 0; n < count; ++n) {
+      page_of[static_cast<std::size_t>(plane + n)] = static_cast<std::size_t>(page + n);
+    }
+  }
+  return page_of;
 }
 
 // Returns the grid of `count` slices like the first page of `tiff`, the file of `input`.
@@ -254,16 +314,23 @@ Volume read_tiff(const VolumeInput& input) {
   const TiffFile tiff(input.bytes);
   const TiffPage& first = tiff.pages()[0];
   const Description description(tiff.text_of(first.description));
-  check_counts(input, description);
+  const std::size_t pages = tiff.pages().size();
   const std::int64_t images = description.is_imagej() ? description.count("images") : 1;
-  const bool has_hidden_pages = tiff.pages().size() == 1 && images > 1;
-  const auto count = static_cast<std::int64_t>(tiff.pages().size());
-  SampleGrid grid = grid_of(input, tiff, has_hidden_pages ? images : count);
-  if (grid.dims[2] == 1) {
+  const bool has_hidden_pages = pages == 1 && images > 1;
+  const std::int64_t planes = has_hidden_pages ? images : static_cast<std::int64_t>(pages);
+  if (planes == 1) {
     fail(input.name(), "has one page: give the folder of the slices, if each has a file");
   }
-  data_size(grid);
-  for (std::size_t n = 0; n < tiff.pages().size(); ++n) {
+  SampleGrid grid = grid_of(input, tiff, planes);
+  std::vector<DataAxis> axes = axes_of(input, description, planes);
+  axes.insert(axes.begin(), {{DataAxis::Kind::x, grid.dims[0]}, {DataAxis::Kind::y, grid.dims[1]}});
+  set_axes(grid, axes);
+  const auto area = static_cast<std::uint64_t>(grid.dims[0] * grid.dims[1]);
+  if (const std::uint64_t count = data_size(grid) / size_of(grid.type) / area;
+      count != static_cast<std::uint64_t>(planes)) {
+    fail(input.name(), text("has ", planes, " pages, and a description of ", count));
+  }
+  for (std::size_t n = 0; n < pages; ++n) {
     check_page(tiff, tiff.pages()[n], text("page ", n + 1), first, "page 1");
   }
   set_spacing(grid, input, tiff, description);
@@ -271,16 +338,23 @@ Volume read_tiff(const VolumeInput& input) {
   const std::optional<std::uint64_t> begin = tiff.find_samples();
   if (has_hidden_pages && !begin)
     fail(input.name(), "has one page, and ImageJ's others are not behind it");
-  if (begin) {
+  const std::vector<std::size_t> page_of =
+      pages_of_planes(input, description, std::span(axes).subspan(2), pages);
+  const bool as_they_come =
+      std::ranges::adjacent_find(page_of, std::greater_equal()) == page_of.end();
+  if (begin && as_they_come) {
     const std::uint64_t size = data_size(grid);
     const Bytes data = input.bytes.from(*begin);
     return calibrated(
         input, description,
         volume_from_raw(grid, data.first(std::min<std::uint64_t>(size, data.size()))));
   }
+  const SampleGrid::Among among = grid.among.value_or(SampleGrid::Among{0, {0, 0, area}, 0});
+  grid.among.reset();
   return calibrated(input, description,
                     volume_from_slices(grid, [&](std::size_t k, std::span<std::byte> out) {
-                      tiff.read_page(tiff.pages()[k], out);
+                      const std::uint64_t plane = (among.first + k * among.steps[2]) / area;
+                      tiff.read_page(tiff.pages()[page_of[plane]], out);
                     }));
 }
 
@@ -296,7 +370,10 @@ Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files) {
   if (files.size() == 1) fail(input.name(), "has one slice only");
   const VolumeInput first{files[0], input.directory, input.options, input.log};
   const Description description(slices[0].text_of(slices[0].pages()[0].description));
-  check_counts(first, description);
+  const VolumeCounts counts = description.counts();
+  if (counts.channels != 1 || counts.times != 1) {
+    fail(first.name(), "is of several channels or times: give one file that has them all");
+  }
   SampleGrid grid = grid_of(first, slices[0], static_cast<std::int64_t>(files.size()));
   grid.name = input.name();
   data_size(grid);

@@ -10,6 +10,7 @@
 #include "io/files/text_scan.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/foreign_formats.h"
+#include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
 
 namespace deliso {
@@ -19,16 +20,17 @@ struct Format {
   bool (*is_of)(const Bytes& bytes);
   Volume (*read)(const VolumeInput& input);
   bool has_named_arrays = false;
-  bool has_spacing = true;
+  bool has_several_volumes = false;
+  bool has_place = true;  // a spacing and an origin
 };
-constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd},
+constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd, false, true},
                                {looks_like_vtk, read_vtk, true},
-                               {looks_like_nifti, read_nifti},
+                               {looks_like_nifti, read_nifti, false, true},
                                {looks_like_vti, read_vti, true},
-                               {looks_like_npy, read_npy, false, false},
+                               {looks_like_npy, read_npy, false, false, false},
                                {looks_like_dicom, read_dicom},
-                               {looks_like_tiff, read_tiff, false, false},
-                               {looks_like_metaimage, read_metaimage}};
+                               {looks_like_tiff, read_tiff, false, true, false},
+                               {looks_like_metaimage, read_metaimage, false, true}};
 
 void refuse_array(const std::string& name, const ReadOptions& options) {
   if (options.array)
@@ -39,13 +41,15 @@ Volume read_recognized(const VolumeInput& input) {
   if (input.options.raw) {
     refuse_array(input.name(), input.options);
     refuse_series(input.name(), input.options);
+    choose_volume(input.name(), input.options, {});
     return read_raw(input);
   }
   for (const Format& format : kFormats) {
     if (!format.is_of(input.bytes)) continue;
     if (!format.has_named_arrays) refuse_array(input.name(), input.options);
-    if (format.has_spacing) refuse_spacing(input.name(), input.options);
+    if (!format.has_several_volumes) choose_volume(input.name(), input.options, {});
     if (format.read != read_dicom) refuse_series(input.name(), input.options);
+    if (format.has_place) note_place(input);
     return format.read(input);
   }
   refuse_file(input.bytes);
@@ -84,6 +88,7 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
     if (input.starts_with("builtin:")) {
       refuse_array(input, options);
       refuse_series(input, options);
+      choose_volume(input, options, {});
       return make_builtin_volume(input, options);
     }
     const std::size_t slash = input.rfind('/');
@@ -104,9 +109,16 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
   }
 }
 
-void refuse_spacing(const std::string& name, const ReadOptions& options) {
-  if (options.spacing)
-    fail(name, "has a spacing of its own: --spacing is for raw files, NumPy and TIFF");
+void note_place(const VolumeInput& input) {
+  if (input.options.spacing) input.note("the spacing is that of --spacing, whatever the file says");
+  if (input.options.origin) input.note("the origin is that of --origin, whatever the file says");
+}
+
+std::vector<NamedSegment> read_segments(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  const Bytes bytes = open_file(path);
+  return looks_like_nrrd(bytes) ? segments_of_nrrd(bytes) : std::vector<NamedSegment>();
 }
 
 void refuse_series(const std::string& name, const ReadOptions& options) {
@@ -116,8 +128,7 @@ void refuse_series(const std::string& name, const ReadOptions& options) {
 SampleGrid grid_of(const VolumeInput& input) {
   SampleGrid grid;
   grid.name = input.name();
-  grid.roi = input.options.roi;
-  grid.region = input.options.region;
+  grid.read = input.options;
   return grid;
 }
 

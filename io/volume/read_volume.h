@@ -24,11 +24,11 @@
 // 2. The content decides the format; the name decides only where the content cannot (MetaImage,
 //    .raw). A .nhdr or .mhd has its data beside it.
 // 3. Coordinates are those of the file, in its own unit and anatomical space. Frame::space has the
-//    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD.
+//    space: RAS+ for NIfTI, LPS+ for MetaImage and DICOM, the field "space" for NRRD. NIfTI's
+//    meters and micrometers become millimeters, which the unit is in these spaces.
 // 4. Refused with a message, never guessed:
-//    - other 64-bit integers, complex samples, several components or time steps (trailing
-//    dimensions of 1
-//      are allowed);
+//    - other 64-bit integers, complex samples, several components;
+//    - several channels or times, if no option chooses one;
 //    - sheared grids: axes not at right angles within 1e-4;
 //    - data of another size than in the header, more than one data file or piece;
 //    - DICOM slices that are missing or double; several series, if the options name none;
@@ -39,6 +39,7 @@
 //    (foreign_formats.h).
 // 5. Of several arrays (VTK) the options name one. Else it is the one that the file calls active,
 //    else the first that can be meshed, and the log says so.
+//    Of several channels or times the options choose one (several_volumes.h).
 // 6. A hostile or damaged file gives an InputError or a valid volume. Memory is allocated only for
 //    data that exists. value_range() finds NaN and infinite samples.
 #pragma once
@@ -65,7 +66,6 @@ struct Roi {
 struct RawLayout {
   Index3 dims;
   SampleType type = SampleType::u8;
-  Vec3 spacing{1, 1, 1};
   std::endian byte_order = std::endian::little;
   std::uint64_t skip = 0;  // bytes before the first sample
 };
@@ -80,7 +80,10 @@ struct ReadOptions {
   RegionOf region{};
   std::optional<std::string> array{};     // which of a VTK file's arrays, by its name
   std::optional<std::uint64_t> series{};  // which of a DICOM folder's series, from 1 on
-  std::optional<Vec3> spacing{};  // of NumPy and TIFF, along x, y and z; else 1,1,1 or TIFF's
+  // Along the file's axes, and of its first sample; else the file's own, or 1,1,1 and 0,0,0.
+  std::optional<Vec3> spacing{}, origin{};
+  // Which of several volumes in a file, counted from 1.
+  std::optional<std::int64_t> channel{}, time{};
 };
 
 // A named array of a file.
@@ -98,11 +101,21 @@ struct ReadLog {
   std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
 };
 
+// A segment that a file names, as Slicer's .seg.nrrd does.
+struct NamedSegment {
+  std::string name;
+  std::int64_t label = 1;    // of its samples
+  std::int64_t channel = 1;  // that has them
+};
+
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"
 // (standard input) or "builtin:NAME[:SIZE]". Throws an InputError of one line that names the file
 // and the fault.
 Volume read_volume(const std::string& input, const ReadOptions& options = {},
                    ReadLog* log = nullptr);
+
+// Returns the segments that the file names: none in most. Throws InputError if it cannot be read.
+std::vector<NamedSegment> read_segments(const std::string& path);
 
 // Command-line spellings; InputError if they are none. "x0:x1,y0:y1,z0:z1" (x1, y1, z1 excluded),
 // "256x256x128", "uint8" and the like (also NRRD's and VTK's names: "unsigned

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "io/files/text_scan.h"
 #include "io/files/vtk_xml.h"
+#include "io/volume/foreign_formats.h"
 #include "io/volume/named_arrays.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/volume_formats.h"
@@ -73,19 +74,23 @@ class VtiParser {
     std::string_view active;  // the array that PointData names
     std::vector<XmlTag> tags;
     std::vector<NamedArray> arrays;
-    bool in_points = false;
+    std::string_view section;  // PointData, CellData, FieldData
+    bool has_cells = false;
     int pieces = 0;
     for (XmlTag tag = xml_.next(); !tag.name.empty(); tag = xml_.next()) {
       if (tag.name == "ImageData") {
         read_image(tag);
         read_extent(tag, "WholeExtent");
       } else if (tag.name == "Piece") {
-        if (++pieces > 1) fail(input_.name(), "has several pieces: only one is supported");
+        if (++pieces > 1)
+          fail(input_.name(), "has several pieces: " + conversion_by_vtk(kVtkXmlReader));
         if (tag.attribute("Extent")) read_extent(tag, "Extent");
-      } else if (tag.name == "PointData" || tag.name == "CellData") {
-        in_points = tag.name == "PointData";
-        if (in_points) active = tag.attribute("Scalars").value_or("");
-      } else if (tag.name == "DataArray" && in_points) {
+      } else if (tag.name.ends_with("Data") && !tag.name.starts_with('/')) {
+        section = tag.name;
+        if (section == "PointData") active = tag.attribute("Scalars").value_or("");
+      } else if (tag.name == "DataArray" && section == "CellData") {
+        has_cells = true;
+      } else if (tag.name == "DataArray" && section == "PointData") {
         tags.push_back(tag);
         arrays.push_back({std::string(tag.attribute("Name").value_or("")),
                           std::string(tag.attribute("type").value_or("")),
@@ -93,6 +98,7 @@ class VtiParser {
       }
     }
     for (std::size_t a = 0; a < 3; ++a) grid_.origin = grid_.origin + start_[a] * grid_.steps[a];
+    if (arrays.empty() && has_cells) refuse_cells(input_.name(), kVtkXmlReader);
     const std::size_t chosen = choose_array(input_, std::move(arrays), active);
     grid_.type = supported_type(input_, tags[chosen].attribute("type").value_or(""));
     return tags[chosen];
@@ -111,6 +117,20 @@ bool looks_like_vti(const Bytes& bytes) {
 }
 
 Volume read_vti(const VolumeInput& input) {
+  const XmlTag file = next_tag(input.bytes.text(), 0);
+  const std::string_view type = file.attribute("type").value_or("");
+  const std::string_view compressor = file.attribute("compressor").value_or("");
+  if (type.ends_with("Grid")) {
+    fail(input.name(), text("is a VTK file of type ", quote(type), ": ",
+                            conversion_by_vtk(kVtkXmlReader, kVtkResample)));
+  }
+  if (type == "PImageData") {
+    fail(input.name(), "lists pieces: " + conversion_by_vtk(kVtkXmlReader));
+  }
+  if (type == "ImageData" && !compressor.empty() && compressor != "vtkZLibDataCompressor") {
+    fail(input.name(),
+         text("is compressed by ", quote(compressor), ": ", conversion_by_vtk(kVtkXmlReader)));
+  }
   return VtiParser(input).run();
 }
 

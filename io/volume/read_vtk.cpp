@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "io/files/text_scan.h"
+#include "io/volume/foreign_formats.h"
 #include "io/volume/named_arrays.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/volume_formats.h"
@@ -103,8 +104,8 @@ class VtkParser {
     expect("dataset");
     const std::string kind = keyword();
     if (kind != "structured_points")
-      fail(input_.name(),
-           "holds a data set of kind " + quote(kind) + ": only STRUCTURED_POINTS can be meshed");
+      fail(input_.name(), "holds a data set of kind " + quote(kind) + ", not STRUCTURED_POINTS: " +
+                              conversion_by_vtk(kVtkReader, kVtkResample));
     Vec3 spacing{1, 1, 1};
     std::uint64_t cells = 0;
     for (std::string word = keyword(); word != "point_data"; word = keyword()) {
@@ -118,6 +119,7 @@ class VtkParser {
         cells = count("CELL_DATA");
       } else {
         read_attribute(word, cells, false);
+        if (cells > 0 && trimmed(text_.rest()).empty()) refuse_cells(input_.name(), kVtkReader);
       }
     }
     grid_.set_spacing(spacing);

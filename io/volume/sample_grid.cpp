@@ -20,12 +20,14 @@ bool is_swapped(const SampleGrid& grid) {
 std::pair<Vec3, Frame> place(const SampleGrid& grid) {
   Vec3 spacing;
   Frame frame{grid.origin, {}, grid.space};
+  if (grid.read.origin) frame.origin = *grid.read.origin;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
-    const double s = length(step);
-    if (!(s > 0)) fail(grid.name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
+    const double own = length(step), s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
+    if (!(own > 0 && s > 0))
+      fail(grid.name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
     spacing[axis] = s;
-    frame.axes[static_cast<std::size_t>(axis)] = step / s;
+    frame.axes[static_cast<std::size_t>(axis)] = step / own;
   }
   const Index3 dims{static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
                     static_cast<int>(grid.dims[2])};
@@ -48,22 +50,22 @@ Roi region(const SampleGrid& grid, const Vec3& spacing) {
   Roi whole{{0, 0, 0},
             {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
              static_cast<int>(grid.dims[2])}};
-  if (grid.region) {
+  if (grid.read.region) {
     try {
-      return grid.region(whole.end, spacing);
+      return grid.read.region(whole.end, spacing);
     } catch (const InputError& error) {
       fail(grid.name, error.what());
     }
   }
-  if (!grid.roi) return whole;
+  if (!grid.read.roi) return whole;
   for (int axis = 0; axis < 3; ++axis) {
-    const int lo = grid.roi->begin[axis], hi = grid.roi->end[axis];
+    const int lo = grid.read.roi->begin[axis], hi = grid.read.roi->end[axis];
     if (lo >= 0 && hi <= whole.end[axis] && hi - lo >= 2) continue;
     fail(grid.name, std::string("region ") + std::to_string(lo) + ":" + std::to_string(hi) +
                         " along " + "xyz"[axis] +
                         " is not two or more of the samples 0:" + std::to_string(whole.end[axis]));
   }
-  return *grid.roi;
+  return *grid.read.roi;
 }
 
 template <class Word>
@@ -78,10 +80,16 @@ void swap_words(std::span<std::byte> bytes) {
   }
 }
 
+// Returns the places of the samples of a grid that is not among others.
+SampleGrid::Among places_alone(const SampleGrid& grid) {
+  const auto nx = static_cast<std::uint64_t>(grid.dims[0]);
+  const std::uint64_t area = nx * static_cast<std::uint64_t>(grid.dims[1]);
+  return {0, {1, nx, area}, area * static_cast<std::uint64_t>(grid.dims[2])};
+}
+
 // Returns a copy of the region's samples.
 Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::byte> data) {
-  const std::size_t nx = static_cast<std::size_t>(grid.dims[0]);
-  const std::size_t ny = static_cast<std::size_t>(grid.dims[1]);
+  const SampleGrid::Among at = grid.among.value_or(places_alone(grid));
   const auto length_of = [&](int axis) {
     return static_cast<std::size_t>(roi.end[axis] - roi.begin[axis]);
   };
@@ -90,10 +98,17 @@ Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::
   std::byte* to = buffer.data.get();
   for (int k = roi.begin.k; k < roi.end.k; ++k) {
     for (int j = roi.begin.j; j < roi.end.j; ++j, to += row) {
-      const std::size_t first =
-          static_cast<std::size_t>(roi.begin.i) +
-          nx * (static_cast<std::size_t>(j) + ny * static_cast<std::size_t>(k));
-      std::memcpy(to, data.data() + sample * first, row);
+      const std::byte* from =
+          data.data() + sample * (at.first + static_cast<std::size_t>(roi.begin.i) * at.steps[0] +
+                                  static_cast<std::size_t>(j) * at.steps[1] +
+                                  static_cast<std::size_t>(k) * at.steps[2]);
+      if (at.steps[0] == 1) {
+        std::memcpy(to, from, row);
+        continue;
+      }
+      for (std::size_t n = 0; n < row; n += sample) {
+        std::memcpy(to + n, from + n * at.steps[0], sample);
+      }
     }
   }
   return buffer;
@@ -148,7 +163,8 @@ void SampleGrid::set_spacing(const Vec3& spacing) {
 
 std::string describe(const SampleGrid& grid) {
   return std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) + " x " +
-         std::to_string(grid.dims[2]) + " " + std::string(name_of(grid.type)) + " samples";
+         std::to_string(grid.dims[2]) + " " + std::string(name_of(grid.type)) + " samples" +
+         (grid.among ? " of several volumes" : "");
 }
 
 std::uint64_t data_size(const SampleGrid& grid) {
@@ -164,7 +180,7 @@ std::uint64_t data_size(const SampleGrid& grid) {
       fail(grid.name, describe(grid) + " are too many");
     bytes *= static_cast<std::uint64_t>(n);
   }
-  return bytes;
+  return grid.among ? grid.among->count * size_of(grid.type) : bytes;
 }
 
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
@@ -172,22 +188,24 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   if (data.size() != expected) fail(data.name, size_fault(grid, expected, data.size()));
   auto [spacing, frame] = place(grid);
   const Roi roi = region(grid, spacing);
-  if (grid.roi) {
+  if (grid.read.roi) {
     frame.origin =
         frame.to_world({roi.begin.i * spacing.x, roi.begin.j * spacing.y, roi.begin.k * spacing.z});
   }
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
 
   const auto placed = [&](const Volume& volume) {
-    if (!grid.region) return volume;
+    if (!grid.read.region) return volume;
     return volume.as_block(roi.begin,
                            {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
                             static_cast<int>(grid.dims[2])});
   };
-  const bool whole_slices = dims.i == grid.dims[0] && dims.j == grid.dims[1];
-  const std::size_t slice = size_of(grid.type) * static_cast<std::size_t>(grid.dims[0]) *
-                            static_cast<std::size_t>(grid.dims[1]);
-  const std::byte* start = data.data.data() + slice * static_cast<std::size_t>(roi.begin.k);
+  const SampleGrid::Among alone = places_alone(grid), at = grid.among.value_or(alone);
+  const bool whole_slices =
+      dims.i == grid.dims[0] && dims.j == grid.dims[1] && at.steps == alone.steps;
+  const std::byte* start =
+      data.data.data() +
+      size_of(grid.type) * (at.first + at.steps[2] * static_cast<std::size_t>(roi.begin.k));
   const bool aligned = reinterpret_cast<std::uintptr_t>(start) % size_of(grid.type) == 0;
   if (whole_slices && aligned && !is_swapped(grid))
     return placed(Volume(dims, spacing, grid.type, start, data.owner, frame));

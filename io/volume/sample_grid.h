@@ -29,9 +29,8 @@ namespace deliso {
 constexpr double kShearTolerance = 1e-4;
 
 struct SampleGrid {
-  std::string name;  // of the input, for messages
-  std::optional<Roi> roi{};
-  RegionOf region{};
+  std::string name;    // of the input, for messages
+  ReadOptions read{};  // the region, and the place if it is not the file's
   std::array<std::int64_t, 3> dims{0, 0, 0};
   SampleType type = SampleType::u8;
   std::endian byte_order = std::endian::native;
@@ -39,6 +38,15 @@ struct SampleGrid {
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> steps{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   AnatomicalSpace space = AnatomicalSpace::unknown;
+
+  // The place of a grid in data that holds more, counted in samples: sample (i, j, k) is
+  // first + i * steps[0] + j * steps[1] + k * steps[2] of count.
+  struct Among {
+    std::uint64_t first = 0;
+    std::array<std::uint64_t, 3> steps{};
+    std::uint64_t count = 0;  // its bytes fit the address space, whatever the type
+  };
+  std::optional<Among> among{};
 
   // Steps along the world's axes. Spacings are checked later, with the steps.
   void set_spacing(const Vec3& spacing);
@@ -50,12 +58,13 @@ void swap_bytes(std::span<std::byte> bytes, std::size_t word_size);
 // All of these throw InputErrors with the name of the grid or, if the bytes are at fault, of the
 // bytes.
 
-// Checks the dimensions (2 or more each) and that the sizes fit the address space.
+// Returns the bytes of the data. Checks the dimensions (2 or more each) and that the sizes fit the
+// address space.
 std::uint64_t data_size(const SampleGrid& grid);
-// Returns "64 x 64 x 32 uint16" or the like, for messages.
+// Returns "64 x 64 x 32 uint16 samples" or the like, for messages.
 std::string describe(const SampleGrid& grid);
 
-// Returns the volume. `data` has exactly the samples.
+// Returns the volume. `data` has exactly the samples, with those that the grid is among.
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data);
 // Returns the volume. `data` has the samples as numbers in text, and nothing after them unless
 // `more_may_follow`.
@@ -65,7 +74,7 @@ Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrappin
                               std::uint64_t skip);
 // Returns the volume. `write_slice(k, out)` fills `out` with the samples of slice k, in native
 // order. It is called for the slices of the grid's region only; the others take no memory. pre: the
-// data of all slices is known to exist.
+// data of all slices is known to exist, and the grid is not among others.
 Volume volume_from_slices(
     const SampleGrid& grid,
     const std::function<void(std::size_t k, std::span<std::byte> out)>& write_slice);

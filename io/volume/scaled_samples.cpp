@@ -15,9 +15,7 @@ Volume scaled(const Volume& volume, double slope, double intercept) {
     write_scaled<Real>(samples, count, slope, intercept, buffer.data.get());
   });
   const Bytes bytes = bytes_of(std::move(buffer), {});
-  const Volume real(volume.dims(), volume.spacing(), sample_type_of<Real>(), bytes.data.data(),
-                    bytes.owner, volume.frame());
-  return volume.is_block() ? real.as_block(volume.first(), volume.whole_dims()) : real;
+  return volume.with_samples(sample_type_of<Real>(), bytes.data.data(), bytes.owner);
 }
 
 }  // namespace

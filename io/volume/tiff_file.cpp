@@ -28,7 +28,8 @@ constexpr std::pair<std::uint64_t, std::uint64_t TiffPage::*> kNumbers[] = {
     {266, &TiffPage::fill_order},     {277, &TiffPage::samples},
     {278, &TiffPage::rows_per_strip}, {296, &TiffPage::resolution_unit},
     {317, &TiffPage::predictor},      {322, &TiffPage::tile_width},
-    {323, &TiffPage::tile_height},    {339, &TiffPage::sample_format}};
+    {323, &TiffPage::tile_height},    {339, &TiffPage::sample_format},
+    {32997, &TiffPage::depth}};
 // The offsets and sizes of strips, and those of tiles.
 constexpr std::pair<std::uint64_t, TiffField TiffPage::*> kTiffFields[] = {
     {270, &TiffPage::description},  {273, &TiffPage::offsets},      {279, &TiffPage::sizes},
@@ -164,6 +165,11 @@ std::uint64_t TiffFile::parse_page(std::uint64_t at) {
     if (size == 0 || field.count == 0) continue;
     if (field.count > value_size / size) field.at = number(field.at, value_size);
     keep(page, number(entry, 2), field);
+  }
+  if (page.depth > 1) {
+    fail(bytes_.name,
+         text("its pages have a depth of ", page.depth, " samples: convert it with python3 -c ",
+              "\"import tifffile; tifffile.imwrite('volume.tif', tifffile.imread('FILE'))\""));
   }
   pages_.push_back(page);
   return number(at + count_size + count * entry_size, value_size);

@@ -26,7 +26,7 @@ inline constexpr std::uint64_t kLargestTiffSize = std::numeric_limits<int>::max(
 struct TiffPage {
   std::uint64_t subfile = 0, width = 0, height = 0, bits = 1, compression = 1, photometric = 1,
                 samples = 1, rows_per_strip = kLargestTiffSize, resolution_unit = 2, predictor = 1,
-                tile_width = 0, tile_height = 0, sample_format = 1, fill_order = 1;
+                tile_width = 0, tile_height = 0, sample_format = 1, fill_order = 1, depth = 1;
   TiffField offsets, sizes, description, x_resolution, y_resolution;
 };
 

@@ -27,11 +27,13 @@ struct VolumeInput {
   void note(const std::string& text) const { log.notes.push_back(one_line(name() + ": " + text)); }
 };
 
-// With its name and region filled in.
+// With its name and options filled in.
 SampleGrid grid_of(const VolumeInput& input);
 
 bool looks_like_nrrd(const Bytes& bytes);
 Volume read_nrrd(const VolumeInput& input);
+// pre: looks_like_nrrd().
+std::vector<NamedSegment> segments_of_nrrd(const Bytes& bytes);
 
 bool looks_like_metaimage(const Bytes& bytes);
 Volume read_metaimage(const VolumeInput& input);
@@ -69,9 +71,9 @@ Volume read_folder(const VolumeInput& input);
 // pre: input.options.raw.
 Volume read_raw(const VolumeInput& input);
 
-// Throw InputError if a spacing is given, for formats that have their own; or a series, for formats
-// that have none.
-void refuse_spacing(const std::string& name, const ReadOptions& options);
+// Notes a spacing and an origin that are given, for formats that have their own.
+void note_place(const VolumeInput& input);
+// Throws InputError if a series is given, for formats that have none.
 void refuse_series(const std::string& name, const ReadOptions& options);
 
 // Opens the file that a header of `input` names, and logs it. Relative names begin at the header's

@@ -147,7 +147,7 @@ class _Volume:
     """The library's view of an array, which this keeps alive."""
 
     def __init__(self, array, spacing, origin):
-        array = numpy.asarray(array)
+        array = _unmasked(array)
         kind = _kind_of(array.dtype)
         ones = [n for n in reversed(range(array.ndim)) if array.shape[n] == 1]
         array = array.squeeze(tuple(ones[: max(0, array.ndim - 3)]))
@@ -168,6 +168,12 @@ class _Volume:
                 ctypes.byref(self.handle),
             )
         )
+
+
+def _unmasked(array):
+    if numpy.ma.is_masked(array):
+        raise Error("has masked samples: array.filled(value) gives them a value")
+    return numpy.asarray(array)
 
 
 def _kind_of(dtype):

@@ -25,6 +25,7 @@ from . import (
     _options,
     _require_three,
     _three,
+    _unmasked,
     _warned,
     _watched,
 )
@@ -83,7 +84,7 @@ class _Source:
             if dask and dask.is_dask_collection(sliced):
                 # Here and now: a worker that waits for other tasks might wait for itself.
                 sliced = sliced.compute(scheduler=dask.get)
-            sliced = numpy.asarray(sliced)
+            sliced = _unmasked(sliced)
             if sliced.shape != shape:
                 raise Error(f"a slice of the array has shape {sliced.shape}, not {shape}")
             count = math.prod(shape) * numpy.dtype(self.kind).itemsize

@@ -56,7 +56,8 @@ template <class T>
   const Index3 first = volume.first();
   throw InputError(std::string(name) + ": " + (std::isnan(samples[n]) ? "NaN" : "infinite") +
                    " sample at (" + place(n % nx, first.i) + ", " + place(n / nx % ny, first.j) +
-                   ", " + place(n / nx / ny, first.k) + ")");
+                   ", " + place(n / nx / ny, first.k) + ")" +
+                   (std::isnan(samples[n]) ? ": --nan VALUE gives such samples a value" : ""));
 }
 
 }  // namespace

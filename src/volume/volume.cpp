@@ -74,6 +74,15 @@ Volume::Volume(Index3 dims, Vec3 spacing, SampleType type, const std::byte* byte
   require_in_range(dims, spacing, frame, "volume");
 }
 
+Volume Volume::with_samples(SampleType type, const std::byte* bytes,
+                            std::shared_ptr<const void> owner) const {
+  Volume other = *this;
+  other.type_ = type;
+  other.bytes_ = bytes;
+  other.owner_ = std::move(owner);
+  return other;
+}
+
 Volume Volume::as_block(Index3 first, Index3 whole) const {
   require_in_range(whole, spacing_, frame_, "volume");
   Volume block = *this;

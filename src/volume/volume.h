@@ -81,6 +81,10 @@ class Volume {
     return Volume(dims, spacing, type, nullptr, nullptr, frame);
   }
 
+  // Returns other samples in the place of these: as many, of any type.
+  Volume with_samples(SampleType type, const std::byte* bytes,
+                      std::shared_ptr<const void> owner) const;
+
   // Returns this volume as a block of a larger one: samples `first` and following of `whole`. It is
   // a block even if it is all of `whole`: one block is meshed like any other.
   // pre: it fits into `whole`, and frame() is that of the larger volume.

@@ -73,7 +73,7 @@ sample() {
   header float.nhdr float float.raw
 }
 sample '\000\000\300\177'
-refuses 'float.nhdr: NaN sample at (1, 0, 2)' float.nhdr --iso 0.5 -o $o
+refuses 'float.nhdr: NaN sample at (1, 0, 2): --nan VALUE gives' float.nhdr --iso 0.5 -o $o
 refuses 'float.nhdr: NaN sample at (1, 0, 2)' float.nhdr --label 1 -o $o
 sample '\000\000\200\177'
 refuses 'float.nhdr: infinite sample at (1, 0, 2)' info float.nhdr
@@ -85,6 +85,7 @@ refuses 'float.nhdr: the sample' float.nhdr --label all -o out/part-%d.ply
 # Fields and isovalues without a surface, and what cannot be taken on: the message names the limit.
 # shellcheck disable=SC2086
 {
+  refuses "whole.raw: has no segment 'Liver': --label takes whole" whole.raw $raw --label Liver -o $o
   refuses 'no sample has label 7: its 1 labels are 0' whole.raw $raw --label 7 -o $o
   refuses 'has no label but 0' whole.raw $raw --label all -o out/part-%d.ply
   refuses 'no surface' whole.raw $raw --label 0 -o $o

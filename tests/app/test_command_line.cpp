@@ -116,6 +116,7 @@ TEST_CASE("every option reaches its field") {
       "1000 "
       "--block-side 48 --roi 0:4,1:5,2:6 --single-stage --cap --solver schwarze --json - --quiet "
       "--allow-empty --check --ply-ascii --float --dims 4x5x6 --type uint16 --spacing 1,2,2.5 "
+      "--origin=-1,2,0.5 --channel 3 --time 4 --nan=-1e3 "
       "--endian big --skip 12 --series 3 -o a.ply in.raw");
   CHECK(line.isovalue == -150);
   const Options& options = line.options;
@@ -148,7 +149,11 @@ TEST_CASE("every option reaches its field") {
   REQUIRE(line.read.raw.has_value());
   CHECK(line.read.raw->dims == Index3{4, 5, 6});
   CHECK(line.read.raw->type == SampleType::u16);
-  CHECK(line.read.raw->spacing == Vec3{1, 2, 2.5});
+  CHECK(line.read.spacing == Vec3{1, 2, 2.5});
+  CHECK(line.read.origin == Vec3{-1, 2, 0.5});
+  CHECK(line.read.channel == 3);
+  CHECK(line.read.time == 4);
+  CHECK(line.field.nan == -1000);
   CHECK(line.read.raw->byte_order == std::endian::big);
   CHECK(line.read.raw->skip == 12);
   CHECK(line.read.series == 3);
@@ -629,7 +634,10 @@ TEST_CASE("a value of the wrong kind is refused, in one line that names the opti
       {"x --iso 1 NAME", "--format", "gif"},
       {"a.nrrd --iso 1 NAME", "--median", "0 4 -1 1.5 1vox", false},
       {"a.nrrd --iso 1 NAME", "--smooth", "0 -1 nan 1mm vox", false},
-      {"a.nrrd NAME", "--label", "'' , 1, 1.5 a 1~2 9007199254740993 any", false},
+      {"a.nrrd NAME", "--label", "'' , 1, 1.5 Liver,2.5 1~2 9007199254740993 ,any", false},
+      {"a.nrrd --iso 1 NAME", "--channel --time", "'' 0 -1 1.5 x 1,2", false},
+      {"a.nrrd --iso 1 NAME", "--origin", "1 1,2 1,2,3,4 1,2,x nan,0,0 1;2;3"},
+      {"a.nrrd --iso 1 NAME", "--nan", "'' nan inf x 1,2", false},
       {"a.nrrd --iso 1 -o p.part NAME", "--part",
        "'' 1 0/2 3/2 1/0 -1/2 a/2 1/2/3 1/99999999999 1.5/2", false},
       {"render m -o m.png NAME", "--view", "1 1,2,3 1, ,1 1,91 361,0 nan,0 a,b 1;2 30"},
@@ -701,6 +709,10 @@ TEST_CASE("--median, --smooth and --label are parsed, for every command with a v
   CHECK(same(*parsed("a.nrrd --iso 1 --smooth 3").field.smooth, {3, Length::Unit::world}));
   CHECK_FALSE(parsed("a.nrrd --iso 1").field.any());
   CHECK(parsed("a.nrrd --label 4,-1,4,2").field.labels == std::vector<std::int64_t>{-1, 2, 4});
+  const FieldOptions named = parsed("a.nrrd --label 4,Liver,2,left~kidney").field;
+  CHECK(named.labels == std::vector<std::int64_t>{2, 4});
+  CHECK(named.segments == std::vector<std::string>{"Liver", "left kidney"});
+  CHECK(parsed("a.nrrd --label any").field.of_labels());
   // A label has an isovalue of its own, also in a built-in field.
   CHECK_FALSE(parsed("builtin:torus --label 1").isovalue.has_value());
   for (const std::string command :

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include "base/random.h"
 #include "base/triangle.h"
 #include "deliso/deliso.h"
+#include "io/files/temporary_folder.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
 #include "io/mesh/read_mesh.h"
@@ -24,6 +26,7 @@
 #include "mesh/quality.h"
 
 using namespace deliso;
+using deliso::test::TemporaryFolder;
 
 namespace {
 
@@ -221,4 +224,78 @@ TEST_CASE("an input is not overwritten by the mesh of a label") {
   line.input = balls.file("2.ply");
   CHECK_THROWS_AS(run_mesh(line), InputError);
   CHECK_FALSE(std::filesystem::exists(balls.file("1.ply")));
+}
+
+TEST_CASE("segments of --label are the labels and the channel of the file") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write(
+      "v.seg.nrrd",
+      "NRRD0004\ntype: uchar\nencoding: raw\ndimension: 4\nsizes: 2 2 2 2\n"
+      "kinds: list domain domain domain\nSegment0_Name:=Liver\nSegment0_LabelValue:=7\n"
+      "Segment0_Layer:=0\nSegment1_Name:=Spleen\nSegment1_LabelValue:=3\nSegment1_Layer:=0\n"
+      "Segment2_Name:=Tumor\nSegment2_LabelValue:=7\nSegment2_Layer:=1\n\n0123456789abcdef");
+  const auto found = [&](const std::string& label, const std::string& more = "--quiet") {
+    const std::string option = "--label=" + label;
+    CommandLine line =
+        parse_command_line(std::vector<std::string_view>{"mesh", path, option, more});
+    find_segments(line);
+    return line;
+  };
+  const CommandLine two = found("Spleen,Liver,5");
+  CHECK(two.field.labels == std::vector<std::int64_t>{3, 5, 7});
+  CHECK(two.field.segments.empty());
+  CHECK(two.read.channel == 1);
+  CHECK(found("Tumor").read.channel == 2);
+  CHECK(found("Tumor").field.labels == std::vector<std::int64_t>{7});
+  CHECK_FALSE(found("7").read.channel.has_value());
+  CHECK_THROWS_WITH_AS(found("liver"),
+                       (path + ": has no segment 'liver', but 'Liver', 'Spleen', 'Tumor'").c_str(),
+                       InputError);
+  CHECK_THROWS_WITH_AS(found("Liver,Tumor"),
+                       (path + ": segment 'Tumor' is in channel 2, not in 1").c_str(), InputError);
+  CHECK_THROWS_WITH_AS(found("Liver", "--channel=2"),
+                       (path + ": segment 'Liver' is in channel 1, not in 2").c_str(), InputError);
+}
+
+// Statistical maps have NaN outside of the brain.
+TEST_CASE("with --nan a volume has the mesh of the volume with these values, also in parts") {
+  const TemporaryFolder folder;
+  std::vector<float> filled;
+  for (int n = 0; n < 24 * 24 * 24; ++n) {
+    const Vec3 p{n % 24 - 11.3, n / 24 % 24 - 11.6, n / 576 - 11.8};
+    filled.push_back(n % 24 < 2 ? -3 : static_cast<float>(8 - length(p)));
+  }
+  std::vector<float> with_nan = filled;
+  std::ranges::replace(with_nan, -3.f, std::nanf(""));
+  const auto write = [&](const char* name, const std::vector<float>& samples) {
+    return folder.write(name, {reinterpret_cast<const char*>(samples.data()), 4 * samples.size()});
+  };
+  const std::string whole = write("whole.raw", filled), gaps = write("gaps.raw", with_nan);
+  const auto line_of_mesh = [](std::vector<std::string> words) {
+    words.insert(words.end(), {"--dims=24x24x24", "--type=float32", "--iso=1", "--block-side=8",
+                               "--smooth=0.5vox", "--quiet"});
+    return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  };
+  const std::string out = "--output=" + folder.path("a.ply"), ply = folder.path("a.ply");
+  const auto bytes = [&] {
+    std::ifstream file(ply, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  REQUIRE(run_mesh(line_of_mesh({whole, out})) == kExitSuccess);
+  const std::string wanted = bytes();
+  CHECK_THROWS_AS(run_mesh(line_of_mesh({gaps, out})), InputError);
+  REQUIRE(run_mesh(line_of_mesh({gaps, out, "--nan=-3"})) == kExitSuccess);
+  CHECK(bytes() == wanted);
+  for (const char* part : {"1", "2"}) {
+    const CommandLine line = line_of_mesh(
+        {gaps, "--nan=-3", std::string("--part=") + part + "/2", "--output=" + folder.path(part)});
+    CHECK(run_part(line) == kExitSuccess);
+  }
+  const std::string one = folder.path("1"), two = folder.path("2"), volume = "--volume=" + gaps;
+  const CommandLine join =
+      parse_command_line(std::vector<std::string_view>{"join", one, two, volume, out, "--quiet"});
+  CHECK(run_join(join) == kExitSuccess);
+  CHECK(bytes() == wanted);
+  CHECK(read_input(line_of_mesh({gaps, "--nan=-3"})).log.notes.back() ==
+        "1,152 samples are NaN, and taken as -3");
 }

@@ -160,11 +160,14 @@ TEST_CASE("faults are statuses, with one line each") {
   CHECK(refusal({"cap", "cap"}) == "--cap is given twice");
   CHECK(refusal({"vertices=100", "max-distance=1"}) ==
         "--vertices and --max-distance exclude each other");
-  for (const char* option : {"iso=3", "output=a.ply", "json=-", "help", "version", "roi=0:2"}) {
+  for (const char* option : {"iso=3", "output=a.ply", "json=-", "help", "version", "roi=0:2",
+                             "origin=0,0,0", "channel=1", "time=1"}) {
     const std::string text = option;
     CHECK(refusal({option}) ==
           "--" + text.substr(0, text.find('=')) + " has no meaning for an array");
   }
+  CHECK(refusal({"label=Liver"}, std::numeric_limits<double>::quiet_NaN()) ==
+        "an array does not name its labels");
   CHECK(refusal({}, std::numeric_limits<double>::quiet_NaN()) ==
         "--iso wants a finite number, not 'nan'");
   CHECK(refusal({}, 11).starts_with("no surface at isovalue 11: the samples are "));

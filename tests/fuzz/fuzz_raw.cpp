@@ -15,13 +15,15 @@ ReadOptions options_in(std::string_view line) {
   RawLayout raw;
   raw.dims = parse_dims(word(0));
   raw.type = parse_sample_type(word(1));
+  Vec3 spacing;
   for (int axis = 0; axis < 3; ++axis) {
-    raw.spacing[axis] = to_double(word(2 + static_cast<std::size_t>(axis))).value_or(1);
+    spacing[axis] = to_double(word(2 + static_cast<std::size_t>(axis))).value_or(1);
   }
   raw.byte_order = word(5) == "big" ? std::endian::big : std::endian::little;
   raw.skip = static_cast<std::uint64_t>(to_int(word(6)).value_or(0));
   ReadOptions options;
   options.raw = raw;
+  options.spacing = spacing;
   if (!word(7).empty()) options.roi = parse_roi(word(7));
   return options;
 }

@@ -65,7 +65,7 @@ inline const std::string& folder() {
   return path;
 }
 
-// Runs `read` on the input as the file `name`, whole and then as its first eight samples;
+// Runs `read` on the input as the file `name`, whole and then as the first eight samples of its first volume;
 // `data_file` is where detached data stands.
 inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* name,
                        const char* data_file, Volume (*read)(const VolumeInput&)) {
@@ -81,7 +81,10 @@ inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* 
   const Bytes input{folder() + name, std::as_bytes(std::span(copy)), nullptr};
   for (const bool part : {false, true}) {
     ReadOptions options;
-    if (part) options.roi = Roi{{0, 0, 0}, {2, 2, 2}};
+    if (part) {
+      options.roi = Roi{{0, 0, 0}, {2, 2, 2}};
+      options.channel = options.time = 1;
+    }
     ReadLog log;
     try {
       check_volume(read({input, folder(), options, log}), input.name);

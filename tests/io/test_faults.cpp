@@ -26,7 +26,8 @@ namespace {
 // "[FILE]" names the sound file that the rows below it edit. A row is "EDIT | MESSAGE", the message
 // without the file's name; "..." stands for the rest of it, before or behind; "ok": there is none.
 // An edit is one of
-//   OLD -> NEW      the first OLD replaced (several, with &&)
+//   OLD -> NEW      the first OLD replaced
+//   EDIT && EDIT    one after the other
 //   set FIELD: VALUE  of NRRD, replaced or added; without a value, removed
 //   at N: T VALUE   bytes replaced by a little-endian number: u2, u4, f4
 //   + TEXT          appended
@@ -56,7 +57,10 @@ set type: block | sample type 'block' is not supported...
 set encoding: bzip2 | field 'encoding' is 'bzip2': only raw, gzip and ascii are supported
 set encoding: hex | field 'encoding' is 'hex': only raw, gzip and ascii are supported
 set dimension: 4 | field 'sizes' is '2 3 4': not 4 numbers as 'dimension' says
-dimension: 3 -> dimension: 4 && 2 3 4 -> 3 2 2 2 | sizes '3 2 2 2' are 4-dimensional: only three-dimensional scalar volumes can be meshed
+dimension: 3 -> dimension: 4 && 2 3 4 -> 3 2 2 2 | has 2 times: --time N chooses one, counted from 1
+dimension: 3 -> dimension: 5 && 2 3 4 -> 3 2 2 2 2 | sizes '3 2 2 2 2' are 5-dimensional: only three-dimensional scalar volumes can be meshed
+dimension: 3 -> dimension: 4\nkinds: list domain domain domain && 2 3 4 -> 9 2 3 4 | has 9 channels: --channel N chooses one, counted from 1
+dimension: 3 -> dimension: 4\nkinds: list domain domain domain && 2 3 4 -> 0 2 3 4 | has 0 channels: --channel N chooses one, counted from 1
 set spacings: 1 1 0 | spacing along z is not positive
 set spacings: 1 -1 1 | spacing along y is not positive
 set spacings: nan 1 1 | spacing along x is not positive
@@ -95,9 +99,10 @@ NDims = 3\n ->  | the header has no key 'NDims'
 DimSize = 2 3 4\n ->  | the header has no key 'DimSize'
 MET_SHORT -> MET_LONG_LONG | sample type 'MET_LONG_LONG' is not supported...
 NDims = 3 -> NDims = 2 | key 'DimSize' is '2 3 4': not 2 integers as NDims says
-NDims = 3 -> NDims = 4 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 | ...only three-dimensional volumes...
+NDims = 3 -> NDims = 4 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 | has 2 times: --time N chooses one, counted from 1
 DimSize = 2 3 4 -> DimSize = 2 3 5 | data is too short: 2 x 3 x 5 int16 samples need 60 bytes, found 48
-NDims = 3 -> ElementNumberOfChannels = 3\nNDims = 3 | key 'ElementNumberOfChannels' is '3': only scalar volumes can be meshed
+NDims = 3 -> ElementNumberOfChannels = 3\nNDims = 3 | has 3 channels: --channel N chooses one, counted from 1
+NDims = 3 -> NDims = 5 && DimSize = 2 3 4 -> DimSize = 2 3 2 2 2 | ...only three-dimensional volumes, at one time or several, can be meshed
 ElementSpacing = 1 1 1 -> ElementSpacing = 1 0 1 | spacing along y is not positive
 ElementSpacing = 1 1 1 -> ElementSpacing = 1 1 | key 'ElementSpacing' is '1 1': not 3 numbers
 1 0 0 0 1 0 0 0 1 -> 1 0 0 0.5 1 0 0 0 1 | ...sheared grid: its axes x and y...
@@ -111,7 +116,9 @@ at 0: u4 348 | ok
 at 70: u2 1024 | NIfTI datatype 1024 is not supported (integers of up to 32 bits, float32, float64 are)
 at 40: u2 2 | has 2 dimensions: only three-dimensional volumes can be meshed
 at 40: u2 65535 | has -1 dimensions: only three-dimensional volumes can be meshed
-at 48: u2 5 | dimension 4 has size 5: only one scalar volume without time steps can be meshed
+at 48: u2 5 | has 5 times: --time N chooses one, counted from 1
+at 40: u2 5 && at 50: u2 3 | has 3 channels: --channel N chooses one, counted from 1
+at 40: u2 6 && at 52: u2 3 | dimension 6 has size 3: only channels (5) and times (4) can be told apart
 at 42: u2 0 | 0 samples along x: dimensions must be positive
 at 46: u2 32767 | data is too short: 2 x 3 x 32767 int16 samples need 393204 bytes, found 48
 at 108: f4 100 | vox_offset 100.000000 is not valid
@@ -125,11 +132,12 @@ first 348 | ...its data file...
 [vtk]
 first 9999 | ok
 BINARY -> BOTH | is neither ASCII nor BINARY but 'both'
-STRUCTURED_POINTS -> UNSTRUCTURED_GRID | holds a data set of kind 'unstructured_grid': only STRUCTURED_POINTS can be meshed
+STRUCTURED_POINTS -> UNSTRUCTURED_GRID | holds a data set of kind 'unstructured_grid', not STRUCTURED_POINTS: convert it with python3 -c...
 DIMENSIONS 2 3 4 -> DIMENSIONS 2 3 5 | POINT_DATA is 24, but DIMENSIONS give 30 points
 DIMENSIONS 2 3 4 -> DIMENSIONS 2 3 four | DIMENSIONS is 'four', not an integer
 SPACING 1 1 1 -> SPACING 1 -1 1 | spacing along y is not positive
-POINT_DATA -> CELL_DATA | ends before the samples
+POINT_DATA -> CELL_DATA | has data of cells, not of points: convert it with python3 -c...
+STRUCTURED_POINTS -> RECTILINEAR_GRID | holds a data set of kind 'rectilinear_grid', not STRUCTURED_POINTS: convert it with python3 -c "import vtk; r = vtk.vtkGenericDataObjectReader(); r.SetFileName('FILE'); f = vtk.vtkResampleToImage(); f.SetSamplingDimensions(NX, NY, NZ); f.SetInputConnection(r.GetOutputPort()); w = vtk.vtkXMLImageDataWriter(); w.SetInputConnection(f.GetOutputPort()); w.SetFileName('volume.vti'); w.Write...
 SCALARS -> SCALES | keyword 'scales' is not supported
 unsigned_char 1 -> unsigned_char 3 | array 'values' has 3 components per point: only scalar volumes can be meshed
 unsigned_char -> bit | sample type 'bit' is not supported...
@@ -142,7 +150,10 @@ first 9999 | ok
 "Int16" -> "Int64" | sample type 'Int64' is not supported...
 "values" -> "other" | array 'other' has 3 components per point: only scalar volumes can be meshed
 Extent="2 3 -1 1 0 3" -> Extent="2 3 -1 1" | WholeExtent is '2 3 -1 1', not six integers
-</Piece> -> </Piece><Piece Extent="2 3 -1 1 4 6"> | has several pieces: only one is supported
+</Piece> -> </Piece><Piece Extent="2 3 -1 1 4 6"> | has several pieces: convert it with python3 -c "import vtk; r = vtk.vtkXMLGenericDataObjectReader(); r.SetFileName('FILE'); f = r; w = vtk.vtkXMLImageDataWriter(); w.SetInputConnection(f.GetOutputPort()); w.SetFileName('volume.vti'); w.Write...
+PointData -> CellData && PointData -> CellData | has data of cells, not of points: convert it with python3 -c "import vtk; r = vtk.vtkXMLGenericDataObjectReader(); r.SetFileName('FILE'); f = vtk.vtkCellDataToPointData(); f.Set...
+type="ImageData" -> type="RectilinearGrid" | is a VTK file of type 'RectilinearGrid': convert it with python3 -c...
+type="ImageData" -> type="PImageData" | lists pieces: convert it with python3 -c...
 offset="4" -> offset="x" | attribute offset is 'x'
 offset="4" -> offset="4000" | ends before its array at offset 4000
 offset="4" -> offset="5" | ...2 x 3 x 4 int16 samples need 48 bytes, the array holds...
@@ -155,7 +166,7 @@ Direction="1 0 0 -> Direction="1 0 0.3 | ...sheared grid...
 [vti binary]
 MAAA -> MQAA | 2 x 3 x 4 int16 samples need 48 bytes, the array holds 49
 [vti blocks]
-vtkZLibDataCompressor -> vtkLZ4DataCompressor | compressor 'vtkLZ4DataCompressor' is not supported (vtkZLibDataCompressor is)
+vtkZLibDataCompressor -> vtkLZ4DataCompressor | is compressed by 'vtkLZ4DataCompressor': convert it with python3 -c...
 \x03\x00\x00\x00\x14\x00\x00\x00\x08 -> \x03\x00\x00\x00\x14\x00\x00\x00\x09 | ...3 blocks of 20 bytes and a rest of 9 do not give that...
 \x03\x00\x00\x00\x14 -> \xff\xff\xff\xff\x14 | ends before 2 x 3 x 4 int16 samples
 [ply]
@@ -344,11 +355,13 @@ std::string edited(std::string file, std::string_view edit) {
     if (at == 0) return file.insert(file.find("\n\n") + 1, line);
     return file.replace(at, file.find('\n', at) + 1 - at, line);
   }
-  while (!edit.empty()) {
-    std::string_view one = cut_before(edit, " && ");
-    const std::string old = with_bytes(cut_before(one, " -> "));
-    replace_first(file, old, with_bytes(one));
-  }
+  const std::string old = with_bytes(cut_before(edit, " -> "));
+  replace_first(file, old, with_bytes(edit));
+  return file;
+}
+
+std::string all_edited(std::string file, std::string_view edits) {
+  while (!edits.empty()) file = edited(file, cut_before(edits, " && "));
   return file;
 }
 
@@ -404,7 +417,7 @@ TEST_CASE("each fault of a file has its message") {
     CAPTURE(row);
     const std::string_view edit = cut_before(row, " | ");
     const std::string message =
-        fault_of_file(folder, base.substr(0, base.find(' ')), edited(files.at(base), edit));
+        fault_of_file(folder, base.substr(0, base.find(' ')), all_edited(files.at(base), edit));
     CHECK_MESSAGE(says(message, row), message);
     ++rows;
   }

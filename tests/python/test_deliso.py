@@ -172,6 +172,7 @@ class TestMesh(TestCase):
         for call in [
             lambda: deliso.mesh(field(), 1e9),
             lambda: deliso.mesh(infinite, 10.25),
+            lambda: deliso.mesh(numpy.ma.masked_less(field(), 0), 10.25),
             lambda: deliso.mesh(field()[0], 10.25),
             lambda: deliso.mesh(field() * 1j, 10.25),
             lambda: deliso.mesh(field().astype(str), 10.25),
@@ -190,6 +191,21 @@ class TestMesh(TestCase):
             self.assertNotIn("\n", str(caught.exception))
         with self.assertWarns(UserWarning):
             deliso.mesh(noise(16), 0.5, vertices=8)
+
+    def test_samples_without_a_value(self):
+        array = field()
+        array[array < 5] = 5
+        gaps = numpy.where(array == 5, numpy.nan, array)
+        wanted = deliso.mesh(array, 10.25)
+        for m in [deliso.mesh(gaps, 10.25, nan=5), deliso.mesh_blocks(gaps, 10.25, nan=5)]:
+            self.assertTrue(numpy.array_equal(m.vertices, wanted.vertices))
+        masked = numpy.ma.masked_equal(array, 5)
+        for call in (deliso.mesh, deliso.mesh_blocks):
+            with self.assertRaisesRegex(deliso.Error, "has masked samples"):
+                call(masked, 10.25)
+        # A mask without a sample hides nothing.
+        m = deliso.mesh(numpy.ma.array(array), 10.25)
+        self.assertTrue(numpy.array_equal(m.vertices, wanted.vertices))
 
     def test_arrays_outlive_the_mesh(self):
         vertices = deliso.mesh(field(), 10.25).vertices

@@ -151,10 +151,11 @@ constexpr DrawnOption kDrawn[] = {
 
 // Options about files, formats and reports; --iso is always given.
 constexpr std::string_view kNotDrawn[] = {
-    "--iso",         "--output", "--format", "--ply-ascii", "--float", "--double",
-    "--attributes",  "--json",   "--quiet",  "--verbose",   "--check", "--restricted",
-    "--allow-empty", "--array",  "--series", "--dims",      "--type",  "--spacing",
-    "--endian",      "--skip",   "--help",   "--version"};
+    "--iso",         "--output", "--format", "--ply-ascii", "--float",  "--double",
+    "--attributes",  "--json",   "--quiet",  "--verbose",   "--check",  "--restricted",
+    "--allow-empty", "--array",  "--series", "--channel",   "--time",   "--origin",
+    "--nan",         "--dims",   "--type",   "--spacing",   "--endian", "--skip",
+    "--help",        "--version"};
 
 }  // namespace
 

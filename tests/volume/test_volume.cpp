@@ -150,7 +150,8 @@ void check_bad_sample(T bad, const char* word) {
     const Volume volume = Volume::from_samples({10, 20, 50}, {1, 1, 1}, samples);
     const std::string expected = std::string("v.nrrd: ") + word + " sample at (" +
                                  std::to_string(n % 10) + ", " + std::to_string(n / 10 % 20) +
-                                 ", " + std::to_string(n / 200) + ")";
+                                 ", " + std::to_string(n / 200) + ")" +
+                                 (std::isnan(bad) ? ": --nan VALUE gives such samples a value" : "");
     CHECK_THROWS_WITH_AS(value_range(volume, "v.nrrd"), expected.c_str(), InputError);
   }
 }
@@ -229,7 +230,8 @@ TEST_CASE("value_range names the first NaN or infinite sample") {
   samples[6] = std::numeric_limits<float>::quiet_NaN();
   const Volume block =
       Volume::from_samples({2, 2, 2}, {1, 1, 1}, samples).as_block({10, 20, 30}, {50, 50, 50});
-  CHECK_THROWS_WITH_AS(value_range(block, "v.nrrd"), "v.nrrd: NaN sample at (10, 21, 31)",
+  CHECK_THROWS_WITH_AS(value_range(block, "v.nrrd"),
+                       "v.nrrd: NaN sample at (10, 21, 31): --nan VALUE gives such samples a value",
                        InputError);
 }
 

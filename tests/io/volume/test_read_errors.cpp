@@ -112,7 +112,7 @@ TEST_CASE("each fault of compressed data has its message") {
       "v.nrrd: data is too long: 2 x 3 x 4 uint8 samples need 24 bytes, the compressed data holds "
       "more");
   CHECK(fault_of(folder, "v.nii.gz", gzipped("no header at all")) ==
-        "v.nii.gz: is compressed, but holds no NIfTI header");
+        "v.nii.gz: is compressed, but holds no NIfTI header: unpack it with 'gunzip FILE'");
   const std::string file = nifti(small_truth(), {})[0].content;
   CHECK(fault_of(folder, "v.nii.gz", gzipped(file.substr(0, 380))) ==
         "v.nii.gz: data is too short: 2 x 3 x 4 uint8 samples need 24 bytes, found 12");
@@ -131,7 +131,14 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
   };
   const std::tuple<std::string, std::string, std::string> files[] = {
       {"slice", nothing.substr(0, 128) + "DICM", "is DICOM without an image"},
-      {"a.h5", at(0, "\x89HDF\r\n\x1a\n"), "is HDF5: make it raw with 'h5dump"},
+      {"a.h5", at(0, "\x89HDF\r\n\x1a\n"), "is HDF5: 'h5ls -r FILE' lists"},
+      {"a.mnc", at(0, "\x89HDF\r\n\x1a\n"), "is MINC: convert it with python3 -c"},
+      {"a.mgh", at(3, "\x1"), "is MGH: convert it with python3 -c"},
+      {"a.mgz", gzipped(at(3, "\x1")), "is MGH: convert it with python3 -c"},
+      {"a.nii.bz2", at(0, "BZh91AY&SY"), "is compressed: unpack it with 'bunzip2 FILE'"},
+      {"a.nii.xz", at(0, "\xfd\x37zXZ"), "is compressed: unpack it with 'unxz FILE'"},
+      {"a.nii.zst", at(0, "\x28\xb5\x2f\xfd"), "is compressed: unpack it with 'unzstd FILE'"},
+      {"a.npz", at(0, "PK\x3\x4"), "is a zip archive, as NumPy's .npz is: unpack it with 'unzip"},
       {"a.mrc", at(208, "MAP "), "is MRC: "},
       {"a.png", at(0, "\x89PNG\r\n\x1a\n"), "is a picture: "},
       {"a.jpg", at(0, "\xff\xd8\xff\xe0"), "is a picture: "},
@@ -140,14 +147,16 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
   for (const auto& [name, content, message] : files) {
     CHECK(fault_of(folder, name, content).find(message) != std::string::npos);
   }
-  const std::pair<std::string, std::string> folders[] = {
-      {".zarray", "is Zarr: "},
-      {"zarr.json", "is Zarr: "},
-      {"IM1.DCM", "is a folder without slices, "},
-      {"0001.png", "is a folder of pictures: make one raw file"}};
-  for (const auto& [file, message] : folders) {
+  const std::tuple<std::string, std::string, std::string> folders[] = {
+      {".zarray", "", "is Zarr: "},
+      {".zgroup", "", "is a group of Zarr arrays: "},
+      {"zarr.json", "{\"node_type\": \"array\"}", "is Zarr: "},
+      {"zarr.json", "{\"node_type\": \"group\"}", "is a group of Zarr arrays: "},
+      {"IM1.DCM", "", "is a folder without slices, "},
+      {"0001.png", "", "is a folder of pictures: make one raw file"}};
+  for (const auto& [file, content, message] : folders) {
     const TemporaryFolder slices;
-    slices.write(file, "");
+    slices.write(file, content);
     CHECK(fault(slices, "").find(message) != std::string::npos);
   }
 }
@@ -217,9 +226,9 @@ TEST_CASE("raw data and regions") {
   CHECK(read(24) == "v.raw: has 24 bytes, fewer than the 30 to skip");
   options.raw->skip = 1;
   CHECK(read(25) == "");
-  options.raw->spacing = {1, 1, -2};
+  options.spacing = Vec3{1, 1, -2};
   CHECK(read(25) == "v.raw: spacing along z is not positive");
-  options.raw->spacing = {1, 1, 1};
+  options.spacing.reset();
   options.raw->dims = {0, 3, 4};
   CHECK(read(25) == "v.raw: 0 samples along x: dimensions must be positive");
   options.raw->dims = {2, 3, 4};

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <tuple>
 
+#include "base/text.h"
 #include "io/volume/builtin_volume.h"
 #include "volume_files.h"
 
@@ -113,6 +115,77 @@ TEST_CASE("the anatomical space of a file is kept") {
   std::string& text = ras.front().content;
   text.replace(text.find("left-posterior-superior"), 23, "right-anterior-superior");
   CHECK(space(ras) == AnatomicalSpace::ras);
+}
+
+// Only axes were kept; a wrong spacing could not be mended but in raw files.
+TEST_CASE("a spacing and an origin of the options stand for the file's, in every format") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::i16, {6, 7, 8}, 3);
+  truth.spacing = {0.5, 1.25, 3};
+  truth.origin = {10, -20, 30};
+  truth.axes = {Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}};
+  for (const StoredVolume& stored : all_forms(truth)) {
+    CAPTURE(stored.label);
+    const std::string path = write_all(folder, stored);
+    const Frame own = read_volume(path, stored.options).frame();
+    ReadOptions options = stored.options;
+    options.spacing = Vec3{2, 3, 4};
+    ReadLog log;
+    const Volume spaced = read_volume(path, options, &log);
+    CHECK(spaced.spacing() == Vec3{2, 3, 4});
+    CHECK(spaced.frame() == own);
+    CHECK(samples_of(spaced) == truth.bytes);
+    options.origin = Vec3{-1, -2, -3};
+    options.roi = Roi{{1, 0, 2}, {5, 7, 8}};
+    const Volume placed = read_volume(path, options, &log);
+    Frame moved = own;
+    moved.origin = {-1, -2, -3};
+    CHECK(placed.spacing() == Vec3{2, 3, 4});
+    CHECK(distance(placed.frame().origin, moved.to_world({2, 0, 8})) < 1e-9);
+    const auto is_of = [&](const char* option) {
+      return std::ranges::count_if(log.notes, [&](const std::string& note) {
+        return note.ends_with(
+            text("the ", option + 2, " is that of ", option, ", whatever the file says"));
+      });
+    };
+    const bool has_none = stored.options.spacing.has_value();  // raw, NumPy, TIFF
+    CHECK(is_of("--spacing") == (has_none ? 0 : 2));
+    CHECK(is_of("--origin") == (has_none ? 0 : 1));
+  }
+  ReadOptions options;
+  options.spacing = Vec3{2, 3, 4};
+  options.origin = Vec3{1, 2, 3};
+  const Volume torus = read_volume("builtin:torus:16", options);
+  CHECK(torus.spacing() == Vec3{2, 3, 4});
+  CHECK(torus.frame().origin == Vec3{1, 2, 3});
+}
+
+TEST_CASE("NIfTI's meters and micrometers become millimeters") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::u8, {3, 4, 5}, 1);
+  truth.spacing = {0.5, 1.25, 3};
+  truth.origin = {10, -20, 30};
+  for (const int version : {1, 2}) {
+    for (const auto placement : {NiftiForm::Placement::qform, NiftiForm::Placement::sform}) {
+      for (const auto& [unit, scale, noun] : {std::tuple{0, 1.0, ""},
+                                              {1 + 8, 1000.0, "meters"},
+                                              {2 + 8, 1.0, ""},
+                                              {3 + 16, 0.001, "micrometers"}}) {
+        NiftiForm form{version};
+        form.placement = placement;
+        std::string file = nifti(truth, form)[0].content;
+        file[version == 1 ? 123 : 500] = static_cast<char>(unit);
+        ReadLog log;
+        const Volume volume = read_volume(folder.write("v.nii", file), {}, &log);
+        CHECK(distance(volume.spacing(), scale * truth.spacing) < 1e-6 * scale);
+        CHECK(distance(volume.frame().origin, scale * truth.origin) < 1e-5 * scale);
+        CHECK(log.notes.size() == (scale == 1 ? 0 : 1));
+        if (scale != 1) {
+          CHECK(log.notes[0].ends_with(text("in millimeters, the header's in ", noun)));
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("a region has the same samples in every format") {

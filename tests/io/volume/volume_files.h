@@ -44,6 +44,9 @@ struct Truth {
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   std::string bytes{};  // native order
   std::uint64_t seed = 0;
+  // Of NRRD, MetaImage and NIfTI: `bytes` has them all, in the order of the format.
+  int channels = 1, times = 1;
+  bool is_alone() const { return channels == 1 && times == 1; }
 
   std::size_t count() const { return bytes.size() / size_of(type); }
   Vec3 step(std::size_t axis) const { return spacing[static_cast<int>(axis)] * axes[axis]; }
@@ -135,13 +138,19 @@ inline std::vector<NamedFile> nrrd(const Truth& t, std::endian order, const std:
                                "uint",  "signed int", "float",          "double"};
   std::string header = "NRRD0005\n# a comment: with colon\ntype: ";
   header += types[static_cast<int>(t.type)];
-  header += "\ndimension: 3\nspace: left-posterior-superior\nsizes: " + join(t.dims) +
-            "\nspace directions: ";
+  const bool alone = t.is_alone();
+  const std::string sizes =
+      alone ? join(t.dims) : to_text(t.channels) + " " + join(t.dims) + " " + to_text(t.times);
+  header += std::string("\ndimension: ") + (alone ? "3" : "5") +
+            "\nspace: left-posterior-superior\nsizes: " + sizes +
+            "\nspace directions: " + (alone ? "" : "none ");
   for (std::size_t a = 0; a < 3; ++a) header.append("(").append(join(t.step(a), ",")).append(") ");
+  if (!alone) header += "none";
   header += "\nspace origin: (" + join(t.origin, ", ") + ")\nencoding: " + encoding + "\n";
   if (encoding != "ascii" && size_of(t.type) > 1)
     header += order == std::endian::little ? "endian: little\n" : "endian: big\n";
-  header += "My key:=my value: with colon\nkinds: domain domain domain\n";
+  header += std::string("My key:=my value: with colon\nkinds: ") +
+            (alone ? "domain domain domain\n" : "list domain domain domain time\n");
   std::string data = encoding == "ascii" ? ascii_samples(t) : t.in_order(order);
   std::string front;
   if (form == NrrdForm::detached_skips) {
@@ -166,14 +175,21 @@ inline std::vector<NamedFile> metaimage(const Truth& t, std::endian order,
                                         const std::string& encoding, MetaForm form) {
   const char* const types[] = {"MET_UCHAR", "MET_CHAR", "MET_USHORT", "MET_SHORT",
                                "MET_UINT",  "MET_INT",  "MET_FLOAT",  "MET_DOUBLE"};
-  std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = ";
+  const bool has_times = t.times > 1;
+  const std::string zero = has_times ? " 0" : "", one = has_times ? " 1" : "";
+  std::string header =
+      std::string("ObjectType = Image\nNDims = ") + (has_times ? "4" : "3") + "\nBinaryData = ";
   header += encoding == "ascii" ? "False\n" : "True\n";
   header += std::string("BinaryDataByteOrderMSB = ") +
             (order == std::endian::big ? "True\n" : "False\n") +
             "CompressedData = " + (encoding == "zlib" ? "True\n" : "False\n");
-  header += "TransformMatrix = " + join(t.axes[0]) + " " + join(t.axes[1]) + " " + join(t.axes[2]) +
-            "\nOffset = " + join(t.origin) + "\nCenterOfRotation = 0 0 0\n";
-  header += "ElementSpacing = " + join(t.spacing) + "\nDimSize = " + join(t.dims) + "\n";
+  header += "TransformMatrix =";
+  for (const Vec3& axis : t.axes) header += " " + join(axis) + zero;
+  header += (has_times ? " 0 0 0 1" : "") + ("\nOffset = " + join(t.origin)) + zero +
+            "\nCenterOfRotation = 0 0 0" + zero;
+  header += "\nElementSpacing = " + join(t.spacing) + one + "\nDimSize = " + join(t.dims) +
+            (has_times ? " " + to_text(t.times) : "") + "\n";
+  if (t.channels > 1) header += "ElementNumberOfChannels = " + to_text(t.channels) + "\n";
   std::string front;
   if (form == MetaForm::detached_header) {
     header += "HeaderSize = 7\n";
@@ -215,7 +231,8 @@ inline std::string nifti_header(const Truth& t, const NiftiForm& form) {
   const std::size_t real = two ? 8 : 4;
   constexpr int codes[] = {2, 256, 512, 4, 768, 8, 16, 64};
   put(0, h.size(), 4);
-  const std::int64_t dim[] = {4, t.dims.i, t.dims.j, t.dims.k, 1, 1, 1, 1};
+  const std::int64_t dim[] = {t.is_alone() ? 4 : 5, t.dims.i, t.dims.j, t.dims.k, t.times,
+                              t.channels,           1,        1};
   for (std::size_t n = 0; n < 8; ++n)
     put(two ? 16 + 8 * n : 40 + 2 * n, static_cast<std::uint64_t>(dim[n]), two ? 8 : 2);
   put(two ? 12 : 70, static_cast<std::uint64_t>(codes[static_cast<int>(t.type)]), 2);
@@ -845,7 +862,8 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
     }
     StoredVolume raw{
         std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
-    raw.options.raw = RawLayout{t.dims, t.type, t.spacing, order, 4};
+    raw.options.raw = RawLayout{t.dims, t.type, order, 4};
+    raw.options.spacing = t.spacing;
     all.push_back(raw);
     for (const bool is_big : {false, true}) {
       for (const int compression : {1, 5, 8, 32946, 32773}) {
