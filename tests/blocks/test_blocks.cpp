@@ -9,6 +9,7 @@
 
 #include "blocks/components.h"
 #include "blocks/grid.h"
+#include "cases.h"
 #include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
@@ -98,7 +99,7 @@ TEST_CASE("a block grows beyond its refused faces by whole blocks") {
 
 TEST_CASE("components counted in blocks are those of the whole, in the same order") {
   std::size_t components = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(100u); ++seed) {
     CAPTURE(seed);
     const auto tiny = make_tiny_volume(seed, 5, 14);
     const double kappa = geometric_isovalue(tiny.volume.type(), tiny.isovalue);
@@ -117,7 +118,7 @@ TEST_CASE("components counted in blocks are those of the whole, in the same orde
     }
     components += whole.components.size();
   }
-  CHECK(components > 300);
+  CHECK(components > test::cases(300u));
 }
 
 TEST_CASE("facets of two boxes at a seam never cross, and any number of threads makes one mesh") {
@@ -141,7 +142,7 @@ TEST_CASE("facets of two boxes at a seam never cross, and any number of threads 
 
 TEST_CASE("where a seam is refused a larger block is meshed, and the surface is whole") {
   std::uint64_t larger = 0;
-  for (std::uint64_t seed = 1; seed <= 45; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(45u); ++seed) {
     CAPTURE(seed);
     const auto tiny = make_tiny_volume(seed, 8, 14);
     Report report;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "cap/solids.h"
+#include "cases.h"
 #include "deliso/fields.h"
 #include "stress/tiny_volume.h"
 
@@ -16,7 +17,7 @@ using namespace deliso;
 
 TEST_CASE("tiny volumes of noise become closed solids, also over edges and corners of the box") {
   int capped = 0;
-  for (std::uint64_t seed = 1; seed <= 240; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(240u); ++seed) {
     CAPTURE(seed);
     const Volume volume = noise(seed, {1, 1, seed % 5 == 0 ? 4.0 : 1.0});
     const double kappa = seed % 4 == 0 ? 1 : seed % 2 == 0 ? 100 : 60.3;
@@ -28,13 +29,13 @@ TEST_CASE("tiny volumes of noise become closed solids, also over edges and corne
     check_solid(solid, volume.box());
     capped += solid.mesh.faces.size() > solid.report.cap.surface_triangles;
   }
-  CHECK(capped > 200);
+  CHECK(capped > test::cases(200));
 }
 
 // A component that was swept over lay on the other side of its neighbor, and its boundary loop no
 // longer parted inside from outside.
 TEST_CASE("the coarsest meshes of noise become closed solids") {
-  for (std::uint64_t seed = 200; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 200; seed <= 200 + test::cases(100u); ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(stress::kTinyKinds * seed);
     Options options;
@@ -50,7 +51,7 @@ TEST_CASE("the coarsest meshes of noise become closed solids") {
 // one solid in ten cross itself.
 TEST_CASE("vertices lifted off the box make no crossing") {
   std::uint64_t lifted = 0, left = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(120u); ++seed) {
     CAPTURE(seed);
     const Volume volume = noise(seed, {1, 1, seed % 5 == 0 ? 3.0 : 1.0});
     const double kappa = seed % 4 == 0 ? 1.5 : 60.3 + 40 * static_cast<double>(seed % 3);
@@ -65,14 +66,14 @@ TEST_CASE("vertices lifted off the box make no crossing") {
     lifted += solid.report[Counter::cap_edges_lifted];
     left += solid.report[Counter::cap_not_lifted];
   }
-  CHECK(lifted > 100);
+  CHECK(lifted > test::cases(100u));
   CHECK(left == 0);
 }
 
 // Where T crosses itself the solid may too; then the report says so.
 TEST_CASE("samples of all magnitudes become closed solids that cross no more than their surface") {
   int sound = 0, solids = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(80u); ++seed) {
     CAPTURE(seed);
     const Scattered scene = scattered(seed, seed % 2 == 0 ? 12 : 3);
     const ValueRange range = value_range(scene.volume);
@@ -86,7 +87,7 @@ TEST_CASE("samples of all magnitudes become closed solids that cross no more tha
     sound += solid.report.cap.failure.empty() && solid.crossings == 0;
     ++solids;
   }
-  CHECK(solids > 60);
+  CHECK(solids > test::cases(60));
   CHECK(sound >= solids - 1);
 }
 
@@ -95,7 +96,7 @@ TEST_CASE(
     "surroundings") {
   // Samples at the corners of the box once decided, though their component had been left out.
   int whole = 0, nothing = 0, fewer = 0;
-  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(80u); ++seed) {
     CAPTURE(seed);
     const Volume volume = noise(seed, {1, 1, 1});
     const double kappa = seed % 4 == 0 ? 1 : seed % 2 == 0 ? 170 : 30.3;
@@ -117,9 +118,9 @@ TEST_CASE(
     CHECK(solid.crossings == 0);
     whole += solid.report.cap.surface_triangles == 0;
   }
-  CHECK(fewer > 30);
-  CHECK(whole > 3);
-  CHECK(nothing > 3);
+  CHECK(fewer > test::cases(30));
+  CHECK(whole > test::cases(3));
+  CHECK(nothing > test::cases(3));
 }
 
 TEST_CASE(
@@ -155,7 +156,7 @@ TEST_CASE(
 }
 
 TEST_CASE("smooth fields: the caps cover the inside samples of the box, and the volume is right") {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(30u); ++seed) {
     CAPTURE(seed);
     const Scene scene = wave_scene(seed, 12, {1, 1, seed % 3 == 0 ? 2.5 : 1.0});
     Options options;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/random.h"
+#include "cases.h"
 #include "contour/contour.h"
 #include "mesh_checks.h"
 
@@ -160,24 +161,24 @@ Volume double_field(Index3 dims, const std::function<double(double, double, doub
 TEST_CASE("random volumes, split at random, keep their topology") {
   Random random(21);
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < test::cases(3000); ++trial) {
     CAPTURE(trial);
     const Volume volume =
         random_volume(random, random_dims(random, 3, 6), [&] { return random.uniform(0, 1); });
     check_split(random, volume, random.uniform(0.2, 0.8), tally);
   }
   CHECK(tally.split == tally.expected);  // no random voxel is degenerate
-  CHECK(tally.split > 40000);
-  CHECK(tally.tubes > 200);
-  CHECK(tally.with_boundary > 2500);
-  CHECK(tally.closed > 500);
+  CHECK(tally.split > test::cases(40000));
+  CHECK(tally.tubes > test::cases(200));
+  CHECK(tally.with_boundary > test::cases(2500));
+  CHECK(tally.closed > test::cases(500));
 }
 
 TEST_CASE(
     "volumes of few integers, with tied saddles and samples equal to kappa, keep their topology") {
   Random random(22);
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < test::cases(3000); ++trial) {
     CAPTURE(trial);
     const std::uint32_t levels = 2 + random.below(6);
     const Volume volume =
@@ -186,7 +187,7 @@ TEST_CASE(
     check_split(random, volume, trial % 4 == 0 ? kappa : geometric_isovalue(volume.type(), kappa),
                 tally);
   }
-  CHECK(tally.split > 15000);
+  CHECK(tally.split > test::cases(15000));
   CHECK(tally.split < tally.expected);  // some saddles lie at kappa to the last bit
   CHECK(tally.expected - tally.split < tally.expected / 10);
 }
@@ -194,7 +195,7 @@ TEST_CASE(
 TEST_CASE("single voxels, some with tubes, keep their topology when split") {
   Random random(23);
   Tally tally;
-  for (int trial = 0; trial < 8000; ++trial) {
+  for (int trial = 0; trial < test::cases(8000); ++trial) {
     CAPTURE(trial);
     const double spread = trial % 2 == 0 ? 1 : 0.1;  // near (+1, -1, ...): tubes are frequent
     int corner = 0;
@@ -206,7 +207,7 @@ TEST_CASE("single voxels, some with tubes, keep their topology when split") {
     check_split(random, volume, 0, tally);
   }
   CHECK(tally.split == tally.expected);
-  CHECK(tally.tubes > 500);
+  CHECK(tally.tubes > test::cases(500));
 }
 
 TEST_CASE("triangles face outwards and come closer to the surface as cells get smaller") {

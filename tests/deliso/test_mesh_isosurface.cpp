@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/triangle.h"
+#include "cases.h"
 #include "check/self_intersections.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -161,7 +162,7 @@ TEST_CASE("a single stage of the certified way is refused") {
 }
 
 TEST_CASE("smooth noise cut by the box gives valid meshes, also with anisotropic spacing") {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 2 : 6); ++seed) {
     for (const RecoverWay way : {RecoverWay::certified, RecoverWay::paper}) {
       CAPTURE(seed);
       CAPTURE(static_cast<int>(way));
@@ -182,7 +183,7 @@ TEST_CASE("smooth noise cut by the box gives valid meshes, also with anisotropic
 // saddles exactly at kappa and vertices of T that coincide. Some samples equal the isovalue.
 TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology") {
   int components = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(400u); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Index3 dims{2 + static_cast<int>(random.below(6)), 2 + static_cast<int>(random.below(6)),
@@ -207,7 +208,7 @@ TEST_CASE("certified: tiny volumes of noise have exactly the contour's topology"
     CHECK(out.report[Counter::uncertified_sites] == 0);
     check_topology(out.mesh, exact);
   }
-  CHECK(components > 1000);
+  CHECK(components > test::cases(1000));
 }
 
 TEST_CASE("certified: no small component is lost; the paper's way counts each that it loses") {
@@ -361,7 +362,7 @@ TEST_CASE(
 
 // h of needles, 4e-9 or 5e6 voxels, was once said to be the distance that was reached.
 TEST_CASE("target_vertices below what the topology needs: as few as can be, and how far they are") {
-  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 2 : 9); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     std::vector<std::uint8_t> samples(11 * 11 * 11);

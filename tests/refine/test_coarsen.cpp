@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Coarsens refined meshes of all kinds, down to the fewest vertices. The mesh keeps its topology,
 // stays embedded, and its vertices stay on Sigma. The least error is removed first.
+#include "cases.h"
 #include "refine/coarsen.h"
 
 #include <doctest/doctest.h>
@@ -69,7 +70,7 @@ Signs signs_of(const TriMesh& mesh, const Box3& box) {
 // Calls test(n, stage) for some volumes of all kinds, refined and without a bound on the distance.
 template <class Test>
 void for_each_scene(Test&& test) {
-  for (int n = 0; n < kScenes; ++n) {
+  for (int n = 0; n < test::cases(kScenes); ++n) {
     CAPTURE(n);
     const Scene scene = some_scene(n);
     if (scene.contour.points.empty()) continue;
@@ -112,7 +113,7 @@ TEST_CASE("a coarsened mesh is embedded, of the same topology, and has the verti
 // A component whose boundary passes an edge of the box keeps its vertices there, and so its side.
 TEST_CASE("no component is reversed, however few vertices are left") {
   std::size_t signs = 0;
-  for (std::uint64_t seed = 160; seed < 260; ++seed) {
+  for (std::uint64_t seed = 160; seed < 160 + test::cases(100u); ++seed) {
     CAPTURE(seed);
     const stress::TinyVolume tiny = stress::make_tiny_volume(seed);
     const Scene scene(tiny.volume, geometric_isovalue(tiny.volume.type(), tiny.isovalue));
@@ -129,7 +130,7 @@ TEST_CASE("no component is reversed, however few vertices are left") {
       ++signs;
     }
   }
-  CHECK(signs > 5000);
+  CHECK(signs > test::cases(5000u));
 }
 
 TEST_CASE("spheres are coarsened to tetrahedra") {
