@@ -47,11 +47,6 @@ class TableSink final : public ContourSink {
     }
   }
 
-  void expect(std::size_t crossings) override {
-    points_.reserve(crossings);
-    triangles_.reserve(2 * crossings);
-  }
-
   VertexId crossing(int axis, Index3 sample, double c0, double c1, std::uint8_t) override {
     if (points_.size() >= kNoId) throw InputError("the mesh has 2^32 vertices or more");
     Vec3 p{static_cast<double>(sample.i), static_cast<double>(sample.j),

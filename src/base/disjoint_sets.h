@@ -17,6 +17,11 @@ class DisjointSets {
 
   // Makes every member a set of its own.
   void reset() { std::iota(parent_.begin(), parent_.end(), 0u); }
+  // Adds one more member, a set of its own, and returns it.
+  std::uint32_t add() {
+    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    return parent_.back();
+  }
   std::uint32_t find(std::uint32_t a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;

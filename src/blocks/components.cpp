@@ -126,17 +126,10 @@ AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
       into.boundary_loops = 0;
       continue;
     }
-    into.euler += piece.euler;
-    into.crossings += piece.crossings;
-    into.pieces += piece.pieces;
-    into.tubes += piece.tubes;
+    into.add(piece);
     if (voxel_number(dims, piece.first) < voxel_number(dims, into.first)) {
       into.first = piece.first;
       first = n;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      into.lo[axis] = std::min(into.lo[axis], piece.lo[axis]);
-      into.hi[axis] = std::max(into.hi[axis], piece.hi[axis]);
     }
   }
   AllComponents out;

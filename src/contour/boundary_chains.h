@@ -4,9 +4,16 @@
 
 #include <vector>
 
-#include "contour/contour_stream.h"
+#include "contour/contour.h"
 
 namespace deliso {
+
+// A segment of T on the box, directed as in its triangle.
+struct BoundarySegment {
+  VertexId from, to;
+  std::uint32_t component;  // a label, later a component's number
+  BoxFace face;
+};
 
 // Links segments into chains. pre: every vertex starts one segment and ends one; `component` holds
 // component numbers.

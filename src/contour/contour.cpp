@@ -10,7 +10,6 @@
 #include "contour/boundary_chains.h"
 #include "contour/contour_stream.h"
 #include "contour/piece_mesher.h"
-#include "contour/split_voxels.h"
 
 namespace deliso {
 namespace {
@@ -26,35 +25,6 @@ class CountingSink final : public ContourSink {
  private:
   VertexId next_ = 0;
 };
-
-struct StreamResult {
-  ContourSummary summary;
-  BoundaryChains boundary;
-  std::vector<std::uint32_t> component_of_label;
-};
-
-// Walks the volume.
-StreamResult stream(const Volume& volume, double kappa, ContourSink& sink) {
-  WalkResult found = walk_contour(volume, kappa, sink);
-  StreamResult result;
-  result.summary.active_voxels = found.active_voxels;
-  auto& components = result.summary.components;
-  result.component_of_label = found.components.finish(components);
-  for (auto& segment : found.boundary) {
-    segment.component = result.component_of_label[segment.component];
-  }
-  result.boundary = chain_segments(std::move(found.boundary));
-  for (const std::uint32_t c : result.boundary.component) ++components[c].boundary_loops;
-  return result;
-}
-
-// Walks the volume with a sink that fills `mesh`, and completes it.
-void fill(ContourMesh& mesh, const Volume& volume, double kappa, ContourSink& sink) {
-  StreamResult result = stream(volume, kappa, sink);
-  for (auto& component : mesh.component) component = result.component_of_label[component];
-  mesh.summary = std::move(result.summary);
-  mesh.boundary = std::move(result.boundary);
-}
 
 }  // namespace
 
@@ -88,23 +58,25 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
 ContourMesh build_contour(const Volume& volume, double kappa) {
   ContourMesh mesh;
   PieceMesher mesher(mesh, volume, kappa);
-  fill(mesh, volume, kappa, mesher);
+  complete(mesh, walk_contour(volume, kappa, mesher));
   return mesh;
 }
 
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split) {
-  const ChosenVoxels chosen = choose_split_voxels(volume, kappa, split);
-  if (chosen.size() == 0) return build_contour(volume, kappa);
-  ContourMesh mesh;
-  SplitMesher mesher(mesh, volume, kappa, chosen, split);
-  fill(mesh, volume, kappa, mesher);
-  mesh.split_voxels = chosen.size();
-  return mesh;
+void complete(ContourMesh& mesh, WalkResult found) {
+  mesh.summary.active_voxels = found.active_voxels;
+  auto& components = mesh.summary.components;
+  const std::vector<std::uint32_t> component_of_label = found.components.finish(components);
+  for (auto& component : mesh.component) component = component_of_label[component];
+  for (auto& segment : found.boundary) segment.component = component_of_label[segment.component];
+  mesh.boundary = chain_segments(std::move(found.boundary));
+  for (const std::uint32_t c : mesh.boundary.component) ++components[c].boundary_loops;
 }
 
 ContourSummary summarize_contour(const Volume& volume, double kappa) {
+  ContourMesh nothing;
   CountingSink sink;
-  return stream(volume, kappa, sink).summary;
+  complete(nothing, walk_contour(volume, kappa, sink));
+  return nothing.summary;
 }
 
 }  // namespace deliso

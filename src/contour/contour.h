@@ -50,6 +50,17 @@ struct ContourComponent {
   Index3 first;   // the first voxel it visits in scan order
   Index3 lo, hi;  // first and last voxel it visits along each axis
 
+  // Adds the counts of a piece of it, and unites their voxels.
+  void add(const ContourComponent& piece) {
+    euler += piece.euler;
+    crossings += piece.crossings;
+    pieces += piece.pieces;
+    tubes += piece.tubes;
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = std::min(lo[axis], piece.lo[axis]);
+      hi[axis] = std::max(hi[axis], piece.hi[axis]);
+    }
+  }
   // The longest side of its bounding box, in voxels.
   int side() const { return 1 + std::max({hi.i - lo.i, hi.j - lo.j, hi.k - lo.k}); }
 
@@ -109,46 +120,6 @@ struct ContourMesh {
 // Returns T, from one pass over the samples. T is empty if the volume has no voxels (a dimension of
 // 1). Throws InputError if T has 2^32 - 1 vertices or more.
 ContourMesh build_contour(const Volume& volume, double kappa);
-
-// Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
-// interpolant's values. Its pieces are those of its cells.
-struct ContourSplit {
-  std::vector<std::uint64_t> voxels;  // voxel_number()s, ascending; inactive ones are ignored
-  Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
-  // Cells of every other active voxel, >= 1. Voxels that share a face with a listed one stay whole,
-  // so that cells of two sizes never meet.
-  Index3 elsewhere{1, 1, 1};
-};
-
-// Returns the voxel's number in scan order; `dims` are the volume's, in samples.
-constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
-  const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
-  return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
-}
-
-// Returns the voxel with that number.
-constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
-  const auto nx = static_cast<std::uint64_t>(dims.i - 1),
-             ny = static_cast<std::uint64_t>(dims.j - 1);
-  return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
-          static_cast<int>(number / nx / ny)};
-}
-
-// Returns the voxel across face f of `voxel`; it may lie outside the volume.
-inline Index3 voxel_across(Index3 voxel, int f) {
-  voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
-  return voxel;
-}
-
-// Returns T, made finer as `split` says. I1-I6 and the topology of the plain T hold, component by
-// component. The two summaries are equal: they count crossings and pieces of voxels, not of cells.
-// The plain T's crossings of grid edges are vertices here too, at the same places and in the same
-// order. A voxel beside a split one keeps its pieces, with more vertices on their loops. Boundary
-// chains go from cell to cell. Rounding might give the cells of a voxel another topology than the
-// voxel's (a face's saddle at kappa, to the last bits). Such a voxel stays whole. Without split
-// voxels the result is build_contour(volume, kappa). Cost: a second visit of each listed voxel
-// besides the pass itself.
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split);
 
 // Returns the summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa);

@@ -24,7 +24,6 @@ class LayerBits {
     buffer_.resize(static_cast<std::size_t>(words_) * 64);
   }
 
-  int words() const { return words_; }
   const std::uint64_t* row(int j) const { return bits_.data() + std::size_t(stride_) * size_t(j); }
 
   // Sets row j to the bits of row (j, k) of the volume.
@@ -72,66 +71,40 @@ class ContourStream {
         sink_(sink),
         dims_(volume.dims()),
         row_stride_(static_cast<std::size_t>(dims_.i)),
-        layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)) {}
+        layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)),
+        layers_{LayerBits(dims_.i, dims_.j), LayerBits(dims_.i, dims_.j)} {}
 
-  void run() {
-    if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return;
-    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
+  WalkResult run() {
+    if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return {};
     for (auto& slots : slots_) slots.resize(layer_size_);
     for (int k = 0; k < dims_.k; ++k) {
       throw_if_canceled();
       aim_slots(k - 1);
       for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k);
-        if (k > 0) {
-          for_each_edge_along_z(j, k - 1, [&](int i) { add_crossing(kZ, 2, {i, j, k - 1}); });
-        }
-        cross_row_in_layer(j, k);
+        layers_[k & 1].load_row(volume_, j, k, kappa_);
+        cross_edges(j, k);
         if (j > 0 && k > 0) walk_row(j - 1, k - 1);
       }
     }
+    sink_.replace_boundary(found_.boundary);
+    return std::move(found_);
   }
-
-  // Returns roughly how many grid edges are crossed, from every 16th layer; 0 if there are few
-  // layers.
-  std::size_t estimate_crossings() {
-    constexpr int kLayerStride = 16;
-    for (auto& layer : layers_) layer.emplace(dims_.i, dims_.j);
-    std::size_t crossings = 0;
-    const auto count = [&](int) { ++crossings; };
-    for (int k = kLayerStride / 2; k + 1 < dims_.k; k += kLayerStride) {
-      for (int j = 0; j < dims_.j; ++j) {
-        load_row(j, k);
-        load_row(j, k + 1);
-        for_each_edge_along_x(j, k, count);
-        if (j > 0) for_each_edge_along_y(j - 1, k, count);
-        for_each_edge_along_z(j, k, count);
-      }
-    }
-    return kLayerStride * crossings;
-  }
-
-  // pre: run() has returned.
-  WalkResult& found() { return found_; }
 
  private:
   struct Slot {
     VertexId vertex;
     std::uint32_t label;  // kNoId before its first voxel
   };
-  // Slots of the edges along x and y in the two layers, and along z between them.
-  enum SlotArray { kX0, kX1, kY0, kY1, kZ };
-
-  const LayerBits& layer(int k) const { return *layers_[k & 1]; }
+  const std::uint64_t* row(int j, int k) const { return layers_[k & 1].row(j); }
+  // Returns the slots of the edges along an axis from layer k. Those along z have one layer.
+  std::vector<Slot>& slots(int axis, int k) { return slots_[axis == 2 ? 4 : 2 * axis + (k & 1)]; }
   std::size_t in_layer(int i, int j) const { return row_stride_ * size_t(j) + size_t(i); }
   double value(Index3 at) const { return volume_.sample(at.i, at.j, at.k) - kappa_; }
 
-  void load_row(int j, int k) { layers_[k & 1]->load_row(volume_, j, k, kappa_); }
-
   // Calls visit(i) for every bit set in bits(w), below `limit`.
   template <class Bits, class Visit>
-  static void for_each_bit(int words, int limit, Bits bits, Visit visit) {
-    for (int w = 0; w < words; ++w) {
+  static void for_each_bit(int limit, Bits bits, Visit visit) {
+    for (int w = 0; 64 * w < limit; ++w) {
       std::uint64_t rest = bits(w);
       if (limit - 64 * w < 64) rest &= (std::uint64_t{1} << (limit - 64 * w)) - 1;
       for (; rest != 0; rest &= rest - 1) visit(64 * w + std::countr_zero(rest));
@@ -143,7 +116,7 @@ class ContourStream {
     return row[w] >> 1 | row[w + 1] << 63;
   }
 
-  void add_crossing(SlotArray array, int axis, Index3 sample) {
+  void add_crossing(int axis, Index3 sample) {
     Index3 end = sample;
     ++end[axis];
     int faces = 0;
@@ -154,46 +127,33 @@ class ContourStream {
     }
     const VertexId vertex =
         sink_.crossing(axis, sample, value(sample), value(end), static_cast<std::uint8_t>(faces));
-    slots_[array][in_layer(sample.i, sample.j)] = {vertex, kNoId};
+    slots(axis, sample.k)[in_layer(sample.i, sample.j)] = {vertex, kNoId};
   }
 
-  // Call visit(i) for the crossed edges from the samples of row (j, k), or between it and the next
-  // row.
-  template <class Visit>
-  void for_each_edge_along_x(int j, int k, Visit visit) const {
-    const std::uint64_t* row = layer(k).row(j);
+  // Adds vertices on the grid edges that row (j, k) completes.
+  void cross_edges(int j, int k) {
+    const std::uint64_t* const here = row(j, k);
+    const auto cross_from = [&](int axis, int from_j, int from_k) {
+      const std::uint64_t* const from = row(from_j, from_k);
+      for_each_bit(
+          dims_.i, [&](int w) { return from[w] ^ here[w]; },
+          [&](int i) {
+            add_crossing(axis, {i, from_j, from_k});
+          });
+    };
+    if (k > 0) cross_from(2, j, k - 1);
+    if (j > 0) cross_from(1, j - 1, k);
     for_each_bit(
-        layer(k).words(), dims_.i - 1, [&](int w) { return row[w] ^ shifted(row, w); }, visit);
-  }
-  template <class Visit>
-  void for_each_edge_along_y(int j, int k, Visit visit) const {
-    const std::uint64_t *row = layer(k).row(j), *next = layer(k).row(j + 1);
-    for_each_bit(
-        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ next[w]; }, visit);
-  }
-  template <class Visit>
-  void for_each_edge_along_z(int j, int k, Visit visit) const {
-    const std::uint64_t *row = layer(k).row(j), *above = layer(k + 1).row(j);
-    for_each_bit(
-        layer(k).words(), dims_.i, [&](int w) { return row[w] ^ above[w]; }, visit);
-  }
-
-  // Adds vertices on the edges within the layer that row (j, k) completes.
-  void cross_row_in_layer(int j, int k) {
-    const bool odd = (k & 1) != 0;
-    if (j > 0) {
-      for_each_edge_along_y(j - 1, k, [&](int i) {
-        add_crossing(odd ? kY1 : kY0, 1, {i, j - 1, k});
-      });
-    }
-    for_each_edge_along_x(j, k, [&](int i) { add_crossing(odd ? kX1 : kX0, 0, {i, j, k}); });
+        dims_.i - 1, [&](int w) { return here[w] ^ shifted(here, w); },
+        [&](int i) {
+          add_crossing(0, {i, j, k});
+        });
   }
 
   // Visits the active voxels of row (j, k).
   void walk_row(int j, int k) {
-    const std::uint64_t* rows[4] = {layer(k).row(j), layer(k).row(j + 1), layer(k + 1).row(j),
-                                    layer(k + 1).row(j + 1)};
-    for (int w = 0; w < layer(k).words(); ++w) {
+    const std::uint64_t* rows[4] = {row(j, k), row(j + 1, k), row(j, k + 1), row(j + 1, k + 1)};
+    for (int w = 0; 64 * w < dims_.i; ++w) {
       std::uint64_t near[4], far[4], any = 0, all = ~std::uint64_t{0};
       for (int r = 0; r < 4; ++r) {
         near[r] = rows[r][w];
@@ -219,15 +179,8 @@ class ContourStream {
   // index.
   void aim_slots(int k) {
     for (int e = 0; e < 12; ++e) {
-      const int u = e & 1, v = e >> 1 & 1;
-      const bool odd_layer = ((k + v) & 1) != 0;
-      if (e < 4) {
-        edge_slots_[e] = slots_[odd_layer ? kX1 : kX0].data() + in_layer(0, u);
-      } else if (e < 8) {
-        edge_slots_[e] = slots_[odd_layer ? kY1 : kY0].data() + in_layer(u, 0);
-      } else {
-        edge_slots_[e] = slots_[kZ].data() + in_layer(u, v);
-      }
+      const int m = corners_of_edge(e)[0];
+      edge_slots_[e] = slots(e / 4, k + (m >> 2)).data() + in_layer(m & 1, m >> 1 & 1);
     }
   }
 
@@ -244,31 +197,24 @@ class ContourStream {
   void walk_voxel(Index3 voxel, int mask) {
     const VoxelValues values(volume_.corners(voxel), kappa_);
     ++found_.active_voxels;
-    VoxelLoops scratch;
-    const VoxelLoops& loops = voxel_loops(mask, values, scratch);
+    const VoxelLoops loops = voxel_loops(mask, values);
     const Tube tube = loops.count > 1 ? find_tube(mask, values, loops) : Tube{};
     VoxelPieces pieces(voxel, values.above, loops, tube);
     auto& vertex = pieces.vertex;
     for (int l = 0; l < loops.count; ++l) {
       if (tube && l == tube.b) continue;
       std::uint32_t label = join(voxel, loops.edges(l), vertex.data() + loops.first[l], kNoId);
-      if (tube && l == tube.a) {
+      const bool is_tube = tube && l == tube.a;
+      if (is_tube) {
         label = join(voxel, loops.edges(tube.b), vertex.data() + loops.first[tube.b], label);
       }
-      auto& counts = found_.components.counts(label);
-      ++counts.pieces;
-      for (int axis = 0; axis < 3; ++axis) {
-        counts.lo[axis] = std::min(counts.lo[axis], voxel[axis]);
-        counts.hi[axis] = std::max(counts.hi[axis], voxel[axis]);
-      }
+      found_.components.counts(label).add(
+          {.pieces = 1, .tubes = is_tube, .first = voxel, .lo = voxel, .hi = voxel});
       count_sides(voxel, loops, l, vertex, label);
       pieces.label[l] = label;
-      if (tube && l == tube.a) {
-        ++counts.tubes;
+      if (is_tube) {
         count_sides(voxel, loops, tube.b, vertex, label);
         pieces.label[tube.b] = label;
-      } else {
-        ++counts.disks;
       }
     }
     sink_.voxel(pieces);
@@ -317,7 +263,7 @@ class ContourStream {
   ContourSink& sink_;
   Index3 dims_;
   std::size_t row_stride_, layer_size_;
-  std::array<std::optional<LayerBits>, 2> layers_;
+  std::array<LayerBits, 2> layers_;
   std::array<std::vector<Slot>, 5> slots_;
   std::array<Slot*, 12> edge_slots_{};
   WalkResult found_;
@@ -326,11 +272,7 @@ class ContourStream {
 }  // namespace
 
 WalkResult walk_contour(const Volume& volume, double kappa, ContourSink& sink) {
-  ContourStream walk(volume, kappa, sink);
-  sink.expect(walk.estimate_crossings());
-  walk.run();
-  sink.replace_boundary(walk.found().boundary);
-  return std::move(walk.found());
+  return ContourStream(volume, kappa, sink).run();
 }
 
 }  // namespace deliso

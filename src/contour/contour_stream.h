@@ -8,17 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "contour/boundary_chains.h"
 #include "contour/components.h"
 #include "contour/voxel_topology.h"
 
 namespace deliso {
-
-// A segment of T on the box, directed as in its triangle.
-struct BoundarySegment {
-  VertexId from, to;
-  std::uint32_t component;  // a label, later a component's number
-  BoxFace face;
-};
 
 // The pieces of Sigma in an active voxel.
 struct VoxelPieces {
@@ -46,8 +40,6 @@ class ContourSink {
   ContourSink& operator=(const ContourSink&) = delete;
   virtual ~ContourSink() = default;
 
-  // Receives, before the first crossing, roughly their number.
-  virtual void expect(std::size_t /*crossings*/) {}
   // The grid edge from `sample` along `axis` is crossed and lies on these faces of the box. Its
   // ends have the values c0 and c1, minus kappa. Returns an id, unique among crossings on the box.
   virtual VertexId crossing(int axis, Index3 sample, double c0, double c1,
@@ -66,5 +58,8 @@ struct WalkResult {
 };
 
 WalkResult walk_contour(const Volume& volume, double kappa, ContourSink& sink);
+
+// Gives a mesh that a sink has filled its components, boundary and summary.
+void complete(ContourMesh& mesh, WalkResult found);
 
 }  // namespace deliso

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "base/sorted_list.h"
+#include "contour/split_voxels.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
+#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
@@ -100,28 +101,13 @@ std::vector<std::uint64_t> with_neighbors(const std::vector<std::uint64_t>& voxe
   return out;
 }
 
-// Returns the vertices at the same place as an earlier one. Where samples of a voxel differ by many
-// orders of magnitude, points of several cells round to one place. No site could distinguish them.
-std::vector<VertexId> coincident(const std::vector<Vec3>& points) {
-  std::vector<VertexId> found, table(std::bit_ceil(2 * points.size()), kNoId);
-  for (VertexId v = 0; v < points.size(); ++v) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(points[v][axis] + 0.0)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 32;
-    }
-    std::size_t at = hash & (table.size() - 1);
-    while (table[at] != kNoId && points[table[at]] != points[v]) at = (at + 1) & (table.size() - 1);
-    if (table[at] != kNoId) found.push_back(v);
-    table[at] = v;
-  }
-  return found;
-}
-
-// Moves each coincident vertex along T, towards the mean of its neighbors, by `perturbation`. None
-// was found on the box in tests.
+// Moves each vertex at the place of an earlier one along T, towards the mean of its neighbors, by
+// `perturbation`. Where samples of a voxel differ by many orders of magnitude, points of several
+// cells round to one place. No site could distinguish them. None was found on the box in tests.
 void perturb_coincident(ContourMesh& contour, double perturbation) {
-  for (const VertexId v : coincident(contour.points)) {
+  const std::vector<VertexId> first = first_at_place(contour.points);
+  for (VertexId v = 0; v < first.size(); ++v) {
+    if (first[v] == v) continue;
     Vec3 along;
     for (const Triangle& t : contour.triangles) {
       if (!has_corner(t, v)) continue;

@@ -85,6 +85,7 @@ void FineVoxel::load(const Corners& c) {
   std::fill(next_.begin(), next_.end(), kNoId);
   segments_ = 0;
   cells_.clear();
+  trace();
 }
 
 FineVoxel::Slot FineVoxel::crossed_part(int e) const {
@@ -158,21 +159,6 @@ void FineVoxel::link_segments(const VoxelLoops& loops, std::uint32_t cell_point,
   }
 }
 
-void FineVoxel::trace_face(int f) {
-  const int axis = f >> 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
-  Index3 cell;
-  cell[axis] = (f & 1) != 0 ? factor_[axis] - 1 : 0;
-  for (cell[v] = 0; cell[v] < factor_[v]; ++cell[v]) {
-    for (cell[u] = 0; cell[u] < factor_[u]; ++cell[u]) {
-      const int mask = mask_of_cell(point(cell));
-      if (mask == 0 || mask == 255) continue;
-      VoxelLoops scratch;
-      const VoxelValues values(corners_of_cell(point(cell)), 0);
-      link_segments(voxel_loops(mask, values, scratch), point(cell), 1 << f);
-    }
-  }
-}
-
 void FineVoxel::trace() {
   pieces_.reset();
   Cell cell;
@@ -183,9 +169,8 @@ void FineVoxel::trace() {
         const int mask = mask_of_cell(point(cell.at));
         if (mask == 0 || mask == 255) continue;
         cell.corners = corners_of_cell(point(cell.at));
-        VoxelLoops scratch;
         const VoxelValues values(cell.corners, 0);
-        cell.loops = voxel_loops(mask, values, scratch);
+        cell.loops = voxel_loops(mask, values);
         cell.tube = find_tube(mask, values, cell.loops);
         cells_.push_back(cell);
         link_segments(cell.loops, point(cell.at), outer_faces(cell.at));
@@ -207,13 +192,13 @@ bool FineVoxel::faces_agree(const VoxelLoops& loops) const {
   std::size_t walked = 0;
   for (int l = 0; l < loops.count; ++l) {
     const auto edges = loops.edges(l);
-    Slot s = crossed_part(edges[0]);
-    for (std::size_t n = 1; n <= edges.size(); ++n) {
-      do {
-        s = next_[s];
+    for (std::size_t n = 0; n < edges.size(); ++n) {
+      Slot end{};
+      for_each_after(edges[n], [&](Slot slot) {
+        end = slot;
         ++walked;
-      } while (!on_edge_[s]);
-      if (s != crossed_part(edges[n % edges.size()])) return false;
+      });
+      if (end != crossed_part(edges[(n + 1) % edges.size()])) return false;
     }
   }
   return walked == segments_;

@@ -41,7 +41,7 @@ class FineVoxel {
 
   std::size_t slots() const { return next_.size(); }
 
-  // Loads the voxel with these corners (values minus kappa) and clears everything traced.
+  // Loads the voxel with these corners (values minus kappa), and traces the segments of all cells.
   void load(const Corners& c);
 
   // Returns the crossed part of edge e of the voxel. pre: the values at the edge's ends differ in
@@ -56,13 +56,16 @@ class FineVoxel {
   // Returns where Sigma crosses the lattice edge, in the voxel's own coordinates, [0, 1].
   Vec3 crossing(Slot slot) const;
 
-  // Trace the segments on one face, in the direction of this voxel's loops, or those of all cells.
-  void trace_face(int f);
-  void trace();
-
-  // Returns the next slot along the loop on the voxel's surface. pre: the face is traced.
-  Slot next(Slot slot) const { return next_[slot]; }
-  // pre of all below: trace() has returned.
+  // Calls visit(slot) along the loop on the voxel's surface, after the crossing of the voxel's edge
+  // e up to that of the next one.
+  template <class Visit>
+  void for_each_after(int e, Visit&& visit) const {
+    Slot s = crossed_part(e);
+    do {
+      s = next_[s];
+      visit(s);
+    } while (!on_edge_[s]);
+  }
   std::span<const Cell> cells() const { return cells_; }
   CellFrame frame(const Cell& cell) const;  // in the voxel's own coordinates
   Slot slot(const Cell& cell, int e) const { return slot_of_edge(point(cell.at), e); }
@@ -92,6 +95,7 @@ class FineVoxel {
   void sort_lattice_edges();
   int mask_of_cell(std::uint32_t cell_point) const;
   Corners corners_of_cell(std::uint32_t cell_point) const;
+  void trace();
   void link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces);
   bool faces_agree(const VoxelLoops& loops) const;
 

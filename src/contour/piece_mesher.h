@@ -50,15 +50,6 @@ class PieceMesher final : public ContourSink {
     return to_vec3({first_.i + sample.i, first_.j + sample.j, first_.k + sample.k});
   }
 
-  // Reserves memory for T, so that it does not move while it grows: slightly more vertices than
-  // crossings, two triangles per vertex.
-  void expect(std::size_t crossings) override {
-    mesh_.points.reserve(crossings);
-    mesh_.component.reserve(crossings);
-    mesh_.box_faces.reserve(crossings);
-    mesh_.triangles.reserve(2 * crossings);
-  }
-
   VertexId crossing(int axis, Index3 sample, double c0, double c1,
                     std::uint8_t box_faces) override {
     Vec3 p = place(sample);

@@ -253,15 +253,14 @@ VoxelLoops trace_loops(int mask, std::uint8_t joined) {
   return trace(mask, joined);
 }
 
-const VoxelLoops& voxel_loops(int mask, const VoxelValues& values, VoxelLoops& scratch) {
+VoxelLoops voxel_loops(int mask, const VoxelValues& values) {
   const std::uint8_t ambiguous = kMasks.ambiguous[mask];
   if (ambiguous == 0) return kMasks.loops[mask];
   int joined = 0;
   for (int f = 0; f < 6; ++f) {
     if ((ambiguous >> f & 1) != 0 && inside_corners_joined(mask, values, f)) joined |= 1 << f;
   }
-  scratch = trace(mask, static_cast<std::uint8_t>(joined));
-  return scratch;
+  return trace(mask, static_cast<std::uint8_t>(joined));
 }
 
 Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops) {

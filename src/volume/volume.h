@@ -51,6 +51,26 @@ constexpr Index3 corner_of(Index3 voxel, int m) {
   return {voxel.i + (m & 1), voxel.j + (m >> 1 & 1), voxel.k + (m >> 2)};
 }
 
+// Returns the voxel's number in scan order; `dims` are the volume's, in samples.
+constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
+  const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+  return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
+}
+
+// Returns the voxel with that number.
+constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
+  const auto nx = static_cast<std::uint64_t>(dims.i - 1),
+             ny = static_cast<std::uint64_t>(dims.j - 1);
+  return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
+          static_cast<int>(number / nx / ny)};
+}
+
+// Returns the voxel across face f of `voxel`; it may lie outside the volume.
+inline Index3 voxel_across(Index3 voxel, int f) {
+  voxel[f >> 1] += (f & 1) != 0 ? 1 : -1;
+  return voxel;
+}
+
 // The eight values at a voxel's corners.
 using Corners = std::array<double, 8>;
 

@@ -440,8 +440,7 @@ TEST_CASE("a component with a cut handle is reported as different") {
       const Index3 voxel{n % 5, n / 5 % 5, n / 25};
       const VoxelValues values(scene.volume.corners(voxel), scene.surface.kappa());
       const int mask = mask_of(values.above);
-      VoxelLoops scratch;
-      const VoxelLoops& loops = voxel_loops(mask, values, scratch);
+      const VoxelLoops loops = voxel_loops(mask, values);
       if (loops.count != 2 || loops.edges(0).size() != 3 || loops.edges(1).size() != 3 ||
           !find_tube(mask, values, loops)) {
         continue;

@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "check/self_intersections.h"
 #include "contour/mesh_checks.h"
+#include "contour/split_voxels.h"
 
 using namespace deliso;
 

@@ -10,7 +10,7 @@
 
 #include "base/random.h"
 #include "cases.h"
-#include "contour/contour.h"
+#include "contour/split_voxels.h"
 #include "mesh_checks.h"
 
 using namespace deliso;
@@ -72,8 +72,15 @@ Index3 random_dims(Random& random, int from, int to) {
   return {pick(), pick(), pick()};
 }
 
-// Splits each voxel with the given probability; every other time all other voxels get other cells.
-ContourSplit random_split(Random& random, const Volume& volume, double share) {
+bool is_active(const Volume& volume, double kappa, Index3 voxel) {
+  const Corners c = volume.corners(voxel);
+  const auto inside = std::count_if(c.begin(), c.end(), [&](double v) { return v >= kappa; });
+  return inside > 0 && inside < 8;
+}
+
+// Splits each active voxel with the given probability; every other time all other voxels get other
+// cells.
+ContourSplit random_split(Random& random, const Volume& volume, double kappa, double share) {
   ContourSplit split;
   split.factor = random_dims(random, 1, 4);
   if (random.below(2) == 0) split.elsewhere = random_dims(random, 1, 4);
@@ -81,7 +88,10 @@ ContourSplit random_split(Random& random, const Volume& volume, double share) {
   const auto voxels = static_cast<std::uint64_t>(n.i) * static_cast<std::uint64_t>(n.j) *
                       static_cast<std::uint64_t>(n.k);
   for (std::uint64_t v = 0; v < voxels; ++v) {
-    if (random.uniform(0, 1) < share) split.voxels.push_back(v);
+    const bool is_chosen = random.uniform(0, 1) < share;
+    if (is_chosen && is_active(volume, kappa, numbered_voxel(volume.dims(), v))) {
+      split.voxels.push_back(v);
+    }
   }
   return split;
 }
@@ -93,23 +103,18 @@ struct Tally {
 // How many voxels should be split if none is degenerate.
 std::uint64_t split_by(const ContourSplit& split, const Volume& volume, double kappa) {
   const Index3 count = volume.voxels();
-  const auto is_active = [&](Index3 voxel) {
-    const Corners c = volume.corners(voxel);
-    const auto inside = std::count_if(c.begin(), c.end(), [&](double v) { return v >= kappa; });
-    return inside > 0 && inside < 8;
-  };
   const auto is_listed = [&](Index3 voxel) {
     for (int axis = 0; axis < 3; ++axis) {
       if (voxel[axis] < 0 || voxel[axis] >= count[axis]) return false;
     }
-    return is_active(voxel) && std::binary_search(split.voxels.begin(), split.voxels.end(),
-                                                  voxel_number(volume.dims(), voxel));
+    return std::binary_search(split.voxels.begin(), split.voxels.end(),
+                              voxel_number(volume.dims(), voxel));
   };
   std::uint64_t sum = 0;
   for (int k = 0; k < count.k; ++k) {
     for (int j = 0; j < count.j; ++j) {
       for (int i = 0; i < count.i; ++i) {
-        if (!is_active({i, j, k})) continue;
+        if (!is_active(volume, kappa, {i, j, k})) continue;
         const bool beside_listed = is_listed({i - 1, j, k}) || is_listed({i + 1, j, k}) ||
                                    is_listed({i, j - 1, k}) || is_listed({i, j + 1, k}) ||
                                    is_listed({i, j, k - 1}) || is_listed({i, j, k + 1});
@@ -123,7 +128,7 @@ std::uint64_t split_by(const ContourSplit& split, const Volume& volume, double k
 void check_split(Random& random, const Volume& volume, double kappa, Tally& tally) {
   const ContourMesh plain = build_contour(volume, kappa);
   const double shares[] = {0, 0.1, 0.3, 0.6, 1};
-  const ContourSplit split = random_split(random, volume, shares[random.below(5)]);
+  const ContourSplit split = random_split(random, volume, kappa, shares[random.below(5)]);
   const ContourMesh finer = build_contour(volume, kappa, split);
   CHECK(check_contour(finer, volume, kappa) == "");
   CHECK(finer.summary == plain.summary);
@@ -252,7 +257,7 @@ TEST_CASE("triangles face outwards and come closer to the surface as cells get s
 TEST_CASE("the same input gives the same mesh") {
   Random random(25);
   const Volume volume = random_volume(random, {12, 12, 12}, [&] { return random.uniform(0, 1); });
-  const ContourSplit split = random_split(random, volume, 0.3);
+  const ContourSplit split = random_split(random, volume, 0.5, 0.3);
   const ContourMesh a = build_contour(volume, 0.5, split), b = build_contour(volume, 0.5, split);
   CHECK(a.split_voxels > 100);
   CHECK(same_mesh(a, b));
