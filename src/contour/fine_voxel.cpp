@@ -135,12 +135,6 @@ int FineVoxel::outer_faces(Index3 cell) const {
   return faces;
 }
 
-int FineVoxel::mask_of_cell(std::uint32_t cell_point) const {
-  int mask = 0;
-  for (int m = 0; m < 8; ++m) mask |= inside_[cell_point + corner_offset_[m]] << m;
-  return mask;
-}
-
 Corners FineVoxel::corners_of_cell(std::uint32_t cell_point) const {
   Corners c;
   for (int m = 0; m < 8; ++m) c[m] = values_[cell_point + corner_offset_[m]];
@@ -166,9 +160,9 @@ void FineVoxel::trace() {
     for (int j = 0; j < factor_.j; ++j) {
       for (int i = 0; i < factor_.i; ++i) {
         cell.at = {i, j, k};
-        const int mask = mask_of_cell(point(cell.at));
-        if (mask == 0 || mask == 255) continue;
         cell.corners = corners_of_cell(point(cell.at));
+        const int mask = mask_of(cell.corners);
+        if (mask == 0 || mask == 255) continue;
         const VoxelValues values(cell.corners, 0);
         cell.loops = voxel_loops(mask, values);
         cell.tube = find_tube(mask, values, cell.loops);

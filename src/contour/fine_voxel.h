@@ -93,7 +93,6 @@ class FineVoxel {
   }
   std::span<const Slot> crossed(const std::vector<Slot>& slots);
   void sort_lattice_edges();
-  int mask_of_cell(std::uint32_t cell_point) const;
   Corners corners_of_cell(std::uint32_t cell_point) const;
   void trace();
   void link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces);
