@@ -115,6 +115,19 @@ void take_builtin_isovalue(CommandLine& line) {
   if (field && !has_level(line)) line.isovalue = field->isovalue;
 }
 
+// Refuses what has no meaning with --shared.
+template <class Given>
+void check_shared(const CommandLine& line, const Given& given) {
+  if (line.shared.empty()) return;
+  if (!line.field.all_labels) throw InputError("--shared is for --label all");
+  mesh_format_of(line.shared);
+  for (const char* const other :
+       {"--cap", "--check", "--json", "--vertices", "--triangles", "--attributes", "--largest",
+        "--min-component", "--method", "--paper", "--recover", "--stop-after"}) {
+    if (given(other)) throw InputError(text("--shared and ", other, " exclude each other"));
+  }
+}
+
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
   if (!line.field.of_labels()) return;
@@ -380,6 +393,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   check_labels(line);
   check_exclusions(line, given);
+  check_shared(line, given);
   check_combination(line);
   return line;
 }

@@ -56,6 +56,7 @@ struct CommandLine {
   std::vector<std::string> meshes;
   std::string output;  // a path, - for standard output, or empty: no mesh is written
   std::string json;    // a path, - or empty
+  std::string shared;  // a path or empty: the mesh of all labels' interfaces
   std::optional<double> isovalue;
   std::optional<PartChoice> part;  // only this part is meshed
   std::vector<std::string> words;  // the options as they were given, as --name=value or --name

@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "io/files/append_format.h"
 #include "io/filter/gaussian.h"
-#include "io/filter/label_fields.h"
 #include "io/filter/median.h"
 
 namespace deliso {
@@ -84,8 +83,7 @@ Field make_field(const Volume& volume, const FieldOptions& options,
   const Stopwatch watch;
   Field field = unfiltered(volume, options);
   if (!options.labels.empty()) {
-    LabelFields labels(volume, {found.begin(), found.end()}, options.labels,
-                       {field.median, field.sigma}, name, threads);
+    LabelFields labels = label_fields(volume, options, found, name, threads);
     const std::int64_t label = options.labels.front();
     field.volume = labels.field(label);
     field.label = facts_of(field, volume, options, labels.weighed(label), threads);
@@ -97,13 +95,11 @@ Field make_field(const Volume& volume, const FieldOptions& options,
   return field;
 }
 
-std::vector<LabelSamples> weighed_labels(const Volume& volume, const FieldOptions& options,
-                                         std::span<const LabelSamples> found, std::string_view name,
-                                         int threads) {
+LabelFields label_fields(const Volume& volume, const FieldOptions& options,
+                         std::span<const LabelSamples> found, std::string_view name, int threads) {
   const Field field = unfiltered(volume, options);
-  LabelFields labels(volume, {found.begin(), found.end()}, {}, {field.median, field.sigma}, name,
-                     threads);
-  return labels.weighed();
+  return {volume, {found.begin(), found.end()}, options.labels, {field.median, field.sigma}, name,
+          threads};
 }
 
 std::string field_note(const FieldOptions& options, const Volume& volume) {

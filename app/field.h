@@ -12,7 +12,7 @@
 
 #include "app/command_line.h"
 #include "app/report_writer.h"
-#include "io/filter/segmentation.h"
+#include "io/filter/label_fields.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -43,10 +43,9 @@ struct Field {
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
 
-// Returns all labels with their weights, for make_field() of one after the other.
-std::vector<LabelSamples> weighed_labels(const Volume& volume, const FieldOptions& options,
-                                         std::span<const LabelSamples> found, std::string_view name,
-                                         int threads);
+// Returns the fields of all labels, each by itself.
+LabelFields label_fields(const Volume& volume, const FieldOptions& options,
+                         std::span<const LabelSamples> found, std::string_view name, int threads);
 
 // Returns the standard deviations of a Gaussian in samples along the axes. Throws InputError for
 // one out of range.

@@ -174,6 +174,10 @@ constexpr OptionSpec kInputAndOutput[] = {
        l.field.labels = std::move(labels.numbers);
        l.field.segments = std::move(labels.names);
      }},
+    {"--shared", 0, "FILE", kMeshOnly,
+     "with --label all: labels have common vertices where they meet, and FILE has all interfaces "
+     "with the two labels of each triangle (PLY, VTP); meshes are closed at the volume's border",
+     [](Line& l, Text, Text v) { l.shared = v; }},
 };
 
 constexpr OptionSpec kRest[] = {

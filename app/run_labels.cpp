@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all: a mesh for each label of a segmentation, and a table of them.
-#include <cstdio>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -8,12 +8,10 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
-#include "app/solid.h"
-#include "app/text.h"
+#include "app/shared_labels.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "io/files/append_format.h"
 
 namespace deliso {
 namespace {
@@ -32,6 +30,8 @@ std::string name_with(std::string name, std::int64_t label) {
 std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
   std::vector<std::string> files = source.log.files;
+  require_outputs(std::vector{line.shared}, files);
+  if (!line.shared.empty()) files.push_back(line.shared);
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -51,20 +51,6 @@ std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source)
   return lines;
 }
 
-std::string row_of(const MeshRun& run) {
-  const LabelFacts& label = *run.input.field.label;
-  const std::string volume = run.has_volume() ? volume_text(run.volume) : "open";
-  std::string row, off;
-  if (run.has_volume()) append_format(off, "%.2f %%", 100 * run.volume_difference());
-  append_format(row, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8.2f\n",
-                text(label.labels.front()).c_str(), grouped(label.samples).c_str(),
-                rounded(label.weight, 3).c_str(), grouped(run.vertices).c_str(),
-                volume_text(label.volume).c_str(), volume.c_str(), off.c_str(),
-                grouped(run.mesh.components).c_str(),
-                run.mesh == run.report.exact ? "exact" : "not exact", run.seconds_total);
-  return row;
-}
-
 }  // namespace
 
 int run_labels(const CommandLine& line) {
@@ -74,12 +60,11 @@ int run_labels(const CommandLine& line) {
   reading.clear();
   print_warning(source.warning, line);
   const std::vector<CommandLine> lines = lines_of(line, source);
+  if (!line.shared.empty()) return mesh_shared(line, source, lines);
   source.labels =
-      weighed_labels(source.volume, line.field, source.labels, line.input, line.options.threads);
-  std::string table;
-  append_format(table, "%10s %11s %8s %10s %12s %12s %10s %10s %9s %8s\n", "label", "voxels",
-                "weight", "vertices", "voxel volume", "mesh volume", "difference", "components",
-                "topology", "seconds");
+      label_fields(source.volume, line.field, source.labels, line.input, line.options.threads)
+          .weighed();
+  std::string table = label_heading();
   bool all_sound = true;
   for (const CommandLine& one : lines) {
     const Stopwatch total;
@@ -89,7 +74,10 @@ int run_labels(const CommandLine& line) {
     mesh_to_files(total, progress, run);
     all_sound &= run.sound();
     if (line.verbose && !line.quiet) print(report_text(run) + "\n");
-    table += row_of(run);
+    const LabelFacts& label = *input.field.label;
+    const auto found = std::ranges::find(source.labels, label.labels.front(), &LabelSamples::label);
+    table += text_of({*found, label.volume, run.volume, run.vertices, run.mesh.components,
+                      run.mesh == run.report.exact, run.seconds_total});
   }
   if (!line.quiet) print(table);
   return all_sound ? kExitSuccess : kFaultFound;

@@ -47,6 +47,10 @@ class LabelFields {
   // Returns f_L in float32, in a box around L beyond which it is negative. Memory: three times the
   // result, at most.
   Volume field(std::int64_t label);
+  Index3 reach() const { return reach_; }  // of the filter, in samples
+  SampleExtent extent_of_field(std::int64_t label) const {
+    return box(labels_[index_of(label)], 1);
+  }
 
  private:
   struct Rivals;
@@ -63,7 +67,7 @@ class LabelFields {
   std::vector<LabelSamples> labels_;
   std::vector<std::int64_t> united_;
   IndicatorFilter filter_;
-  Index3 reach_;  // of the filter, in samples
+  Index3 reach_;
   std::string_view name_;
   int threads_;
 };

@@ -71,6 +71,9 @@ struct MeshWriteOptions {
   // mark them if there are attributes. Absent: no caps were asked for.
   std::optional<std::size_t> first_cap{};
   std::optional<MeshAttributes> attributes{};  // pre: holds_attributes()
+  // Per facet the labels in front of it and behind, or empty. PLY and VTP hold them. pre: no
+  // attributes.
+  std::vector<std::array<std::int32_t, 2>> sides{};
 };
 
 // True if coordinates are rounded to float: with single_precision, in STL and in glTF. pre:

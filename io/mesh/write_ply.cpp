@@ -52,6 +52,7 @@ void PlyWriter::header(const WorldMesh& mesh) {
     out_.write("property int component\nproperty float distance\n");
     if (options_.first_cap) out_.write("property uchar cap\n");
   }
+  if (!options_.sides.empty()) out_.write("property int label_front\nproperty int label_behind\n");
   out_.write("end_header\n");
 }
 
@@ -69,7 +70,11 @@ void PlyWriter::vertex(std::size_t v, const Vec3& p) {
 
 void PlyWriter::facet(std::size_t f, const Triangle& t) {
   put(std::uint8_t{3}, false);
-  for (int i = 0; i < 3; ++i) put(t[i].number(), i == 2 && !attributes_);
+  for (int i = 0; i < 3; ++i) put(t[i].number(), i == 2 && !attributes_ && options_.sides.empty());
+  if (!options_.sides.empty()) {
+    put(options_.sides[f][0], false);
+    put(options_.sides[f][1], true);
+  }
   if (!attributes_) return;
   put(attributes_->component[f], false);
   put(attributes_->distance[f], !options_.first_cap);

@@ -53,6 +53,13 @@ void write_vtp(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& o
     if (options.first_cap) out.write(data_array(R"(type="UInt8" Name="cap")", caps_at));
     out.write("      </CellData>\n");
   }
+  if (!options.sides.empty()) {
+    out.write("      <CellData>\n");
+    out.write(data_array(R"(type="Int32" Name="label_front")", normals_at));
+    out.write(
+        data_array(R"(type="Int32" Name="label_behind")", normals_at + size_field + value_bytes));
+    out.write("      </CellData>\n");
+  }
   out.write("      <Points>\n");
   out.write(data_array(single_precision ? R"(type="Float32" Name="Points" NumberOfComponents="3")"
                                         : R"(type="Float64" Name="Points" NumberOfComponents="3")",
@@ -90,6 +97,10 @@ _)");
         put_binary(out, std::uint8_t{f >= *options.first_cap});
       }
     }
+  }
+  for (std::size_t n = 0; n < 2 && !options.sides.empty(); ++n) {
+    put_binary(out, value_bytes);
+    for (const auto& labels : options.sides) put_binary(out, labels[n]);
   }
   out.write("\n  </AppendedData>\n</VTKFile>\n");
 }

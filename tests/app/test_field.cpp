@@ -217,6 +217,35 @@ TEST_CASE("a mesh for each label, where the label lies, and each passes the chec
   CHECK(std::filesystem::exists(balls.file("part-4.ply")));
 }
 
+TEST_CASE("shared labels are closed, and have the same vertices where they touch") {
+  const Balls balls;
+  const auto shared = [&](const std::string& file, const std::string& threads) {
+    return run_mesh(balls.line({"--label", "all", "--shared", balls.file(file), "-o",
+                                balls.file("%d.ply"), "--threads", threads}));
+  };
+  CHECK(shared("all.ply", "1") == kExitSuccess);
+  std::vector<TriMesh> meshes;
+  for (const char* name : {"1.ply", "2.ply", "4.ply"}) meshes.push_back(read_mesh(balls.file(name)));
+  const auto common = [&](const TriMesh& a, const TriMesh& b) {
+    return std::ranges::count_if(
+        a.points, [&](const Vec3& p) { return std::ranges::count(b.points, p) > 0; });
+  };
+  for (const TriMesh& mesh : meshes) {
+    CHECK(check_mesh(mesh).empty());
+    CHECK(mesh_topology(mesh).counts() == TopologyCounts{1, 2, 0});  // 4, too: the box closes it
+  }
+  CHECK(common(meshes[0], meshes[1]) > 5);
+  CHECK(common(meshes[1], meshes[2]) > 5);
+  CHECK(common(meshes[0], meshes[2]) == 0);
+  const TriMesh all = read_mesh(balls.file("all.ply"));
+  CHECK(all.points.size() < meshes[0].points.size() + meshes[1].points.size() +
+                                meshes[2].points.size());
+  CHECK(shared("again.ply", "3") == kExitSuccess);
+  CHECK(read_mesh(balls.file("again.ply")).points == all.points);
+  CHECK(shared("all.vtp", "2") == kExitSuccess);
+  CHECK(read_mesh(balls.file("all.vtp")).points == all.points);
+}
+
 TEST_CASE("an input is not overwritten by the mesh of a label") {
   const Balls balls;
   std::filesystem::copy(balls.file("balls.raw"), balls.file("2.ply"));

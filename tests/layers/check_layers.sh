@@ -8,7 +8,7 @@ cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
 stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine"
-all="$stages deliso blocks cap"
+all="$stages deliso blocks cap interfaces"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/page view/render view/trace"
 
@@ -27,6 +27,7 @@ allowed() {
     deliso) echo "$stages deliso" ;;
     blocks) echo "$surface kdtree contour stage1 recover/recover.h refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
+    interfaces) echo "base delaunay mesh embedding volume interfaces" ;;
     .) echo "mesh_parts.h $all" ;;
     check) echo "base roots delaunay mesh embedding volume kdtree contour isosurface" \
       "surface/criteria.h check" ;;
