@@ -123,7 +123,7 @@ void check_shared(const CommandLine& line, const Given& given) {
   mesh_format_of(line.shared);
   for (const char* const other :
        {"--cap", "--check", "--json", "--vertices", "--triangles", "--attributes", "--largest",
-        "--min-component", "--method", "--paper", "--recover", "--stop-after"}) {
+        "--min-component", "--paper", "--recover", "--stop-after"}) {
     if (given(other)) throw InputError(text("--shared and ", other, " exclude each other"));
   }
 }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/triangle.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
 #include "embedding/box_grid.h"
@@ -15,12 +14,12 @@
 namespace deliso {
 namespace {
 
-constexpr int kMostRounds = 20;
-// Least distances between points: of seeds, in their spacing, where four, three and two bodies
-// meet; of points added for a distance, in the facet's longest edge; for a topology, in voxels.
+constexpr int kMostRounds = 40;
+// Least distances between seeds, in their spacing, where four, three and two bodies meet.
 constexpr double kAtCorner = 0.35, kAtCurve = 0.55, kAtSheet = 0.62;
-constexpr double kForDistance = 0.35, kForTopologyVoxels = 0.04;
-constexpr double kTolerance = 1.5;  // times the distance asked for
+// Least distance of a point added from others: of its distance to the facet's corners, and in
+// voxels. With 0.2 voxels some facets stay 3 D from their interface.
+constexpr double kApart = 0.5, kApartVoxels = 0.01;
 
 // Barycentric coordinates of the points of a facet whose distance is measured.
 constexpr std::array<std::array<double, 3>, 7> kLooks{{{1. / 3, 1. / 3, 1. / 3},
@@ -31,8 +30,9 @@ constexpr std::array<std::array<double, 3>, 7> kLooks{{{1. / 3, 1. / 3, 1. / 3},
                                                        {0.2, 0.6, 0.2},
                                                        {0.2, 0.2, 0.6}}};
 
+constexpr double kFaulty = 1e9;
 struct Candidate {
-  double urgency;
+  double urgency;  // its facet's distance; or its radius and kFaulty, which is more
   Vec3 p;
   double apart;
 };
@@ -68,17 +68,16 @@ class Builder {
  public:
   Builder(const Partition& partition, double max_distance)
       : partition_(partition),
-        tolerance_(kTolerance * max_distance),
+        max_distance_(max_distance),
         voxel_(partition.volume().voxel()),
         grid_(partition.volume().box(), voxel_) {}
 
   InterfaceMesh run(std::span<const InterfaceSeed> seeds) {
     sample(seeds);
-    for (int round = 0;; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
       label_cells();
       find_facets();
-      mesh_.rounds = round;
-      if (round == kMostRounds || add(candidates()) == 0) break;
+      if (add(candidates()) == 0) break;
     }
     return finished();
   }
@@ -123,13 +122,17 @@ class Builder {
     cells_.build(sites, ids);
   }
 
+  // A cell keeps its body from the last round if it has the same center.
   void label_cells() {
-    body_.assign(cells_.cell_capacity(), 0);
+    body_.resize(cells_.cell_capacity());
     center_.resize(cells_.cell_capacity());
     for (CellId c(0); c < cells_.cell_capacity(); ++c) {
-      if (!cells_.is_live(c) || cells_.is_infinite(c)) continue;
-      center_[c] = circumsphere(cells_, c).center;
-      body_[c] = is_finite(center_[c]) ? partition_.body_at(center_[c]) : 0;
+      if (!cells_.is_live(c)) continue;
+      const bool is_infinite = cells_.is_infinite(c);
+      const Vec3 center = is_infinite ? Vec3() : circumsphere(cells_, c).center;
+      if (!is_infinite && center == center_[c]) continue;
+      center_[c] = center;
+      body_[c] = !is_infinite && is_finite(center) ? partition_.body_at(center) : 0;
     }
   }
 
@@ -194,7 +197,8 @@ class Builder {
     return faulty;
   }
 
-  // Returns points to be added.
+  // Returns the surface centers of facets that are too far from their interface, or at a faulty
+  // vertex. No point is nearer to such a center than the facet's corners.
   std::vector<Candidate> candidates() {
     const std::vector<std::uint8_t> faulty = faulty_vertices();
     std::vector<Candidate> found;
@@ -202,27 +206,18 @@ class Builder {
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       const auto& [v, bodies] = facets_[f];
       const Vec3 &a = sites_[v[0]], &b = sites_[v[1]], &c = sites_[v[2]];
-      double worst = 0;
-      Vec3 at;
+      double away = 0;
       for (const auto& [x, y, z] : kLooks) {
         const Vec3 p = x * a + y * b + z * c;
-        const double d = partition_.distance_to_tie(p, bodies[0], bodies[1]);
-        if (d <= worst) continue;
-        worst = d;
-        at = p;
+        away = std::max(away, partition_.distance_to_tie(p, bodies[0], bodies[1]));
       }
-      mesh_.largest_distance = std::max(mesh_.largest_distance, worst);
-      const double edge = std::sqrt(longest_edge2(a, b, c));
-      if (faulty[v[0]] || faulty[v[1]] || faulty[v[2]]) {
-        const Vec3 p = surface_center(f);
-        const double radius = distance(p, a);
-        const double apart = std::max(kForTopologyVoxels * voxel_, 0.4 * std::min(radius, edge));
-        if (radius < 4 * edge) found.push_back({1e9 + radius, p, apart});
-      } else if (worst > tolerance_) {
-        if (const auto p = partition_.tie(at, bodies, edge)) {
-          found.push_back({worst, *p, kForDistance * edge});
-        }
-      }
+      mesh_.largest_distance = std::max(mesh_.largest_distance, away);
+      const bool is_faulty = faulty[v[0]] || faulty[v[1]] || faulty[v[2]];
+      if (!is_faulty && away <= max_distance_) continue;
+      const Vec3 p = surface_center(f);
+      const double radius = distance(p, a);
+      found.push_back({is_faulty ? kFaulty + radius : away, p,
+                       std::max(kApart * radius, kApartVoxels * voxel_)});
     }
     return found;
   }
@@ -253,7 +248,7 @@ class Builder {
   }
 
   const Partition& partition_;
-  double tolerance_, voxel_;
+  double max_distance_, voxel_;
   BoxGrid grid_;
   std::vector<Vec3> points_;
   Triangulation cells_;

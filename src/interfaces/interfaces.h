@@ -41,15 +41,13 @@ struct InterfaceMesh {
   std::vector<TopologyCounts> topology;  // of each body's mesh
   std::vector<std::uint8_t> is_manifold;
   double largest_distance = 0;  // of seven points of a facet from its interface, to first order
-  int rounds = 0;
 
   // Returns the closed mesh of a body, with the vertices that it uses.
   TriMesh mesh_of(BodyId body) const;
 };
 
-// Returns the interfaces. Points are added while the distance of a facet exceeds 1.5 times
-// `max_distance`, or a body is no manifold, but none too near another one. The same for any number
-// of threads; it has one.
+// Returns the interfaces. Points are added while the distance of a facet exceeds `max_distance`, or a
+// body is no manifold, but none within a hundredth of a voxel of another one. It has one thread.
 InterfaceMesh mesh_interfaces(const Partition& partition, std::span<const InterfaceSeed> seeds,
                               double max_distance);
 
