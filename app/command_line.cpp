@@ -115,21 +115,12 @@ void take_builtin_isovalue(CommandLine& line) {
   if (field && !has_level(line)) line.isovalue = field->isovalue;
 }
 
-// Refuses what has no meaning with --shared.
-template <class Given>
-void check_shared(const CommandLine& line, const Given& given) {
-  if (line.shared.empty()) return;
-  if (!line.field.all_labels) throw InputError("--shared is for --label all");
-  mesh_format_of(line.shared);
-  for (const char* const other :
-       {"--cap", "--check", "--json", "--vertices", "--triangles", "--attributes", "--largest",
-        "--min-component", "--paper", "--recover", "--stop-after"}) {
-    if (given(other)) throw InputError(text("--shared and ", other, " exclude each other"));
-  }
-}
-
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
+  if (!line.shared.empty()) {
+    if (!line.field.all_labels) throw InputError("--shared is for --label all");
+    mesh_format_of(line.shared);
+  }
   if (!line.field.of_labels()) return;
   if (line.isovalue) {
     throw InputError("--label and --iso exclude each other: a label has an isovalue of its own");
@@ -217,6 +208,7 @@ void check_file(CommandLine& line) {
   if (!line.output.empty() && !line.write.format && !line.part) {
     line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
   }
+  if (line.output.empty() && !line.shared.empty()) line.write.format = mesh_format_of(line.shared);
   if (line.write.ascii && line.write.format != MeshFormat::ply) {
     throw InputError("--ply-ascii needs PLY output");
   }
@@ -264,11 +256,14 @@ struct Exclusion {
 };
 // --vertices and --triangles choose the bound on the distance in Stage 2, so that others cannot set
 // it, and that there must be this stage. A part has no mesh file, and is made without the rest of
-// the mesh (mesh_parts.h).
+// the mesh (mesh_parts.h). Shared labels are one mesh, and the options of each one's are none of
+// it.
 constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
     {"--vertices", "--triangles --max-distance --single-stage --stop-after --max-vertices", ""},
     {"--triangles", "--max-distance --single-stage --stop-after --max-vertices", ""},
+    {"--shared", "--cap --check --json --vertices --triangles --attributes --largest", ""},
+    {"--shared", "--min-component --max-vertices --paper --recover --stop-after --block-side", ""},
     {"--part", "--vertices --triangles --eps2 --paper --single-stage", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};
@@ -393,7 +388,6 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   }
   check_labels(line);
   check_exclusions(line, given);
-  check_shared(line, given);
   check_combination(line);
   return line;
 }

@@ -2,11 +2,9 @@
 #include "app/shared_labels.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "app/output.h"
-#include "app/place_faults.h"
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/signals.h"
@@ -15,6 +13,7 @@
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "check/place_faults.h"
 #include "deliso/deliso.h"
 #include "interfaces/interfaces.h"
 #include "io/files/append_format.h"
@@ -44,6 +43,7 @@ struct Bodies {
   std::vector<LabelSamples> labels;
   std::vector<BodyField> fields;
   std::vector<TopologyCounts> exact;
+  std::vector<double> seconds;  // for its own mesh
   std::vector<InterfaceSeed> seeds;
   double max_distance = 0;
 };
@@ -56,6 +56,7 @@ Bodies bodies_of(const CommandLine& line, const Volume& volume, ProgressBar& pro
   all.labels = fields.weighed();
   std::ranges::stable_partition(all.labels, [](const LabelSamples& l) { return l.label == 0; });
   for (const LabelSamples& l : all.labels) {
+    const Stopwatch watch;
     const Vec3 offset = volume.position(fields.extent_of_field(l.label).first);
     all.fields.push_back({fields.field(l.label), offset});
     Report report;
@@ -64,9 +65,10 @@ Bodies bodies_of(const CommandLine& line, const Volume& volume, ProgressBar& pro
       options.observer = &progress;
       const TriMesh mesh = mesh_isosurface(all.fields.back().volume, 0, options, report);
       add_seeds(mesh, offset, all.seeds);
-      all.max_distance = report.max_distance;
+      all.max_distance = std::max(all.max_distance, report.max_distance);
     }
     all.exact.push_back(report.exact);
+    all.seconds.push_back(watch.seconds());
   }
   return all;
 }
@@ -125,9 +127,8 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   const Partition partition(std::move(bodies.fields));
   progress.show("interfaces", 0);
   const InterfaceMesh all = mesh_interfaces(partition, bodies.seeds, bodies.max_distance);
-  const double seconds = watch.seconds();
-
-  bool sound = true;
+  bool sound = all.largest_distance <= bodies.max_distance;
+  std::size_t pinched = 0;
   std::string table = label_heading();
   const Vec3 s = volume.spacing();
   for (BodyId body = 1; body < bodies.labels.size(); ++body) {
@@ -135,10 +136,11 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
     mesh.frame = volume.frame();
     const bool exact = all.is_manifold[body] != 0 && all.topology[body] == bodies.exact[body];
     sound &= exact;
+    pinched += all.is_manifold[body] == 0 ? 1 : 0;
     const LabelSamples& label = bodies.labels[body];
     table += text_of({label, world_volume(label.volume * s.x * s.y * s.z, mesh.frame),
                       world_volume(enclosed_volume(mesh), mesh.frame), mesh.points.size(),
-                      all.topology[body].components, exact, seconds});
+                      all.topology[body].components, exact, bodies.seconds[body]});
     const CommandLine& one = lines[body - 1];
     MeshWriteOptions write = one.write;
     write.comment = text("deliso label=", label.label, " of ", line.shared);
@@ -160,8 +162,10 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   if (!line.quiet) {
     const MeshQuality quality = measure_quality(mesh, 2, 0);
     table += text("shared    ", grouped(mesh.points.size()), " vertices, ",
-                  grouped(mesh.faces.size()), " triangles -> ", line.shared, "\n          ",
+                  grouped(mesh.faces.size()), " triangles -> ", line.shared, ", ",
+                  rounded(watch.seconds(), 3), " s\n          ",
                   faults.count() == 0 ? "no crossings" : place_faults_text(faults), ", ",
+                  pinched == 0 ? "" : text(pinched, " labels no manifold, "),
                   rounded(all.largest_distance / volume.voxel(), 3),
                   " voxels from the interfaces at most, smallest angle ",
                   rounded(quality.min_angle, 3), " degrees\n");

@@ -46,8 +46,8 @@ struct InterfaceMesh {
   TriMesh mesh_of(BodyId body) const;
 };
 
-// Returns the interfaces. Points are added while the distance of a facet exceeds `max_distance`, or a
-// body is no manifold, but none within a hundredth of a voxel of another one. It has one thread.
+// Returns the interfaces. Points are added while the distance of a facet exceeds `max_distance`, or
+// a body is no manifold, but none within a hundredth of a voxel of another one. It has one thread.
 InterfaceMesh mesh_interfaces(const Partition& partition, std::span<const InterfaceSeed> seeds,
                               double max_distance);
 

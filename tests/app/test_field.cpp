@@ -225,7 +225,8 @@ TEST_CASE("shared labels are closed, and have the same vertices where they touch
   };
   CHECK(shared("all.ply", "1") == kExitSuccess);
   std::vector<TriMesh> meshes;
-  for (const char* name : {"1.ply", "2.ply", "4.ply"}) meshes.push_back(read_mesh(balls.file(name)));
+  for (const char* name : {"1.ply", "2.ply", "4.ply"})
+    meshes.push_back(read_mesh(balls.file(name)));
   const auto common = [&](const TriMesh& a, const TriMesh& b) {
     return std::ranges::count_if(
         a.points, [&](const Vec3& p) { return std::ranges::count(b.points, p) > 0; });
@@ -238,8 +239,8 @@ TEST_CASE("shared labels are closed, and have the same vertices where they touch
   CHECK(common(meshes[1], meshes[2]) > 5);
   CHECK(common(meshes[0], meshes[2]) == 0);
   const TriMesh all = read_mesh(balls.file("all.ply"));
-  CHECK(all.points.size() < meshes[0].points.size() + meshes[1].points.size() +
-                                meshes[2].points.size());
+  CHECK(all.points.size() <
+        meshes[0].points.size() + meshes[1].points.size() + meshes[2].points.size());
   CHECK(shared("again.ply", "3") == kExitSuccess);
   CHECK(read_mesh(balls.file("again.ply")).points == all.points);
   CHECK(shared("all.vtp", "2") == kExitSuccess);

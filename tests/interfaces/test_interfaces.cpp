@@ -73,8 +73,8 @@ TEST_CASE("bodies that touch are closed manifolds with common facets, and no fac
     for (const VertexId corner : v) {
       const Vec3& p = mesh.points[corner.number()];
       const bool inner = bodies == std::array<BodyId, 2>{2, 1};
-      const double off = inner ? std::fabs(p.x - 15.5)
-                               : std::fabs(distance(p, kCenters[bodies[1] - 1]) - kRadius);
+      const double off =
+          inner ? std::fabs(p.x - 15.5) : std::fabs(distance(p, kCenters[bodies[1] - 1]) - kRadius);
       CHECK(off < 0.15);
     }
   }
@@ -84,17 +84,17 @@ TEST_CASE("bodies that touch are closed manifolds with common facets, and no fac
   CHECK(facets[{2, 1}] > 50);
   const TriMesh both = make_tri_mesh(mesh.points, all);
   CHECK(count_crossings(mesh.points, both.faces) == 0);
-  CHECK(mesh.largest_distance < 0.5);
+  CHECK(mesh.largest_distance <= 0.1);
   for (const BodyId body : {1, 2}) {
     const TriMesh one = mesh.mesh_of(body);
     CHECK(check_mesh(one).empty());
     CHECK(mesh_topology(one).counts() == TopologyCounts{1, 2, 0});
     CHECK(mesh.topology[body] == TopologyCounts{1, 2, 0});
     CHECK(mesh.is_manifold[body] == 1);
-    // A ball less a cap of height 2.5.
+    // A ball less a cap of height 2.5. Triangles lie inside it.
     const double cap = std::numbers::pi * 2.5 * 2.5 * (kRadius - 2.5 / 3);
     const double ball = 4 * std::numbers::pi / 3 * kRadius * kRadius * kRadius;
-    CHECK(enclosed_volume(one) == doctest::Approx(ball - cap).epsilon(0.02));
+    CHECK(enclosed_volume(one) == doctest::Approx(ball - cap).epsilon(0.03));
   }
   const InterfaceMesh again = mesh_interfaces(balls(), seeds(), 0.1);
   CHECK(again.points == mesh.points);

@@ -71,6 +71,9 @@ constexpr DrawnOption kDrawn[] = {
        return v.labels > 0 ? Words{text("--label=", 1 + r.below(v.labels))} : Words{};
      },
      kOtherField | kUsual},
+    {"--shared",  // its name is that of the volume's file
+     [](Random&, const OptionVolume& v) { return v.labels > 0 ? Words{"--shared"} : Words{}; },
+     kOtherField | kUsual},
     {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },

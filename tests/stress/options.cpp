@@ -9,7 +9,7 @@
 //
 // A row of the table has the seeds whose first option it is: drawn; refused (by an InputError);
 // crashed; hung; and of the meshes
-//   broken   no oriented manifold that ends on the box only
+//   broken   no oriented manifold that ends on the box only; of shared labels shared_file.h
 //   turned   a component or cap with its normals to the wrong side
 //   check    with another fault that the check command finds
 //   spike    an edge longer than twice the longest without the option
@@ -46,6 +46,7 @@
 #include "app/mesh_run.h"
 #include "app/parts.h"
 #include "app/progress.h"
+#include "app/run.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "contour/contour.h"
@@ -55,6 +56,7 @@
 #include "stress/in_child.h"
 #include "stress/option_volume.h"
 #include "stress/seeds.h"
+#include "stress/shared_file.h"
 
 using namespace deliso;
 using namespace deliso::stress;
@@ -107,6 +109,16 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
   const bool has_threads =
       std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--threads"); });
   Words words{file};
+  if (std::ranges::count(options, "--shared") > 0) {
+    for (const std::string& word : options) {
+      if (word != "--shared" && !word.starts_with("--label")) words.push_back(word);
+    }
+    for (const char* word : {"--label=all", "--shared", "--ply-ascii", "--double", "-q"}) {
+      words.emplace_back(word);
+      if (words.back() == "--shared") words.push_back(file + ".ply");
+    }
+    return words;
+  }
   if (!is_label) words.push_back(text("--iso=", isovalue));
   if (!has_threads) words.emplace_back("--threads=1");
   words.insert(words.end(), options.begin(), options.end());
@@ -151,6 +163,11 @@ Outcome mesh_once(const Words& words) {
   const std::vector<std::string_view> arguments(words.begin(), words.end());
   try {
     const CommandLine line = parse_command_line(arguments);
+    if (!line.shared.empty()) {
+      const int status = run_mesh(line);
+      outcome.fault = shared_fault(read_shared(line.shared), status == kExitSuccess);
+      return outcome;
+    }
     const Input input = read_input(line);
     MeshRun run(line, input);
     ProgressBar none(mesh_stages(line), false);
@@ -361,6 +378,7 @@ int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
       });
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
+  std::filesystem::remove(file + ".ply", ignored);
   if (!forked) return 2;
 
   std::printf("%-16s", "first option");
