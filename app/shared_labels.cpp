@@ -161,14 +161,14 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   progress.clear();
   if (!line.quiet) {
     const MeshQuality quality = measure_quality(mesh, 2, 0);
-    table += text("shared    ", grouped(mesh.points.size()), " vertices, ",
-                  grouped(mesh.faces.size()), " triangles -> ", line.shared, ", ",
-                  rounded(watch.seconds(), 3), " s\n          ",
-                  faults.count() == 0 ? "no crossings" : place_faults_text(faults), ", ",
-                  pinched == 0 ? "" : text(pinched, " labels no manifold, "),
-                  rounded(all.largest_distance / volume.voxel(), 3),
-                  " voxels from the interfaces at most, smallest angle ",
-                  rounded(quality.min_angle, 3), " degrees\n");
+    table +=
+        text("shared    ", grouped(mesh.points.size()), " vertices, ", grouped(mesh.faces.size()),
+             " triangles -> ", line.shared, ", ", rounded(watch.seconds(), 3), " s\n          ",
+             faults.count() == 0 ? "no crossings" : place_faults_text(faults), ", ",
+             pinched == 0 ? "" : text(pinched, " labels no manifold, "),
+             rounded(all.largest_distance / volume.voxel(), 3),
+             " voxels from the interfaces at most, smallest angle ", rounded(quality.min_angle, 3),
+             " degrees\n");
     print(table);
   }
   return sound ? kExitSuccess : kFaultFound;

@@ -16,6 +16,7 @@
 #include "app/run.h"
 #include "base/random.h"
 #include "base/text.h"
+#include "cases.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/quality.h"
 #include "stress/shared_file.h"
@@ -109,7 +110,7 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
       std::filesystem::temp_directory_path() / "deliso-test-shared-labels";
   std::filesystem::create_directories(folder);
   const auto path = [&](const std::string& name) { return (folder / name).string(); };
-  constexpr int kVolumes = 120;
+  constexpr int kVolumes = test::cases(120);
   int sound = 0, facets = 0, far = 0, samples = 0, uncertain = 0, twice = 0, kept = 0;
   for (std::uint64_t seed = 0; seed < kVolumes; ++seed) {
     CAPTURE(seed);
@@ -197,11 +198,11 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
     }
   }
   CHECK(sound > kVolumes / 2);
-  CHECK(facets > 30000);
+  CHECK(facets > test::cases(30000));
   CHECK(far == 0);
   CHECK(uncertain == 0);
   CHECK(twice == 0);
-  CHECK(samples > 300);
+  CHECK(samples > test::cases(300));
   CHECK(kept == samples);
   std::filesystem::remove_all(folder);
 }

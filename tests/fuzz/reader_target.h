@@ -65,8 +65,8 @@ inline const std::string& folder() {
   return path;
 }
 
-// Runs `read` on the input as the file `name`, whole and then as the first eight samples of its first volume;
-// `data_file` is where detached data stands.
+// Runs `read` on the input as the file `name`, whole and then as the first eight samples of its
+// first volume; `data_file` is where detached data stands.
 inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* name,
                        const char* data_file, Volume (*read)(const VolumeInput&)) {
   const std::string_view all(reinterpret_cast<const char*>(bytes), size);

@@ -69,7 +69,6 @@ inline bool is_closed(std::span<const Triangle> triangles, bool manifold) {
 // Returns what is wrong with the file; empty if nothing is. `manifold`: edges of a label have two
 // triangles.
 inline std::string shared_fault(const SharedFile& file, bool manifold) {
-  if (file.triangles.empty()) return "no triangles";
   std::set<std::set<VertexId>> facets;
   std::set<int> labels;
   std::vector<Face> faces;

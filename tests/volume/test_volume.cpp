@@ -148,10 +148,10 @@ void check_bad_sample(T bad, const char* word) {
     samples[static_cast<std::size_t>(n)] = bad;
     samples[9999] = bad;
     const Volume volume = Volume::from_samples({10, 20, 50}, {1, 1, 1}, samples);
-    const std::string expected = std::string("v.nrrd: ") + word + " sample at (" +
-                                 std::to_string(n % 10) + ", " + std::to_string(n / 10 % 20) +
-                                 ", " + std::to_string(n / 200) + ")" +
-                                 (std::isnan(bad) ? ": --nan VALUE gives such samples a value" : "");
+    const std::string expected =
+        std::string("v.nrrd: ") + word + " sample at (" + std::to_string(n % 10) + ", " +
+        std::to_string(n / 10 % 20) + ", " + std::to_string(n / 200) + ")" +
+        (std::isnan(bad) ? ": --nan VALUE gives such samples a value" : "");
     CHECK_THROWS_WITH_AS(value_range(volume, "v.nrrd"), expected.c_str(), InputError);
   }
 }
