@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/mesh_run.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/run.h"
@@ -54,7 +55,8 @@ Bodies bodies_of(const CommandLine& line, const Volume& volume, ProgressBar& pro
                                     line.input, threads);
   Bodies all;
   all.labels = fields.weighed();
-  std::ranges::stable_partition(all.labels, [](const LabelSamples& l) { return l.label == 0; });
+  std::stable_partition(all.labels.begin(), all.labels.end(),
+                        [](const LabelSamples& l) { return l.label == 0; });
   for (const LabelSamples& l : all.labels) {
     const Stopwatch watch;
     const Vec3 offset = volume.position(fields.extent_of_field(l.label).first);

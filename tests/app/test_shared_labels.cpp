@@ -99,7 +99,7 @@ using Corners3 = std::array<std::array<double, 3>, 3>;
 // The triangle's corners, from the least one.
 Corners3 corners_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   Corners3 all{{{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}}};
-  std::ranges::rotate(all, std::ranges::min_element(all));
+  std::rotate(all.begin(), std::min_element(all.begin(), all.end()), all.end());
   return all;
 }
 
