@@ -25,7 +25,7 @@ SINCE ?=
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
-.PHONY: doctest clean
+.PHONY: wheel deb doctest clean
 
 all:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
@@ -117,6 +117,24 @@ format-check:
 
 install: all
 	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# The Python package with its library, for this platform, into BUILD.
+wheel: all
+	@cd python && python3 -c 'import deliso_wheel, sys; print(deliso_wheel.build_wheel(sys.argv[1], \
+	  {"library": sys.argv[2]}))' '$(abspath $(BUILD))' '$(abspath $(BUILD))/libdeliso_c.so'
+
+# What `make install` lays down, under /usr, as a package of Debian into BUILD. Python finds its
+# package by a .pth.
+DEB = $(BUILD)/deb
+deb: all
+	@rm -rf $(DEB) && mkdir -p $(DEB)/DEBIAN $(DEB)/usr/lib/python3/dist-packages
+	@DESTDIR='$(abspath $(DEB))' cmake --install $(BUILD) --prefix /usr --strip >/dev/null
+	@cd $(DEB) && find usr -path '*/python/deliso' -printf '/%h\n' >usr/lib/python3/dist-packages/deliso.pth
+	@printf '%s\n' 'Package: deliso' "Version: $$($(BUILD)/deliso --version | cut -d' ' -f2)" \
+	  "Architecture: $$(dpkg --print-architecture)" 'Section: science' 'Priority: optional' \
+	  'Maintainer: DelIso' 'Depends: libc6, libstdc++6' 'Recommends: python3-numpy' \
+	  'Description: Delaunay meshes of isosurfaces of volume data' >$(DEB)/DEBIAN/control
+	@dpkg-deb --root-owner-group --build $(DEB) $(BUILD)
 
 # The tests' one dependency. CMake fetches the upstream release where this finds no way.
 doctest:

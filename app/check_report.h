@@ -11,6 +11,7 @@
 #include "app/input.h"
 #include "app/report_writer.h"
 #include "check/verify.h"
+#include "io/mesh/read_mesh.h"
 
 namespace deliso {
 
@@ -29,12 +30,11 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
 struct CheckRun {
   Verification verification;
   bool by_comments = false;  // the criteria come from the comments
-  bool is_single = false;    // all coordinates are floats
+  bool is_single = false;    // coordinates are floats, about some point
   std::string json;
 };
-CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comments,
-                             const CommandLine& line, const Input& input,
-                             std::function<void(double)> progress = {});
+CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
+                             const Input& input, std::function<void(double)> progress = {});
 
 // Returns aligned lines. Lengths are in voxels, places of faults in the
 // world.

@@ -115,6 +115,12 @@ void take_builtin_isovalue(CommandLine& line) {
   if (field && !has_level(line)) line.isovalue = field->isovalue;
 }
 
+// pre: there is an output.
+MeshFormat format_of(const CommandLine& line) {
+  if (line.write.format) return *line.write.format;
+  return line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
+}
+
 // Refuses what has no meaning with --label.
 void check_labels(const CommandLine& line) {
   if (!line.shared.empty()) {
@@ -128,12 +134,12 @@ void check_labels(const CommandLine& line) {
   if (!line.field.all_labels) return;
   if (line.command != Command::mesh) throw InputError("--label all is for deliso mesh");
   for (const auto& [option, name] :
-       {std::pair{"-o", line.output}, std::pair{"--json", line.json}}) {
+       {std::pair<const char*, const std::string&>{"-o", line.output}, {"--json", line.json}}) {
     const std::size_t place = name.find("%d");
-    if (name.empty()) continue;
+    if (name.empty() || (&name == &line.output && in_one_file(line))) continue;
     if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
       throw InputError(std::string("--label all wants one %d in the name of ") + option +
-                       ", for the label: part-%d.ply");
+                       ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
     }
   }
 }
@@ -206,7 +212,7 @@ void check_picture(CommandLine& line) {
 // Determines the format of the mesh's file, and refuses what it cannot hold.
 void check_file(CommandLine& line) {
   if (!line.output.empty() && !line.write.format && !line.part) {
-    line.write.format = line.output == "-" ? MeshFormat::ply : mesh_format_of(line.output);
+    line.write.format = format_of(line);
   }
   if (line.output.empty() && !line.shared.empty()) line.write.format = mesh_format_of(line.shared);
   if (line.write.ascii && line.write.format != MeshFormat::ply) {
@@ -306,6 +312,11 @@ void take_paper(Options& options, bool everything, const Given& given) {
 }
 
 }  // namespace
+
+bool in_one_file(const CommandLine& line) {
+  return line.field.all_labels && !line.output.empty() &&
+         line.output.find('%') == std::string::npos && holds_objects(format_of(line));
+}
 
 CommandLine parse_command_line(std::span<const std::string_view> arguments) {
   CommandLine line;

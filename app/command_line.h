@@ -90,6 +90,9 @@ inline bool by_count(const Options& options) {
   return options.has_target();
 }
 
+// True if the meshes of --label all are the objects of one file.
+bool in_one_file(const CommandLine& line);
+
 // Parses `arguments`, which are without the program's name. Throws an InputError of one line on the
 // first fault:
 // - an unknown option or command (with the nearest known one), or an option of another command;

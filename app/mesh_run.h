@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/command_line.h"
 #include "app/input.h"
@@ -72,12 +74,19 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress,
 // Returns how the mesh of the run is written, with the comments of its file.
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh);
 
-// Meshes the run's input, writes the files, and fills in the run. `total` counts from the beginning
-// of the run. Throws InputError.
-void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run);
+// Returns the command line of each label's mesh, of --label all. Throws InputError if some output
+// cannot be written, or there is no label.
+std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source);
+// Writes the meshes of labels into one file, each with its name, else "label N", and color. pre:
+// there is one.
+void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
+                  const std::string& path);
 
-// Writes the files of a mesh that was examined.
-void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh);
+// Writes the files of a mesh that was examined, and fills in the run. If `objects` is given, adds
+// the mesh to them in place of writing it. `total` counts from the beginning of the
+// run. Throws InputError.
+void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
+                 std::vector<MeshObject>* objects = nullptr);
 
 // Returns what writes a warning to standard error, unless the line is quiet.
 std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line);

@@ -166,7 +166,7 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--label", 0, "L[,L...]|all", kVolume,
      "the surface around these labels of a segmentation, or segments that a .seg.nrrd names, "
      "smoothed by --smooth (default 1vox), in place of --iso; all, of mesh alone: a mesh for each "
-     "label but 0, with %d in FILE's name",
+     "label but 0, with %d in FILE's name, or in one .glb, .3mf or .vtp",
      [](Line& l, Text o, Text v) {
        l.field.all_labels = v == "all";
        if (l.field.all_labels) return;
@@ -443,6 +443,17 @@ std::string_view help_in(Command command, const OptionSpec& spec) {
   const bool meshes =
       command == Command::mesh || (command == Command::trace && has_option(Command::check, spec));
   return meshes || spec.other_help.empty() ? spec.help : spec.other_help;
+}
+
+LibraryUse library_use(std::string_view name) {
+  constexpr std::string_view kOfFiles[] = {
+      "--iso",  "--volume", "--roi",  "--array",  "--series",  "--channel", "--time",
+      "--dims", "--type",   "--skip", "--endian", "--spacing", "--origin"};
+  constexpr std::string_view kNone[] = {"--output",    "--format",    "--json", "--quiet",
+                                        "--verbose",   "--part",      "--help", "--version",
+                                        "--ply-ascii", "--attributes"};
+  if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) return LibraryUse::of_files;
+  return std::ranges::find(kNone, name) != std::end(kNone) ? LibraryUse::none : LibraryUse::always;
 }
 
 const OptionSpec& option_named(std::string_view name) {

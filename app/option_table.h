@@ -59,6 +59,14 @@ constexpr bool has_option(Command command, const OptionSpec& spec) {
 // Returns what the option means to the command.
 std::string_view help_in(Command command, const OptionSpec& spec);
 
+// The use of an option in a library, by its name.
+enum class LibraryUse : std::uint8_t {
+  always,
+  of_files,  // it says how a file is read: without meaning for an array, nor its isovalue
+  none       // about files that the program writes, and its texts
+};
+LibraryUse library_use(std::string_view name);
+
 // An option, and what other programs call it.
 struct OtherNames {
   std::string_view option, words;

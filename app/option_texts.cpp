@@ -213,4 +213,47 @@ std::string markdown_tables() {
   return page;
 }
 
+std::string python_options() {
+  std::string module = R"(# SPDX-License-Identifier: MIT
+"""The options of the functions, for editors and help(), which \"deliso help python\" has written."""
+
+from typing import Literal, Sequence, TypedDict, Union
+
+Value = Union[str, float, Sequence[float]]
+
+)";
+  std::string of_files;
+  // Parameters of their own.
+  constexpr std::string_view kParameters[] = {"--iso", "--volume", "--spacing", "--origin"};
+  for (const CommandSpec& command : command_table()) {
+    constexpr Command kOfLibrary[] = {Command::mesh, Command::info, Command::check, Command::render,
+                                      Command::join};
+    if (std::ranges::find(kOfLibrary, command.command) == std::end(kOfLibrary)) continue;
+    const bool draws = command.command == Command::render;
+    std::string name(command.name);
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    module += text("\nclass ", name, "Options(TypedDict, total=False):\n");
+    for (const OptionSpec& spec : option_table()) {
+      const LibraryUse use = library_use(spec.name);
+      const bool is_parameter =
+          !draws && std::ranges::find(kParameters, spec.name) != std::end(kParameters);
+      if (!has_option(command.command, spec) || use == LibraryUse::none || is_parameter) continue;
+      std::string key(spec.name.substr(2));
+      std::ranges::replace(key, '-', '_');
+      if (key == "lambda") key += '_';  // a word of Python
+      if (use == LibraryUse::of_files && command.command == Command::mesh)
+        of_files += text("\"", key, "\", ");
+      const std::vector<std::string_view> choices = choices_of(spec);
+      const std::string type = spec.argument.empty()                          ? "bool"
+                               : spec.argument == "N" || spec.argument == "R" ? "int"
+                               : choices.empty()
+                                   ? "Value"
+                                   : text("Literal[\"", joined(choices, "\", \""), "\"]");
+      module += text("    ", key, ": ", type, "\n    \"\"\"", spec.argument,
+                     spec.argument.empty() ? "" : ": ", help_in(command.command, spec), "\"\"\"\n");
+    }
+  }
+  return text(module, "\n# About the reading of a file.\nOF_FILES = (", of_files, ")\n");
+}
+
 }  // namespace deliso

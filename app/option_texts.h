@@ -15,7 +15,7 @@ inline constexpr std::string_view kVolumeFiles =
     "INPUT: .nrrd .nhdr .mhd .mha .nii .nii.gz .hdr .vtk .vti .npy .tif .dcm, a folder of slices "
     "(DICOM, TIFF), raw data with --dims and --type, builtin:NAME[:SIZE], or - for standard input.";
 inline constexpr std::string_view kMeshFiles =
-    "MESH: .ply .off .obj .stl .vtp, or - for standard input.";
+    "MESH: .ply .off .obj .stl .vtp .glb .3mf, or - for standard input.";
 inline constexpr std::string_view kExitStatus =
     "0 fine, 1 a fault was found, 2 bad usage or input.";
 inline constexpr std::string_view kExamples =
@@ -34,15 +34,14 @@ std::string bash_completion();
 std::string zsh_completion();
 std::string markdown_tables();  // of docs/guide/command-line.md, one for each group
 std::string report_schema();    // of what mesh, check and info write with --json (report_json.cpp)
+std::string python_options();   // python/deliso/_options.py
 
 struct HelpText {
   std::string_view topic;  // of deliso help
   std::string (*write)();
 };
-inline constexpr HelpText kTextTable[] = {{"man", man_page},
-                                          {"bash", bash_completion},
-                                          {"zsh", zsh_completion},
-                                          {"markdown", markdown_tables},
-                                          {"schema", report_schema}};
+inline constexpr HelpText kTextTable[] = {{"man", man_page},          {"bash", bash_completion},
+                                          {"zsh", zsh_completion},    {"markdown", markdown_tables},
+                                          {"python", python_options}, {"schema", report_schema}};
 
 }  // namespace deliso

@@ -3,7 +3,11 @@
 // thrown.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "app/command_line.h"
+#include "mesh/tri_mesh.h"
 
 namespace deliso {
 
@@ -17,6 +21,8 @@ int run_labels(const CommandLine& line);  // of mesh, with --label all
 int run_info(const CommandLine& line);
 int run_check(const CommandLine& line);
 int run_render(const CommandLine& line);
+// Draws the meshes, which the line's names are of, into its output. Returns a line about it.
+std::string draw(std::span<const TriMesh> meshes, const CommandLine& line);
 int run_view(const CommandLine& line);
 int run_trace(const CommandLine& line);
 int run_join(const CommandLine& line);

@@ -17,15 +17,14 @@
 
 namespace deliso {
 
-CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comments,
-                             const CommandLine& line, const Input& input,
-                             std::function<void(double)> progress) {
+CheckRun check_mesh_in_world(TriMesh mesh, const MeshNotes& notes, const CommandLine& line,
+                             const Input& input, std::function<void(double)> progress) {
   const Volume& volume = input.volume();
-  const auto noted = line.paper ? std::nullopt : noted_criteria(comments);
+  const auto noted = line.paper ? std::nullopt : noted_criteria(notes.comments);
   VerifyOptions options = verify_options(line, volume, noted);
   options.progress = std::move(progress);
-  CheckRun run{{}, noted.has_value(), is_single_precision(mesh), {}};
-  options.position_error = bring_home(mesh, volume.frame());
+  CheckRun run{{}, noted.has_value(), notes.rounding > 0 || is_single_precision(mesh), {}};
+  options.position_error = notes.rounding + bring_home(mesh, volume.frame());
   run.verification =
       verify(mesh, volume, geometric_isovalue(volume.type(), *input.isovalue), options);
 
@@ -36,11 +35,11 @@ CheckRun check_mesh_in_world(TriMesh mesh, const std::vector<std::string>& comme
 }
 
 int run_check(const CommandLine& line) {
-  std::vector<std::string> comments;
-  TriMesh mesh = read_mesh(line.meshes.front(), &comments);
+  MeshNotes notes;
+  TriMesh mesh = read_mesh(line.meshes.front(), &notes);
   const Input input = read_input(line, line.meshes);
   const std::string asked = field_note(line.field, input.volume());
-  const auto made = noted_field(comments);
+  const auto made = noted_field(notes.comments);
   if (made && *made != asked && !line.quiet) {
     const std::string warning =
         one_line(line.meshes.front() + " is of another field: its file says" +
@@ -48,7 +47,7 @@ int run_check(const CommandLine& line) {
                  (asked.empty() ? " has no filter" : " says" + asked));
     std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
   }
-  const CheckRun run = check_mesh_in_world(std::move(mesh), comments, line, input);
+  const CheckRun run = check_mesh_in_world(std::move(mesh), notes, line, input);
   const Verification& result = run.verification;
   if (!line.json.empty()) write_text(line.json, run.json);
   if (!line.quiet && line.json != "-") {

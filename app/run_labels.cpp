@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all: a mesh for each label of a segmentation, and a table of them.
 #include <algorithm>
+#include <cstdio>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/mesh_run.h"
@@ -9,9 +12,12 @@
 #include "app/progress.h"
 #include "app/run.h"
 #include "app/shared_labels.h"
+#include "app/signals.h"
+#include "app/text.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "view/render/color_map.h"
 
 namespace deliso {
 namespace {
@@ -25,13 +31,14 @@ std::string name_with(std::string name, std::int64_t label) {
   return name;
 }
 
-// Returns the command line of each label's mesh. Throws InputError if some output cannot be
-// written.
-std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source) {
+}  // namespace
+
+std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
   std::vector<std::string> files = source.log.files;
   require_outputs(std::vector{line.shared}, files);
   if (!line.shared.empty()) files.push_back(line.shared);
+  const std::vector<NamedSegment> segments = read_segments(line.input);
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -40,6 +47,10 @@ std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source)
     one.output = name_with(line.output, found.label);
     one.json = name_with(line.json, found.label);
     one.allow_empty = true;  // a label may fill the volume
+    for (const NamedSegment& segment : segments) {
+      const bool is_read = line.read.channel.value_or(segment.channel) == segment.channel;
+      if (is_read && segment.label == found.label) one.write.name = segment.name;
+    }
     require_outputs(std::vector{one.output, one.json}, files);
     lines.push_back(std::move(one));
   }
@@ -51,7 +62,25 @@ std::vector<CommandLine> lines_of(const CommandLine& line, const Source& source)
   return lines;
 }
 
-}  // namespace
+void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t> labels,
+                  const std::string& path) {
+  for (std::size_t n = 0; n < objects.size(); ++n) {
+    const Rgb color = category_color(static_cast<std::size_t>(labels[n]));
+    MeshWriteOptions& options = objects[n].options;
+    if (options.name.empty()) options.name = text("label ", labels[n]);
+    options.label = {labels[n], {color.red, color.green, color.blue}};
+  }
+  // The file's comment: it has all labels.
+  std::string& comment = objects.front().options.comment;
+  constexpr std::string_view kLabel = " label=";
+  const std::size_t begin = comment.find(kLabel);
+  if (begin != comment.npos) {
+    const std::size_t value = begin + kLabel.size();
+    comment.replace(value, std::min(comment.find(' ', value), comment.size()) - value, "all");
+  }
+  const DeferSignals defer;
+  write_objects(objects, path);
+}
 
 int run_labels(const CommandLine& line) {
   ProgressBar reading(mesh_stages(line), !line.quiet);
@@ -59,19 +88,23 @@ int run_labels(const CommandLine& line) {
   Source source = read_source(line);
   reading.clear();
   print_warning(source.warning, line);
-  const std::vector<CommandLine> lines = lines_of(line, source);
+  const std::vector<CommandLine> lines = lines_of_labels(line, source);
   if (!line.shared.empty()) return mesh_shared(line, source, lines);
   source.labels =
       label_fields(source.volume, line.field, source.labels, line.input, line.options.threads)
           .weighed();
   std::string table = label_heading();
   bool all_sound = true;
+  std::vector<MeshObject> objects;
+  std::vector<std::int64_t> labels;
   for (const CommandLine& one : lines) {
     const Stopwatch total;
     ProgressBar progress(mesh_stages(one), !one.quiet);
     const Input input = input_of(source, one);
     MeshRun run(one, input);
-    mesh_to_files(total, progress, run);
+    const TriMesh mesh = mesh_input(run, progress, warner(progress, one));
+    write_files(total, progress, run, mesh, in_one_file(line) ? &objects : nullptr);
+    labels.push_back(one.field.labels.front());
     all_sound &= run.sound();
     if (line.verbose && !line.quiet) print(report_text(run) + "\n");
     const LabelFacts& label = *input.field.label;
@@ -79,7 +112,10 @@ int run_labels(const CommandLine& line) {
     table += text_of({*found, label.volume, run.volume, run.vertices, run.mesh.components,
                       run.mesh == run.report.exact, run.seconds_total});
   }
-  if (!line.quiet) print(table);
+  if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
+  if (!line.quiet) {
+    line.output == "-" ? static_cast<void>(std::fputs(table.c_str(), stderr)) : print(table);
+  }
   return all_sound ? kExitSuccess : kFaultFound;
 }
 

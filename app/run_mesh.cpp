@@ -232,25 +232,24 @@ std::function<void(const std::string&)> warner(ProgressBar& progress, const Comm
   };
 }
 
-void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh) {
+void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
+                 std::vector<MeshObject>* objects) {
   const CommandLine& line = run.line;
   progress.show("writing", 0);
   const Stopwatch watch;
-  if (!line.output.empty()) {
+  const TriMesh& written = run.rounded ? *run.rounded : mesh;
+  if (objects) {
+    objects->push_back({written, write_options(run, mesh)});
+  } else if (!line.output.empty()) {
     const MeshWriteOptions options = write_options(run, mesh);
     const DeferSignals defer;
-    write_mesh(run.rounded ? *run.rounded : mesh, line.output, options);
+    write_mesh(written, line.output, options);
   }
   run.seconds_write = watch.seconds();
   progress.clear();
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = total.seconds();
   if (!line.json.empty()) write_text(line.json, report_json(run));
-}
-
-void mesh_to_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run) {
-  const TriMesh mesh = mesh_input(run, progress, warner(progress, run.line));
-  write_files(total, progress, run, mesh);
 }
 
 void print_report(const MeshRun& run) {
@@ -275,7 +274,8 @@ int run_mesh(const CommandLine& line) {
   progress.clear();
   print_warning(input.warning, line);
   MeshRun run(line, input);
-  mesh_to_files(total, progress, run);
+  const TriMesh mesh = mesh_input(run, progress, warner(progress, line));
+  write_files(total, progress, run, mesh);
   print_report(run);
   return run.sound() ? kExitSuccess : kFaultFound;
 }

@@ -70,14 +70,9 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 
 }  // namespace
 
-int run_render(const CommandLine& line) {
-  require_outputs({&line.output, 1}, line.meshes);
-  std::vector<TriMesh> meshes;
+std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   std::string names;
-  for (const std::string& name : line.meshes) {
-    meshes.push_back(read_mesh(name));
-    names += (names.empty() ? "'" : ", '") + name + "'";
-  }
+  for (const std::string& name : line.meshes) names += (names.empty() ? "'" : ", '") + name + "'";
   const FacetColors colors = color_facets(meshes, line);
   const Box3 box = box_of(meshes);
   RenderOptions options = line.render;
@@ -121,9 +116,16 @@ int run_render(const CommandLine& line) {
     const DeferSignals defer;
     write_png(image, line.output);
   }
+  return sizes + " drawn from --view " + number_text(options.view->azimuth) + "," +
+         number_text(options.view->elevation) + "\n";
+}
+
+int run_render(const CommandLine& line) {
+  require_outputs({&line.output, 1}, line.meshes);
+  std::vector<TriMesh> meshes;
+  for (const std::string& name : line.meshes) meshes.push_back(read_mesh(name));
+  const std::string report = draw(meshes, line);
   if (!line.quiet) {
-    const std::string report = sizes + " drawn from --view " + number_text(options.view->azimuth) +
-                               "," + number_text(options.view->elevation) + "\n";
     if (line.output == "-") {
       std::fputs(report.c_str(), stderr);
     } else {

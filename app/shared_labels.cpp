@@ -2,6 +2,9 @@
 #include "app/shared_labels.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "app/mesh_run.h"
@@ -131,6 +134,8 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   const InterfaceMesh all = mesh_interfaces(partition, bodies.seeds, bodies.max_distance);
   bool sound = all.largest_distance <= bodies.max_distance;
   std::size_t pinched = 0;
+  std::vector<MeshObject> objects;
+  std::vector<std::int64_t> labels;
   std::string table = label_heading();
   const Vec3 s = volume.spacing();
   for (BodyId body = 1; body < bodies.labels.size(); ++body) {
@@ -146,9 +151,15 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
     const CommandLine& one = lines[body - 1];
     MeshWriteOptions write = one.write;
     write.comment = text("deliso label=", label.label, " of ", line.shared);
-    const DeferSignals defer;
-    if (!one.output.empty()) write_mesh(mesh, one.output, write);
+    if (in_one_file(line)) {
+      objects.push_back({std::move(mesh), write});
+      labels.push_back(label.label);
+    } else if (!one.output.empty()) {
+      const DeferSignals defer;
+      write_mesh(mesh, one.output, write);
+    }
   }
+  if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
   MeshWriteOptions write = line.write;
   write.format = mesh_format_of(line.shared);
   write.comment = "deliso label=all, two labels for each facet";
@@ -171,7 +182,7 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
              rounded(all.largest_distance / volume.voxel(), 3),
              " voxels from the interfaces at most, smallest angle ", rounded(quality.min_angle, 3),
              " degrees\n");
-    print(table);
+    line.output == "-" ? static_cast<void>(std::fputs(table.c_str(), stderr)) : print(table);
   }
   return sound ? kExitSuccess : kFaultFound;
 }

@@ -10,16 +10,20 @@
 #include <iterator>
 #include <string_view>
 
+#include "app/input.h"
+#include "app/option_table.h"
 #include "app/peak_memory.h"
 #include "app/text.h"
 #include "base/text.h"
 #include "c/normals.h"
+#include "io/files/text_scan.h"
 
 namespace deliso::c {
 namespace {
 
 constexpr std::size_t kErrorSize = 1024;  // an InputError has some 500 bytes at most
 thread_local char last_error[kErrorSize];
+constexpr double kUnitLength = 1e-4;  // a direction's deviation from length 1
 
 }  // namespace
 
@@ -32,8 +36,16 @@ void require(const void* pointer, const char* name) {
   if (!pointer) throw InputError(text(name, " is null"));
 }
 
-SampleGrid grid_of(int type, const size_t shape[3], int order, const double spacing[3],
-                   const double origin[3]) {
+AnatomicalSpace space_of(const char* name) {
+  const std::string_view wanted = name ? name : "";
+  for (const AnatomicalSpace space :
+       {AnatomicalSpace::unknown, AnatomicalSpace::ras, AnatomicalSpace::lps}) {
+    if (wanted == short_name_of(space)) return space;
+  }
+  throw InputError(text("space is RAS or LPS, not ", quote(wanted)));
+}
+
+SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_place* place) {
   require(shape, "shape");
   if (type < DELISO_UINT8 || type > DELISO_FLOAT64) throw InputError("no such type of samples");
   if (order != DELISO_C_ORDER && order != DELISO_FORTRAN_ORDER) throw InputError("no such order");
@@ -44,36 +56,47 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const double spac
   for (std::size_t n = 0; n < 3; ++n) {
     grid.dims[n] = static_cast<std::int64_t>(shape[is_fortran ? n : 2 - n]);
   }
-  if (spacing) grid.set_spacing({spacing[0], spacing[1], spacing[2]});
+  if (place) {
+    const double *s = place->spacing, *d = place->direction, *o = place->origin;
+    grid.set_spacing({s[0], s[1], s[2]});
+    if (std::any_of(d, d + 9, [](double x) { return x != 0; })) {
+      for (std::size_t n = 0; n < 3; ++n) {
+        const Vec3 direction{d[n], d[3 + n], d[6 + n]};
+        if (std::abs(length(direction) - 1) > kUnitLength)
+          throw InputError(
+              text("direction: column ", n, " has length ", length(direction), ", not 1"));
+        grid.steps[n] = s[n] * direction;
+      }
+    }
+    grid.origin = {o[0], o[1], o[2]};
+    grid.space = space_of(place->space);
+  }
   if (is_fortran) std::swap(grid.steps[0], grid.steps[2]);
-  if (origin) grid.origin = {origin[0], origin[1], origin[2]};
   return grid;
 }
 
-CommandLine parse(std::vector<std::string> words, const char* const* options) {
-  constexpr std::string_view kOfFiles[] = {
-      "iso",     "output",    "format",     "json",   "quiet",   "verbose", "roi",    "part",
-      "type",    "array",     "dims",       "skip",   "spacing", "endian",  "volume", "help",
-      "version", "ply-ascii", "attributes", "origin", "channel", "time"};
+CommandLine parse(std::vector<std::string> words, const char* const* options, Reads reads) {
   for (; options && *options; ++options) {
-    const std::string_view option = *options, name = option.substr(0, option.find('='));
-    if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) {
-      throw InputError(text("--", name, " has no meaning for an array"));
+    const std::string option = text("--", *options), name = option.substr(0, option.find('='));
+    const LibraryUse use = library_use(name);
+    if (use == LibraryUse::none || (use == LibraryUse::of_files && reads != Reads::now)) {
+      throw InputError(text(name, " has no meaning for an array"));
     }
-    words.push_back(text("--", option));
+    words.push_back(option);
   }
   CommandLine line = parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
-  if (!line.field.segments.empty()) throw InputError("an array does not name its labels");
+  if (reads != Reads::nothing) {
+    find_segments(line);
+  } else if (!line.field.segments.empty()) {
+    throw InputError("an array does not name its labels");
+  }
   return line;
 }
 
-CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options) {
-  bool of_labels = false;
-  for (auto at = options; at && *at; ++at) of_labels |= std::string_view(*at).starts_with("label=");
-  if (!of_labels || !std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
-  CommandLine line = parse(std::move(words), options);
-  if (line.field.all_labels) throw InputError("--label all has no meaning for an array");
-  return line;
+CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options,
+                  Reads reads) {
+  if (!std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
+  return parse(std::move(words), options, reads);
 }
 
 void take(const TriMesh& surface, const VolumeSource& field, MeshRun& run, double seconds,
@@ -81,6 +104,7 @@ void take(const TriMesh& surface, const VolumeSource& field, MeshRun& run, doubl
   made.normals = normals_of(surface, field, run.line.options);
   made.mesh = written_mesh(surface, {.format = MeshFormat::ply});
   made.write = write_options(run, surface);
+  made.space = surface.frame.space;
   run.peak_bytes = peak_memory_bytes();
   run.seconds_total = seconds;
   made.report = report_json(run);

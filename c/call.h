@@ -17,24 +17,30 @@
 #include "blocks/block.h"
 #include "c/deliso.h"
 #include "io/mesh/write_mesh.h"
+#include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
 #include "mesh/tri_mesh.h"
 #include "volume/volume.h"
 
 struct deliso_volume {
+  std::string name;  // in messages and reports
   deliso::Volume volume;
+  deliso::ReadLog log{};
+  bool is_file = false;
 };
 
 struct deliso_mesh {
   deliso::WrittenMesh mesh;  // in the world
   std::vector<deliso::Vec3> normals;
   deliso::MeshWriteOptions write;
+  deliso::AnatomicalSpace space{};
+  double rounding = 0;  // of MeshNotes, of a mesh that was read
   std::string report, warnings;
 };
 
 namespace deliso::c {
 
-inline constexpr char kName[] = "array";  // of the volume, in messages and reports
+inline constexpr char kName[] = "array";  // of a volume that is no file
 
 // Keeps the message for deliso_last_error(). Returns the status.
 deliso_status failed(deliso_status status, const char* message) noexcept;
@@ -62,26 +68,37 @@ deliso_status guarded(const deliso_watch* watch, F f) noexcept {
 void require(const void* pointer, const char* name);
 
 // Returns the grid of an array, as deliso_volume_create() has the arguments. Throws InputError.
-SampleGrid grid_of(int type, const size_t shape[3], int order, const double spacing[3],
-                   const double origin[3]);
+SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_place* place);
 
-// Parses the options as the command's. `words`: what the command line has before them. A switch
-// among `options` that is about files is refused. Throws InputError.
-CommandLine parse(std::vector<std::string> words, const char* const* options);
-// The same of a command with a volume and an isovalue; NaN stands for none, with labels.
-CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options);
+// Returns the space with that short name; null or empty is unknown. Throws InputError.
+AnatomicalSpace space_of(const char* name);
+
+// Whether a call reads its volumes. Those that are read can have segments with names.
+enum class Reads : std::uint8_t { nothing, read_before, now };
+
+// Parses the options as the command's. `words`: what the command line has before them. Options
+// about files that are written, or not read now, are refused. Throws InputError.
+CommandLine parse(std::vector<std::string> words, const char* const* options,
+                  Reads reads = Reads::nothing);
+// The same of a command with a volume and an isovalue; NaN stands for none.
+CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options,
+                  Reads reads = Reads::nothing);
 
 class WatchedProgress : public Progress {
  public:
-  WatchedProgress(std::vector<StageCost> stages, const deliso_watch* watch)
-      : Progress(std::move(stages)), watch_(watch) {}
+  // `begin` and `end`: the run's share of the call.
+  WatchedProgress(std::vector<StageCost> stages, const deliso_watch* watch, double begin = 0,
+                  double end = 1)
+      : Progress(std::move(stages)), watch_(watch), begin_(begin), end_(end) {}
 
  private:
   void draw(const std::string& stage, double share_of_run) override {
-    if (watch_ && watch_->progress) watch_->progress(watch_->context, stage.c_str(), share_of_run);
+    if (!watch_ || !watch_->progress) return;
+    watch_->progress(watch_->context, stage.c_str(), begin_ + (end_ - begin_) * share_of_run);
   }
 
   const deliso_watch* watch_;
+  double begin_, end_;
 };
 
 // Fills in what `made` has of the surface, which the run has examined. `field`: what was meshed.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,15 +11,21 @@
 
 #include "app/check_report.h"
 #include "app/command_line.h"
+#include "app/criteria_note.h"
+#include "app/field.h"
+#include "app/info.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
+#include "app/run.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "c/call.h"
 #include "io/filter/nan_samples.h"
+#include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
+#include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
 
 using namespace deliso;
@@ -26,16 +33,46 @@ using namespace deliso::c;
 
 namespace {
 
-Input input_of(const deliso_volume& volume, const CommandLine& line) {
+constexpr double kNoIsovalue = std::numeric_limits<double>::quiet_NaN();
+
+Source source_of(const deliso_volume& volume, const CommandLine& line) {
   const Stopwatch watch;
   const int threads = line.options.threads;
   std::uint64_t count = 0;
   const Volume samples =
       line.field.nan ? without_nan(volume.volume, *line.field.nan, count) : volume.volume;
-  Source source{samples, value_range(samples, kName), {}, {}, 0};
-  if (line.field.of_labels()) source.labels = find_labels(samples, kName, threads);
+  Source source{samples, value_range(samples, volume.name), {}, volume.log, 0};
+  if (line.field.of_labels()) source.labels = find_labels(samples, volume.name, threads);
   source.seconds = watch.seconds();
-  return deliso::input_of(source, line);
+  return source;
+}
+
+// Meshes the input, which the line's run is about. Returns whether the mesh is sound.
+bool make_mesh(const CommandLine& line, const Source& source, WatchedProgress& progress,
+               std::unique_ptr<deliso_mesh>& made) {
+  const Stopwatch total;
+  const Input input = deliso::input_of(source, line);
+  MeshRun run(line, input);
+  made = std::make_unique<deliso_mesh>();
+  const TriMesh surface = mesh_input(
+      run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
+  take(surface, deliso::source_of(input.volume()), run, total.seconds(), *made);
+  return run.sound();
+}
+
+// Parses the options of a command about a volume.
+CommandLine line_of(std::vector<std::string> words, const deliso_volume& volume, double isovalue,
+                    const char* const* options) {
+  words.push_back(volume.name);
+  return parse(std::move(words), isovalue, options,
+               volume.is_file ? Reads::read_before : Reads::nothing);
+}
+
+TriMesh tri_mesh_of(const deliso_mesh* mesh) {
+  require(mesh, "mesh");
+  TriMesh made = make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles);
+  made.frame.space = mesh->space;
+  return made;
 }
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
@@ -71,14 +108,27 @@ const char* deliso_version() {
 }
 
 deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3], int order,
-                                   const double spacing[3], const double origin[3],
-                                   deliso_volume** volume) {
+                                   const deliso_place* place, deliso_volume** volume) {
   return guarded(nullptr, [&] {
     require(samples, "samples");
     require(volume, "volume");
-    const SampleGrid grid = grid_of(type, shape, order, spacing, origin);
+    const SampleGrid grid = grid_of(type, shape, order, place);
     const Bytes bytes{kName, {static_cast<const std::byte*>(samples), data_size(grid)}, nullptr};
-    *volume = new deliso_volume{volume_from_raw(grid, bytes)};
+    *volume = new deliso_volume{kName, volume_from_raw(grid, bytes)};
+    return true;
+  });
+}
+
+deliso_status deliso_volume_read(const char* path, const char* const* options,
+                                 deliso_volume** volume) {
+  return guarded(nullptr, [&] {
+    require(path, "path");
+    require(volume, "volume");
+    const std::string name = text(*path == '-' ? "./" : "", path);  // no option
+    const CommandLine line = parse({"info", name}, options, Reads::now);
+    ReadLog log;
+    Volume samples = read_volume(name, line.read, &log);
+    *volume = new deliso_volume{name, std::move(samples), std::move(log), true};
     return true;
   });
 }
@@ -93,17 +143,41 @@ deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
   return guarded(watch, [&] {
     require(volume, "volume");
     require(mesh, "mesh");
-    const Stopwatch total;
-    const CommandLine line = parse({"mesh", kName}, isovalue, options);
-    const Input input = input_of(*volume, line);
-    MeshRun run(line, input);
+    const CommandLine line = line_of({"mesh"}, *volume, isovalue, options);
+    if (line.field.all_labels) throw InputError("label=all is for deliso_mesh_labels()");
     WatchedProgress progress(mesh_stages(line), watch);
-    auto made = std::make_unique<deliso_mesh>();
-    const TriMesh surface = mesh_input(
-        run, progress, [&](const std::string& warning) { made->warnings += warning + "\n"; });
-    take(surface, source_of(input.volume()), run, total.seconds(), *made);
+    std::unique_ptr<deliso_mesh> made;
+    const bool sound = make_mesh(line, source_of(*volume, line), progress, made);
     *mesh = made.release();
-    return run.sound();
+    return sound;
+  });
+}
+
+deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const* options,
+                                 const deliso_watch* watch,
+                                 void (*take)(void* context, int64_t label, deliso_mesh* mesh,
+                                              deliso_status status),
+                                 void* context) {
+  return guarded(watch, [&] {
+    require(volume, "volume");
+    if (!take) throw InputError("take is null");
+    const CommandLine line = line_of({"mesh", "--label=all"}, *volume, kNoIsovalue, options);
+    Source source = ::source_of(*volume, line);
+    const std::vector<CommandLine> lines = lines_of_labels(line, source);
+    source.labels =
+        label_fields(source.volume, line.field, source.labels, volume->name, line.options.threads)
+            .weighed();
+    bool all_sound = true;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+      const double all = static_cast<double>(lines.size()), begin = static_cast<double>(n) / all;
+      WatchedProgress progress(mesh_stages(lines[n]), watch, begin, begin + 1 / all);
+      std::unique_ptr<deliso_mesh> made;
+      const bool sound = make_mesh(lines[n], source, progress, made);
+      take(context, lines[n].field.labels.front(), made.release(),
+           sound ? DELISO_OK : DELISO_FAULT);
+      all_sound &= sound;
+    }
+    return all_sound;
   });
 }
 
@@ -129,6 +203,8 @@ deliso_status deliso_mesh_get_data(const deliso_mesh* mesh, deliso_mesh_data* da
     data->report = deliso_mesh_report(mesh);
     data->warnings = deliso_mesh_warnings(mesh);
     data->comment = mesh->write.comment.c_str();
+    data->name = mesh->write.name.c_str();
+    data->space = short_name_of(mesh->space).data();
     data->first_cap = mesh->write.first_cap.value_or(SIZE_MAX);
     data->single_precision = mesh->write.single_precision;
     return true;
@@ -159,12 +235,30 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
     made->report = text_or_empty(data->report);
     made->warnings = text_or_empty(data->warnings);
     made->write.comment = text_or_empty(data->comment);
+    made->write.name = text_or_empty(data->name);
+    made->space = space_of(data->space);
     made->write.single_precision = data->single_precision != 0;
     if (data->first_cap != SIZE_MAX) {
       if (data->first_cap > data->triangle_count) {
         throw InputError("first_cap is beyond the last triangle");
       }
       made->write.first_cap = data->first_cap;
+    }
+    *mesh = made.release();
+    return true;
+  });
+}
+
+deliso_status deliso_mesh_read(const char* path, deliso_mesh** mesh) {
+  return guarded(nullptr, [&] {
+    require(path, "path");
+    require(mesh, "mesh");
+    MeshNotes notes;
+    auto made = std::make_unique<deliso_mesh>();
+    made->mesh = written_mesh(read_mesh(path, &notes), {.format = MeshFormat::ply});
+    made->rounding = notes.rounding;
+    for (const std::string& comment : notes.comments) {
+      if (made->write.comment.empty() && noted_field({&comment, 1})) made->write.comment = comment;
     }
     *mesh = made.release();
     return true;
@@ -197,9 +291,54 @@ const char* deliso_mesh_warnings(const deliso_mesh* mesh) {
 
 deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path) {
   return guarded(nullptr, [&] {
-    require(mesh, "mesh");
     require(path, "path");
-    write_mesh(make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles), path, mesh->write);
+    write_mesh(tri_mesh_of(mesh), path, mesh->write);
+    return true;
+  });
+}
+
+deliso_status deliso_labels_save(const deliso_mesh* const* meshes, const int64_t* labels,
+                                 size_t count, const char* path) {
+  return guarded(nullptr, [&] {
+    require(path, "path");
+    if (count == 0) throw InputError("no meshes given");
+    require(meshes, "meshes");
+    require(labels, "labels");
+    const MeshFormat format = mesh_format_of(path);
+    if (!holds_objects(format))
+      throw InputError("several meshes can be saved as .glb, .3mf or .vtp");
+    std::vector<MeshObject> objects;
+    for (size_t n = 0; n < count; ++n)
+      objects.push_back({tri_mesh_of(meshes[n]), meshes[n]->write});
+    write_labels(std::move(objects), {labels, count}, path);
+    return true;
+  });
+}
+
+deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
+                            const char* const* options, const char* path) {
+  return guarded(nullptr, [&] {
+    require(path, "path");
+    if (count > 0) require(meshes, "meshes");
+    std::vector<std::string> words{"render", text("--output=", path)};
+    std::vector<TriMesh> drawn;
+    for (size_t n = 0; n < count; ++n) {
+      words.push_back(text("mesh ", n + 1));
+      drawn.push_back(tri_mesh_of(meshes[n]));
+    }
+    draw(drawn, parse(std::move(words), options, Reads::now));
+    return true;
+  });
+}
+
+deliso_status deliso_info(const deliso_volume* volume, double isovalue, const char* const* options,
+                          const deliso_watch* watch, char** json) {
+  return guarded(watch, [&] {
+    require(volume, "volume");
+    require(json, "json");
+    const CommandLine line = line_of({"info"}, *volume, isovalue, options);
+    const Input input = deliso::input_of(source_of(*volume, line), line);
+    *json = copied(info_json(find_info(input, line)));
     return true;
   });
 }
@@ -209,12 +348,12 @@ deliso_status deliso_check(const deliso_mesh* mesh, const deliso_volume* volume,
   return guarded(watch, [&] {
     require(mesh, "mesh");
     require(volume, "volume");
-    const CommandLine line = parse({"check", "mesh", kName}, isovalue, options);
-    const Input input = input_of(*volume, line);
+    const CommandLine line = line_of({"check", "mesh"}, *volume, isovalue, options);
+    const Input input = deliso::input_of(source_of(*volume, line), line);
     WatchedProgress progress({{"check", 1}}, watch);
-    const CheckRun run = check_mesh_in_world(make_tri_mesh(mesh->mesh.points, mesh->mesh.triangles),
-                                             {mesh->write.comment}, line, input,
-                                             [&](double share) { progress.show("check", share); });
+    const CheckRun run =
+        check_mesh_in_world(tri_mesh_of(mesh), {{mesh->write.comment}, mesh->rounding}, line, input,
+                            [&](double share) { progress.show("check", share); });
     if (json) *json = copied(run.json);
     return !run.verification.faults.any();
   });

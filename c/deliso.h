@@ -4,9 +4,8 @@
  *   deliso_volume* volume = NULL;
  *   deliso_mesh* mesh = NULL;
  *   const size_t shape[3] = {64, 128, 128};
- *   const double spacing[3] = {1, 1, 2.5};
  *   const char* const options[] = {"max-distance=0.1vox", "largest=1", NULL};
- *   if (deliso_volume_create(samples, DELISO_UINT16, shape, DELISO_C_ORDER, spacing, NULL, &volume)
+ *   if (deliso_volume_create(samples, DELISO_UINT16, shape, DELISO_C_ORDER, NULL, &volume)
  *           != DELISO_OK ||
  *       deliso_mesh_create(volume, 40, options, NULL, &mesh) != DELISO_OK ||
  *       deliso_mesh_save(mesh, "mesh.ply") != DELISO_OK) {
@@ -84,29 +83,54 @@ DELISO_API const char* deliso_version(void);
  * until the next such call in this thread. */
 DELISO_API const char* deliso_last_error(void);
 
+/* The place of an array in the world. A null pointer to one stands for spacing 1, 1, 1. */
+typedef struct deliso_place {
+  double spacing[3]; /* along x, y, z */
+  double origin[3];  /* x, y, z of sample [0][0][0] */
+  /* Row by row a matrix whose columns are the directions of x, y, z, at right angles; all 0 for the
+   * world's own axes. */
+  double direction[9];
+  const char* space; /* "RAS", "LPS", or null: the world is no patient's */
+} deliso_place;
+
 /* Makes a volume of an array indexed [z][y][x], with shape[0] samples along z, shape[1] along y and
- * shape[2] along x. `type` is a deliso_type, `order` a deliso_order. Spacing and origin are along
- * x, y, z; null stands for 1, 1, 1 and for 0, 0, 0. The samples are borrowed: they must stay as
- * they are until the volume is freed. */
+ * shape[2] along x. `type` is a deliso_type, `order` a deliso_order. The samples are borrowed: they
+ * must stay as they are until the volume is freed. */
 DELISO_API deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3],
-                                              int order, const double spacing[3],
-                                              const double origin[3], deliso_volume** volume);
+                                              int order, const deliso_place* place,
+                                              deliso_volume** volume);
+/* Makes a volume of any input of the program: a file, a folder of slices, builtin:NAME. `options`
+ * are those about reading, as "roi=0:64,0:64,0:64" or "array=NAME". A file must stay as it is until
+ * the volume is freed. */
+DELISO_API deliso_status deliso_volume_read(const char* path, const char* const* options,
+                                            deliso_volume** volume);
 DELISO_API void deliso_volume_free(deliso_volume* volume); /* null is allowed */
 
 /* Meshes the surface on which the volume's interpolant has the isovalue. `options` are texts
  * "name=value", or "name" for switches, with a null after the last: those of the program's mesh
  * command without the two dashes. Options about files have no meaning here. `options` and `watch`
- * may be null. With the option "label=L" the isovalue is NaN. After DELISO_OK and DELISO_FAULT the
- * caller owns the mesh; it does not need the volume. */
+ * may be null. With the option "label=L" the isovalue is NaN, for none. After DELISO_OK and
+ * DELISO_FAULT the caller owns the mesh; it does not need the volume. */
 DELISO_API deliso_status deliso_mesh_create(const deliso_volume* volume, double isovalue,
                                             const char* const* options, const deliso_watch* watch,
                                             deliso_mesh** mesh);
+
+/* Meshes each label of a segmentation but 0. `options` are those of deliso_mesh_create(), without
+ * "label". Calls take() with each mesh, which the function then owns, and its status, DELISO_OK or
+ * DELISO_FAULT. Returns DELISO_FAULT if one of them did. */
+DELISO_API deliso_status deliso_mesh_labels(const deliso_volume* volume, const char* const* options,
+                                            const deliso_watch* watch,
+                                            void (*take)(void* context, int64_t label,
+                                                         deliso_mesh* mesh, deliso_status status),
+                                            void* context);
 
 /* Makes a mesh, to be checked or saved, from copies of x, y, z for each vertex and of three numbers
  * of vertices for each triangle. It has no normals, report or warnings. */
 DELISO_API deliso_status deliso_mesh_import(const double* vertices, size_t vertex_count,
                                             const uint32_t* triangles, size_t triangle_count,
                                             deliso_mesh** mesh);
+/* Makes the same of a file: .ply, .off, .obj, .stl, .vtp, .glb or .3mf, by the path's ending. */
+DELISO_API deliso_status deliso_mesh_read(const char* path, deliso_mesh** mesh);
 DELISO_API void deliso_mesh_free(deliso_mesh* mesh); /* null is allowed */
 
 /* All that a mesh holds, so that a program can store it or send it to another process. A text may
@@ -120,6 +144,8 @@ typedef struct deliso_mesh_data {
   const char* report;
   const char* warnings;
   const char* comment;  /* of the mesh's files: the criteria, which a check reads */
+  const char* name;     /* of a label's segment */
+  const char* space;    /* of the volume, as in deliso_place */
   size_t first_cap;     /* triangles from this one on are caps; SIZE_MAX without the option "cap" */
   int single_precision; /* 1 with the option "float", else 0 */
 } deliso_mesh_data;
@@ -149,6 +175,20 @@ DELISO_API const char* deliso_mesh_warnings(const deliso_mesh* mesh);
 /* Writes the mesh as .ply, .off, .obj, .stl, .vtp, .glb, .3mf, .smesh or .poly, by the path's
  * ending. The file appears whole or not at all. */
 DELISO_API deliso_status deliso_mesh_save(const deliso_mesh* mesh, const char* path);
+/* Writes the meshes of labels into one .glb, .3mf or .vtp, each with a color, and with the name of
+ * its segment, else "label N". */
+DELISO_API deliso_status deliso_labels_save(const deliso_mesh* const* meshes, const int64_t* labels,
+                                            size_t count, const char* path);
+
+/* Draws meshes side by side into a .png, with the options of the program's render command. */
+DELISO_API deliso_status deliso_render(const deliso_mesh* const* meshes, size_t count,
+                                       const char* const* options, const char* path);
+
+/* Tells of a volume what the program's info command does. `isovalue` may be NaN, for none. After
+ * DELISO_OK `json` is what that command writes with --json; the caller frees it. */
+DELISO_API deliso_status deliso_info(const deliso_volume* volume, double isovalue,
+                                     const char* const* options, const deliso_watch* watch,
+                                     char** json);
 
 /* Compares a mesh with the exact surface, as the program's check command does, with the options of
  * that command. Returns DELISO_FAULT if it finds a fault. After DELISO_OK and DELISO_FAULT `json`
@@ -161,10 +201,9 @@ DELISO_API void deliso_text_free(char* text); /* null is allowed */
 /* An array that is read box by box, so that no process needs all of it: of a file of chunks, or of
  * another machine. The samples are those of deliso_volume_create() in C order. */
 typedef struct deliso_source {
-  int type;          /* a deliso_type */
-  size_t shape[3];   /* along z, y, x */
-  double spacing[3]; /* along x, y, z, as the origin */
-  double origin[3];
+  int type;                  /* a deliso_type */
+  size_t shape[3];           /* along z, y, x */
+  const deliso_place* place; /* may be null */
   /* Writes the samples [begin[0], end[0]) x [begin[1], end[1]) x [begin[2], end[2]), along z, y, x,
    * into `samples`, the last index fastest and nothing between. Returns 0; anything else is
    * DELISO_BAD_INPUT. The calls come from any thread, never two at once for one call of a function

@@ -28,8 +28,7 @@ namespace {
 VolumeSource volume_of(const deliso_source* given) {
   require(given, "source");
   if (!given->read) throw InputError("read is null");
-  const SampleGrid grid =
-      grid_of(given->type, given->shape, DELISO_C_ORDER, given->spacing, given->origin);
+  const SampleGrid grid = grid_of(given->type, given->shape, DELISO_C_ORDER, given->place);
   // The shape's samples are never looked at.
   const std::span none(static_cast<const std::byte*>(nullptr), data_size(grid));
   const Volume shape = volume_from_raw(grid, {kName, none, nullptr});

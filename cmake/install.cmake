@@ -9,10 +9,14 @@ install(CODE "
       \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")")
 if(TARGET deliso_app)
   install(TARGETS deliso_app RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  # The program writes its manual page, the completions of two shells, and the schema of its JSON.
+  # The program writes its manual page, the completions of two shells, the schema of its JSON, and
+  # the options of the Python package.
   if(NOT CMAKE_CROSSCOMPILING)
-    foreach(text "man:deliso.1:man/man1" "bash:deliso:bash-completion/completions"
-                 "zsh:_deliso:zsh/site-functions" "schema:report.schema.json:deliso")
+    set(share ${CMAKE_INSTALL_DATAROOTDIR})
+    foreach(text "man:deliso.1:${share}/man/man1" "schema:report.schema.json:${share}/deliso"
+                 "bash:deliso:${share}/bash-completion/completions"
+                 "zsh:_deliso:${share}/zsh/site-functions"
+                 "python:_options.py:${CMAKE_INSTALL_LIBDIR}/python/deliso")
       string(REPLACE ":" ";" text ${text})
       list(GET text 0 topic)
       list(GET text 1 name)
@@ -21,13 +25,13 @@ if(TARGET deliso_app)
       add_custom_command(TARGET deliso_app POST_BUILD VERBATIM
                          COMMAND deliso_app help ${topic} > ${file})
       file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/generated/${topic})
-      install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/${folder})
+      install(FILES ${file} DESTINATION ${folder})
     endforeach()
   endif()
   install(TARGETS deliso_c EXPORT deliso_targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   # It finds the library two folders up.
   install(DIRECTORY python/deliso DESTINATION ${CMAKE_INSTALL_LIBDIR}/python
-          FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+          FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/deliso)

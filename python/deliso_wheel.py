@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The build backend of `pip install .` (PEP 517): runs CMake, and writes the wheel (PEP 427).
 
-pip install . --config-settings library=build/libdeliso_c.so  takes a library that is built already.
+The library of the folder build/ is brought up to date if `make` has built it, which takes seconds;
+else one is compiled. pip install . --config-settings library=PATH  takes another, as it is,
+with the program beside it.
 """
 
 import base64
@@ -36,21 +38,34 @@ Tag: py3-none-{_PLATFORM}
 """
 
 
+def _is_built():
+    """Whether build/ has a library of these sources: pip may have copied them elsewhere."""
+    cache = _ROOT / "build" / "CMakeCache.txt"
+    home = f"CMAKE_HOME_DIRECTORY:INTERNAL={_ROOT}\n"
+    return any((_ROOT / "build").glob("libdeliso_c.*")) and home in cache.read_text()
+
+
 def _build_library(build):
-    cmake = ["cmake", "-S", str(_ROOT), "-B", build, "-DCMAKE_BUILD_TYPE=Release"]
-    cmake += ["-DDELISO_BUILD_TESTS=OFF", "-DDELISO_BUILD_BENCH=OFF", "-DDELISO_INSTALL=OFF"]
-    subprocess.run(cmake, check=True)
+    if _is_built():
+        build = str(_ROOT / "build")
+    else:
+        cmake = ["cmake", "-S", str(_ROOT), "-B", build, "-DCMAKE_BUILD_TYPE=Release"]
+        cmake += ["-DDELISO_BUILD_TESTS=OFF", "-DDELISO_BUILD_BENCH=OFF", "-DDELISO_INSTALL=OFF"]
+        subprocess.run(cmake, check=True)
     jobs = str(os.cpu_count() or 1)
-    make = ["cmake", "--build", build, "--target", "deliso_c", "--parallel", jobs]
+    make = ["cmake", "--build", build, "--target", "deliso_c", "deliso_app", "--parallel", jobs]
     subprocess.run(make, check=True)
     return next(pathlib.Path(build).glob("libdeliso_c.*"))
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as build:
-        library = (config_settings or {}).get("library") or _build_library(build)
-        files = {"deliso/" + pathlib.Path(library).name: pathlib.Path(library).read_bytes()}
-    for source in sorted((_ROOT / "python" / "deliso").glob("*.py")):
+        library = pathlib.Path((config_settings or {}).get("library") or _build_library(build))
+        files = {"deliso/" + library.name: library.read_bytes()}
+        program = [library.with_name("deliso"), "help", "python"]
+        files["deliso/_options.py"] = subprocess.run(program, check=True, stdout=subprocess.PIPE).stdout
+    package = _ROOT / "python" / "deliso"
+    for source in [*sorted(package.glob("*.py")), package / "py.typed"]:
         files["deliso/" + source.name] = source.read_bytes()
     info = _NAME + ".dist-info/"
     files[info + "METADATA"] = _METADATA.encode()

@@ -6,28 +6,9 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "io/files/text_scan.h"
 
 namespace deliso {
-namespace {
-
-// Returns the length of the UTF-8 sequence at the beginning of s; 0 if there is none. Overlong
-// forms and surrogates pass, so a path with them reads back as the same bytes.
-std::size_t utf8_length(std::string_view s) {
-  const auto lead = static_cast<unsigned char>(s[0]);
-  const std::size_t length = lead < 0x80              ? 1
-                             : (lead & 0xe0u) == 0xc0 ? 2
-                             : (lead & 0xf0u) == 0xe0 ? 3
-                             : (lead & 0xf8u) == 0xf0 ? 4
-                                                      : 0;
-  if (length > s.size()) return 0;
-  for (std::size_t n = 1; n < length; ++n) {
-    if ((static_cast<unsigned char>(s[n]) & 0xc0u) != 0x80) return 0;
-  }
-  return length;
-}
-
-}  // namespace
-
 JsonWriter::JsonWriter() {
   open_bracket('{');
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,13 +16,15 @@
 
 namespace deliso {
 
-// A mesh as files have it: in the world, with reversed facets if the frame mirrors; and its
-// comment. Keeps a reference to the mesh.
+// A mesh as files have it: in the world, with reversed facets if the frame mirrors; its name and
+// comment. Keeps references to the mesh and the options.
 class WorldMesh {
  public:
-  // `comment`: printable ASCII, without "\" and "--".
-  WorldMesh(const TriMesh& mesh, std::string comment)
-      : mesh_(mesh), mirrored_(mesh.frame.left_handed()), comment_(std::move(comment)) {}
+  WorldMesh(const TriMesh& mesh, const MeshWriteOptions& options, std::string_view path = {});
+
+  const MeshWriteOptions& options() const { return options_; }
+  // Returns the object's name in UTF-8, without control characters.
+  const std::string& name() const { return name_; }
 
   std::size_t vertex_count() const { return mesh_.points.size(); }
   std::size_t face_count() const { return mesh_.faces.size(); }
@@ -42,8 +45,10 @@ class WorldMesh {
 
  private:
   const TriMesh& mesh_;
+  const MeshWriteOptions& options_;
   bool mirrored_;
-  std::string comment_;
+  std::string name_;
+  std::string comment_;  // printable ASCII, without "\" and "--"
 };
 
 // Free bytes at the beginning of binary STL, and the title with which the writer begins them.
@@ -90,6 +95,12 @@ void for_each_coordinate(const WorldMesh& mesh, bool single_precision, Put put) 
   }
 }
 
+// The magic number of binary glTF, and the types of its chunks.
+inline constexpr std::uint32_t kGlbMagic = 0x46546c67, kGlbJson = 0x4e4f534a,
+                               kGlbBinary = 0x004e4942;
+
+inline constexpr double kMeters = 0.001;  // of a millimeter
+
 // Returns the point that coordinates in glTF are relative to: the middle of the mesh, as floats.
 Vec3 glb_origin(const WorldMesh& mesh);
 
@@ -97,9 +108,9 @@ void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& o
 void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
 void write_stl(AtomicFile& out, const WorldMesh& mesh);
-void write_vtp(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
-void write_glb(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
-void write_3mf(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
+void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_glb(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects);
 // As .poly if `as_poly`, else as .smesh.
 void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options,
                   bool as_poly);

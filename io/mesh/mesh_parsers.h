@@ -70,6 +70,7 @@ struct MeshParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   std::vector<std::string> comments;
+  double rounding = 0;  // as of MeshNotes
 
   // Adds the triangles of a polygon by rule R1. pre: three corners or more.
   void add_polygon(const std::vector<VertexId>& corners) {
@@ -83,11 +84,16 @@ struct MeshParts {
 inline constexpr std::uint64_t kMostVertices = kNoId - 1;
 inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 
+// Merges points at one position, by rule R6. Returns the new number of each.
+std::vector<VertexId> merge_points(std::vector<Vec3>& points);
+
 MeshParts parse_ply(std::string_view bytes, const std::string& name);
 MeshParts parse_off(std::string_view bytes, const std::string& name);
 MeshParts parse_obj(std::string_view bytes, const std::string& name);
 MeshParts parse_stl(std::string_view bytes, const std::string& name);
 MeshParts parse_vtp(std::string_view bytes, const std::string& name);
+MeshParts parse_glb(std::string_view bytes, const std::string& name);
+MeshParts parse_3mf(std::string_view bytes, const std::string& name);
 
 // True if the bytes can be binary STL and are no text.
 bool looks_like_binary_stl(std::string_view bytes);

@@ -6,7 +6,9 @@
 
 #include "io/files/input_file.h"
 #include "io/files/vtk_xml.h"
+#include "io/files/zip_archive.h"
 #include "io/mesh/mesh_parsers.h"
+#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
@@ -16,6 +18,8 @@ MeshFormat format_of_bytes(std::string_view bytes) {
   const std::string_view word = take_word(bytes);
   if (word == "ply") return MeshFormat::ply;
   if (word.ends_with("OFF")) return MeshFormat::off;
+  if (all.starts_with("glTF")) return MeshFormat::glb;
+  if (looks_like_zip(all)) return MeshFormat::three_mf;
   if (word == "solid" || looks_like_binary_stl(all)) return MeshFormat::stl;
   return looks_like_vtk_xml(all) ? MeshFormat::vtp : MeshFormat::obj;
 }
@@ -52,6 +56,12 @@ MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::stri
     case MeshFormat::vtp:
       parts = parse_vtp(bytes, name);
       break;
+    case MeshFormat::glb:
+      parts = parse_glb(bytes, name);
+      break;
+    case MeshFormat::three_mf:
+      parts = parse_3mf(bytes, name);
+      break;
     default:
       DELISO_CHECK(is_read(format));
   }
@@ -64,20 +74,35 @@ MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::stri
 
 }  // namespace
 
+std::vector<VertexId> merge_points(std::vector<Vec3>& points) {
+  std::vector<VertexId> number = first_at_place(points);  // the loop replaces it by the new number
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (number[n] < n) {
+      number[n] = number[number[n]];
+    } else {
+      number[n] = VertexId(kept);
+      points[kept++] = points[n];
+    }
+  }
+  points.resize(kept);
+  return number;
+}
+
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
-                   std::vector<std::string>* comments) {
+                   MeshNotes* notes) {
   MeshParts parts = parse_parts(bytes, format, name);
-  if (comments != nullptr) *comments = std::move(parts.comments);
+  if (notes) *notes = {std::move(parts.comments), parts.rounding};
   return make_tri_mesh(std::move(parts.points), parts.triangles);
 }
 
-TriMesh read_mesh(const std::string& path, std::vector<std::string>* comments) {
+TriMesh read_mesh(const std::string& path, MeshNotes* notes) {
   if (path == "-") {
     const Bytes bytes = read_standard_input();
-    return parse_mesh(bytes.text(), format_of_bytes(bytes.text()), bytes.name, comments);
+    return parse_mesh(bytes.text(), format_of_bytes(bytes.text()), bytes.name, notes);
   }
   const MeshFormat format = readable_format_of(path);
-  return parse_mesh(open_file(path).text(), format, path, comments);
+  return parse_mesh(open_file(path).text(), format, path, notes);
 }
 
 }  // namespace deliso

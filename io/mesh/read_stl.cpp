@@ -5,10 +5,10 @@
 // A file may have several solids. Binary files can begin with "solid" too; their size decides.
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/mesh_parsers.h"
-#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
@@ -29,16 +29,9 @@ double coordinate_at(std::string_view bytes, std::size_t at) {
 }
 
 // Merges corners by rule R6. `corners`: three per triangle.
-void merge_corners(const std::vector<Vec3>& corners, MeshParts& mesh) {
-  std::vector<VertexId> vertex = first_at_place(corners);  // the loop replaces corners by vertices
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    if (vertex[c] < c) {
-      vertex[c] = vertex[vertex[c]];
-    } else {
-      vertex[c] = VertexId(mesh.points.size());
-      mesh.points.push_back(corners[c]);
-    }
-  }
+void merge_corners(std::vector<Vec3> corners, MeshParts& mesh) {
+  const std::vector<VertexId> vertex = merge_points(corners);
+  mesh.points = std::move(corners);
   mesh.triangles.reserve(vertex.size() / 3);
   for (std::size_t c = 0; c + 2 < vertex.size(); c += 3) {
     mesh.triangles.push_back({vertex[c], vertex[c + 1], vertex[c + 2]});
@@ -79,7 +72,7 @@ MeshParts parse_binary(std::string_view bytes, const std::string& name) {
                          coordinate_at(facets, at + 8)});
     }
   }
-  merge_corners(corners, mesh);
+  merge_corners(std::move(corners), mesh);
   return mesh;
 }
 
@@ -148,7 +141,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
       if (corners.size() / 3 > kMostFaces) lines.fail("too many facets");
     }
   }
-  merge_corners(corners, mesh);
+  merge_corners(std::move(corners), mesh);
   return mesh;
 }
 

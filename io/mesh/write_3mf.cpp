@@ -164,9 +164,37 @@ void write_triangles(ZipWriter& zip, const WorldMesh& mesh) {
   zip.write("</triangles>\n");
 }
 
+// Returns the name as an attribute.
+std::string name_attribute(const WorldMesh& mesh) {
+  std::string escaped;
+  for (const char c : mesh.name()) {
+    escaped += c == '&'   ? "&amp;"
+               : c == '<' ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
+  }
+  return text(" name=\"", escaped, "\"");
+}
+
+// Writes the colors of labels as a resource with this number. A material has a name.
+void write_materials(ZipWriter& zip, std::span<const WorldMesh> objects, std::size_t id) {
+  zip.write(text("<basematerials id=\"", id, "\">\n"));
+  for (const WorldMesh& mesh : objects) {
+    zip.write(text("<base", name_attribute(mesh), " displaycolor=\"#"));
+    for (const std::uint8_t byte : mesh.options().label->color) {
+      constexpr std::string_view kHex = "0123456789ABCDEF";
+      zip.write(kHex.substr(byte / 16, 1));
+      zip.write(kHex.substr(byte % 16, 1));
+    }
+    zip.write("\"/>\n");
+  }
+  zip.write("</basematerials>\n");
+}
+
 }  // namespace
 
-void write_3mf(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
+void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects) {
   ZipWriter zip(out);
   zip.begin("[Content_Types].xml");
   zip.write(kXml);
@@ -185,23 +213,30 @@ void write_3mf(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
   zip.end();
   zip.begin("3D/3dmodel.model");
   zip.write(kXml);
-  zip.write(mesh.comment_line("<!-- ", " -->\n"));
+  zip.write(objects.front().comment_line("<!-- ", " -->\n"));
   zip.write(
       R"(<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <metadata name="Application">DelIso</metadata>
 <resources>
 )");
-  // An object without triangles is not allowed; only a closed one is a solid, a "model".
-  const bool empty = mesh.face_count() == 0;
-  if (!empty) {
-    zip.write(mesh.is_closed() ? "<object id=\"1\" type=\"model\">\n<mesh>\n"
-                               : "<object id=\"1\" type=\"surface\">\n<mesh>\n");
-    write_vertices(zip, mesh, single_precision);
+  const std::size_t materials = objects.size() + 1;  // objects are numbered from 1
+  const bool colored = objects.front().options().label.has_value();
+  if (colored) write_materials(zip, objects, materials);
+  std::string items;
+  for (std::size_t n = 0; n < objects.size(); ++n) {
+    const WorldMesh& mesh = objects[n];
+    // An object without triangles is not allowed; only a closed one is a solid, a "model".
+    if (mesh.face_count() == 0) continue;
+    const char* const type = mesh.is_closed() ? "model" : "surface";
+    zip.write(text("<object id=\"", n + 1, "\" type=\"", type, "\"", name_attribute(mesh)));
+    if (colored) zip.write(text(" pid=\"", materials, "\" pindex=\"", n, "\""));
+    zip.write(">\n<mesh>\n");
+    write_vertices(zip, mesh, mesh.options().single_precision);
     write_triangles(zip, mesh);
     zip.write("</mesh>\n</object>\n");
+    items += text("<item objectid=\"", n + 1, "\"/>\n");
   }
-  zip.write("</resources>\n<build>\n");
-  if (!empty) zip.write("<item objectid=\"1\"/>\n");
+  zip.write(text("</resources>\n<build>\n", items));
   zip.write("</build>\n</model>\n");
   zip.end();
   zip.finish();

@@ -2,10 +2,13 @@
 #include "io/mesh/write_mesh.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <vector>
 
 #include "base/check.h"
 #include "base/text.h"
 #include "base/to_float.h"
+#include "io/files/text_scan.h"
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
@@ -40,6 +43,17 @@ std::string clean(std::string comment) {
   return comment;
 }
 
+std::string clean_name(std::string_view name) {
+  std::string result;
+  while (!name.empty()) {
+    const std::size_t length = utf8_length(name);
+    const bool is_control = name[0] == '\x7f' || (name[0] >= 0 && name[0] < ' ');
+    result += length == 0 || is_control ? "?" : name.substr(0, length);
+    name.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
 // `accepts(format)`: whether an ending will do.
 template <class Accepts>
 MeshFormat format_of(std::string_view path, const char* what, Accepts accepts) {
@@ -66,6 +80,15 @@ bool writes_single_precision(const MeshWriteOptions& options) {
   return options.single_precision || (options.format && is_always_single(*options.format));
 }
 
+WorldMesh::WorldMesh(const TriMesh& mesh, const MeshWriteOptions& options, std::string_view path)
+    : mesh_(mesh),
+      options_(options),
+      mirrored_(mesh.frame.left_handed()),
+      name_(clean_name(!options.name.empty() ? options.name
+                       : path == "-"         ? "mesh"
+                                             : std::filesystem::path(path).stem().string())),
+      comment_(clean(options.comment)) {}
+
 bool WorldMesh::is_closed() const {
   return std::ranges::all_of(mesh_.faces, [](const Face& face) {
     return std::ranges::none_of(face.n, [](FaceId g) { return g == kNoId; });
@@ -73,7 +96,7 @@ bool WorldMesh::is_closed() const {
 }
 
 Vec3 written_origin(const TriMesh& mesh, const MeshWriteOptions& options) {
-  return options.format == MeshFormat::glb ? glb_origin(WorldMesh(mesh, {})) : Vec3{};
+  return options.format == MeshFormat::glb ? glb_origin(WorldMesh(mesh, options)) : Vec3{};
 }
 
 std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& options) {
@@ -86,7 +109,7 @@ std::vector<Vec3> written_points(const TriMesh& mesh, const MeshWriteOptions& op
 
 WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options) {
   WrittenMesh written{written_points(mesh, options), {}};
-  const WorldMesh world(mesh, {});
+  const WorldMesh world(mesh, options);
   written.triangles.reserve(world.face_count());
   for (std::size_t f = 0; f < world.face_count(); ++f) {
     written.triangles.push_back(world.triangle(f));
@@ -94,11 +117,16 @@ WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options) {
   return written;
 }
 
-void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+namespace {
+
+// pre: one object, unless the format holds several.
+void write_file(std::span<const WorldMesh> objects, const std::string& path) {
+  const WorldMesh& world = objects.front();
+  const MeshWriteOptions& options = world.options();
   const MeshFormat format = options.format ? *options.format
                             : path == "-"  ? MeshFormat::ply
                                            : mesh_format_of(path);
-  const WorldMesh world(mesh, clean(options.comment));
+  DELISO_CHECK(objects.size() == 1 || holds_objects(format));
   AtomicFile out(path, options.sync);
   switch (format) {
     case MeshFormat::ply:
@@ -114,13 +142,13 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
       write_stl(out, world);
       break;
     case MeshFormat::vtp:
-      write_vtp(out, world, options);
+      write_vtp(out, objects);
       break;
     case MeshFormat::glb:
-      write_glb(out, world, options);
+      write_glb(out, objects);
       break;
     case MeshFormat::three_mf:
-      write_3mf(out, world, options.single_precision);
+      write_3mf(out, objects);
       break;
     case MeshFormat::smesh:
     case MeshFormat::poly:
@@ -128,6 +156,19 @@ void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOpt
       break;
   }
   out.commit();
+}
+
+}  // namespace
+
+void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  const WorldMesh world(mesh, options, path);
+  write_file({&world, 1}, path);
+}
+
+void write_objects(std::span<const MeshObject> objects, const std::string& path) {
+  std::vector<WorldMesh> worlds;
+  for (const MeshObject& object : objects) worlds.emplace_back(object.mesh, object.options, path);
+  write_file(worlds, path);
 }
 
 }  // namespace deliso

@@ -9,11 +9,15 @@
 // `extras` of the asset in glTF, else `#`. In STL it follows the title, if the 80 bytes suffice.
 // Bytes that one of these formats does not allow are written as `?`: all but printable ASCII, `\`,
 // a second `-` in a row.
+//
+// glTF and 3MF give an object a name, in UTF-8, and hold several objects, as VTP does. There they
+// are one set of polygons, with arrays `label` and `color`.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,24 +27,27 @@
 namespace deliso {
 
 enum class MeshFormat : std::uint8_t {
-  ply,  // binary little endian, or ASCII when asked
-  off,  // text, Geomview's
-  obj,  // text, Wavefront's
-  stl,  // binary: single precision triangles with normals, no sharing of vertices
-  vtp,  // VTK XML PolyData with raw appended arrays, for ParaView and Slicer
-  // Written, not read:
+  ply,       // binary little endian, or ASCII when asked
+  off,       // text, Geomview's
+  obj,       // text, Wavefront's
+  stl,       // binary: single precision triangles with normals, no sharing of vertices
+  vtp,       // VTK XML PolyData with raw appended arrays, for ParaView and Slicer
   glb,       // glTF 2.0, binary: single precision, for web pages and modelers
   three_mf,  // 3MF: a zip archive of XML, for printers
-  smesh,     // text for TetGen, one line a facet
-  poly,      // text for TetGen, two lines a facet
+  // Written, not read:
+  smesh,  // text for TetGen, one line a facet
+  poly,   // text for TetGen, two lines a facet
 };
 
 constexpr bool is_read(MeshFormat format) {
-  return format <= MeshFormat::vtp;
+  return format <= MeshFormat::three_mf;
 }
 // True if coordinates are float whatever is asked.
 constexpr bool is_always_single(MeshFormat format) {
   return format == MeshFormat::stl || format == MeshFormat::glb;
+}
+constexpr bool holds_objects(MeshFormat format) {
+  return format == MeshFormat::vtp || format == MeshFormat::glb || format == MeshFormat::three_mf;
 }
 constexpr bool holds_attributes(MeshFormat format) {
   return format == MeshFormat::ply || format == MeshFormat::vtp || format == MeshFormat::glb;
@@ -61,6 +68,12 @@ struct MeshAttributes {
   std::vector<float> distance;                // per facet
 };
 
+// The label that an object is made of, and the color (sRGB) that stands for it.
+struct ObjectLabel {
+  std::int64_t number = 0;
+  std::array<std::uint8_t, 3> color{};
+};
+
 struct MeshWriteOptions {
   std::optional<MeshFormat> format{};  // absent: by the path's ending, PLY on standard output
   bool single_precision = false;       // coordinates as float instead of double (STL, glTF: always)
@@ -74,6 +87,8 @@ struct MeshWriteOptions {
   // Per facet the labels in front of it and behind, or empty. PLY and VTP hold them. pre: no
   // attributes.
   std::vector<std::array<std::int32_t, 2>> sides{};
+  std::string name{};  // of the object; empty: the file's without its ending, or "mesh"
+  std::optional<ObjectLabel> label{};  // pre: holds_objects()
 };
 
 // True if coordinates are rounded to float: with single_precision, in STL and in glTF. pre:
@@ -97,5 +112,14 @@ WrittenMesh written_mesh(const TriMesh& mesh, const MeshWriteOptions& options);
 // field data for 3D Slicer, in OFF and 3MF not at all. Throws InputError on an unknown ending and
 // on every fault of the file system.
 void write_mesh(const TriMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
+
+// An object of a file of several. All have attributes, or none; likewise labels, caps, and
+// precision.
+struct MeshObject {
+  TriMesh mesh;
+  MeshWriteOptions options;  // comment and space of the first object are the file's
+};
+// The same for all objects. pre: there is one; the format, by options or path, holds_objects().
+void write_objects(std::span<const MeshObject> objects, const std::string& path);
 
 }  // namespace deliso

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Delaunay meshes of isosurfaces of NumPy arrays.
+"""Delaunay meshes of isosurfaces of NumPy arrays and of files.
 
     import deliso
     m = deliso.mesh(array, 40, spacing=(1, 1, 2.5), max_distance="0.1vox")
     m.vertices, m.triangles, m.normals, m.report
     m.save("mesh.ply")
+    m = deliso.mesh("scan.nii.gz", 40)
 
 An array is indexed [z, y, x], as scikit-image and SimpleITK have it. Everything with three columns
 or three numbers, the vertices, `spacing` and `origin`, is in the order x, y, z. The mesh is the one
-that the program `deliso` makes of the array saved by numpy.save, to the byte. deliso.mesh_blocks
-makes it of arrays beyond the memory, by other processes too.
+that the program `deliso` makes of the array saved by numpy.save, or of the file, to the byte.
+deliso.mesh_blocks makes it of arrays beyond the memory, by other processes too.
 """
 
+from __future__ import annotations
+
 import ctypes
+import inspect
 import json
 import math
 import os
@@ -20,10 +24,24 @@ import pathlib
 import sys
 import threading
 import warnings
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy
 
-__all__ = ["Error", "Mesh", "check", "join", "mesh", "mesh_blocks", "part", "version"]
+from . import _options as _named
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import CheckOptions, InfoOptions, MeshOptions, RenderOptions
+
+__all__ = ["Error", "Labels", "Mesh", "check", "info", "join", "mesh", "mesh_blocks", "part", "read"]
+__all__ += ["render", "version"]
+
+# An array, or what the program reads: a file, a folder of slices, builtin:NAME.
+Source = Union[numpy.ndarray, str, os.PathLike]
+Three = Optional[Sequence[float]]
+Progress = Union[bool, Callable[[str, float], Any]]
 
 
 class Error(Exception):
@@ -35,6 +53,7 @@ _TYPES = {"u1": 0, "i1": 1, "u2": 2, "i2": 3, "u4": 4, "i4": 5, "f4": 6, "f8": 7
 # What the library has no type for, and the type that takes its place.
 _CONVERTED = {"b1": "u1", "f2": "f4", "i8": "f8", "u8": "f8"}
 _PROGRESS = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_double)
+_TAKE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int)
 
 
 class _Watch(ctypes.Structure):
@@ -42,6 +61,15 @@ class _Watch(ctypes.Structure):
         ("cancel", ctypes.POINTER(ctypes.c_int)),
         ("progress", _PROGRESS),
         ("context", ctypes.c_void_p),
+    ]
+
+
+class _Place(ctypes.Structure):
+    _fields_ = [
+        ("spacing", ctypes.c_double * 3),
+        ("origin", ctypes.c_double * 3),
+        ("direction", ctypes.c_double * 9),
+        ("space", ctypes.c_char_p),
     ]
 
 
@@ -55,6 +83,8 @@ class _MeshData(ctypes.Structure):
         ("report", ctypes.c_char_p),
         ("warnings", ctypes.c_char_p),
         ("comment", ctypes.c_char_p),
+        ("name", ctypes.c_char_p),
+        ("space", ctypes.c_char_p),
         ("first_cap", ctypes.c_ssize_t),  # -1, the largest size_t, without caps
         ("single_precision", ctypes.c_int),
     ]
@@ -74,13 +104,19 @@ def _load():
     for name, result, *arguments in [
         ("version", text),
         ("last_error", text),
-        ("volume_create", int, pointer, int, pointer, int, pointer, pointer, pointer),
+        ("volume_create", int, pointer, int, pointer, int, pointer, pointer),
+        ("volume_read", int, text, pointer, pointer),
         ("volume_free", None, pointer),
         ("mesh_create", int, pointer, ctypes.c_double, pointer, pointer, pointer),
+        ("mesh_labels", int, pointer, pointer, pointer, _TAKE, pointer),
         ("mesh_from_data", int, pointer, pointer),
+        ("mesh_read", int, text, pointer),
         ("mesh_get_data", int, pointer, pointer),
         ("mesh_free", None, pointer),
         ("mesh_save", int, pointer, text),
+        ("labels_save", int, pointer, pointer, ctypes.c_size_t, text),
+        ("render", int, pointer, ctypes.c_size_t, pointer, text),
+        ("info", int, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("check", int, pointer, pointer, ctypes.c_double, pointer, pointer, pointer),
         ("text_free", None, pointer),
         ("part_create", int, pointer, ctypes.c_double, int, int) + (pointer,) * 4,
@@ -93,7 +129,7 @@ def _load():
 
 
 _library = _load()
-version = _library.deliso_version().decode()
+version = __version__ = _library.deliso_version().decode()
 
 
 def _ok(status):
@@ -111,13 +147,30 @@ def _text_of(value):
     return str(value.item() if isinstance(value, numpy.generic) else value)
 
 
+def _with_options(kind):
+    """Puts the named options into a function's signature, in place of **options."""
+
+    def named(function):
+        signature = inspect.signature(function)
+        parameters = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        parameters += [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind_of)
+            for name, kind_of in kind.__annotations__.items()
+            if name not in signature.parameters
+        ]
+        function.__signature__ = signature.replace(parameters=parameters)
+        return function
+
+    return named
+
+
 def _options(options):
     """The options as the library has them: max_distance=0.1 is "max-distance=0.1"."""
     words = []
     for name, value in options.items():
         if value is None or value is False:
             continue
-        word = name.replace("_", "-")
+        word = name.rstrip("_").replace("_", "-")
         words.append((word if value is True else word + "=" + _text_of(value)).encode())
     if any(b"\0" in word for word in words):
         raise Error("an option has a zero byte")
@@ -144,10 +197,21 @@ class _MeshHandle(_Handle):
 
 
 class _Volume:
-    """The library's view of an array, which this keeps alive."""
+    """The library's view of an array, which this keeps alive, or of a file."""
 
-    def __init__(self, array, spacing, origin):
-        array = _unmasked(array)
+    def __init__(self, source, spacing, origin, direction, space, options):
+        """Takes the options about reading out of `options`."""
+        self.handle = _VolumeHandle()
+        if isinstance(source, (str, os.PathLike)):
+            if not direction is space is None:
+                raise Error("direction and space have no meaning for a file: it has its own")
+            of_file = {name: options.pop(name) for name in _named.OF_FILES if name in options}
+            if options.get("label") != "all":
+                of_file["label"] = options.get("label")  # a segment tells its channel
+            words = _options({**of_file, "spacing": spacing, "origin": origin})
+            _ok(_library.deliso_volume_read(os.fsencode(source), words, ctypes.byref(self.handle)))
+            return
+        array = _unmasked(source)
         kind = _kind_of(array.dtype)
         ones = [n for n in reversed(range(array.ndim)) if array.shape[n] == 1]
         array = array.squeeze(tuple(ones[: max(0, array.ndim - 3)]))
@@ -155,16 +219,13 @@ class _Volume:
         # As numpy.save has it: in Fortran order if that is the array's only one.
         fortran = array.flags.f_contiguous and not array.flags.c_contiguous
         self.array = numpy.require(array, "=" + kind, ["F" if fortran else "C", "A"])
-        self.handle = _VolumeHandle()
-        vector = ctypes.c_double * 3
         _ok(
             _library.deliso_volume_create(
                 self.array.ctypes.data,
                 _TYPES[kind],
                 (ctypes.c_size_t * 3)(*array.shape),
                 int(fortran),
-                vector(*_three("spacing", spacing)),
-                vector(*_three("origin", origin)),
+                ctypes.byref(_place(spacing, origin, direction, space)),
                 ctypes.byref(self.handle),
             )
         )
@@ -174,6 +235,15 @@ def _unmasked(array):
     if numpy.ma.is_masked(array):
         raise Error("has masked samples: array.filled(value) gives them a value")
     return numpy.asarray(array)
+
+
+def _place(spacing, origin, direction, space):
+    place = _Place(space=space and str(space).encode())
+    place.spacing[:] = _numbers("spacing", spacing, (1, 1, 1))
+    place.origin[:] = _numbers("origin", origin, (0, 0, 0))
+    # All 0 stand for the axes of the world.
+    place.direction[:] = _numbers("direction", direction, numpy.zeros((3, 3)))
+    return place
 
 
 def _kind_of(dtype):
@@ -191,12 +261,14 @@ def _require_three(shape):
         )
 
 
-def _three(name, numbers):
+def _numbers(name, numbers, default):
     try:
-        x, y, z = map(float, numbers)
+        flat = numpy.asarray(default if numbers is None else numbers, float).ravel()
     except (TypeError, ValueError):
-        raise Error(f"{name} wants three numbers, along x, y, z") from None
-    return x, y, z
+        flat = numpy.empty(0)
+    if flat.size != numpy.size(default):
+        raise Error(f"{name} wants {numpy.size(default)} numbers, in the order x, y, z")
+    return flat.tolist()
 
 
 def _bar(stage, share):
@@ -259,6 +331,12 @@ class Mesh:
     pickled, and returned by another process; it is saved with the same bytes there.
     """
 
+    vertices: numpy.ndarray
+    triangles: numpy.ndarray
+    normals: numpy.ndarray
+    report: Dict[str, Any]
+    sound: bool
+
     def __init__(self, handle, sound=True):
         self._handle = handle
         self._data = _MeshData()
@@ -289,15 +367,42 @@ class Mesh:
         return other
 
     def __reduce__(self):
-        others = ("report", "warnings", "comment", "first_cap", "single_precision")
+        others = ("report", "warnings", "comment", "name", "space", "first_cap", "single_precision")
         remade = ("_handle", "_data", "vertices", "triangles", "normals")
         state = {name: value for name, value in vars(self).items() if name not in remade}
         return _from_data, (self._views(), {n: getattr(self._data, n) for n in others}), state
 
-    def save(self, path):
+    def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes any of the program's formats, by the path's ending, whole or not at all: .ply,
         .off, .obj, .stl, .vtp, .glb, .3mf, .smesh, .poly."""
         _ok(_library.deliso_mesh_save(self._handle, os.fsencode(path)))
+
+    def to_meshio(self):
+        """Returns a meshio.Mesh."""
+        import meshio
+
+        data = {"Normals": self.normals.copy()} if len(self.normals) else {}
+        cells = [("triangle", self.triangles.astype("i8"))]
+        return meshio.Mesh(self.vertices.copy(), cells, point_data=data)
+
+    def to_pyvista(self):
+        """Returns a pyvista.PolyData."""
+        import pyvista
+
+        threes = numpy.full((len(self.triangles), 1), 3)
+        mesh = pyvista.PolyData(self.vertices.copy(), numpy.hstack([threes, self.triangles]).ravel())
+        if len(self.normals):
+            mesh.point_data["Normals"] = self.normals.copy()
+        return mesh
+
+    def to_trimesh(self):
+        """Returns a trimesh.Trimesh, with these vertices in this order."""
+        import trimesh
+
+        normals = self.normals.copy() if len(self.normals) else None
+        return trimesh.Trimesh(
+            self.vertices.copy(), self.triangles.astype("i8"), vertex_normals=normals, process=False
+        )
 
     def __repr__(self):
         return f"<deliso.Mesh: {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
@@ -307,21 +412,49 @@ def _level(isovalue):
     return math.nan if isovalue is None else float(isovalue)
 
 
-def mesh(array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options):
+class Labels(Dict[int, Mesh]):
+    """The meshes of the labels of a segmentation, by label."""
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Writes one .glb, .3mf or .vtp, in which each label has its name and color."""
+        handles = (ctypes.c_void_p * len(self))(*(m._handle.value for m in self.values()))
+        labels = (ctypes.c_int64 * len(self))(*self)
+        _ok(_library.deliso_labels_save(handles, labels, len(self), os.fsencode(path)))
+
+
+@_with_options(_named.MeshOptions)
+def mesh(
+    source: Source,
+    isovalue: Optional[float] = None,
+    *,
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    progress: Progress = False,
+    **options: Unpack[MeshOptions],
+) -> Union[Mesh, Labels]:
     """Meshes the surface on which the interpolated samples are `isovalue`. Returns a Mesh.
 
-    array     three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers become
-              float64. It must not change meanwhile.
-    isovalue  left out with label=1 or label="1,4", which meshes labels of a segmentation
-    spacing   distance between samples along x, y, z
-    origin    place of array[0, 0, 0]: x, y, z
-    progress  True draws a line on standard error; a function is called with (stage, share)
-    options   those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",
-              largest=1, cap=True; True stands for an option without a value
+    source     an array: three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers
+               become float64. It must not change meanwhile. Or the name of a file, of a folder of
+               slices, or builtin:NAME.
+    isovalue   left out with label=1 or label="1,4", which meshes labels of a segmentation. With
+               label="all" the meshes of all labels but 0 are returned, as Labels.
+    spacing    distance between samples along x, y, z
+    origin     place of array[0, 0, 0]: x, y, z
+    direction  matrix whose columns are the directions of x, y, z, as 3 x 3 or 9 numbers: that of
+               SimpleITK's GetDirection()
+    space      "RAS" or "LPS" (SimpleITK's): which way x, y, z run in a patient
+    progress   True draws a line on standard error; a function is called with (stage, share)
+    options    those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",
+               largest=1, cap=True; True stands for an option without a value, lambda_ for lambda
 
     Raises Error for bad input. Ctrl-C stops the work.
     """
-    volume = _Volume(array, spacing, origin)
+    volume = _Volume(source, spacing, origin, direction, space, options)
+    if options.get("label") == "all" and isovalue is None:
+        return _meshes_of_labels(volume, options, progress)
     words = _options(options)
     handle = _MeshHandle()
     status = _watched(
@@ -335,38 +468,107 @@ def mesh(array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=
     return _warned(Mesh(handle, status == _OK))
 
 
-def _warned(made):
+def _meshes_of_labels(volume, options, progress):
+    words = _options({name: value for name, value in options.items() if name != "label"})
+    made = []
+    take = _TAKE(lambda _, label, mesh, status: made.append((label, _MeshHandle(mesh), status)))
+    _watched(
+        lambda watch: _ok(_library.deliso_mesh_labels(volume.handle, words, watch, take, None)),
+        progress,
+    )
+    return Labels((label, _warned(Mesh(mesh, status == _OK), 4)) for label, mesh, status in made)
+
+
+def _warned(made, level=2):
     """Warns the caller's caller of what the mesh's maker warned of."""
     for line in made._data.warnings.decode().splitlines():
-        warnings.warn(line, stacklevel=3)
+        warnings.warn(line, stacklevel=level + 1)
     return made
 
 
-def check(
-    mesh, array, isovalue=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options
-):
-    """Compares a mesh with the exact surface. Returns the program's report (--json) as a dict.
-
-    `mesh` is a Mesh, or (vertices, triangles) of another program. Its faults are in the report.
-    The options are those of the program's check command.
-    """
-    if not isinstance(mesh, Mesh):
-        mesh = _imported(*mesh)
-    volume = _Volume(array, spacing, origin)
-    words = _options(options)
+def _json_of(call, progress):
+    """Returns the JSON of call(watch, text)."""
     text = ctypes.c_void_p()
-    _watched(
-        lambda watch: _ok(
-            _library.deliso_check(
-                mesh._handle, volume.handle, _level(isovalue), words, watch, ctypes.byref(text)
-            )
-        ),
-        progress,
-    )
+    _watched(lambda watch: _ok(call(watch, ctypes.byref(text))), progress)
     try:
         return json.loads(ctypes.string_at(text))
     finally:
         _library.deliso_text_free(text)
+
+
+@_with_options(_named.CheckOptions)
+def check(
+    mesh: Union[Mesh, Tuple[Any, Any], str, os.PathLike],
+    source: Source,
+    isovalue: Optional[float] = None,
+    *,
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    progress: Progress = False,
+    **options: Unpack[CheckOptions],
+) -> Dict[str, Any]:
+    """Compares a mesh with the exact surface. Returns the program's report (--json) as a dict.
+
+    `mesh` is a Mesh, a file, or (vertices, triangles) of another program. Its faults are in the
+    report. The source is that of mesh(), the options are those of the program's check command.
+    """
+    mesh = _mesh_of(mesh)
+    volume = _Volume(source, spacing, origin, direction, space, options)
+    words = _options(options)
+    given = mesh._handle, volume.handle, _level(isovalue), words
+    return _json_of(lambda watch, text: _library.deliso_check(*given, watch, text), progress)
+
+
+@_with_options(_named.InfoOptions)
+def info(
+    source: Source,
+    isovalue: Optional[float] = None,
+    *,
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    progress: Progress = False,
+    **options: Unpack[InfoOptions],
+) -> Dict[str, Any]:
+    """Tells what is in an array or a file, which isovalues to try ("suggestions"), and with an
+    isovalue the topology of its surface: what the program's info command writes with --json."""
+    volume = _Volume(source, spacing, origin, direction, space, options)
+    given = volume.handle, _level(isovalue), _options(options)
+    return _json_of(lambda watch, text: _library.deliso_info(*given, watch, text), progress)
+
+
+def read(path: Union[str, os.PathLike]) -> Mesh:
+    """Reads the mesh in a .ply, .off, .obj, .stl, .vtp, .glb or .3mf. It has no report."""
+    handle = _MeshHandle()
+    _ok(_library.deliso_mesh_read(os.fsencode(path), ctypes.byref(handle)))
+    return Mesh(handle)
+
+
+@_with_options(_named.RenderOptions)
+def render(
+    meshes: Any, path: Union[str, os.PathLike], **options: Unpack[RenderOptions]
+) -> None:
+    """Draws a mesh, or a list of meshes side by side, into a .png.
+
+    A mesh is a Mesh, a file, or (vertices, triangles). The options are those of the program's
+    render command: size="800x600", color_by="component".
+    """
+    drawn = meshes if isinstance(meshes, list) else [meshes]
+    drawn = [_mesh_of(mesh) for mesh in drawn]
+    handles = (ctypes.c_void_p * len(drawn))(*(mesh._handle.value for mesh in drawn))
+    words = _options(options)
+    _watched(
+        lambda _: _ok(_library.deliso_render(handles, len(drawn), words, os.fsencode(path))), False
+    )
+
+
+def _mesh_of(mesh):
+    if isinstance(mesh, Mesh):
+        return mesh
+    return read(mesh) if isinstance(mesh, (str, os.PathLike)) else _imported(*mesh)
 
 
 def _imported(vertices, triangles):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Meshes in parts: of arrays that are sliced box by box, by other processes too."""
 
+from __future__ import annotations
+
 import contextlib
 import ctypes
 import functools
@@ -8,27 +10,38 @@ import math
 import mmap
 import os
 import sys
+from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 import numpy
 
 from . import (
     _OK,
     _TYPES,
+    _Place,
     Error,
     Mesh,
+    Progress,
+    Three,
     _bar,
     _kind_of,
     _level,
     _library,
     _MeshHandle,
+    _named,
     _ok,
     _options,
+    _place,
     _require_three,
-    _three,
     _unmasked,
     _warned,
     _watched,
+    _with_options,
 )
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import JoinOptions, MeshOptions
 
 # What join() decides, and all parts are made without.
 _OF_JOIN = ("float", "double", "check", "allow_empty", "restricted")
@@ -51,8 +64,7 @@ class _SourceData(ctypes.Structure):
     _fields_ = [
         ("type", ctypes.c_int),
         ("shape", _SIZES),
-        ("spacing", ctypes.c_double * 3),
-        ("origin", ctypes.c_double * 3),
+        ("place", ctypes.POINTER(_Place)),
         ("read", _READ),
         ("context", ctypes.c_void_p),
     ]
@@ -61,17 +73,13 @@ class _SourceData(ctypes.Structure):
 class _Source:
     """The library's view of an array that is sliced box by box, which this keeps alive."""
 
-    def __init__(self, array, spacing, origin):
+    def __init__(self, array, *place):
         self.array = array() if callable(array) else array
         self.kind = _kind_of(numpy.dtype(self.array.dtype))
         _require_three(self.array.shape)
         self.error = None
-        vector = ctypes.c_double * 3
         self.data = _SourceData(
-            _TYPES[self.kind],
-            _SIZES(*self.array.shape),
-            vector(*_three("spacing", spacing)),
-            vector(*_three("origin", origin)),
+            _TYPES[self.kind], _SIZES(*self.array.shape), ctypes.pointer(_place(*place))
         )
 
     def _read(self, _context, begin, end, samples):
@@ -108,17 +116,20 @@ class _Source:
             self.data.read = _READ(0)  # which keeps this object
 
 
+@_with_options(_named.MeshOptions)
 def part(
-    array,
-    isovalue,
-    number,
-    parts,
+    array: Any,
+    isovalue: Optional[float],
+    number: int,
+    parts: int,
     *,
-    spacing=(1, 1, 1),
-    origin=(0, 0, 0),
-    progress=False,
-    **options,
-):
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    progress: Progress = False,
+    **options: Unpack[MeshOptions],
+) -> bytes:
     """Meshes part `number` of `parts`, counted from 1. Returns bytes, for join().
 
     array     as of mesh_blocks(). Only slices of this part are read, and some samples around them;
@@ -126,7 +137,7 @@ def part(
     options   those of mesh(), the same for all parts, but for those about the mesh as a whole:
               join() has float, check and allow_empty
     """
-    source = _Source(array, spacing, origin)
+    source = _Source(array, spacing, origin, direction, space)
     words = _options(options)
     text, size = ctypes.c_void_p(), ctypes.c_size_t()
     choice = _level(isovalue), int(number), int(parts)
@@ -141,21 +152,39 @@ def part(
         _library.deliso_text_free(text)
 
 
-def join(parts, array, *, spacing=(1, 1, 1), origin=(0, 0, 0), progress=False, **options):
+@_with_options(_named.JoinOptions)
+def join(
+    parts: Sequence,
+    array: Any,
+    *,
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    progress: Progress = False,
+    **options: Unpack[JoinOptions],
+) -> Mesh:
     """Joins all parts of a mesh, in any order. Returns the Mesh that mesh() makes of the array.
 
-    parts     what part() returned, or the files of the program's --part: bytes, or a memory map
+    parts     what part() returned, or the program's --part: bytes, memory maps, names of files
     array     that of the parts. Only slices around the seams and the surface are read; with
               check=True, and of parts with cap or label, all of it.
     options   threads, float, check, allow_empty
     """
-    return _warned(_joined(parts, array, spacing, origin, progress, options))
+    place = spacing, origin, direction, space
+    return _warned(_joined(parts, array, place, progress, options))
 
 
-def _joined(parts, array, spacing, origin, progress, options):
-    source = _Source(array, spacing, origin)
+def _joined(parts, array, place, progress, options):
+    source = _Source(array, *place)
     words = _options(options)
-    views = [numpy.frombuffer(memoryview(p).cast("B"), "u1") for p in parts]
+    named = (str, os.PathLike)
+    views = [
+        numpy.memmap(p, "u1", "r")
+        if isinstance(p, named)
+        else numpy.frombuffer(memoryview(p).cast("B"), "u1")
+        for p in parts
+    ]
     addresses = (ctypes.c_void_p * len(views))(*(view.ctypes.data for view in views))
     sizes = (ctypes.c_size_t * len(views))(*map(len, views))
     handle = _MeshHandle()
@@ -168,17 +197,20 @@ def _joined(parts, array, spacing, origin, progress, options):
     return Mesh(handle, status == _OK)
 
 
+@_with_options(_named.MeshOptions)
 def mesh_blocks(
-    array,
-    isovalue=None,
+    array: Any,
+    isovalue: Optional[float] = None,
     *,
-    spacing=(1, 1, 1),
-    origin=(0, 0, 0),
-    parts=None,
-    client=None,
-    progress=False,
-    **options,
-):
+    spacing: Three = None,
+    origin: Three = None,
+    direction: Optional[Sequence] = None,
+    space: Optional[str] = None,
+    parts: Optional[int] = None,
+    client: Any = None,
+    progress: Progress = False,
+    **options: Unpack[MeshOptions],
+) -> Mesh:
     """Meshes an array that need not fit into memory. Returns the Mesh that mesh() makes of it in C
     order.
 
@@ -205,7 +237,8 @@ def mesh_blocks(
         parts = 1 if client is None else _part_count(array, client)
     if parts < 1:
         raise Error(f"a mesh has one part or more, not {parts}")
-    make = functools.partial(part, spacing=spacing, origin=origin, **options)
+    place = {"spacing": spacing, "origin": origin, "direction": direction, "space": space}
+    make = functools.partial(part, **place, **options)
     if client is not None:
         made = _made_by(client, make, array, isovalue, parts, show)
     else:
@@ -215,7 +248,7 @@ def mesh_blocks(
             for n in range(parts)
         ]
     joining = _between(_PARTS_SHARE, 1, show)
-    return _warned(_joined(made, array, spacing, origin, joining, of_join))
+    return _warned(_joined(made, array, tuple(place.values()), joining, of_join))
 
 
 def _between(begin, end, show):

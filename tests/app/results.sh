@@ -50,14 +50,14 @@ holds "the JSON has the distance" grep -q '^  "max_distance": [0-9.e-]*,$' json
 
 # The criteria go with the mesh, whatever its format, and a check judges by them: test_criteria_note
 # has which.
-for format in ply off obj stl vtp; do
+for format in ply off obj stl vtp glb 3mf; do
   "$deliso" builtin:torus -q --max-distance 0.3vox --lambda 1.8 -o noted.$format
   "$deliso" check noted.$format builtin:torus >report
   holds "check of the $format file says so" grep -q ', judged by the criteria in its comment$' report
   holds "and judges by them" \
     grep -q '^criteria  h <= 0.3 voxels, r/l <= 1.8; r_min = 0.25 voxels$' report
 done
-for format in obj stl vtp; do
+for format in obj stl vtp glb 3mf; do
   "$deliso" check - builtin:torus <noted.$format >report
   holds "$format is known by its first bytes" grep -q '^criteria  h <= 0.3 voxels' report
 done
@@ -163,7 +163,7 @@ for name in turned mirrored; do
     holds "check finds no fault with a $name volume's mesh, $precision" \
       "$deliso" check $name.ply $name.nrrd --iso 150.3 -q --restricted 0.9
   done
-  for format in stl vtp; do
+  for format in stl vtp glb 3mf; do
     "$deliso" $name.nrrd --iso 150.3 -q -o $name.$format
     holds "nor in $format" "$deliso" check $name.$format $name.nrrd --iso 150.3 -q --restricted 0.9
   done
@@ -203,17 +203,19 @@ holds "--version" grep -q -x 'deliso [0-9.]*' version
 holds "info" grep -q '1 component, Euler number 0, 0 boundary loops' facts
 
 # A picture of every format that can be read, the same from each, in a file and on standard output.
-for format in ply off obj vtp; do
+for format in ply off obj vtp 3mf; do
   "$deliso" builtin:sphere -q -o drawn.$format
   "$deliso" render drawn.$format -q -o $format.png --size 200x150 >stdout 2>stderr
   holds "-q is quiet with pictures" empty stdout stderr
   holds "the picture of the $format file is that of the PLY file" cmp -s $format.png ply.png
 done
-"$deliso" builtin:sphere -q -o drawn.stl
-"$deliso" render drawn.stl -o stl.png --size 200x150 >stdout
-sed 's/^\([0-9,]*\) .*/\1/' stdout >drawn
 "$deliso" render drawn.ply -o again.png --size 200x150 | sed 's/^\([0-9,]*\) .*/\1/' >triangles
-holds "as many triangles are drawn from the stl file" cmp -s drawn triangles
+for format in stl glb; do
+  "$deliso" builtin:sphere -q -o drawn.$format
+  "$deliso" render drawn.$format -o $format.png --size 200x150 >stdout
+  sed 's/^\([0-9,]*\) .*/\1/' stdout >drawn
+  holds "as many triangles are drawn from the $format file" cmp -s drawn triangles
+done
 "$deliso" render - -o - --size 200x150 <drawn.ply >piped.png 2>stderr
 holds "standard output gets the bytes of the picture" cmp -s piped.png ply.png
 holds "then the report is on standard error" grep -q 'triangles drawn from --view' stderr
@@ -390,4 +392,31 @@ holds "unless it is quiet" empty stderr
 
 ls -A >names
 holds "no temporary file is left" [ "$(grep -c tmp names)" -eq 0 ]
-all_hold 176
+# A segmentation as one file: an object for each label, which is drawn and named.
+awk 'BEGIN { for (n = 0; n < 4096; ++n) { i = n % 16; j = int(n / 16) % 16
+  inside = i > 2 && i < 13 && j > 2 && j < 13 && n > 768 && n < 3328
+  printf "%s ", inside ? (i < 8 ? 2 : 5) : 0 } }' >numbers
+{
+  printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nencoding: ascii\n'
+  printf 'Segment0_Name:=Liver\nSegment0_LabelValue:=5\n\n'
+  cat numbers
+} >organs.nrrd
+for format in glb 3mf vtp; do
+  "$deliso" organs.nrrd --label all -o organs.$format --json organ-%d.json >table 2>stderr
+  holds "one $format of all labels, and a row for each" [ "$(grep -c exact table)" -eq 2 ]
+  holds "with a report for each" [ -s organ-2.json -a -s organ-5.json ]
+  "$deliso" render organs.$format --color-by component -o organs.png >stdout
+  holds "both are in the $format file" grep -q ', 2 components drawn' stdout
+  "$deliso" organs.nrrd --label all -o - --format $format >piped 2>stderr
+  holds "standard output gets the bytes" cmp -s organs.$format piped
+  holds "then the table is on standard error" grep -q exact stderr
+done
+holds "objects are named by segment or label" grep -q -a '"name":"label 2".*"name":"Liver"' organs.glb
+"$deliso" organs.nrrd --label all -o organ-%d.glb -q
+holds "or a file for each" [ -s organ-2.glb -a -s organ-5.glb ]
+"$deliso" check organ-2.glb organs.nrrd --label 2 >stdout 2>stderr || :
+holds "which says its label" empty stderr
+"$deliso" check organs.glb organs.nrrd --label 2 >stdout 2>stderr || :
+holds "as that of all does" grep -q 'its file says label=all, this check says label=2' stderr
+
+all_hold 200

@@ -756,6 +756,13 @@ TEST_CASE("--label all wants one place for the label in the names of outputs") {
     CHECK(refusal(text("a.nrrd --label all -o ", name))
               .starts_with("--label all wants one %d in the name of -o"));
   }
+  for (const char* name : {"all.glb", "all.3MF", "all.vtp", "- --format glb"}) {
+    CAPTURE(name);
+    CHECK(in_one_file(parsed(text("a.nrrd --label all -o ", name))));
+    CHECK_FALSE(in_one_file(parsed(text("a.nrrd --label 1 -o ", name))));
+  }
+  CHECK_FALSE(in_one_file(parsed("a.nrrd --label all -o part-%d.glb")));
+  CHECK(refusal("a.nrrd --label all -o %s.glb").starts_with("--label all wants one %d"));
 }
 
 TEST_CASE("--part is parsed, and options that a part cannot have are refused; parts are joined") {

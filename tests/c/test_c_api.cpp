@@ -3,9 +3,11 @@
 // and work that is stopped.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <thread>
@@ -43,9 +45,12 @@ std::vector<float> ball(bool fortran = false) {
 
 struct VolumeHandle {
   explicit VolumeHandle(const std::vector<float>& samples, bool fortran = false,
-                        const double* origin = kOrigin) {
+                        bool at_origin = false) {
+    deliso_place place{};
+    std::copy_n(kSpacing, 3, place.spacing);
+    if (!at_origin) std::copy_n(kOrigin, 3, place.origin);
     REQUIRE(deliso_volume_create(samples.data(), DELISO_FLOAT32, kShape,
-                                 fortran ? DELISO_FORTRAN_ORDER : DELISO_C_ORDER, kSpacing, origin,
+                                 fortran ? DELISO_FORTRAN_ORDER : DELISO_C_ORDER, &place,
                                  &get) == DELISO_OK);
   }
   ~VolumeHandle() { deliso_volume_free(get); }
@@ -94,10 +99,12 @@ TEST_CASE("the same bytes as the program") {
     const std::string npy = folder.write(
         "v.npy", test::npy("<f4", fortran, "20, 24, 28",
                            {reinterpret_cast<const char*>(samples.data()), 4 * samples.size()}));
-    const VolumeHandle volume(samples, fortran, nullptr);
+    const VolumeHandle volume(samples, fortran, true);
     MeshHandle mesh;
     REQUIRE(mesh_ball(volume, mesh, {"max-distance=0.2vox", "cap", "seed=3"}, 1.5) == DELISO_OK);
-    const std::string ours = npy + ".", theirs = npy + "-program.";
+    // A mesh in glTF and 3MF has the name of its file.
+    std::filesystem::create_directory(folder.path("program"));
+    const std::string ours = folder.path("mesh."), theirs = folder.path("program/mesh.");
     for (const char* ending : {"ply", "off", "obj", "stl", "vtp", "glb", "3mf", "smesh", "poly"}) {
       CAPTURE(ending);
       REQUIRE(deliso_mesh_save(mesh.get, (ours + ending).c_str()) == DELISO_OK);
@@ -161,7 +168,7 @@ TEST_CASE("faults are statuses, with one line each") {
   CHECK(refusal({"vertices=100", "max-distance=1"}) ==
         "--vertices and --max-distance exclude each other");
   for (const char* option : {"iso=3", "output=a.ply", "json=-", "help", "version", "roi=0:2",
-                             "origin=0,0,0", "channel=1", "time=1"}) {
+                             "origin=0,0,0", "channel=1", "time=1", "shared=a.ply"}) {
     const std::string text = option;
     CHECK(refusal({option}) ==
           "--" + text.substr(0, text.find('=')) + " has no meaning for an array");
@@ -169,7 +176,7 @@ TEST_CASE("faults are statuses, with one line each") {
   CHECK(refusal({"label=Liver"}, std::numeric_limits<double>::quiet_NaN()) ==
         "an array does not name its labels");
   CHECK(refusal({}, std::numeric_limits<double>::quiet_NaN()) ==
-        "--iso wants a finite number, not 'nan'");
+        "no isovalue given: --iso K (deliso info INPUT shows the range)");
   CHECK(refusal({}, 11).starts_with("no surface at isovalue 11: the samples are "));
   CHECK(refusal({"rmin=1e-9vox"}).find("rmin") != std::string::npos);
 
@@ -177,9 +184,9 @@ TEST_CASE("faults are statuses, with one line each") {
   deliso_volume* volume = nullptr;
   const auto create = [&](const void* array, std::size_t nz, double dx, int type) {
     const std::size_t shape[] = {nz, 24, 28};
-    const double spacing[] = {dx, 1, 1};
+    const deliso_place place{{dx, 1, 1}, {}, {}, nullptr};
     const deliso_status status =
-        deliso_volume_create(array, type, shape, DELISO_C_ORDER, spacing, nullptr, &volume);
+        deliso_volume_create(array, type, shape, DELISO_C_ORDER, &place, &volume);
     CHECK(status == DELISO_BAD_INPUT);
     CHECK(volume == nullptr);
     return std::string(deliso_last_error());
@@ -390,4 +397,51 @@ TEST_CASE("progress goes from stage to stage, and a flag stops the work at each"
   }
   MeshHandle again;  // the flag of one call stops no other
   CHECK(mesh_ball(volume, again) == DELISO_OK);
+}
+
+TEST_CASE("files: a volume and a mesh are read, labels saved together, and null is refused") {
+  const test::TemporaryFolder folder;
+  deliso_volume* volume = nullptr;
+  const char* const roi[] = {"roi=2:14,0:16,0:16", nullptr};
+  REQUIRE(deliso_volume_read("builtin:machine:16", roi, &volume) == DELISO_OK);
+  struct Taken {
+    std::vector<std::int64_t> labels;
+    std::vector<deliso_mesh*> meshes;
+  } taken;
+  const auto take = [](void* context, std::int64_t label, deliso_mesh* mesh, deliso_status) {
+    static_cast<Taken*>(context)->labels.push_back(label);
+    static_cast<Taken*>(context)->meshes.push_back(mesh);
+  };
+  REQUIRE(deliso_mesh_labels(volume, nullptr, nullptr, take, &taken) == DELISO_OK);
+  REQUIRE(!taken.meshes.empty());
+  const std::string path = folder.path("all.glb"), picture = folder.path("all.png");
+  REQUIRE(deliso_labels_save(taken.meshes.data(), taken.labels.data(), taken.meshes.size(),
+                             path.c_str()) == DELISO_OK);
+  MeshHandle read;
+  REQUIRE(deliso_mesh_read(path.c_str(), &read.get) == DELISO_OK);
+  std::size_t in_file = 0, made = 0;
+  deliso_mesh_vertices(read.get, &in_file);
+  for (deliso_mesh* mesh : taken.meshes) {
+    std::size_t count = 0;
+    deliso_mesh_vertices(mesh, &count);
+    made += count;
+  }
+  CHECK(in_file == made);
+  const char* const size[] = {"size=60x40", nullptr};
+  CHECK(deliso_render(taken.meshes.data(), 1, size, picture.c_str()) == DELISO_OK);
+  CHECK(bytes_of(picture).size() > 100);
+  char* json = nullptr;
+  REQUIRE(deliso_info(volume, std::nan(""), nullptr, nullptr, &json) == DELISO_OK);
+  CHECK(std::strstr(json, "\"dims\": [12, 16, 16]") != nullptr);
+  deliso_text_free(json);
+  for (deliso_mesh* mesh : taken.meshes) deliso_mesh_free(mesh);
+
+  CHECK(deliso_volume_read(nullptr, nullptr, &volume) == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_labels(nullptr, nullptr, nullptr, take, &taken) == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_labels(volume, nullptr, nullptr, nullptr, &taken) == DELISO_BAD_INPUT);
+  CHECK(deliso_mesh_read(nullptr, &read.get) == DELISO_BAD_INPUT);
+  CHECK(deliso_labels_save(nullptr, nullptr, 1, path.c_str()) == DELISO_BAD_INPUT);
+  CHECK(deliso_render(nullptr, 1, nullptr, picture.c_str()) == DELISO_BAD_INPUT);
+  CHECK(deliso_info(volume, 1, nullptr, nullptr, nullptr) == DELISO_BAD_INPUT);
+  deliso_volume_free(volume);
 }

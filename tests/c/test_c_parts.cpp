@@ -41,10 +41,8 @@ struct BallArray {
     }
     source.type = DELISO_FLOAT32;
     const std::size_t shape[] = {30, 26, 34};
-    const double spacing[] = {1, 1.25, 1.5}, origin[] = {10, -20, 30};
     std::copy_n(shape, 3, source.shape);
-    std::copy_n(spacing, 3, source.spacing);
-    std::copy_n(origin, 3, source.origin);
+    source.place = &place;
     source.context = this;
     source.read = [](void* context, const std::size_t* begin, const std::size_t* end, void* to) {
       BallArray& array = *static_cast<BallArray*>(context);
@@ -66,6 +64,7 @@ struct BallArray {
   }
 
   std::vector<float> samples;
+  deliso_place place{{1, 1.25, 1.5}, {10, -20, 30}, {}, nullptr};
   deliso_source source{};
   std::atomic<int> calls = 0, at_once = 0;
   int calls_before_fault = std::numeric_limits<int>::max();
@@ -109,7 +108,7 @@ MeshContent whole_mesh(const BallArray& array, double level, Words options) {
   deliso_volume* volume = nullptr;
   const deliso_source& source = array.source;
   REQUIRE(deliso_volume_create(array.samples.data(), source.type, source.shape, DELISO_C_ORDER,
-                               source.spacing, source.origin, &volume) == DELISO_OK);
+                               source.place, &volume) == DELISO_OK);
   deliso_mesh* mesh = nullptr;
   options.push_back(nullptr);
   const deliso_status status = deliso_mesh_create(volume, level, options.data(), nullptr, &mesh);
@@ -267,7 +266,7 @@ TEST_CASE("faults of parts are statuses, with one line each") {
   BallArray other;
   for (float& sample : other.samples) sample += 0.01f;
   CHECK(join_refusal(other, parts).ends_with(" is no part of 'array'"));
-  other.source.spacing[0] = 2;
+  other.place.spacing[0] = 2;
   CHECK(join_refusal(other, parts) == "'parts[0]' is no part of 'array'");
   other.samples[34 * (20 + 26 * 17) + 30] = std::numeric_limits<float>::infinity();
   CHECK(part_refusal(other, 2, 2, blocks) == "array: infinite sample at (30, 20, 17)");

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       for (x = 0; x < 20; ++x) samples[z][y][x] = (float)(x * y + y * z + z * x);
     }
   }
-  if (deliso_volume_create(samples, DELISO_FLOAT32, shape, DELISO_C_ORDER, NULL, NULL, &volume) !=
+  if (deliso_volume_create(samples, DELISO_FLOAT32, shape, DELISO_C_ORDER, NULL, &volume) !=
           DELISO_OK ||
       deliso_mesh_create(volume, 300.5, options, NULL, &mesh) != DELISO_OK ||
       deliso_mesh_save(mesh, argv[1]) != DELISO_OK) {

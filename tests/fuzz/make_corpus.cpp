@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "fuzz/reader_target.h"
 #include "io/files/jpeg_writer.h"
+#include "io/mesh/containers.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/volume_files.h"
@@ -99,7 +100,7 @@ void add_meshes(Corpus& corpus, const TemporaryFolder& folder) {
     corpus.add(target, content);
     corpus.add("stdin", content);
   };
-  for (const char* target : {"off", "obj", "stl", "vtp"}) add(target, {});
+  for (const char* target : {"off", "obj", "stl", "vtp", "glb", "3mf"}) add(target, {});
   for (const bool ascii : {false, true}) {
     for (const bool single : {false, true}) {
       MeshWriteOptions options;
@@ -109,6 +110,12 @@ void add_meshes(Corpus& corpus, const TemporaryFolder& folder) {
     }
   }
   corpus.add("stl", stl_text(mesh));
+  const auto [json, data] = rich_gltf();
+  corpus.add("glb", glb_file(json, data));
+  for (const bool deflated : {false, true}) {
+    corpus.add("3mf", three_mf_file(rich_model(), {.deflated = deflated, .wide = deflated}));
+  }
+  corpus.add("3mf", rich_model());
   for (const VtkForm& form : all_vtk_forms()) {
     for (const bool wide : {false, true}) {
       corpus.add("vtp", vtp(mesh.points, {{0, 2, 1}, {0, 1, 3, 2}}, form, wide));

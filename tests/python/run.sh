@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The Python package with the library that was built: its tests, what docs/guide/python.md and the
-# README show (python.md, README.md), and the wheel. Usage: run.sh SOURCE LIBRARY PROGRAM
+# The Python package with the library that was built: the wheel, its tests, and what
+# docs/guide/python.md and the README show (python.md, README.md). Usage: run.sh SOURCE LIBRARY PROGRAM
 set -eu
 python=
 for candidate in python3 /usr/bin/python3; do
@@ -15,10 +15,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export PYTHONDONTWRITEBYTECODE=1
 
-PYTHONPATH=$1/python DELISO_LIBRARY=$2 "$python" "$1/tests/python/test_deliso.py" "$3"
-PYTHONPATH=$1/python DELISO_LIBRARY=$2 "$python" "$1/tests/python/test_parts.py" "$3"
-
-# The wheel holds all that the pages' programs need.
+# The wheel holds all that the tests and the pages' programs need.
 "$python" - "$1" "$2" "$work" <<'END'
 import sys, zipfile
 source, library, work = sys.argv[1:]
@@ -31,7 +28,9 @@ if "$python" -m pip --version >/dev/null 2>&1; then
   "$python" -m pip install --quiet --no-index --no-deps --no-compile --target "$work/by_pip" "$work"/*.whl
   diff -r "$work/installed/deliso" "$work/by_pip/deliso"
 fi
-unset DELISO_LIBRARY
+for test in test_deliso test_parts; do
+  PYTHONPATH=$work/installed "$python" "$1/tests/python/$test.py" "$3"
+done
 for page in README.md docs/guide/python.md; do
   awk '/^```/ { runs = !runs && /^```python$/ && !skips; skips = 0; next }
        /^<!-- not run/ { skips = 1 }

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The Python package beside the program. Usage: test_deliso.py PROGRAM, with the package's folder in
-PYTHONPATH and the library in DELISO_LIBRARY."""
+PYTHONPATH and its library beside or in DELISO_LIBRARY."""
 
 import concurrent.futures
 import copy
 import gc
+import importlib.util
+import inspect
+import json
 import multiprocessing
 import os
 import pathlib
@@ -64,11 +67,13 @@ class TestMesh(TestCase):
 
     def same_as_program(self, array, ending="ply", options=(), **ours):
         m = deliso.mesh(array, 10.25, **ours)
-        m.save(self.path("ours." + ending))
-        theirs = self.path("theirs." + ending)
+        # A mesh in glTF and 3MF has the name of its file.
+        os.makedirs(self.path("theirs"), exist_ok=True)
+        m.save(self.path("mesh." + ending))
+        theirs = self.path("theirs/mesh." + ending)
         run = self.program(array, "-q", "-o", theirs, *options)
         self.assertEqual(run.returncode, 0, run.stderr)
-        with open(self.path("ours." + ending), "rb") as a, open(theirs, "rb") as b:
+        with open(self.path("mesh." + ending), "rb") as a, open(theirs, "rb") as b:
             self.assertEqual(a.read(), b.read())
         return m
 
@@ -149,9 +154,8 @@ class TestMesh(TestCase):
             m = deliso.mesh(labels, label=label, spacing=(1, 1, 2))
             self.assertEqual(m.report["mesh"]["topology_exact"], True)
             self.assertEqual(deliso.check(m, labels, label=label, spacing=(1, 1, 2))["check"]["faults"], {})
-        for options in ({"label": "all"}, {}):
-            with self.assertRaises(deliso.Error):
-                deliso.mesh(labels, **options)
+        with self.assertRaises(deliso.Error):
+            deliso.mesh(labels)
         rough = deliso.mesh(labels, 0.5)
         smooth = deliso.mesh(labels, 0.5, smooth="1vox")
         self.assertLess(len(smooth.vertices), len(rough.vertices))
@@ -178,6 +182,22 @@ class TestMesh(TestCase):
             lambda: deliso.mesh(field().astype(str), 10.25),
             lambda: deliso.mesh(numpy.empty((0, 3, 3)), 10.25),
             lambda: deliso.mesh(field(), 10.25, spacing=2),
+            lambda: deliso.mesh(field(), 10.25, direction=2 * numpy.eye(3)),
+            lambda: deliso.mesh(field(), 10.25, direction=[1, 1, 0, 0, 1, 0, 0, 0, 1]),
+            lambda: deliso.mesh(field(), 10.25, direction=[1, 0, 0]),
+            lambda: deliso.mesh(field(), 10.25, space="north"),
+            lambda: deliso.mesh(field(), 10.25, roi="0:9,0:9,0:9"),
+            lambda: deliso.mesh(field(), label="all", allow_empty=1, smoth=1),
+            lambda: deliso.mesh(field() + 0.5, label="all"),
+            lambda: deliso.mesh(self.path("none.nrrd"), 1),
+            lambda: deliso.mesh("builtin:torus:16", direction=numpy.eye(3)),
+            lambda: deliso.read(self.path("none.ply")),
+            lambda: deliso.render(m, self.path("picture.jpg")),
+            lambda: deliso.render([], self.path("picture.png")),
+            lambda: deliso.render(m, self.path("picture.png"), zoom=-1),
+            lambda: deliso.info(field(), array="T1"),
+            lambda: deliso.Labels().save(self.path("all.glb")),
+            lambda: deliso.Labels({1: m}).save(self.path("all.ply")),
             lambda: deliso.mesh(field(), 10.25, spacing=(1, 1, 0)),
             lambda: deliso.mesh(field(), 10.25, output="mesh.ply"),
             lambda: m.save(self.path("mesh.doc")),
@@ -206,6 +226,150 @@ class TestMesh(TestCase):
         # A mask without a sample hides nothing.
         m = deliso.mesh(numpy.ma.array(array), 10.25)
         self.assertTrue(numpy.array_equal(m.vertices, wanted.vertices))
+
+    def test_files(self):
+        numpy.save(self.path("v.npy"), field())
+        m = deliso.mesh(pathlib.Path(self.path("v.npy")), 10.25, spacing=(1, 2, 3))
+        self.assertEqual(m.report["volume"]["input"], self.path("v.npy"))
+        m.save(self.path("mesh.ply"))
+        ours = deliso.mesh(field(), 10.25, spacing=(1, 2, 3))
+        ours.save(self.path("ours.ply"))
+        with open(self.path("mesh.ply"), "rb") as a, open(self.path("ours.ply"), "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        part = deliso.mesh(self.path("v.npy"), 10.25, roi="0:20,0:24,2:20")
+        self.assertEqual(part.report["volume"]["dims"], [20, 24, 18])
+        self.assertEqual(part.vertices[:, 2].min(), 2)
+        # A built-in field has an isovalue of its own.
+        self.assertGreater(len(deliso.mesh("builtin:torus:16").vertices), 10)
+        with self.assertRaisesRegex(deliso.Error, "^no isovalue given"):
+            deliso.mesh(field())
+        # Names that look like options.
+        numpy.save(self.path("-q.npy"), field())
+        command = "import deliso; deliso.mesh('-q.npy', 10.25)"
+        subprocess.run([sys.executable, "-c", command], cwd=self.folder.name, check=True)
+
+    def test_direction_and_space(self):
+        turn = numpy.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+        place = {"spacing": (1, 2, 3), "origin": (10, 20, 30)}
+        plain = deliso.mesh(field(), 10.25, **place)
+        for direction in (turn, turn.ravel().tolist(), turn @ numpy.diag([1, -1, 1])):
+            matrix = numpy.reshape(direction, (3, 3))
+            m = deliso.mesh(field(), 10.25, direction=direction, space="LPS", **place)
+            moved = (plain.vertices - place["origin"]) @ matrix.T + place["origin"]
+            self.assertTrue(numpy.allclose(m.vertices, moved))
+            self.assertEqual(m.report["volume"]["space"], "left-posterior-superior")
+            flipped = numpy.linalg.det(matrix) < 0
+            self.assertEqual((m.triangles == plain.triangles).all(), not flipped)
+            again = {"direction": direction, "space": "LPS", **place}
+            self.assertEqual(deliso.check(m, field(), 10.25, **again)["check"]["faults"], {})
+            blocks = deliso.mesh_blocks(field(), 10.25, parts=2, **again)
+            self.assertEqual(blocks.vertices.tobytes(), m.vertices.tobytes())
+        pickle.loads(pickle.dumps(m)).save(self.path("m.ply"))
+        with open(self.path("m.ply"), "rb") as file:
+            self.assertIn(b"SPACE=LPS", file.read(200))
+
+    def test_all_labels(self):
+        labels = numpy.zeros((20, 24, 28), "u1")
+        labels[4:16, 4:20, 4:14], labels[4:16, 4:20, 14:24] = 7, 3
+        shares = []
+        made = deliso.mesh(labels, label="all", progress=lambda _, share: shares.append(share))
+        self.assertEqual(list(made), [3, 7])
+        self.assertEqual(shares, sorted(shares))
+        for label, m in made.items():
+            alone = deliso.mesh(labels, label=label)
+            self.assertEqual(m.vertices.tobytes(), alone.vertices.tobytes())
+            self.assertTrue(m.sound)
+            self.assertEqual(m.report["volume"]["label"]["labels"], [label])
+        with open(self.path("v.nrrd"), "wb") as file:
+            file.write(b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 28 24 20\nencoding: raw\n")
+            file.write(b"Segment0_Name:=Liver\nSegment0_LabelValue:=7\n\n" + labels.tobytes())
+        liver = deliso.mesh(self.path("v.nrrd"), label="Liver")
+        self.assertEqual(liver.vertices.tobytes(), made[7].vertices.tobytes())
+        made = pickle.loads(pickle.dumps(deliso.mesh(self.path("v.nrrd"), label="all")))
+        os.mkdir(self.path("theirs"))
+        for ending in ("glb", "3mf", "vtp"):
+            made.save(self.path("all." + ending))
+            theirs = self.path("theirs/all." + ending)
+            command = [PROGRAM, self.path("v.nrrd"), "--label", "all", "-q", "-o", theirs]
+            subprocess.run(command, check=True)
+            with open(self.path("all." + ending), "rb") as a, open(theirs, "rb") as b:
+                self.assertEqual(a.read(), b.read())
+
+    def test_info(self):
+        numpy.save(self.path("v.npy"), field())
+        ours = deliso.info(field(), 10.25)
+        run = [PROGRAM, "info", self.path("v.npy"), "-k", "10.25", "--json", "-", "-q"]
+        theirs = json.loads(subprocess.run(run, capture_output=True, check=True).stdout)
+        for report in (ours, theirs):
+            del report["surface"]["seconds_contour"]
+        self.assertEqual(ours["surface"], theirs["surface"])
+        self.assertEqual(ours["suggestions"], theirs["suggestions"])
+        self.assertEqual(deliso.info(self.path("v.npy"))["suggestions"], ours["suggestions"])
+        self.assertNotIn("surface", deliso.info(field()))
+
+    def test_meshes_are_read(self):
+        m = deliso.mesh(field(), 10.25)
+        for ending in ("ply", "off", "obj", "stl", "vtp", "glb", "3mf"):
+            with self.subTest(ending):
+                m.save(self.path("m." + ending))
+                read = deliso.read(self.path("m." + ending))
+                self.assertEqual(read.triangles.shape, m.triangles.shape)
+                if ending != "stl":
+                    self.assertTrue((read.triangles == m.triangles).all())
+                    self.assertTrue(numpy.allclose(read.vertices, m.vertices, atol=1e-5))
+                self.assertEqual((len(read.normals), read.report), (0, {}))
+                for mesh in (read, self.path("m." + ending)):
+                    report = deliso.check(mesh, field(), 10.25)
+                    self.assertEqual(report["check"]["faults"], {})
+                    self.assertTrue(report["criteria_of_file"])
+
+    def test_pictures(self):
+        m = deliso.mesh(field(), 10.25, largest=1)
+        m.save(self.path("m.ply"))
+        options = {"size": "300x200", "color_by": "component"}
+        deliso.render(m, self.path("ours.png"), **options)
+        more = [self.path("m.ply"), "-q", "--size", "300x200", "--color-by", "component"]
+        subprocess.run([PROGRAM, "render", *more, "-o", self.path("theirs.png")], check=True)
+        with open(self.path("ours.png"), "rb") as a, open(self.path("theirs.png"), "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        pair = [(m.vertices, m.triangles[1:]), self.path("m.ply")]
+        deliso.render(pair, self.path("pair.png"), labels="before/after")
+        numpy.save(self.path("v.npy"), field())
+        deliso.render(m, self.path("d.png"), color_by="distance", volume=self.path("v.npy"), iso=10.25)
+
+    def test_signatures_name_the_options(self):
+        for function, has, has_not in [
+            (deliso.mesh, ["max_distance", "lambda_", "cap", "label", "array"], ["output", "json"]),
+            (deliso.check, ["restricted"], ["vertices"]),
+            (deliso.info, ["median"], ["cap"]),
+            (deliso.render, ["color_by", "volume"], ["output"]),
+            (deliso.mesh_blocks, ["max_distance", "client"], []),
+            (deliso.part, ["largest"], []),
+            (deliso.join, ["check", "allow_empty"], ["volume"]),
+        ]:
+            names = inspect.signature(function).parameters
+            for name in has:
+                self.assertIn(name, names)
+            for name in has_not:
+                self.assertNotIn(name, names)
+        self.assertEqual(deliso.__version__, deliso.version)
+        self.assertGreater(len(deliso.mesh(field(), 10.25, lambda_=1.8).vertices), 100)
+        package = pathlib.Path(deliso.__file__).parent
+        self.assertTrue((package / "py.typed").is_file())
+
+    def test_meshes_of_other_packages(self):
+        m = deliso.mesh(field(), 10.25)
+        for package, points, normals in [
+            ("meshio", lambda k: k.points, lambda k: k.point_data["Normals"]),
+            ("pyvista", lambda k: k.points, lambda k: k.point_data["Normals"]),
+            ("trimesh", lambda k: k.vertices, lambda k: k.vertex_normals),
+        ]:
+            with self.subTest(package):
+                if not importlib.util.find_spec(package):
+                    continue
+                other = getattr(m, "to_" + package)()
+                self.assertTrue(numpy.allclose(points(other), m.vertices))
+                self.assertTrue(numpy.allclose(normals(other), m.normals, atol=1e-6))
 
     def test_arrays_outlive_the_mesh(self):
         vertices = deliso.mesh(field(), 10.25).vertices
@@ -336,12 +500,13 @@ class TestCopies(TestCase):
         code = (
             "import pickle, sys\n"
             "m = pickle.load(open('mesh.pickle', 'rb'))\n"
-            "for ending in sys.argv[1:]: m.save('theirs.' + ending)\n"
+            "for ending in sys.argv[1:]: m.save('theirs/saved.' + ending)\n"
             "pickle.dump(m, open('again.pickle', 'wb'))"
         )
+        os.mkdir(self.path("theirs"))
         subprocess.run([sys.executable, "-c", code, *ENDINGS], cwd=self.folder.name, check=True)
         for ending, ours in zip(ENDINGS, self.saved(m)):
-            self.assertEqual(pathlib.Path(self.path("theirs." + ending)).read_bytes(), ours)
+            self.assertEqual(pathlib.Path(self.path("theirs/saved." + ending)).read_bytes(), ours)
         with open(self.path("again.pickle"), "rb") as file:
             self.assert_same(m, pickle.load(file))
 
@@ -368,7 +533,7 @@ class TestCopies(TestCase):
                         pool.submit(capped, 1e9).result()
 
     def test_handles_of_the_library_are_not_copied(self):
-        volume = deliso._Volume(field(), (1, 1, 1), (0, 0, 0))
+        volume = deliso._Volume(field(), None, None, None, None, {})
         m = deliso.mesh(field(), 10.25)
         for held in (m._handle, volume.handle, volume):
             for copied in (copy.deepcopy, pickle.dumps):

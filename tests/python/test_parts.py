@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Meshes in parts, of arrays that are sliced, by pools of processes: the mesh of one process. Usage:
-test_parts.py PROGRAM, with the package's folder in PYTHONPATH and the library in DELISO_LIBRARY."""
+test_parts.py PROGRAM, with the package's folder in PYTHONPATH and its library beside or in DELISO_LIBRARY."""
 
 import concurrent.futures
 import importlib

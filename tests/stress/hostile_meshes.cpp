@@ -66,9 +66,12 @@ enum class Form : std::uint8_t {
   stl_ascii,
   vtp,
   vtp_other,
+  glb,
+  three_mf,
 };
-constexpr std::array<std::string_view, 9> kForms{
-    "PLY", "PLY, float", "PLY, ASCII", "OFF", "OBJ", "STL", "STL, ASCII", "VTP", "VTP, other"};
+constexpr std::array<std::string_view, 11> kForms{"PLY",        "PLY, float", "PLY, ASCII", "OFF",
+                                                  "OBJ",        "STL",        "STL, ASCII", "VTP",
+                                                  "VTP, other", "glTF",       "3MF"};
 
 std::size_t below(Random& random, std::size_t n) {
   return random.below(static_cast<std::uint32_t>(n));
@@ -243,8 +246,8 @@ void edit_file(std::string& file, Edit edit, bool is_text, Random& random) {
 
 // Writes the soup in that form; returns the path.
 std::string written(const Soup& soup, Form form, const TemporaryFolder& folder, Random& random) {
-  constexpr std::array<const char*, 9> kEndings{"ply", "ply", "ply", "off", "obj",
-                                                "stl", "stl", "vtp", "vtp"};
+  constexpr std::array<const char*, 11> kEndings{"ply", "ply", "ply", "off", "obj", "stl",
+                                                 "stl", "vtp", "vtp", "glb", "3mf"};
   const std::string name = text("mesh.", kEndings[static_cast<std::size_t>(form)]);
   if (form == Form::vtp_other) {
     const std::vector<VtkForm> forms = all_vtk_forms();
@@ -346,7 +349,7 @@ std::string fault_of(const std::vector<std::string>& words, std::string& story) 
 // Returns true if all commands of the seed end as they should. Writes faults, and with `list` all.
 bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
   Random random(seed);
-  // 9 and 10 have no common factor: every form gets every edit.
+  // 11 and 10 have no common factor: every form gets every edit.
   const auto edit = static_cast<Edit>(seed % kEdits.size());
   const auto form = static_cast<Form>(seed % kForms.size());
   const Base& base = bases[below(random, bases.size())];

@@ -12,6 +12,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "io/files/temporary_folder.h"
+#include "io/mesh/containers.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/check_mesh.h"
@@ -168,12 +169,18 @@ std::vector<Sample> samples() {
   all.push_back({MeshFormat::off, rich_off()});
   all.push_back({MeshFormat::obj, rich_obj()});
   for (const TriMesh& mesh : meshes) {
-    for (const MeshFormat format : {MeshFormat::stl, MeshFormat::vtp}) {
+    for (const MeshFormat format :
+         {MeshFormat::stl, MeshFormat::vtp, MeshFormat::glb, MeshFormat::three_mf}) {
       write_mesh(mesh, folder / "mesh", {.format = format});
       all.push_back({format, file_bytes(folder / "mesh")});
     }
     all.push_back({MeshFormat::stl, stl_text(mesh)});
   }
+  const auto [json, data] = rich_gltf();
+  all.push_back({MeshFormat::glb, glb_file(json, data)});
+  all.push_back({MeshFormat::three_mf, three_mf_file(rich_model())});
+  all.push_back(
+      {MeshFormat::three_mf, three_mf_file(rich_model(), {.deflated = true, .wide = true})});
   for (const VtkForm& form : all_vtk_forms()) {
     all.push_back({MeshFormat::vtp, vtp(kRichPoints, {{0, 1, 2, 3}, {2, 4, 3}}, form, false)});
   }
@@ -220,6 +227,10 @@ std::string mutated(std::string bytes, Random& random) {
                                         "UInt8",
                                         "offsets",
                                         "AAAA",
+                                        "\"indices\":0,",
+                                        "{\"mesh\":0}",
+                                        "[",
+                                        "PK\5\6",
                                         "\xff\xff\xff\xff"};
   const auto at = [&] {
     return bytes.empty() ? 0 : random.below(static_cast<std::uint32_t>(bytes.size()));
@@ -306,15 +317,16 @@ TEST_CASE("a written comment is read back") {
     for (const std::string name : {"a.ply", "a.off", "a.obj"}) {
       for (const bool ascii : {false, true}) {
         write_mesh(mesh, folder / name, {.ascii = ascii, .comment = comment});
-        std::vector<std::string> comments = {"of another file"};
-        CHECK(same_mesh(read_mesh(folder / name, &comments), mesh));
-        REQUIRE(!comments.empty());
-        CHECK(comments.back() == comment);
-        CHECK(comments.size() == (name == std::string("a.off") ? 1 : 2));
+        MeshNotes notes{{"of another file"}, 1};
+        CHECK(same_mesh(read_mesh(folder / name, &notes), mesh));
+        REQUIRE(!notes.comments.empty());
+        CHECK(notes.comments.back() == comment);
+        CHECK(notes.rounding == 0);
+        CHECK(notes.comments.size() == (name == std::string("a.off") ? 1 : 2));
         CHECK(same_mesh(read_mesh(folder / name), mesh));
         write_mesh(mesh, folder / name, {.ascii = ascii});
-        read_mesh(folder / name, &comments);
-        CHECK(std::ranges::find(comments, comment) == comments.end());
+        read_mesh(folder / name, &notes);
+        CHECK(std::ranges::find(notes.comments, comment) == notes.comments.end());
       }
     }
   }
@@ -323,9 +335,9 @@ TEST_CASE("a written comment is read back") {
 TEST_CASE("only comments of the head are read, with any bytes and length") {
   using Comments = std::vector<std::string>;
   const auto comments_of = [](const std::string& bytes, MeshFormat format) {
-    Comments comments;
-    parse_mesh(bytes, format, "in", &comments);
-    return comments;
+    MeshNotes notes;
+    parse_mesh(bytes, format, "in", &notes);
+    return notes.comments;
   };
   CHECK(comments_of(rich_ply(true, false), MeshFormat::ply) == Comments{"made by hand"});
   CHECK(comments_of(rich_ply(false, true), MeshFormat::ply) == Comments{"made by hand"});
@@ -400,9 +412,9 @@ TEST_CASE("missing and unreadable files are refused") {
   CHECK(error(folder / "a.stl") ==
         text("'", folder / "a.stl", "' line 1: the file ends before 'endsolid'"));
   CHECK(error("a.xyz") ==
-        "'a.xyz' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
-  CHECK(error("a.glb") ==
-        "'a.glb' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp)");
+        "'a.xyz' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp, .glb, .3mf)");
+  CHECK(error("a.poly") ==
+        "'a.poly' has no readable mesh format's ending (.ply, .off, .obj, .stl, .vtp, .glb, .3mf)");
 }
 
 TEST_CASE("every truncation of a binary PLY is noticed, of the others most") {
@@ -432,7 +444,7 @@ TEST_CASE("every truncation of a binary PLY is noticed, of the others most") {
 TEST_CASE("no mutation of a file does harm") {
   std::size_t meshes = 0, errors = 0;
   const std::vector<Sample> all = samples();
-  REQUIRE(all.size() == 69);
+  REQUIRE(all.size() == 78);
   for (std::uint64_t seed = 1; seed <= 400000; ++seed) {
     Random random(seed);
     const Sample& sample = all[seed % all.size()];
@@ -466,7 +478,8 @@ TEST_CASE("random bytes, also after headers with large counts, give a mesh or an
                                  "property list uint uint vertex_indices\nend_header\n"};
     for (const std::string& head : heads) {
       for (const MeshFormat format :
-           {MeshFormat::ply, MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::vtp}) {
+           {MeshFormat::ply, MeshFormat::off, MeshFormat::obj, MeshFormat::stl, MeshFormat::vtp,
+            MeshFormat::glb, MeshFormat::three_mf}) {
         try {
           const TriMesh mesh = parse_mesh(head + noise, format, "in");
           REQUIRE(is_sound(mesh));

@@ -16,8 +16,8 @@ using namespace deliso::test;
 
 namespace {
 
-TriMesh read(const std::string& bytes, std::vector<std::string>* comments = nullptr) {
-  return parse_mesh(bytes, MeshFormat::stl, "in", comments);
+TriMesh read(const std::string& bytes, MeshNotes* notes = nullptr) {
+  return parse_mesh(bytes, MeshFormat::stl, "in", notes);
 }
 
 std::string binary_stl(const TriMesh& mesh, const std::string& comment = "") {
@@ -104,18 +104,18 @@ TEST_CASE("comments: the writer's by itself, and what others have in the header"
   using Comments = std::vector<std::string>;
   const std::string note = "deliso 0.1.0 max-distance=0.1 r-min=0.5 lambda=2";
   TriMesh mesh = mesh_of(tetrahedron());
-  Comments comments;
-  read(binary_stl(mesh, note), &comments);
-  CHECK(comments == Comments{"binary STL by DelIso", note});
+  MeshNotes notes;
+  read(binary_stl(mesh, note), &notes);
+  CHECK(notes.comments == Comments{"binary STL by DelIso", note});
   mesh.frame.space = AnatomicalSpace::ras;
-  read(binary_stl(mesh, note), &comments);
-  CHECK(comments == Comments{"binary STL by DelIso SPACE=RAS", note});
-  read(binary_stl(mesh), &comments);
-  CHECK(comments == Comments{"binary STL by DelIso SPACE=RAS"});
+  read(binary_stl(mesh, note), &notes);
+  CHECK(notes.comments == Comments{"binary STL by DelIso SPACE=RAS", note});
+  read(binary_stl(mesh), &notes);
+  CHECK(notes.comments == Comments{"binary STL by DelIso SPACE=RAS"});
   std::string bytes = binary_stl(mesh);
   bytes.replace(0, 80, "solid of another program" + std::string(56, '\0'));
-  check_same_places(read(bytes, &comments), mesh);
-  CHECK(comments == Comments{"solid of another program"});
-  read(stl_text(mesh), &comments);
-  CHECK(comments == Comments{"made by hand"});
+  check_same_places(read(bytes, &notes), mesh);
+  CHECK(notes.comments == Comments{"solid of another program"});
+  read(stl_text(mesh), &notes);
+  CHECK(notes.comments == Comments{"made by hand"});
 }

@@ -26,13 +26,13 @@ TEST_CASE("polygons in every encoding, type and byte order are read") {
       CAPTURE(form.format);
       CAPTURE(form.encoding);
       CAPTURE(form.block);
-      std::vector<std::string> comments;
+      MeshNotes notes;
       const TriMesh mesh =
-          parse_mesh(vtp(kPoints, kPolygons, form, wide), MeshFormat::vtp, "in", &comments);
+          parse_mesh(vtp(kPoints, kPolygons, form, wide), MeshFormat::vtp, "in", &notes);
       CHECK(mesh.points == kPoints);
       REQUIRE(mesh.faces.size() == kTriangles.size());
       for (FaceId f = 0; f < kTriangles.size(); ++f) CHECK(mesh.faces[f].v == kTriangles[f]);
-      CHECK(comments == std::vector<std::string>{"made by hand"});
+      CHECK(notes.comments == std::vector<std::string>{"made by hand"});
       // No polygons, nothing at all.
       CHECK(parse_mesh(vtp(kPoints, {}, form, wide), MeshFormat::vtp, "in").points == kPoints);
       CHECK(parse_mesh(vtp({}, {}, form, wide), MeshFormat::vtp, "in").points.empty());
