@@ -449,9 +449,9 @@ LibraryUse library_use(std::string_view name) {
   constexpr std::string_view kOfFiles[] = {
       "--iso",  "--volume", "--roi",  "--array",  "--series",  "--channel", "--time",
       "--dims", "--type",   "--skip", "--endian", "--spacing", "--origin"};
-  constexpr std::string_view kNone[] = {"--output",    "--format",    "--json", "--quiet",
-                                        "--verbose",   "--part",      "--help", "--version",
-                                        "--ply-ascii", "--attributes"};
+  constexpr std::string_view kNone[] = {"--output",    "--format",     "--json",  "--quiet",
+                                        "--verbose",   "--part",       "--help",  "--version",
+                                        "--ply-ascii", "--attributes", "--shared"};
   if (std::ranges::find(kOfFiles, name) != std::end(kOfFiles)) return LibraryUse::of_files;
   return std::ranges::find(kNone, name) != std::end(kNone) ? LibraryUse::none : LibraryUse::always;
 }

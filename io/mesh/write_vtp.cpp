@@ -34,7 +34,7 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
   const std::uint64_t corner_bytes = facets * 3 * sizeof(std::int64_t);
   const std::uint64_t end_bytes = facets * sizeof(std::int64_t);
   const std::uint64_t normal_bytes = points * 3 * sizeof(float);
-  const std::uint64_t value_bytes = facets * 4;  // of components, or of distances
+  const std::uint64_t value_bytes = facets * 4;  // of components, distances, or labels of a side
   const std::uint64_t color_bytes = facets * 3;
   const std::uint64_t points_at = place(point_bytes), corners_at = place(corner_bytes);
   const std::uint64_t ends_at = place(end_bytes);
@@ -76,9 +76,8 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
   }
   if (!options.sides.empty()) {
     out.write("      <CellData>\n");
-    out.write(data_array(R"(type="Int32" Name="label_front")", normals_at));
-    out.write(
-        data_array(R"(type="Int32" Name="label_behind")", normals_at + size_field + value_bytes));
+    out.write(data_array(R"(type="Int32" Name="label_front")", place(value_bytes)));
+    out.write(data_array(R"(type="Int32" Name="label_behind")", place(value_bytes)));
     out.write("      </CellData>\n");
   }
   out.write("      <Points>\n");
