@@ -10,7 +10,6 @@
 #include "app/topology.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "deliso/expected_vertices.h"
 #include "io/files/append_format.h"
 #include "io/filter/looks_like_labels.h"
 
@@ -23,9 +22,11 @@ constexpr int kRows = 16;
 constexpr std::size_t kSamples = std::size_t{1} << 25;
 constexpr double kCrossings = 1 << 22;
 
-Suggestion suggestion_of(const Threshold& threshold, const Volume& volume, const Options& options) {
+Suggestion suggestion_of(const Threshold& threshold, const Volume& volume,
+                         const CommandLine& line) {
   const SurfaceEstimate surface = estimate_surface(volume, threshold.isovalue);
-  Suggestion s{threshold, expected_vertices(surface, volume, options), std::nullopt};
+  Suggestion s{threshold, expected_vertices(surface, volume, line.options), {}, std::nullopt};
+  s.cost = expected_cost(surface, s.vertices, volume, line.options, false);
   if (volume.sample_count() <= kSamples && surface.crossings <= kCrossings) {
     s.components = summarize_contour(volume, threshold.isovalue).components.size();
   }
@@ -61,6 +62,7 @@ std::string size_text(const Suggestion& s) {
   const double about = std::round(s.vertices / digit) * digit;
   std::string text = "about " + grouped(static_cast<std::uint64_t>(about)) + " vertices";
   if (s.components) text += ", " + counted(*s.components, "component", "components");
+  if (s.cost.is_long()) text += ", " + cost_text(s.cost.seconds, s.cost.bytes);
   return text;
 }
 
@@ -86,9 +88,11 @@ std::string suggestions_text(const Info& info) {
 
 }  // namespace
 
-Info find_info(const Input& input, const CommandLine& line) {
+Info find_info(const Input& input, const CommandLine& line, Progress& progress) {
   const Volume& volume = input.volume();
+  progress.show("histogram", 0);
   Info info{input, make_histogram(volume, *input.range, kBins), {}, {}, {}, 0, {}, 0, {}, 0};
+  progress.show("thresholds", 0);
   const Stopwatch to_suggest;
   if (!input.field.is_filtered() && looks_like_labels(volume)) {
     info.labels = find_labels(volume, input.name, line.options.threads);
@@ -97,12 +101,15 @@ Info find_info(const Input& input, const CommandLine& line) {
     const Thresholds found = find_thresholds(volume, *input.range);
     info.padding = found.padding;
     for (const Threshold& threshold : found.levels) {
-      info.suggestions.push_back(suggestion_of(threshold, volume, line.options));
+      progress.show("tries", static_cast<double>(info.suggestions.size()) /
+                                 static_cast<double>(found.levels.size()));
+      info.suggestions.push_back(suggestion_of(threshold, volume, line));
     }
   }
   info.seconds_suggestions = to_suggest.seconds();
   info.isovalue = input.isovalue;
   if (input.isovalue) {
+    progress.show("contour", 0);
     const Stopwatch watch;
     info.effective = geometric_isovalue(volume.type(), *input.isovalue);
     info.contour = summarize_contour(volume, info.effective);
@@ -150,6 +157,10 @@ void add_info(ReportWriter& out, const Info& info) {
                     out.add("mean_above", s.threshold.mean_above, "of the class above");
                     out.add("expected_vertices", static_cast<std::uint64_t>(std::round(s.vertices)),
                             "of a mesh by the options given");
+                    out.add("expected_seconds", s.cost.seconds,
+                            "of wall clock for that run, within a factor of 2 on a usual machine");
+                    out.add("expected_bytes", static_cast<std::uint64_t>(std::round(s.cost.bytes)),
+                            "of memory, with the pages of a mapped file");
                     if (out.if_any(s.components.has_value())) {
                       out.add("components", s.components.value_or(0),
                               "of the exact surface; left out where the volume is large");

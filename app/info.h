@@ -9,7 +9,9 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "app/progress.h"
 #include "contour/contour.h"
+#include "deliso/expected_vertices.h"
 #include "io/filter/histogram.h"
 #include "io/filter/segmentation.h"
 #include "io/filter/thresholds.h"
@@ -19,6 +21,7 @@ namespace deliso {
 struct Suggestion {
   Threshold threshold;
   double vertices = 0;                      // expected for a mesh with the options
+  ExpectedCost cost;                        // of that mesh
   std::optional<std::uint64_t> components;  // of the exact surface, if they are quickly counted
 };
 
@@ -37,7 +40,7 @@ struct Info {
 };
 
 // Returns the information. Keeps a reference to `input`.
-Info find_info(const Input& input, const CommandLine& line);
+Info find_info(const Input& input, const CommandLine& line, Progress& progress);
 
 std::string info_text(const Info& info);
 std::string info_json(const Info& info);

@@ -76,6 +76,12 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
   return stages;
 }
 
+std::vector<StageCost> info_stages(const CommandLine& line) {
+  std::vector<StageCost> stages{{"reading", 2}, {"histogram", 1}, {"thresholds", 5}, {"tries", 2}};
+  if (line.isovalue || line.field.of_labels()) stages.push_back({"contour", 8});
+  return stages;
+}
+
 ProgressModel::ProgressModel(std::vector<StageCost> stages) : stages_(std::move(stages)) {
   for (const StageCost& stage : stages_) total_ += stage.cost;
 }
@@ -108,7 +114,7 @@ std::string progress_line(std::string_view stage, double share, double seconds, 
     append_format(text, ", %s left", time_text(seconds * (1 - done) / done).c_str());
   }
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 0));
-  constexpr std::string_view kBefore = "meshing  [", kAfter = "] ";
+  constexpr std::string_view kBefore = "[", kAfter = "] ";
   const int width = std::min(
       kWidest, columns - 1 - static_cast<int>(kBefore.size() + kAfter.size() + text.size()));
   if (width < kNarrowest) return text.substr(0, room);

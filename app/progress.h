@@ -31,6 +31,8 @@ struct StageCost {
 // The stages of the mesh command, in order: reading, those of the Observer, check, writing. A run
 // in one block has no "weld" and no "seams".
 std::vector<StageCost> mesh_stages(const CommandLine& line);
+// Those of the info command.
+std::vector<StageCost> info_stages(const CommandLine& line);
 
 // The share of the run that is done, with B1 and B2.
 class ProgressModel {
@@ -44,7 +46,7 @@ class ProgressModel {
   double total_ = 0, reached_ = 0;
 };
 
-// Returns "meshing  [####......]  42 %  recover  0:07, 0:09 left" or the like, without an end of
+// Returns "[####......]  42 %  recover  0:07, 0:09 left" or the like, without an end of
 // line. The time left is told after some seconds, as if the rest went like what is done. The line
 // is at most columns - 1 wide; a narrow terminal has a shorter bar, or none.
 std::string progress_line(std::string_view stage, double share, double seconds, int columns,

@@ -22,6 +22,7 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "check/distances.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
@@ -51,14 +52,13 @@ void require_isovalue_in_range(double isovalue, const ValueRange& range) {
 
 // Warns in one line before a run that may need much time and memory. Throws an InputError before an
 // impossible one.
-void warn_of_size(double vertices, const Warn& warn) {
-  if (vertices <= kManyVertices) return;
-  char words[160];
-  std::snprintf(words, sizeof words,
-                "about %.0f million vertices are to be expected; a larger --max-distance or "
-                "--rmin, or --vertices N, gives fewer",
-                vertices / 1e6);
-  if (vertices > kMaxVertices) throw InputError(std::string("too large: ") + words);
+void warn_of_size(double vertices, const ExpectedCost& cost, const Warn& warn) {
+  if (vertices <= kManyVertices && !cost.is_long()) return;
+  const std::string words = text("about ", about(vertices / 1e6), " million vertices, ",
+                                 cost_text(cost.seconds, cost.bytes),
+                                 " are to be expected; a larger --max-distance or --rmin, or "
+                                 "--vertices N, gives fewer");
+  if (vertices > kMaxVertices) throw InputError("too large: " + words);
   warn(words);
 }
 
@@ -210,7 +210,9 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   const double isovalue = *run.input.isovalue;
   if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
   require_limits(line.options, volume);
-  warn_of_size(expected_vertices(estimate_surface(volume, isovalue), volume, line.options), warn);
+  const SurfaceEstimate surface = estimate_surface(volume, isovalue);
+  const double vertices = expected_vertices(surface, volume, line.options);
+  warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
 
   Options options = line.options;
   options.observer = &progress;

@@ -338,7 +338,8 @@ deliso_status deliso_info(const deliso_volume* volume, double isovalue, const ch
     require(json, "json");
     const CommandLine line = line_of({"info"}, *volume, isovalue, options);
     const Input input = deliso::input_of(source_of(*volume, line), line);
-    *json = copied(info_json(find_info(input, line)));
+    WatchedProgress progress(info_stages(line), watch);
+    *json = copied(info_json(find_info(input, line, progress)));
     return true;
   });
 }

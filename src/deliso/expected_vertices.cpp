@@ -28,6 +28,17 @@ constexpr double kCreaseDensity = 0.03;
 // bound, and topology alone needs more. Fitted to four noisy fields and ten clean ones.
 constexpr double kThinRecover = 11.5, kThinBase = 6, kThinDistance = 0.2;
 
+// Seconds of one core of 3 GHz, and bytes. Fitted to ten scans and fields of 1,000 to 800,000
+// vertices, of which noise takes twice the time and half as much memory again. FUEL, TOOTH, ENGINE
+// and BABY at info's isovalues, with and without a check, took 0.7 to 2.2 times the seconds and
+// 0.7 to 1.2 times the bytes (2026-11-26).
+constexpr double kVertexSeconds = 22e-6, kCrossingSeconds = 3e-6, kSampleSeconds = 10e-9;
+constexpr double kCheckShare = 0.8;    // of the time for the mesh
+constexpr double kSerialShare = 0.07;  // of the time: two threads are 1.87 times as fast as one
+constexpr double kVertexBytes = 500, kCheckBytes = 800, kProgramBytes = 7e6;
+// Vertices for each one that --vertices leaves.
+constexpr double kCoarsened = 4;
+
 double density(const Options& options, const Volume& volume, double thin) {
   const double voxel = volume.voxel(), bent = thin * std::sqrt(thin);
   if (options.stop_after_recover) return kRecoverDensity + kThinRecover * bent;
@@ -105,6 +116,18 @@ double expected_vertices(const SurfaceEstimate& surface, const Volume& volume,
   const double vertices = surface.area * density(options, volume, surface.thin);
   const std::size_t asked = std::min(options.target_vertices, options.target_triangles / 2);
   return std::min(vertices, static_cast<double>(asked));
+}
+
+ExpectedCost expected_cost(const SurfaceEstimate& surface, double vertices, const Volume& volume,
+                           const Options& options, bool verified) {
+  const auto samples = static_cast<double>(volume.sample_count());
+  const double made = vertices * (options.has_target() ? kCoarsened : 1);
+  const double seconds =
+      made * kVertexSeconds + surface.crossings * kCrossingSeconds + samples * kSampleSeconds;
+  const double of_time = kSerialShare + (1 - kSerialShare) / options.threads;
+  return {seconds * (verified ? 1 + kCheckShare : 1) * of_time,
+          made * kVertexBytes + (verified ? vertices * kCheckBytes : 0) + kProgramBytes +
+              samples * static_cast<double>(size_of(volume.type()))};
 }
 
 }  // namespace deliso

@@ -153,12 +153,11 @@ TEST_CASE("no line is as wide as the terminal") {
 
 TEST_CASE("what a line says") {
   CHECK(progress_line("recover", 0.42, 4.9, 80, false) ==
-        "meshing  [############..................]  42 %  recover  0:04");
-  CHECK(progress_line("recover", 0.42, 4.9, 45, false) ==
-        "meshing  [#####.......]  42 %  recover  0:04");
-  CHECK(progress_line("recover", 0.42, 4.9, 30, false) == " 42 %  recover  0:04");
+        "[############..................]  42 %  recover  0:04");
+  CHECK(progress_line("recover", 0.42, 4.9, 36, false) == "[#####.......]  42 %  recover  0:04");
+  CHECK(progress_line("recover", 0.42, 4.9, 28, false) == " 42 %  recover  0:04");
   CHECK(progress_line("recover", 0.25, 30, 80, false) ==
-        "meshing  [#######.......................]  25 %  recover  0:30, 1:30 left");
+        "[#######.......................]  25 %  recover  0:30, 1:30 left");
   CHECK(progress_line("recover", 0.04, 30, 80, false).find("left") == std::string::npos);
   CHECK(progress_line("writing", 1, 30, 80, false).find("left") == std::string::npos);
   CHECK(progress_line("recover", 0.42, 7.9, 10, false) == " 42 %  re");

@@ -18,6 +18,7 @@
 #include "app/option_texts.h"
 #include "app/progress.h"
 #include "app/run.h"
+#include "app/text.h"
 #include "check/faults.h"
 #include "surface/report.h"
 
@@ -254,6 +255,12 @@ TEST_CASE("--verbose adds lines to the report, and leaves none out") {
       ++at;
     }
   }
+}
+
+TEST_CASE("a cost is told in units of its size") {
+  CHECK(cost_text(75.4, 3e8) == "75 seconds and 286 MiB");
+  CHECK(cost_text(600, 1.5e9) == "10 minutes and 1.4 GiB");
+  CHECK(cost_text(1e4, 1e12) == "2.8 hours and 931 GiB");
 }
 
 TEST_CASE("faults of rounding are told by their kinds") {

@@ -144,3 +144,24 @@ TEST_CASE("what each criterion and limit does to the estimate") {
   CHECK(expected(kept) == expected(plain));  // it would end in an error
   CHECK(expected_vertices(field.volume, 1e9, plain) == 0);
 }
+
+TEST_CASE("the cost grows with the mesh and its check, and falls with threads") {
+  const MeshedField field("gyroid");
+  Options options;
+  options.threads = 1;
+  const SurfaceEstimate surface = estimate_surface(field.volume, field.kappa);
+  const auto cost = [&](double vertices, bool verified = false) {
+    return expected_cost(surface, vertices, field.volume, options, verified);
+  };
+  const ExpectedCost one = cost(1e6), more = cost(3e6);
+  CHECK(more.seconds / one.seconds == doctest::Approx(3).epsilon(0.1));
+  CHECK(more.bytes / one.bytes == doctest::Approx(3).epsilon(0.1));
+  CHECK_FALSE(one.is_long());
+  CHECK(more.is_long());
+  CHECK(cost(1e6, true).seconds > 1.5 * one.seconds);
+  CHECK(cost(1e6, true).bytes > one.bytes);
+  options.threads = 16;
+  CHECK(cost(1e6).seconds < one.seconds / 5);
+  options.target_vertices = 1000000;
+  CHECK(cost(1e6).bytes > one.bytes);
+}
