@@ -49,6 +49,7 @@ figures:
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_BENCH=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app list_datasets marching_cubes guide_figures lesson
 	@$(BUILD)/figures/guide/guide_figures docs/guide/figures
+	@$(BUILD)/deliso info builtin:machine --iso 127.5 -q --size 1140x600 -o docs/guide/figures/slices.png
 	@$(BUILD)/figures/lesson/lesson docs/index.html
 	@sh figures/draw_figures.sh $(BUILD) docs/figures '$(DATA)'
 

@@ -146,18 +146,35 @@ void check_labels(const CommandLine& line) {
 
 // The colors of a picture may need a volume, and an isovalue.
 void check_colors(CommandLine& line) {
-  const bool of_distance = line.color_by == ColorBy::distance;
-  if (!of_distance && line.color_by != ColorBy::gradient) {
+  const bool of_gradient = line.color_by == ColorBy::gradient && !line.section;
+  if (!of_gradient && line.color_by != ColorBy::distance && !line.section) {
     if (line.input.empty() && !reads_volume(line)) return;
-    throw InputError("--volume and its options are for --color-by distance and gradient");
+    throw InputError(
+        "--volume and its options are for --color-by distance and gradient, and --section");
   }
-  const std::string colors = of_distance ? "--color-by distance" : "--color-by gradient";
+  const std::string colors = line.section  ? "--section"
+                             : of_gradient ? "--color-by gradient"
+                                           : "--color-by distance";
+  if (line.section && line.clips.empty()) throw InputError("--section needs --clip PLANE");
   if (line.input.empty()) {
-    throw InputError(colors + " needs --volume INPUT" + (of_distance ? " --iso K" : ""));
+    throw InputError(colors + " needs --volume INPUT" + (of_gradient ? "" : " --iso K"));
   }
-  if (!of_distance && line.isovalue) throw InputError(colors + " takes no --iso");
+  if (of_gradient && line.isovalue) throw InputError(colors + " takes no --iso");
   take_builtin_isovalue(line);
-  if (of_distance && !has_level(line)) throw InputError(colors + " needs --iso K");
+  if (!of_gradient && !has_level(line)) throw InputError(colors + " needs --iso K");
+}
+
+void check_picture_name(const CommandLine& line) {
+  if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
+  if (line.output != "-" && !line.output.ends_with(".png")) {
+    throw InputError("cannot write '" + line.output + "': pictures are .png");
+  }
+}
+
+void check_slices(const CommandLine& line) {
+  const RenderOptions& picture = line.render;
+  const bool is_drawn = picture.aim.look_at || picture.scale_bar || picture.size != PictureSize{};
+  if (is_drawn || !line.output.empty()) check_picture_name(line);
 }
 
 void check_streams(const CommandLine& line) {
@@ -203,10 +220,7 @@ void check_picture(CommandLine& line) {
                      " in a picture of that --size");
   }
   check_colors(line);
-  if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".png")) {
-    throw InputError("cannot write '" + line.output + "': pictures are .png");
-  }
+  check_picture_name(line);
 }
 
 // Determines the format of the mesh's file, and refuses what it cannot hold.
@@ -250,8 +264,9 @@ void check_combination(CommandLine& line) {
     throw InputError("no isovalue given: --iso K (deliso info INPUT shows the range)");
   }
   if (line.output == "-" && line.json == "-") {
-    throw InputError("the mesh and the JSON cannot both go to standard output");
+    throw InputError("-o and --json cannot both go to standard output");
   }
+  if (line.command == Command::info) return check_slices(line);
   if (line.command == Command::trace) return check_page_name(line);
   check_file(line);
 }

@@ -68,6 +68,7 @@ struct CommandLine {
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
   ColorBy color_by = ColorBy::side;
+  bool section = false;  // the cuts of clips are filled with the gray values of the volume
   bool axes = false;
   std::optional<Up> up;  // absent: superior if the file tells, else +z
   bool paper = false;    // options that are not given are the paper's

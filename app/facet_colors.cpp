@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/input.h"
 #include "base/check.h"
 #include "check/bring_home.h"
 #include "check/facet_values.h"
@@ -66,18 +65,18 @@ Values of_each(std::span<const TriMesh> meshes, F f) {
 
 }  // namespace
 
-FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line) {
+FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line,
+                         const Input* input) {
   if (line.color_by == ColorBy::side) return {std::vector<std::vector<Rgb>>(meshes.size()), {}, {}};
   if (line.color_by == ColorBy::component) return by_component(meshes);
   if (line.color_by == ColorBy::angle) {
     return by_value(of_each(meshes, smallest_angles), {"smallest angle (degrees)", 60, false});
   }
-  const Input input = read_input(line);
-  const Volume& volume = input.volume();
+  const Volume& volume = input->volume();
   const bool of_distance = line.color_by == ColorBy::distance;
   const Values values = of_each(meshes, [&](TriMesh mesh) {
     bring_home(mesh, volume.frame());
-    return of_distance ? distances_in_voxels(mesh, volume, *input.isovalue)
+    return of_distance ? distances_in_voxels(mesh, volume, *input->isovalue)
                        : gradient_sizes(mesh, volume);
   });
   return by_value(values,

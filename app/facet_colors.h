@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/input.h"
 #include "view/render/color_bar.h"
 
 namespace deliso {
@@ -18,8 +19,9 @@ struct FacetColors {
   std::vector<std::size_t> components;    // per mesh; only with ColorBy::component
 };
 
-// Returns the colors. Reads the volume if they need one. Throws as read_input does, and an
-// InputError if no facet is near the isosurface.
-FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line);
+// Returns the colors. `input`: the volume, if the command line has one. Throws InputError if no
+// facet is near the isosurface.
+FacetColors color_facets(std::span<const TriMesh> meshes, const CommandLine& line,
+                         const Input* input);
 
 }  // namespace deliso

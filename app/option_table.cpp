@@ -100,8 +100,8 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
-     "what to write, - for standard output: a picture as .png, a page as .html, joined parts as "
-     "deliso mesh writes them"},
+     "what to write, - for standard output: a picture, of info three slices, as .png, a page as "
+     ".html, joined parts as deliso mesh writes them"},
     {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly", kMeshAndJoin,
      "format of the mesh, whatever FILE's ending is",
      [](Line& l, Text o, Text v) { l.write.format = choose<MeshFormat>(o, v); }},
@@ -278,12 +278,13 @@ constexpr OptionSpec kRest[] = {
      "how many times larger than to fill the picture (default 1, at most 64; less beyond 10,000 "
      "pixels)",
      [](Line& l, Text o, Text v) { l.render.aim.zoom = parse_zoom(o, v); }},
-    {"--look-at", 0, "X,Y,Z", kRenderOnly,
-     "what is in the middle of the picture (default: the middle of all that is drawn)",
+    {"--look-at", 0, "X,Y,Z", kPictures,
+     "what is in the middle of the picture (default: the middle of all that is drawn), or where "
+     "slices meet (default: the middle of the largest component, without --iso of the volume)",
      [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
-    {"--size", 0, "WxH", kRenderOnly,
+    {"--size", 0, "WxH", kPictures,
      "of the whole picture, in pixels (default 1600x1200, up to 16384 each); lines and text grow "
-     "with it",
+     "with it; slices may need less",
      [](Line& l, Text o, Text v) { l.render.size = parse_picture_size(o, v); }},
     {"--shading", 0, "smooth|flat", kRenderOnly, "how triangles look (default smooth)",
      [](Line& l, Text o, Text v) { l.render.shading = choose<Shading>(o, v); }},
@@ -294,6 +295,9 @@ constexpr OptionSpec kRest[] = {
      "x:0.5 draws what is below half of the box in x, -x:0.5 what is above; a,b,c,d draws what "
      "has a x + b y + c z <= d; off/x:0.5 clips the second of two meshes alone",
      [](Line& l, Text o, Text v) { l.clips = parse_clips(o, v); }},
+    {"--section", 0, "", kRenderOnly,
+     "fill the cut of --clip with the gray values of --volume, inside the surface of --iso",
+     [](Line& l, Text, Text) { l.section = true; }},
     {"--labels", 0, "TEXT", kRenderOnly,
      "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
      "for each mesh as in 'before/after', each of which can be auto or nothing too",
@@ -322,7 +326,7 @@ constexpr OptionSpec kRest[] = {
        palette.outside = parse_color(o, v.substr(0, slash));
        if (slash != Text::npos) palette.inside = parse_color(o, v.substr(slash + 1));
      }},
-    {"--scale-bar", 0, "UNIT", kRenderOnly,
+    {"--scale-bar", 0, "UNIT", kPictures,
      "a bar of a round length, with this unit, as in mm, to which nothing is converted; '' for "
      "none",
      [](Line& l, Text o, Text v) { l.render.scale_bar = parse_drawable(o, v); }},
@@ -364,9 +368,10 @@ constexpr CommandSpec kCommandTable[] = {
      "report goes to standard output, or to standard error when the mesh or the JSON goes there. "
      "Exit status: 0 fine; 1 the mesh breaks a rule of its own, --check found a fault, or --cap "
      "left the mesh open; 2 bad usage or input."},
-    {Command::info, "info", "info INPUT [--iso K] [options]",
+    {Command::info, "info", "info INPUT [--iso K] [-o SLICES.png] [options]",
      "Size, type and place of a volume, the histogram of its samples, isovalues to try, and with "
-     "--iso the exact topology of the surface."},
+     "--iso the exact topology of the surface. -o draws three slices in gray, with the surface's "
+     "curves in orange."},
     {Command::check, "check", "check MESH INPUT --iso K [options]",
      "Holds a mesh against the isosurface of a volume: validity, self-intersections, exact "
      "topology, Delaunay triangles, distances both ways, shapes. Exit status: 0 no fault, 1 a "

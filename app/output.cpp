@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -45,6 +46,11 @@ std::optional<FileName> file_named(const std::string& path, int stream) {
 
 void print(std::string_view text) {
   write_text("-", text);
+}
+
+void print_report(std::string_view text, bool stdout_taken) {
+  if (!stdout_taken) return print(text);
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void write_text(const std::string& path, std::string_view text) {

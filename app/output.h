@@ -10,6 +10,8 @@ namespace deliso {
 
 // Writes to standard output and flushes. Throws InputError unless all of it is written.
 void print(std::string_view text);
+// Writes a report there or, if another output takes standard output, to standard error.
+void print_report(std::string_view text, bool stdout_taken);
 
 // Writes a file, whole or not at all; `-` is standard output. Throws InputError.
 void write_text(const std::string& path, std::string_view text);

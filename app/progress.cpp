@@ -79,6 +79,7 @@ std::vector<StageCost> mesh_stages(const CommandLine& line) {
 std::vector<StageCost> info_stages(const CommandLine& line) {
   std::vector<StageCost> stages{{"reading", 2}, {"histogram", 1}, {"thresholds", 5}, {"tries", 2}};
   if (line.isovalue || line.field.of_labels()) stages.push_back({"contour", 8});
+  if (!line.output.empty()) stages.push_back({"slices", 1});
   return stages;
 }
 

@@ -1,11 +1,49 @@
 // SPDX-License-Identifier: MIT
 // The info command: a volume's properties, the distribution of its samples, and the surface at an
-// isovalue.
+// isovalue, also as a picture of slices.
+#include <algorithm>
+
 #include "app/info.h"
 #include "app/output.h"
 #include "app/run.h"
+#include "app/signals.h"
+#include "view/gray/slices.h"
+#include "view/render/write_png.h"
 
 namespace deliso {
+namespace {
+
+// Returns the middle of the volume or, where there is a surface, of its largest component.
+Vec3 middle_of(const Info& info) {
+  const Volume& volume = info.input.volume();
+  Box3 box = volume.box();
+  if (const auto& components = info.contour.components; !components.empty()) {
+    const ContourComponent& largest =
+        *std::ranges::max_element(components, {}, &ContourComponent::crossings);
+    box = {volume.position(largest.lo), volume.position(largest.hi) + volume.spacing()};
+  }
+  return 0.5 * (box.lo + box.hi);
+}
+
+void write_slices(const Info& info, const CommandLine& line) {
+  const Volume& volume = info.input.volume();
+  const RenderOptions& picture = line.render;
+  SliceOptions options{.size = picture.size,
+                       .through = picture.aim.look_at
+                                      ? volume.frame().from_world(*picture.aim.look_at)
+                                      : middle_of(info),
+                       .window = gray_window(volume, *info.input.range)};
+  if (info.isovalue) options.kappa = info.effective;
+  // Patients are measured in millimeters.
+  const bool of_patient = volume.frame().space != AnatomicalSpace::unknown;
+  options.unit = picture.scale_bar.value_or(of_patient ? "mm" : "");
+  options.threads = line.options.threads;
+  const Image image = draw_slices(volume, options);
+  const DeferSignals defer;
+  write_png(image, line.output);
+}
+
+}  // namespace
 
 int run_info(const CommandLine& line) {
   ProgressBar progress(info_stages(line), !line.quiet);
@@ -14,9 +52,13 @@ int run_info(const CommandLine& line) {
   progress.clear();
   print_warning(input.warning, line);
   const Info info = find_info(input, line, progress);
+  if (!line.output.empty()) {
+    progress.show("slices", 0);
+    write_slices(info, line);
+  }
   progress.clear();
   if (!line.json.empty()) write_text(line.json, info_json(info));
-  if (!line.quiet && line.json != "-") print(info_text(info));
+  if (!line.quiet && line.json != "-") print_report(info_text(info), line.output == "-");
   return kExitSuccess;
 }
 

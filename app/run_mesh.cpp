@@ -257,13 +257,7 @@ void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, co
 void print_report(const MeshRun& run) {
   const CommandLine& line = run.line;
   if (line.quiet) return;
-  const bool stdout_taken = line.output == "-" || line.json == "-";
-  const std::string text = report_text(run);
-  if (stdout_taken) {
-    std::fputs(text.c_str(), stderr);
-  } else {
-    print(text);
-  }
+  print_report(report_text(run), line.output == "-" || line.json == "-");
 }
 
 int run_mesh(const CommandLine& line) {

@@ -2,8 +2,8 @@
 // The render command: meshes from files in, a picture out.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +18,7 @@
 #include "base/check.h"
 #include "check/facet_values.h"
 #include "io/mesh/read_mesh.h"
+#include "view/gray/gray.h"
 #include "view/render/font.h"
 #include "view/render/render.h"
 #include "view/render/write_png.h"
@@ -73,7 +74,9 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   std::string names;
   for (const std::string& name : line.meshes) names += (names.empty() ? "'" : ", '") + name + "'";
-  const FacetColors colors = color_facets(meshes, line);
+  std::optional<Input> input;
+  if (!line.input.empty()) input = read_input(line);
+  const FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
   RenderOptions options = line.render;
   options.bar = colors.bar;
@@ -90,6 +93,12 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
     if (!line.clips.empty()) {
       const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
       if (clip) subjects.back().clip = plane_of(*clip, box);
+      if (line.section) {
+        const Volume& volume = input->volume();
+        subjects.back().section =
+            gray_inside(volume, geometric_isovalue(volume.type(), *input->isovalue),
+                        gray_window(volume, *input->range));
+      }
     }
     std::string size = counted(meshes[n].faces.size(), "triangle", "triangles");
     if (!colors.components.empty()) {
@@ -125,13 +134,7 @@ int run_render(const CommandLine& line) {
   std::vector<TriMesh> meshes;
   for (const std::string& name : line.meshes) meshes.push_back(read_mesh(name));
   const std::string report = draw(meshes, line);
-  if (!line.quiet) {
-    if (line.output == "-") {
-      std::fputs(report.c_str(), stderr);
-    } else {
-      print(report);
-    }
-  }
+  if (!line.quiet) print_report(report, line.output == "-");
   return kExitSuccess;
 }
 

@@ -33,8 +33,8 @@ constexpr std::string_view short_name_of(AnatomicalSpace space) {
 }
 
 // Maps a point p of the scaled frame to the world: origin + p.x * axes[0] + p.y * axes[1] + p.z *
-// axes[2], with unit axes. If the axes are left-handed, writers reverse the facets, so that normals
-// still point to the side where f < kappa.
+// axes[2], with unit axes; from_world() is its inverse. If the axes are left-handed, writers
+// reverse the facets, so that normals still point to the side where f < kappa.
 struct Frame {
   Vec3 origin{0, 0, 0};
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
@@ -44,6 +44,13 @@ struct Frame {
 
   Vec3 to_world(const Vec3& p) const {
     return origin + p.x * axes[0] + p.y * axes[1] + p.z * axes[2];
+  }
+  Vec3 from_world(const Vec3& p) const {
+    const auto& [u, v, w] = axes;
+    const double determinant = dot(cross(u, v), w);
+    const Vec3 q = p - origin;
+    return {dot(cross(v, w) / determinant, q), dot(cross(w, u) / determinant, q),
+            dot(cross(u, v) / determinant, q)};
   }
   bool left_handed() const { return dot(cross(axes[0], axes[1]), axes[2]) < 0; }
 };

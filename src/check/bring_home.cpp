@@ -18,17 +18,9 @@ bool is_single_precision(const TriMesh& mesh) {
 double bring_home(TriMesh& mesh, const Frame& at) {
   double largest = 0;
   const bool single = is_single_precision(mesh);
-  const auto& [u, v, w] = at.axes;
-  const double determinant = dot(cross(u, v), w);
-  const Vec3 to_x = cross(v, w) / determinant, to_y = cross(w, u) / determinant;
-  const Vec3 to_z = cross(u, v) / determinant;
   for (Vec3& p : mesh.points) {
     for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::fabs(p[axis]));
-    const Vec3 q = p - at.origin;
-    if (at.origin == Vec3{} && u == Vec3{1, 0, 0} && v == Vec3{0, 1, 0} && w == Vec3{0, 0, 1}) {
-      continue;  // the frames are the same, to the last bit
-    }
-    p = {dot(to_x, q), dot(to_y, q), dot(to_z, q)};
+    p = at.from_world(p);  // exact where the frames are the same
   }
   // Coordinates too small for the predicates are far below all rounding.
   for (Vec3& p : mesh.points) {

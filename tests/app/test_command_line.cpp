@@ -528,7 +528,7 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --type word --dims 2x2x2",
        "--type: 'word' is not a sample type (uint8, int8, uint16, ..."},
       {"a --dims 4x4 --type uint8", "--dims: '4x4' is not dimensions like 256x256x128"},
-      {"a --iso 1 -o - --json -", "the mesh and the JSON cannot both go to standard output"},
+      {"a --iso 1 -o - --json -", "-o and --json cannot both go to standard output"},
       {"a --iso 1 -o mesh.gif",
        "'mesh.gif' has no mesh format's ending (.ply, .off, .obj, .stl, ..."},
       {"a --iso 1 -o mesh.off --ply-ascii", "..."},
@@ -599,6 +599,12 @@ TEST_CASE("each command line that is refused has its message") {
       {"a --label all --json -", "--label all wants one %d in the name of --json..."},
       {"a --iso 1 --part 1/2", "no part named: -o FILE.part, or -o -"},
       {"info a --part 1/2", "--part has no meaning for deliso info"},
+      {"info a -o a.ply", "cannot write 'a.ply': pictures are .png"},
+      {"info a --size 9x9", "no picture named: -o FILE.png, or -o -"},
+      {"info a -o - --json -", "-o and --json cannot both go to standard output"},
+      {"render a -o a.png --section --volume v --iso 1", "--section needs --clip PLANE"},
+      {"render a -o a.png --section --clip x:0.5", "--section needs --volume INPUT --iso K"},
+      {"render a -o a.png --section --clip x:0.5 --volume v", "--section needs --iso K"},
       {"a --iso 1 --attributes -o m.part --part 1/2",
        "--part and --attributes exclude each other: give it to deliso join"},
       {"join --volume v.nrrd -o whole.ply", "no parts given..."},
@@ -617,7 +623,8 @@ TEST_CASE("each command line that is refused has its message") {
            : open_end ? said.starts_with(part)
                       : said == part));
   }
-  const std::string idle = "--volume and its options are for --color-by distance and gradient";
+  const std::string idle =
+      "--volume and its options are for --color-by distance and gradient, and --section";
   for (const char* more : {"--volume v", "--iso 1", "--dims 2x2x2 --type uint8",
                            "--roi 0:2,0:2,0:2 --color-by angle"}) {
     CHECK(refusal(text("render m -o m.png ", more)) == idle);

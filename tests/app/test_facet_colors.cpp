@@ -25,7 +25,10 @@ FacetColors colors_of(std::span<const TriMesh> meshes, std::vector<std::string_v
   for (std::size_t n = 0; n < meshes.size(); ++n) arguments.push_back("m.ply");
   arguments.insert(arguments.end(), {"-o", "m.png"});
   arguments.insert(arguments.end(), more.begin(), more.end());
-  return color_facets(meshes, parse_command_line(arguments));
+  const CommandLine line = parse_command_line(arguments);
+  if (line.input.empty()) return color_facets(meshes, line, nullptr);
+  const Input input = read_input(line);
+  return color_facets(meshes, line, &input);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ surface="base mesh embedding volume isosurface surface"
 stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine"
 all="$stages deliso blocks cap interfaces"
 io="io/files io/volume io/filter io/mesh io/parts"
-view="view/page view/render view/trace"
+view="view/gray view/page view/render view/trace"
 
 allowed() {
   case $1 in
@@ -38,6 +38,7 @@ allowed() {
     io/parts) echo "base volume mesh blocks/block.h blocks/grid.h $io" ;;
     view/page) echo "base io/files view/page" ;;
     view/render) echo "base mesh io/files view/render" ;;
+    view/gray) echo "base volume io/files mesh view/render view/gray" ;;
     view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
     app) echo "mesh_parts.h $all check $io $view app" ;;
     c) echo "mesh_parts.h $all check $io $view app c" ;;

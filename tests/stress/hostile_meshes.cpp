@@ -301,7 +301,13 @@ std::vector<std::vector<std::string>> commands_of(const Base& base, const std::s
   if (coin()) add(render, {"--axes"});
   if (coin()) add(render, {"--scale-bar", "mm"});
   if (coin()) add(render, {"--labels", "auto"});
-  if (below(random, 3) == 0) add(render, {"--clip", coin() ? "x:0.5" : "1,2,3,20"});
+  if (below(random, 3) == 0) {
+    add(render, {"--clip", coin() ? "x:0.5" : "1,2,3,20"});
+    if (color < 4 && coin()) {
+      if (color < 3) add(render, volume);
+      add(render, {"--section"});
+    }
+  }
   if (below(random, 3) == 0) add(render, {"--opacity", "0.5"});
   if (below(random, 3) == 0) add(render, {"--look-at", "5,5,5", "--zoom", "3"});
   add(render, {"-o", folder.path("out.png")});

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -49,6 +50,8 @@ struct Subject {
   std::optional<ClipPlane> clip;
   std::span<const Rgb> colors = {};
   std::span<const std::uint8_t> framed = {};  // of facets: what a camera is to show; empty: all
+  // The gray, from 0 to 1, of a place on the clipping plane, or nothing where the cut is open.
+  std::function<std::optional<double>(const Vec3&)> section = {};
 };
 
 struct Camera {
@@ -64,6 +67,14 @@ struct Camera {
     const Vec3 d = p - center;
     return {0.5 * size.width + scale * dot(right, d), 0.5 * size.height - scale * dot(up, d),
             dot(back, d)};
+  }
+  // Returns the place on the plane that is seen there; nothing if the plane is seen from its edge.
+  std::optional<Vec3> place_on(const ClipPlane& plane, double x, double y) const {
+    const Vec3 p =
+        center + (x - 0.5 * size.width) / scale * right - (y - 0.5 * size.height) / scale * up;
+    const double across = dot(plane.normal, back);
+    if (across == 0) return std::nullopt;
+    return p - plane.height(p) / across * back;
   }
 };
 

@@ -50,15 +50,33 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::floor(255 * value + 0.5), 0.0, 255.0));
 }
 
-// The mean of a pixel's samples, each the mixture of its layers from front to back.
-Rgb pixel_color(const Shader& shader, const RenderOptions& options, std::span<const Layer> layers,
-                int columns, int first_row, int x, int y) {
+// Returns the color of the cut at a sample, if it is filled there.
+std::optional<Vec3> section_color(const Subject& subject, const Camera& camera, int column,
+                                  int row) {
+  if (!subject.clip || !subject.section) return std::nullopt;
+  const auto place = camera.place_on(*subject.clip, (column + 0.5) / kSamplesPerSide,
+                                     (row + 0.5) / kSamplesPerSide);
+  const auto gray = place ? subject.section(*place) : std::nullopt;
+  return gray ? std::optional(*gray * Vec3{1, 1, 1}) : std::nullopt;
+}
+
+// The mean of a pixel's samples, each the mixture of its layers from front to back. All layers are
+// on one side of the cut: behind it, or in front if the eye sees the plane from below.
+Rgb pixel_color(const Subject& subject, const Camera& camera, const Shader& shader,
+                const RenderOptions& options, std::span<const Layer> layers, int columns,
+                int first_row, int x, int y) {
   Vec3 sum;
+  const bool behind_cut = subject.clip && dot(subject.clip->normal, camera.back) > 0;
   for (int row = y * kSamplesPerSide; row < (y + 1) * kSamplesPerSide; ++row) {
     for (int column = x * kSamplesPerSide; column < (x + 1) * kSamplesPerSide; ++column) {
       const std::size_t sample =
           static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
           static_cast<std::size_t>(column);
+      const std::optional<Vec3> cut = section_color(subject, camera, column, row);
+      if (cut && behind_cut) {
+        sum = sum + *cut;
+        continue;
+      }
       double light = 1;  // the share that passes the layers so far
       for (const Layer& layer : layers) {
         const FaceId face = layer.faces[sample];
@@ -66,7 +84,7 @@ Rgb pixel_color(const Shader& shader, const RenderOptions& options, std::span<co
         sum = sum + light * options.opacity * shader.color(face, column, row);
         light *= 1 - options.opacity;
       }
-      sum = sum + light * options.palette.background;
+      sum = sum + light * cut.value_or(options.palette.background);
     }
   }
   const Vec3 mean = sum / (kSamplesPerSide * kSamplesPerSide);
@@ -130,8 +148,8 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
         visible_layers(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide, layers);
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < camera.size.width; ++x) {
-        image.at(left + x, top + y) =
-            pixel_color(shader, options, seen, projected.columns, begin * kSamplesPerSide, x, y);
+        image.at(left + x, top + y) = pixel_color(subject, camera, shader, options, seen,
+                                                  projected.columns, begin * kSamplesPerSide, x, y);
       }
     }
   }

@@ -273,6 +273,50 @@ TEST_CASE("a view that is not given looks into every cut") {
   CHECK(best_view(away, {160, 120}).elevation == 25);
 }
 
+// The gray of a place is its x, so that a wrong place has a wrong gray.
+TEST_CASE("a cut is filled with the grays of its places, and open where they have none") {
+  const TriMesh mesh = sphere(4);
+  Subject subject{&mesh, ClipPlane{{0.2, 1, -0.3}, dot({0.2, 1, -0.3}, kCenter) + 0.4}};
+  const auto gray_at = [](const Vec3& p) { return 0.5 + 0.2 * (p.x - kCenter.x); };
+  const auto in_ring = [](const Vec3& p) {
+    return distance(p, kCenter) < kRadius && distance(p, kCenter) > 0.9;
+  };
+  subject.section = [&](const Vec3& p) {
+    return in_ring(p) ? std::optional(gray_at(p)) : std::nullopt;
+  };
+  RenderOptions options = small_picture();
+  const Vec3& normal = subject.clip->normal;
+  Random random(19);
+  for (const double azimuth : {60, 100, -80}) {
+    CAPTURE(azimuth);
+    options.view = View{azimuth, 10};
+    const Camera camera = fit_camera(std::array{subject}, *options.view, {}, options.size);
+    const Image image = deliso::render(std::array{subject}, options);
+    const bool from_above = dot(normal, camera.back) > 0;
+    int filled = 0, open = 0;
+    for (int n = 0; n < 3000; ++n) {
+      Vec3 p = kCenter + Vec3{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+      p = p - subject.clip->height(p) / dot(normal, normal) * normal;
+      const double from_middle = distance(p, kCenter), pixel = 1 / camera.scale;
+      // A pixel may look at a slant: twice its size and more stays free of borders.
+      if (std::abs(from_middle - 0.9) < 5 * pixel || from_middle > kRadius - 5 * pixel) continue;
+      const Camera::Projected at = camera.project(p);
+      const Rgb& seen = image.at(static_cast<int>(at.x), static_cast<int>(at.y));
+      const bool is_gray = seen.red == seen.green && seen.green == seen.blue;
+      if (!from_above || !in_ring(p)) {
+        CHECK_FALSE(is_gray);
+        ++open;
+      } else {
+        ++filled;
+        CHECK(is_gray);
+        CHECK(std::abs(seen.red - 255 * gray_at(p)) < 255 * 0.2 * 4 * pixel);
+      }
+    }
+    CHECK(open > 50);
+    CHECK((filled > 200) == from_above);
+  }
+}
+
 TEST_CASE("facets have the colors they are given, darker on the inside") {
   const TriMesh mesh = sphere(3);
   std::vector<Rgb> colors(mesh.faces.size(), Rgb{200, 0, 0});
