@@ -166,8 +166,9 @@ void check_colors(CommandLine& line) {
 
 void check_picture_name(const CommandLine& line) {
   if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
-  if (line.output != "-" && !line.output.ends_with(".png")) {
-    throw InputError("cannot write '" + line.output + "': pictures are .png");
+  if (line.output != "-" && !line.output.ends_with(".png") && !line.render.keep_strokes) {
+    throw InputError("cannot write '" + line.output + "': pictures are .png" +
+                     (line.command == Command::render ? " or .svg" : ""));
   }
 }
 
@@ -207,11 +208,17 @@ void check_page(CommandLine& line) {
 void check_picture(CommandLine& line) {
   if (line.meshes.empty()) throw InputError("no mesh given: deliso render MESH -o PICTURE.png");
   check_streams(line);
+  if (line.overlay && (line.clips.size() > 1 || line.labels.size() > 1)) {
+    throw InputError("--overlay has one panel: one plane for --clip, one text for --labels");
+  }
+  if (line.render.aim.angle > 0 && line.render.scale_bar) {
+    throw InputError("--scale-bar and --perspective exclude each other: nearer parts are larger");
+  }
   if (line.clips.size() > 1 && line.clips.size() != line.meshes.size()) {
     throw InputError("--clip wants one plane, or one for each mesh");
   }
   if (!line.labels.empty() && line.labels != std::vector<std::string>{"auto"} &&
-      line.labels.size() != line.meshes.size()) {
+      line.labels.size() != (line.overlay ? 1 : line.meshes.size())) {
     throw InputError("--labels wants auto, or one text for each mesh as in 'before/after'");
   }
   const double largest = largest_zoom(line.render.size);
@@ -220,6 +227,7 @@ void check_picture(CommandLine& line) {
                      " in a picture of that --size");
   }
   check_colors(line);
+  line.render.keep_strokes = line.output.ends_with(".svg");
   check_picture_name(line);
 }
 

@@ -70,6 +70,7 @@ struct CommandLine {
   ColorBy color_by = ColorBy::side;
   bool section = false;  // the cuts of clips are filled with the gray values of the volume
   bool axes = false;
+  bool overlay = false;
   std::optional<Up> up;  // absent: superior if the file tells, else +z
   bool paper = false;    // options that are not given are the paper's
   struct Given {

@@ -282,6 +282,10 @@ constexpr OptionSpec kRest[] = {
      "what is in the middle of the picture (default: the middle of all that is drawn), or where "
      "slices meet (default: the middle of the largest component, without --iso of the volume)",
      [](Line& l, Text o, Text v) { l.render.aim.look_at = parse_point(o, v); }},
+    {"--perspective", 0, "DEGREES", kRenderOnly,
+     "the angle within which the eye sees all, from 1 to 120: nearer parts are larger (default: "
+     "parallel projection)",
+     [](Line& l, Text o, Text v) { l.render.aim.angle = parse_angle_of_view(o, v); }},
     {"--size", 0, "WxH", kPictures,
      "of the whole picture, in pixels (default 1600x1200, up to 16384 each); lines and text grow "
      "with it; slices may need less",
@@ -298,6 +302,9 @@ constexpr OptionSpec kRest[] = {
     {"--section", 0, "", kRenderOnly,
      "fill the cut of --clip with the gray values of --volume, inside the surface of --iso",
      [](Line& l, Text, Text) { l.section = true; }},
+    {"--overlay", 0, "", kRenderOnly,
+     "all meshes over each other in one panel, each in a color of its own",
+     [](Line& l, Text, Text) { l.overlay = true; }},
     {"--labels", 0, "TEXT", kRenderOnly,
      "a caption for each panel: auto, the file's name and its triangles; or texts of your own, one "
      "for each mesh as in 'before/after', each of which can be auto or nothing too",

@@ -156,6 +156,12 @@ double parse_zoom(std::string_view option, std::string_view text) {
   return zoom;
 }
 
+double parse_angle_of_view(std::string_view option, std::string_view text) {
+  const double angle = parse_positive(option, text);
+  if (angle < 1 || angle > 120) refuse(option, text, "degrees from 1 to 120");
+  return angle;
+}
+
 PictureSize parse_picture_size(std::string_view option, std::string_view text) {
   const auto list = read_list<int, 2>(text, 'x');
   if (!list || std::min((*list)[0], (*list)[1]) < 1 ||

@@ -31,6 +31,7 @@ Vec3 parse_spacing(std::string_view option, std::string_view text);             
 Vec3 parse_point(std::string_view option, std::string_view text);                // 1,-2,2.5
 View parse_view(std::string_view option, std::string_view text);                 // 30,25
 double parse_zoom(std::string_view option, std::string_view text);               // up to 64
+double parse_angle_of_view(std::string_view option, std::string_view text);      // degrees
 PictureSize parse_picture_size(std::string_view option, std::string_view text);  // 800x600
 // -x:0.5 or a,b,c,d; several with a / between them; nothing for "off".
 std::vector<std::optional<ClipChoice>> parse_clips(std::string_view option, std::string_view text);

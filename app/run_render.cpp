@@ -2,11 +2,13 @@
 // The render command: meshes from files in, a picture out.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/facet_colors.h"
@@ -19,9 +21,11 @@
 #include "check/facet_values.h"
 #include "io/mesh/read_mesh.h"
 #include "view/gray/gray.h"
+#include "view/render/color_map.h"
 #include "view/render/font.h"
 #include "view/render/render.h"
 #include "view/render/write_png.h"
+#include "view/render/write_svg.h"
 
 namespace deliso {
 namespace {
@@ -57,6 +61,30 @@ std::array<std::string_view, 3> axis_names(std::span<const TriMesh> meshes) {
   return {"x", "y", "z"};
 }
 
+// Returns one mesh of all. A facet keeps its mesh's color.
+TriMesh laid_over(std::span<const TriMesh> meshes, FacetColors& colors) {
+  TriMesh all;
+  std::vector<Rgb> of_all;
+  std::size_t components = 0;
+  for (std::size_t n = 0; n < meshes.size(); ++n) {
+    const auto vertices = static_cast<std::uint32_t>(all.points.size());
+    const auto facets = static_cast<std::uint32_t>(all.faces.size());
+    for (Face face : meshes[n].faces) {
+      for (VertexId& v : face.v) v = VertexId(v.number() + vertices);
+      for (FaceId& f : face.n) f = f == kNoId ? f : FaceId(f.number() + facets);
+      all.faces.push_back(face);
+    }
+    all.points.insert(all.points.end(), meshes[n].points.begin(), meshes[n].points.end());
+    std::vector<Rgb>& own = colors.of_mesh[n];
+    if (own.empty()) own.assign(meshes[n].faces.size(), category_color(n));
+    of_all.insert(of_all.end(), own.begin(), own.end());
+    if (!colors.components.empty()) components += colors.components[n];
+  }
+  colors.of_mesh.assign(1, std::move(of_all));
+  if (!colors.components.empty()) colors.components.assign(1, components);
+  return all;
+}
+
 std::string caption_of(const std::string& label, const std::string& file, const std::string& size) {
   if (label != "auto") return label;
   std::string caption = short_name(file) + ": " + size;
@@ -76,8 +104,13 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   for (const std::string& name : line.meshes) names += (names.empty() ? "'" : ", '") + name + "'";
   std::optional<Input> input;
   if (!line.input.empty()) input = read_input(line);
-  const FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
+  FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
+  TriMesh one;
+  if (line.overlay) {
+    one = laid_over(meshes, colors);
+    meshes = {&one, 1};
+  }
   RenderOptions options = line.render;
   options.bar = colors.bar;
   std::vector<Subject> subjects;
@@ -123,7 +156,7 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   }
   {
     const DeferSignals defer;
-    write_png(image, line.output);
+    options.keep_strokes ? write_svg(image, line.output) : write_png(image, line.output);
   }
   return sizes + " drawn from --view " + number_text(options.view->azimuth) + "," +
          number_text(options.view->elevation) + "\n";

@@ -299,7 +299,11 @@ std::vector<std::vector<std::string>> commands_of(const Base& base, const std::s
   if (coin()) add(render, {"--edges", "on"});
   if (coin()) add(render, {"--shading", "flat"});
   if (coin()) add(render, {"--axes"});
-  if (coin()) add(render, {"--scale-bar", "mm"});
+  if (coin()) {
+    add(render, {"--scale-bar", "mm"});
+  } else if (coin()) {
+    add(render, {"--perspective", coin() ? "45" : "120"});
+  }
   if (coin()) add(render, {"--labels", "auto"});
   if (below(random, 3) == 0) {
     add(render, {"--clip", coin() ? "x:0.5" : "1,2,3,20"});
@@ -310,7 +314,8 @@ std::vector<std::vector<std::string>> commands_of(const Base& base, const std::s
   }
   if (below(random, 3) == 0) add(render, {"--opacity", "0.5"});
   if (below(random, 3) == 0) add(render, {"--look-at", "5,5,5", "--zoom", "3"});
-  add(render, {"-o", folder.path("out.png")});
+  if (below(random, 4) == 0) add(render, {mesh, "--overlay"});
+  add(render, {"-o", folder.path(coin() ? "out.png" : "out.svg")});
 
   Words view{"view", mesh, "-q"};
   if (coin()) add(view, volume);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A camera infinitely far away (parallel projection), upright: one of the axes, +z by default, is
-// up in the picture.
+// A camera, upright: one of the axes, +z by default, is up in the picture. It is infinitely far
+// away (parallel projection), or as near as an angle of view asks for (perspective).
 //
 //   C1  Right, up and back are orthonormal and right-handed. Back points to the eye.
 //   C2  Picture coordinates are in pixels, x to the right and y down, (0, 0) at the top left.
-//   C3  Depth is in the mesh's units. Larger is nearer to the eye.
+//   C3  Depth is larger nearer to the eye, and linear over the picture of a facet. In parallel
+//       projection it is in the mesh's units.
 #pragma once
 
 #include <cstdint>
@@ -56,25 +57,32 @@ struct Subject {
 
 struct Camera {
   Vec3 right, up, back;
-  Vec3 center;       // is seen in the middle of the picture
-  double scale = 1;  // pixels per unit of length
+  Vec3 center;          // is seen in the middle of the picture
+  double scale = 1;     // pixels per unit of length at the center
+  double nearness = 0;  // 1 / the distance of the eye from the center; 0: infinitely far away
   PictureSize size;
 
   struct Projected {
     double x, y, depth;
+    double magnified;  // how many times larger than at the center; linear over a facet's picture
   };
   Projected project(const Vec3& p) const {
     const Vec3 d = p - center;
-    return {0.5 * size.width + scale * dot(right, d), 0.5 * size.height - scale * dot(up, d),
-            dot(back, d)};
+    const double toward = dot(back, d), magnified = 1 / (1 - nearness * toward);
+    return {0.5 * size.width + magnified * scale * dot(right, d),
+            0.5 * size.height - magnified * scale * dot(up, d), magnified * toward, magnified};
   }
-  // Returns the place on the plane that is seen there; nothing if the plane is seen from its edge.
+  // Returns the direction from p to the eye; as long as `back` at the center's depth.
+  Vec3 to_eye(const Vec3& p) const { return back - nearness * (p - center); }
+  // Returns the place on the plane that is seen there; nothing if the plane is seen from its edge,
+  // or is not before the eye.
   std::optional<Vec3> place_on(const ClipPlane& plane, double x, double y) const {
     const Vec3 p =
         center + (x - 0.5 * size.width) / scale * right - (y - 0.5 * size.height) / scale * up;
-    const double across = dot(plane.normal, back);
-    if (across == 0) return std::nullopt;
-    return p - plane.height(p) / across * back;
+    const Vec3 ray = to_eye(p);
+    const double across = dot(plane.normal, ray), along = -plane.height(p) / across;
+    if (across == 0 || nearness * along >= 1) return std::nullopt;
+    return p + along * ray;
   }
 };
 
@@ -82,6 +90,7 @@ struct Camera {
 struct Aim {
   double zoom = 1;              // 1: what is seen fills the picture
   std::optional<Vec3> look_at;  // in the middle of the picture; absent: the middle of what is seen
+  double angle = 0;             // of view, in degrees: of a ball around all; 0: parallel projection
 };
 
 // Returns a camera that shows all unclipped corners of the subjects' framed facets, with a narrow

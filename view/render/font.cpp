@@ -196,6 +196,15 @@ void draw_glyph(Image& image, const Glyph& glyph, double left, double baseline, 
                 Rgb color, double strength) {
   const std::vector<Line> lines = lines_of(glyph);
   const double reach = 0.5 * std::max(kThinnest, kPen * unit);
+  if (image.keeps_strokes) {
+    const auto place = [&](const Vec2& p) {
+      return Vec2{left + unit * p.x, baseline + unit * (kBaseline - p.y)};
+    };
+    for (const Line& line : lines) {
+      image.strokes.push_back({place(line.from), place(line.to), 2 * reach, color, strength});
+    }
+    return;
+  }
   const double margin = reach + 2;
   const auto draw = [&](int x, int y, Rgb& pixel) {
     const Vec2 p{(x + 0.5 - left) / unit, (baseline - y - 0.5) / unit + kBaseline};

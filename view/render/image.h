@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/vec2.h"
+
 namespace deliso {
 
 struct Rgb {
@@ -25,9 +27,20 @@ inline Rgb mixed(Rgb a, Rgb b, double share_of_b) {
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
+// A line with round ends; lengths in pixels.
+struct Stroke {
+  Vec2 from, to;
+  double width = 1;
+  Rgb color;
+  double strength = 1;  // share of the color
+};
+
 struct Image {
   int width = 0, height = 0;
   std::vector<Rgb> pixels;  // width * height
+  // For a picture whose edges and letters stay lines, they are here, and over the pixels.
+  bool keeps_strokes = false;
+  std::vector<Stroke> strokes;
 
   Image() = default;
   Image(int columns, int rows, Rgb color = {})

@@ -303,7 +303,9 @@ ProjectedMesh project(const TriMesh& mesh, const Camera& camera, int samples_per
   projected.points.reserve(mesh.points.size());
   for (const Vec3& p : mesh.points) {
     const Camera::Projected q = camera.project(p);
-    projected.points.push_back({snap(q.x), snap(q.y), q.depth, clip ? clip->height(p) : 0});
+    // Times the magnification the height is linear over the picture of a facet too.
+    projected.points.push_back(
+        {snap(q.x), snap(q.y), q.depth, clip ? q.magnified * clip->height(p) : 0});
   }
   return projected;
 }

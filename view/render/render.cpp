@@ -9,6 +9,7 @@
 #include "base/triangle.h"
 #include "view/render/rasterize.h"
 #include "view/render/scale_bar.h"
+#include "view/render/seen_edges.h"
 
 namespace deliso {
 namespace {
@@ -66,7 +67,10 @@ Rgb pixel_color(const Subject& subject, const Camera& camera, const Shader& shad
                 const RenderOptions& options, std::span<const Layer> layers, int columns,
                 int first_row, int x, int y) {
   Vec3 sum;
-  const bool behind_cut = subject.clip && dot(subject.clip->normal, camera.back) > 0;
+  const bool behind_cut =
+      subject.clip && dot(subject.clip->normal, camera.back) +
+                              camera.nearness * subject.clip->height(camera.center) >
+                          0;
   for (int row = y * kSamplesPerSide; row < (y + 1) * kSamplesPerSide; ++row) {
     for (int column = x * kSamplesPerSide; column < (x + 1) * kSamplesPerSide; ++column) {
       const std::size_t sample =
@@ -134,7 +138,8 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
   const std::vector<SkySeen> sky = options.occlusion && options.opacity == 1
                                        ? find_sky(subject, vertex_normals(mesh), options.threads)
                                        : std::vector<SkySeen>{};
-  const Shader shader(subject, projected, camera, options.shading, width_of_edges * kSamplesPerSide,
+  const double painted = options.keep_strokes ? 0 : width_of_edges;
+  const Shader shader(subject, projected, camera, options.shading, painted * kSamplesPerSide,
                       options.palette, sky);
   const std::size_t layers = count_layers(options.opacity);
 
@@ -146,6 +151,17 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
     const int end = std::min(camera.size.height, begin + lines_at_once);
     const std::vector<Layer> seen =
         visible_layers(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide, layers);
+    if (painted < width_of_edges) {
+      const Vec3& e = options.palette.edge;
+      const Rgb color{to_byte(e.x), to_byte(e.y), to_byte(e.z)};
+      for (const SeenEdge& edge :
+           seen_edges(mesh, projected, seen.front(), begin * kSamplesPerSide)) {
+        const Vec2 corner{static_cast<double>(left), static_cast<double>(top)};
+        image.strokes.push_back({corner + (1.0 / kSamplesPerSide) * edge.from,
+                                 corner + (1.0 / kSamplesPerSide) * edge.to, width_of_edges,
+                                 color});
+      }
+    }
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < camera.size.width; ++x) {
         image.at(left + x, top + y) = pixel_color(subject, camera, shader, options, seen,
@@ -224,6 +240,7 @@ Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   const Vec3& b = options.palette.background;
   const Rgb background{to_byte(b.x), to_byte(b.y), to_byte(b.z)}, ink = ink_on(background);
   Image image(size.width, size.height, background);
+  image.keeps_strokes = options.keep_strokes;
   for (std::size_t n = 0; n < subjects.size(); ++n) {
     draw_panel(subjects[n], camera, options, width_of_edges, image, layout.left(n),
                layout.captions);

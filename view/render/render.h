@@ -37,6 +37,7 @@ struct RenderOptions {
   std::optional<ColorBar> bar;
   std::optional<std::string> scale_bar;  // the unit of lengths, which may be empty; drawable
   std::optional<std::array<std::string_view, 3>> axes;  // their names; drawable
+  bool keep_strokes = false;  // of edges that are seen, and of letters, in the image
 };
 
 inline constexpr int kLargestSide = 16384;  // pixels of a picture

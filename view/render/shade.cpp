@@ -56,7 +56,7 @@ Vec3 Shader::color(FaceId face, int column, int row) const {
   if (edge == 1) return palette_.edge;
 
   Vec3 normal = unit(area_normal(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]));
-  const bool outside = dot(normal, camera_.back) >= 0;
+  const bool outside = dot(normal, camera_.to_eye(mesh_.points[t[0]])) >= 0;
   if (!normals_.empty()) {
     const Vec3 smooth = unit(corners.share(0) * normals_[t[0]] + corners.share(1) * normals_[t[1]] +
                              corners.share(2) * normals_[t[2]]);
