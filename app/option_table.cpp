@@ -100,7 +100,8 @@ constexpr OptionSpec kInputAndOutput[] = {
     {"--output", 'o', "FILE", kOutput,
      "mesh to write: .ply .off .obj .stl .vtp .glb .3mf .smesh .poly, or - for standard output",
      [](Line& l, Text, Text v) { l.output = v; },
-     "what to write, - for standard output: a picture, of info three slices, as .png, a page as "
+     "what to write, - for standard output: a picture as .png, or as .svg with sharp edges and "
+     "letters, of info three slices as .png, a page as "
      ".html, joined parts as deliso mesh writes them"},
     {"--format", 0, "ply|off|obj|stl|vtp|glb|3mf|smesh|poly", kMeshAndJoin,
      "format of the mesh, whatever FILE's ending is",
