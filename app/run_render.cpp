@@ -106,6 +106,7 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   if (!line.input.empty()) input = read_input(line);
   FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
   const Box3 box = box_of(meshes);
+  const std::array<std::string_view, 3> axes = axis_names(meshes);
   TriMesh one;
   if (line.overlay) {
     one = laid_over(meshes, colors);
@@ -117,7 +118,7 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   std::string sizes;
   std::vector<std::vector<std::uint8_t>> framed(meshes.size());
   options.threads = line.options.threads;
-  if (line.axes) options.axes = axis_names(meshes);
+  if (line.axes) options.axes = axes;
   for (std::size_t n = 0; n < meshes.size(); ++n) {
     if (!options.aim.look_at && line.clips.empty()) {
       framed[n] = facets_of_most_area(meshes[n], facet_components(meshes[n]));
