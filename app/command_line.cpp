@@ -126,6 +126,7 @@ void check_labels(const CommandLine& line) {
   if (!line.shared.empty()) {
     if (!line.field.all_labels) throw InputError("--shared is for --label all");
     mesh_format_of(line.shared);
+    if (line.shared == line.output) throw InputError("-o and --shared name the same file");
   }
   if (!line.field.of_labels()) return;
   if (line.isovalue) {

@@ -335,7 +335,7 @@ constexpr OptionSpec kRest[] = {
        if (slash != Text::npos) palette.inside = parse_color(o, v.substr(slash + 1));
      }},
     {"--scale-bar", 0, "UNIT", kPictures,
-     "a bar of a round length, with this unit, as in mm, to which nothing is converted; '' for "
+     "a bar of a round length, with this unit, as in mm, to which nothing is converted; ' ' for "
      "none",
      [](Line& l, Text o, Text v) { l.render.scale_bar = parse_drawable(o, v); }},
     {"--axes", 0, "", kRenderOnly,

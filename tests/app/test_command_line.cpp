@@ -546,6 +546,7 @@ TEST_CASE("each command line that is refused has its message") {
       {"render a", "no picture named: -o FILE.png, or -o -"},
       {"render -o a.png", "no input given; --help shows how"},
       {"render a -o a.gif", "cannot write 'a.gif': pictures are .png or .svg"},
+      {"mesh a --label all --shared b.ply -o b.ply", "-o and --shared name the same file"},
       {"render a -o a.png --perspective 121",
        "--perspective wants degrees from 1 to 120, not '121'"},
       {"render a -o a.png --perspective 40 --scale-bar mm",
