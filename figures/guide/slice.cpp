@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "contour/contour.h"
+#include "contour/split_voxels.h"
 
 namespace deliso::guide {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contour/contour.h"
+#include "contour/split_voxels.h"
 #include "contour/voxel_topology.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
