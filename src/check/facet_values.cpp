@@ -89,12 +89,12 @@ std::vector<double> smallest_angles(const TriMesh& mesh) {
 std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, double kappa,
                                     int threads) {
   constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
-  constexpr std::size_t kFacetsAtOnce = 1u << 10;
+  constexpr std::size_t kFacetsOfThread = 1u << 10;
   const VoxelTree voxels(volume);
   const Isosurface surface(volume, voxels, kappa);
   const double limit = kSearchDiagonals * length(volume.spacing());
   std::vector<double> distances(home.faces.size(), 0);
-  for_each_run(threads, distances.size(), kFacetsAtOnce, [&](std::size_t begin, std::size_t end) {
+  for_each_run(threads, distances.size(), kFacetsOfThread, [&](std::size_t begin, std::size_t end) {
     SearchCounters counters;
     for (FaceId f(begin); f < end; ++f) {
       const auto& [a, b, c] = home.faces[f].v;

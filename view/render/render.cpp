@@ -61,26 +61,33 @@ std::optional<Vec3> section_color(const Subject& subject, const Camera& camera, 
   return gray ? std::optional(*gray * Vec3{1, 1, 1}) : std::nullopt;
 }
 
-// The mean of a pixel's samples, each the mixture of its layers from front to back. All layers are
-// on one side of the cut: behind it, or in front if the eye sees the plane from below.
+// The surface is on one side of the cut. Where it is behind, a filled cut hides it.
+void hide_behind_cut(const Subject& subject, const Camera& camera, int first_row, int columns,
+                     Layer& front) {
+  if (!subject.clip || !subject.section) return;
+  const double eye_above = dot(subject.clip->normal, camera.back) +
+                           camera.nearness * subject.clip->height(camera.center);
+  if (eye_above <= 0) return;
+  for (std::size_t n = 0; n < front.faces.size(); ++n) {
+    if (front.faces[n] == kNoId) continue;
+    const int at = static_cast<int>(n);
+    if (section_color(subject, camera, at % columns, first_row + at / columns)) {
+      front.faces[n] = kNoId;
+    }
+  }
+}
+
+// The mean of a pixel's samples, each the mixture of its layers from front to back, and of the cut.
 Rgb pixel_color(const Subject& subject, const Camera& camera, const Shader& shader,
                 const RenderOptions& options, std::span<const Layer> layers, int columns,
                 int first_row, int x, int y) {
   Vec3 sum;
-  const bool behind_cut =
-      subject.clip && dot(subject.clip->normal, camera.back) +
-                              camera.nearness * subject.clip->height(camera.center) >
-                          0;
   for (int row = y * kSamplesPerSide; row < (y + 1) * kSamplesPerSide; ++row) {
     for (int column = x * kSamplesPerSide; column < (x + 1) * kSamplesPerSide; ++column) {
       const std::size_t sample =
           static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
           static_cast<std::size_t>(column);
       const std::optional<Vec3> cut = section_color(subject, camera, column, row);
-      if (cut && behind_cut) {
-        sum = sum + *cut;
-        continue;
-      }
       double light = 1;  // the share that passes the layers so far
       for (const Layer& layer : layers) {
         const FaceId face = layer.faces[sample];
@@ -149,8 +156,9 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
       static_cast<int>(std::max<std::size_t>(1, kSamplesAtOnce / layers / samples_per_line));
   for (int begin = 0; begin < camera.size.height; begin += lines_at_once) {
     const int end = std::min(camera.size.height, begin + lines_at_once);
-    const std::vector<Layer> seen =
+    std::vector<Layer> seen =
         visible_layers(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide, layers);
+    hide_behind_cut(subject, camera, begin * kSamplesPerSide, projected.columns, seen.front());
     if (painted < width_of_edges) {
       const Vec3& e = options.palette.edge;
       const Rgb color{to_byte(e.x), to_byte(e.y), to_byte(e.z)};
