@@ -75,9 +75,9 @@ void find_segments(CommandLine& line) {
     line.read.channel = found->channel;
     line.field.labels.push_back(found->label);
   }
-  std::ranges::sort(line.field.labels);
-  const auto twice = std::ranges::unique(line.field.labels);
-  line.field.labels.erase(twice.begin(), twice.end());
+  std::vector<std::int64_t>& labels = line.field.labels;
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
 }
 
 Source read_source(const CommandLine& line, std::vector<std::string> others) {
