@@ -19,7 +19,7 @@ namespace deliso::test {
 // Little endian; `size` bytes of it.
 inline std::string low_bytes(std::uint64_t value, int size) {
   std::string bytes;
-  for (int n = 0; n < size; ++n) bytes += static_cast<char>(value >> 8 * n);
+  for (int n = 0; n < size; ++n, value >>= 8) bytes += static_cast<char>(value);
   return bytes;
 }
 
