@@ -80,7 +80,8 @@ TriMesh laid_over(std::span<const TriMesh> meshes, FacetColors& colors) {
     of_all.insert(of_all.end(), own.begin(), own.end());
     if (!colors.components.empty()) components += colors.components[n];
   }
-  colors.of_mesh.assign(1, std::move(of_all));
+  colors.of_mesh.resize(1);
+  colors.of_mesh[0] = std::move(of_all);
   if (!colors.components.empty()) colors.components.assign(1, components);
   return all;
 }

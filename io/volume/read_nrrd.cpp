@@ -115,7 +115,7 @@ NrrdAxes axes_of(const VolumeInput& input, const NrrdHeader& header,
   const std::vector<std::string_view> kinds = words_of(header.get("kinds", ""));
   const auto vectors = parse_vectors(header.get("spacedirections", ""));
   const auto kind_of = [&](std::size_t axis) {
-    const std::string kind = axis < kinds.size() ? lower(kinds[axis]) : "";
+    std::string kind = axis < kinds.size() ? lower(kinds[axis]) : "";
     if (!kind.empty() && kind != "domain" && kind != "space" && kind[0] != '?' && kind != "none")
       return kind;
     const bool has_none = vectors && axis < vectors->size() && !(*vectors)[axis];

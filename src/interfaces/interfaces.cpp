@@ -46,6 +46,7 @@ TriMesh mesh_of_used(const std::vector<Vec3>& points, std::vector<Triangle> tria
   std::ranges::sort(used);
   used.erase(std::unique(used.begin(), used.end()), used.end());
   std::vector<Vec3> kept;
+  kept.reserve(used.size());
   for (const VertexId v : used) kept.push_back(points[v]);
   for (Triangle& t : triangles) {
     for (VertexId& v : t) {

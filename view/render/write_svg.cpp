@@ -32,10 +32,9 @@ void write_svg(const Image& image, const std::string& path) {
   for (std::size_t n = 0; n < strokes.size();) {
     const Stroke& s = strokes[n];
     std::string path_of_all;
-    append_format(
-        path_of_all,
-        "<path stroke=\"#%02x%02x%02x\" stroke-width=\"%.2f\" stroke-opacity=\"%.2f\" d=\"",
-        s.color.red, s.color.green, s.color.blue, s.width, s.strength);
+    append_format(path_of_all,
+                  R"(<path stroke="#%02x%02x%02x" stroke-width="%.2f" stroke-opacity="%.2f" d=")",
+                  s.color.red, s.color.green, s.color.blue, s.width, s.strength);
     for (; n < strokes.size() && look(strokes[n]) == look(s); ++n) {
       append_format(path_of_all, "M%.2f %.2fL%.2f %.2f\n", strokes[n].from.x, strokes[n].from.y,
                     strokes[n].to.x, strokes[n].to.y);
