@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "app/text.h"
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "io/files/text_scan.h"
@@ -75,9 +76,7 @@ void find_segments(CommandLine& line) {
     line.read.channel = found->channel;
     line.field.labels.push_back(found->label);
   }
-  std::vector<std::int64_t>& labels = line.field.labels;
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  sort_unique(line.field.labels);
 }
 
 Source read_source(const CommandLine& line, std::vector<std::string> others) {

@@ -83,8 +83,8 @@ void write_labels(std::vector<MeshObject> objects, std::span<const std::int64_t>
                   const std::string& path);
 
 // Writes the files of a mesh that was examined, and fills in the run. If `objects` is given, adds
-// the mesh to them in place of writing it. `total` counts from the beginning of the
-// run. Throws InputError.
+// the mesh to them in place of writing it. `total` counts from the beginning of the run. Throws
+// InputError.
 void write_files(const Stopwatch& total, ProgressBar& progress, MeshRun& run, const TriMesh& mesh,
                  std::vector<MeshObject>* objects = nullptr);
 

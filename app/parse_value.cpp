@@ -11,6 +11,7 @@
 
 #include "app/option_table.h"
 #include "base/check.h"
+#include "base/sorted_list.h"
 #include "view/render/font.h"
 
 namespace deliso {
@@ -120,9 +121,7 @@ LabelList parse_label_list(std::string_view option, std::string_view text) {
     }
     labels.numbers.push_back(*label);
   }
-  std::vector<std::int64_t>& numbers = labels.numbers;
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  sort_unique(labels.numbers);
   return labels;
 }
 

@@ -22,7 +22,7 @@ Vec3 middle_of(const Info& info) {
         *std::ranges::max_element(components, {}, &ContourComponent::crossings);
     box = {volume.position(largest.lo), volume.position(largest.hi) + volume.spacing()};
   }
-  return 0.5 * (box.lo + box.hi);
+  return box.middle();
 }
 
 void write_slices(const Info& info, const CommandLine& line) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // deliso mesh --label all: a mesh for each label of a segmentation, and a table of them.
 #include <algorithm>
-#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
@@ -38,7 +37,6 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
   std::vector<std::string> files = source.log.files;
   require_outputs(std::vector{line.shared}, files);
   if (!line.shared.empty()) files.push_back(line.shared);
-  const std::vector<NamedSegment> segments = read_segments(line.input);
   for (const LabelSamples& found : source.labels) {
     if (found.label == 0) continue;
     CommandLine one = line;
@@ -47,9 +45,8 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     one.output = name_with(line.output, found.label);
     one.json = name_with(line.json, found.label);
     one.allow_empty = true;  // a label may fill the volume
-    for (const NamedSegment& segment : segments) {
-      const bool is_read = line.read.channel.value_or(segment.channel) == segment.channel;
-      if (is_read && segment.label == found.label) one.write.name = segment.name;
+    for (const NamedSegment& segment : source.log.segments) {
+      if (segment.label == found.label) one.write.name = segment.name;
     }
     require_outputs(std::vector{one.output, one.json}, files);
     lines.push_back(std::move(one));
@@ -113,9 +110,7 @@ int run_labels(const CommandLine& line) {
                       run.mesh == run.report.exact, run.seconds_total});
   }
   if (!objects.empty()) write_labels(std::move(objects), labels, line.output);
-  if (!line.quiet) {
-    line.output == "-" ? static_cast<void>(std::fputs(table.c_str(), stderr)) : print(table);
-  }
+  if (!line.quiet) print_report(table, line.output == "-");
   return all_sound ? kExitSuccess : kFaultFound;
 }
 

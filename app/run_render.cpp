@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -115,6 +116,12 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
   }
   RenderOptions options = line.render;
   options.bar = colors.bar;
+  std::function<std::optional<double>(const Vec3&)> section;
+  if (line.section) {
+    const Volume& volume = input->volume();
+    section = gray_inside(volume, geometric_isovalue(volume.type(), *input->isovalue),
+                          gray_window(volume, *input->range));
+  }
   std::vector<Subject> subjects;
   std::string sizes;
   std::vector<std::vector<std::uint8_t>> framed(meshes.size());
@@ -128,12 +135,7 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
     if (!line.clips.empty()) {
       const auto& clip = line.clips[line.clips.size() == 1 ? 0 : n];
       if (clip) subjects.back().clip = plane_of(*clip, box);
-      if (line.section) {
-        const Volume& volume = input->volume();
-        subjects.back().section =
-            gray_inside(volume, geometric_isovalue(volume.type(), *input->isovalue),
-                        gray_window(volume, *input->range));
-      }
+      subjects.back().section = section;
     }
     std::string size = counted(meshes[n].faces.size(), "triangle", "triangles");
     if (!colors.components.empty()) {

@@ -33,7 +33,7 @@ Vec3 middle_of(const std::vector<TriMesh>& meshes) {
   for (const TriMesh& mesh : meshes) {
     for (const Vec3& p : mesh.points) box = united(box, {p, p});
   }
-  return box.lo.x <= box.hi.x ? 0.5 * (box.lo + box.hi) : Vec3{0, 0, 0};
+  return box.lo.x <= box.hi.x ? box.middle() : Vec3{0, 0, 0};
 }
 
 std::vector<float> as_floats(const std::vector<double>& values) {

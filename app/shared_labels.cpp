@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -182,7 +181,7 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
              rounded(all.largest_distance / volume.voxel(), 3),
              " voxels from the interfaces at most, smallest angle ", rounded(quality.min_angle, 3),
              " degrees\n");
-    line.output == "-" ? static_cast<void>(std::fputs(table.c_str(), stderr)) : print(table);
+    print_report(table, line.output == "-");
   }
   return sound ? kExitSuccess : kFaultFound;
 }

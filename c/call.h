@@ -73,7 +73,7 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_plac
 // Returns the space with that short name; null or empty is unknown. Throws InputError.
 AnatomicalSpace space_of(const char* name);
 
-// Whether a call reads its volumes. Those that are read can have segments with names.
+// Whether a call reads its volumes. A volume that is read may name its segments.
 enum class Reads : std::uint8_t { nothing, read_before, now };
 
 // Parses the options as the command's. `words`: what the command line has before them. Options

@@ -40,9 +40,9 @@ class PlacedObjects {
     }
     const std::size_t first = mesh.points.size();
     for (const Vec3& p : object.points) mesh.points.push_back(to_world(p));
+    const bool mirrors = to_world.mirrors();
     for (const Triangle& t : object.triangles) {
       const auto corner = [&](int n) { return VertexId(first + std::size_t{t[n]}); };
-      const bool mirrors = to_world.mirrors();
       mesh.triangles.push_back({corner(0), corner(mirrors ? 2 : 1), corner(mirrors ? 1 : 2)});
     }
   }

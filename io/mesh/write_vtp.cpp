@@ -60,7 +60,7 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
         data_array(R"(type="Float32" Name="Normals" NumberOfComponents="3")", place(normal_bytes)));
     out.write("      </PointData>\n");
   }
-  if (options.attributes || options.label) {
+  if (options.attributes || options.label || !options.sides.empty()) {
     out.write("      <CellData>\n");
     if (options.attributes) {
       out.write(data_array(R"(type="Int32" Name="component")", place(value_bytes)));
@@ -72,12 +72,10 @@ void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects) {
       out.write(
           data_array(R"(type="UInt8" Name="color" NumberOfComponents="3")", place(color_bytes)));
     }
-    out.write("      </CellData>\n");
-  }
-  if (!options.sides.empty()) {
-    out.write("      <CellData>\n");
-    out.write(data_array(R"(type="Int32" Name="label_front")", place(value_bytes)));
-    out.write(data_array(R"(type="Int32" Name="label_behind")", place(value_bytes)));
+    if (!options.sides.empty()) {
+      out.write(data_array(R"(type="Int32" Name="label_front")", place(value_bytes)));
+      out.write(data_array(R"(type="Int32" Name="label_behind")", place(value_bytes)));
+    }
     out.write("      </CellData>\n");
   }
   out.write("      <Points>\n");

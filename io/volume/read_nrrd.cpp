@@ -2,6 +2,7 @@
 // NRRD, by teem's "Definition of NRRD File Format". A magic line is first, then lines "field:
 // value", an empty line, and the data. The data may also be in another file.
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -250,9 +251,13 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   if (static_cast<std::int64_t>(sizes->size()) != dimension)
     header.fail_field("sizes", "not " + std::to_string(dimension) + " numbers as 'dimension' says");
   const NrrdAxes axes = axes_of(input, header, *sizes);
-  const std::string segments = list_of(segments_of(header));
+  const std::vector<NamedSegment> named = segments_of(header);
+  const std::string segments = list_of(named);
   set_axes(grid, axes.all, segments.empty() ? "" : "; --label NAME chooses one of " + segments);
   if (!segments.empty()) input.note("names segments, which --label takes: " + segments);
+  std::ranges::copy_if(named, std::back_inserter(input.log.segments), [&](const NamedSegment& s) {
+    return input.options.channel.value_or(s.channel) == s.channel;
+  });
   read_geometry(input, header, axes.of_space, sizes->size(), grid);
   return grid;
 }

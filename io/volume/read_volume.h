@@ -94,18 +94,19 @@ struct NamedArray {
   bool read = false;  // the volume is this one
 };
 
-// Facts about the reading, beside the volume.
-struct ReadLog {
-  std::vector<std::string> notes;  // for the user, one line each
-  std::vector<std::string> files;  // all that the volume is made of, header and data
-  std::vector<NamedArray> arrays;  // of formats that name theirs (VTK)
-};
-
 // A segment that a file names, as Slicer's .seg.nrrd does.
 struct NamedSegment {
   std::string name;
   std::int64_t label = 1;    // of its samples
   std::int64_t channel = 1;  // that has them
+};
+
+// Facts about the reading, beside the volume.
+struct ReadLog {
+  std::vector<std::string> notes;      // for the user, one line each
+  std::vector<std::string> files;      // all that the volume is made of, header and data
+  std::vector<NamedArray> arrays;      // of formats that name theirs (VTK)
+  std::vector<NamedSegment> segments;  // of the channel that was read
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

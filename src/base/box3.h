@@ -25,6 +25,7 @@ struct Box3 {
     return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
   }
   Vec3 size() const { return hi - lo; }
+  Vec3 middle() const { return 0.5 * (lo + hi); }
   Box3 grown(double by) const { return {lo - Vec3{by, by, by}, hi + Vec3{by, by, by}}; }
   double smallest_side() const { return std::min({size().x, size().y, size().z}); }
 };

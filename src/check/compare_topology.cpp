@@ -40,7 +40,7 @@ Box3 box_of(const ContourComponent& c, const Volume& volume) {
 }
 
 Vec3 middle_of(const Box3& box) {
-  return 0.5 * (box.lo + box.hi);
+  return box.middle();
 }
 
 // Returns the most frequent of `votes`, of several the least; kNoId if there are none.

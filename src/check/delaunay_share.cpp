@@ -16,7 +16,7 @@ constexpr std::size_t kCellsAtOnce = 1u << 13, kFacetsAtOnce = 1u << 11;
 
 // Appends the corners of a regular tetrahedron around the box, 16 of its diagonals away.
 void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
-  const Vec3 middle = 0.5 * (box.lo + box.hi);
+  const Vec3 middle = box.middle();
   const double d = 16 * length(box.size());
   for (const Vec3& to : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
     points.push_back(middle + d * to);

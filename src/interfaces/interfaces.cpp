@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sorted_list.h"
 #include "delaunay/triangulation.h"
 #include "delaunay/voronoi.h"
 #include "embedding/box_grid.h"
@@ -43,8 +44,7 @@ TriMesh mesh_of_used(const std::vector<Vec3>& points, std::vector<Triangle> tria
                      std::vector<VertexId>& used) {
   used.clear();
   for (const Triangle& t : triangles) used.insert(used.end(), t.begin(), t.end());
-  std::ranges::sort(used);
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sort_unique(used);
   std::vector<Vec3> kept;
   kept.reserve(used.size());
   for (const VertexId v : used) kept.push_back(points[v]);

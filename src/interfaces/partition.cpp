@@ -10,11 +10,6 @@ namespace {
 
 constexpr double kOutside = -1e30;  // less than any field
 
-bool holds(const Box3& box, const Vec3& p) {
-  return box.lo.x <= p.x && p.x <= box.hi.x && box.lo.y <= p.y && p.y <= box.hi.y &&
-         box.lo.z <= p.z && p.z <= box.hi.z;
-}
-
 }  // namespace
 
 Partition::Partition(std::vector<BodyField> fields) : fields_(std::move(fields)) {
@@ -25,7 +20,7 @@ Partition::Partition(std::vector<BodyField> fields) : fields_(std::move(fields))
 }
 
 double Partition::value(BodyId body, const Vec3& p) const {
-  return holds(boxes_[body], p) ? fields_[body].value(p) : kOutside;
+  return boxes_[body].contains(p) ? fields_[body].value(p) : kOutside;
 }
 
 Partition::Ranking Partition::rank(const Vec3& p) const {

@@ -38,7 +38,7 @@ constexpr double kAuxiliaryDiagonals = 16;
 // Returns the triangulation of the points and the auxiliary vertices. The points come first in
 // `ids`.
 Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<SiteId>& ids) {
-  const Vec3 center = 0.5 * (box.lo + box.hi);
+  const Vec3 center = box.middle();
   const double d = kAuxiliaryDiagonals * length(box.size());
   for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
     points.push_back(center + d * corner);
@@ -52,7 +52,7 @@ Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector
 }  // namespace
 
 bool is_auxiliary(const Vec3& p, const Box3& box) {
-  const Vec3 center = 0.5 * (box.lo + box.hi);
+  const Vec3 center = box.middle();
   return distance2(p, center) > length2(box.size());
 }
 

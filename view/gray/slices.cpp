@@ -61,7 +61,7 @@ struct Window {
 // Draws pixel rows `begin` to `end` of the window.
 void draw_rows(const Volume& volume, const SliceOptions& options, const Slice& slice,
                const Window& window, double scale, double curve, int begin, int end, Image& image) {
-  const Vec3 middle = 0.5 * (volume.box().lo + volume.box().hi);
+  const Vec3 middle = volume.box().middle();
   const auto value_at = [&](int column, int row) {
     Vec3 p;
     p[slice.across] = options.through[slice.across];

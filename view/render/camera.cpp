@@ -117,7 +117,7 @@ Camera fit_camera(std::span<const Subject> subjects, const View& view, const Aim
     throw InputError(empty ? "there is nothing to draw: the mesh has no facets"
                            : "there is nothing to draw: all is clipped");
   }
-  const Vec3 middle = 0.5 * (box.lo + box.hi), sides = box.size();
+  const Vec3 middle = box.middle(), sides = box.size();
   camera.center = middle.x * camera.right + middle.y * camera.up + middle.z * camera.back;
   if (aim.angle > 0) camera.nearness = nearness(subjects, camera, aim.angle);
   const double room = 1 - 2 * kViewMargin;

@@ -51,6 +51,10 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::floor(255 * value + 0.5), 0.0, 255.0));
 }
 
+Rgb to_rgb(const Vec3& color) {
+  return {to_byte(color.x), to_byte(color.y), to_byte(color.z)};
+}
+
 // Returns the color of the cut at a sample, if it is filled there.
 std::optional<Vec3> section_color(const Subject& subject, const Camera& camera, int column,
                                   int row) {
@@ -87,7 +91,6 @@ Rgb pixel_color(const Subject& subject, const Camera& camera, const Shader& shad
       const std::size_t sample =
           static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(columns) +
           static_cast<std::size_t>(column);
-      const std::optional<Vec3> cut = section_color(subject, camera, column, row);
       double light = 1;  // the share that passes the layers so far
       for (const Layer& layer : layers) {
         const FaceId face = layer.faces[sample];
@@ -95,11 +98,13 @@ Rgb pixel_color(const Subject& subject, const Camera& camera, const Shader& shad
         sum = sum + light * options.opacity * shader.color(face, column, row);
         light *= 1 - options.opacity;
       }
-      sum = sum + light * cut.value_or(options.palette.background);
+      if (light == 0) continue;
+      sum =
+          sum +
+          light * section_color(subject, camera, column, row).value_or(options.palette.background);
     }
   }
-  const Vec3 mean = sum / (kSamplesPerSide * kSamplesPerSide);
-  return {to_byte(mean.x), to_byte(mean.y), to_byte(mean.z)};
+  return to_rgb(sum / (kSamplesPerSide * kSamplesPerSide));
 }
 
 // Returns the area of the surface seen, in the mesh's units. Facets at an angle count less, by the
@@ -160,8 +165,7 @@ void draw_panel(const Subject& subject, const Camera& camera, const RenderOption
         visible_layers(mesh, projected, begin * kSamplesPerSide, end * kSamplesPerSide, layers);
     hide_behind_cut(subject, camera, begin * kSamplesPerSide, projected.columns, seen.front());
     if (painted < width_of_edges) {
-      const Vec3& e = options.palette.edge;
-      const Rgb color{to_byte(e.x), to_byte(e.y), to_byte(e.z)};
+      const Rgb color = to_rgb(options.palette.edge);
       for (const SeenEdge& edge :
            seen_edges(mesh, projected, seen.front(), begin * kSamplesPerSide)) {
         const Vec2 corner{static_cast<double>(left), static_cast<double>(top)};
@@ -245,8 +249,7 @@ Image render(std::span<const Subject> subjects, const RenderOptions& options) {
   const Camera camera = fit_camera(subjects, view, options.aim, layout.panel);
   const double width_of_edges = edge_width(subjects, options, camera, layout.line);
 
-  const Vec3& b = options.palette.background;
-  const Rgb background{to_byte(b.x), to_byte(b.y), to_byte(b.z)}, ink = ink_on(background);
+  const Rgb background = to_rgb(options.palette.background), ink = ink_on(background);
   Image image(size.width, size.height, background);
   image.keeps_strokes = options.keep_strokes;
   for (std::size_t n = 0; n < subjects.size(); ++n) {

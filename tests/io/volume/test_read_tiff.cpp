@@ -7,6 +7,7 @@
 #include "io/files/lzw.h"
 #include "io/files/packbits.h"
 #include "io/volume/read_volume.h"
+#include "read_fault.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -22,18 +23,6 @@ std::vector<TiffPage> pages_of(const Truth& truth, const TiffForm& form = {}) {
   std::vector<TiffPage> pages;
   for (int k = 0; k < truth.dims.k; ++k) pages.push_back(tiff_page(truth, form, k));
   return pages;
-}
-
-// Returns the message behind the file's name; "" if all is well.
-std::string tiff_fault(const std::string& path, const ReadOptions& options = {}) {
-  try {
-    read_volume(path, options);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    REQUIRE(message.starts_with(path + ": "));
-    return message.substr(path.size() + 2);
-  }
-  return "";
 }
 
 template <class Unpack>
@@ -143,17 +132,17 @@ TEST_CASE("ImageJ's pages behind the first") {
   const Volume volume = read_volume(file("3", samples));
   REQUIRE(volume.dims() == truth.dims);
   CHECK(bytes_of_samples(volume) == truth.bytes);
-  CHECK(tiff_fault(file("1", samples)) ==
+  CHECK(read_fault(file("1", samples)) ==
         "has one page: give the folder of the slices, if each has a file");
-  CHECK(tiff_fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
-  CHECK(tiff_fault(file("99999999999", samples)).find("are too many") != std::string::npos);
-  CHECK(tiff_fault(file("3\nchannels=3", samples)) ==
+  CHECK(read_fault(file("300", samples)).starts_with("data is too short: 5 x 4 x 300 int16"));
+  CHECK(read_fault(file("99999999999", samples)).find("are too many") != std::string::npos);
+  CHECK(read_fault(file("3\nchannels=3", samples)) ==
         "has 3 channels: --channel N chooses one, counted from 1");
   TiffForm packed = form;
   packed.compression = 32773;
   TiffPage page = tiff_page(truth, packed, 0);
   page.tags[270] = tiff_text("ImageJ=1.53t\nimages=3\n");
-  CHECK(tiff_fault(folder.write("v.tif", tiff_file(packed, {page}))) ==
+  CHECK(read_fault(folder.write("v.tif", tiff_file(packed, {page}))) ==
         "has one page, and ImageJ's others are not behind it");
 }
 
@@ -190,10 +179,10 @@ TEST_CASE("OME's spacing") {
   CHECK(near(read_volume(with_units("", "", "m")).spacing(), {700, 0.9, 1300}));
   CHECK(read_volume(with_units("ell", "ell", "ell")).spacing() == Vec3{700, 0.9, 0.0013});
   CHECK(
-      tiff_fault(with_units("nm", "pixel", "mm")) ==
+      read_fault(with_units("nm", "pixel", "mm")) ==
       "its axes have different units, and PhysicalSizeYUnit is 'pixel': --spacing X,Y,Z gives the "
       "distances");
-  CHECK(tiff_fault(with_units("ell", "", ""))
+  CHECK(read_fault(with_units("ell", "", ""))
             .starts_with("its axes have different units, and "
                          "PhysicalSizeXUnit is 'ell'"));
   ReadOptions options;
@@ -278,7 +267,7 @@ TEST_CASE("a folder of TIFF files is a stack, in the order of the numbers in the
             .starts_with("is damaged, or ends too early"));
   CHECK(fault_of_slice(whole) == "");
   for (int k = 1; k < truth.dims.k; ++k) std::filesystem::remove(folder.path(name(k)));
-  CHECK(tiff_fault(slices) == "has one slice only");
+  CHECK(read_fault(slices) == "has one slice only");
 }
 
 TEST_CASE("samples in one piece are mapped, not copied") {
@@ -303,7 +292,7 @@ TEST_CASE("each fault of a TIFF file has its message") {
     for (int k = page; k < (page == 0 ? 3 : page + 1); ++k) {
       pages[static_cast<std::size_t>(k)].tags[tag] = tiff_value(form, value);
     }
-    return tiff_fault(folder.write("v.tif", tiff_file(form, pages)));
+    return read_fault(folder.write("v.tif", tiff_file(form, pages)));
   };
   CHECK(with(256, 5) == "");
   CHECK(with(256, 6) == "page 2 has 6 x 4 samples, and page 1 5 x 4");
@@ -344,12 +333,12 @@ TEST_CASE("each fault of a TIFF file has its message") {
     pages[n].tags[273] = tiff_value(form, 8);
     pages[n].tags[279] = tiff_value(form, size);
   }
-  CHECK(tiff_fault(folder.write("v.tif", tiff_file(form, pages))) == "its strips or tiles overlap");
+  CHECK(read_fault(folder.write("v.tif", tiff_file(form, pages))) == "its strips or tiles overlap");
 
   std::string circle = tiff(truth, {});
   circle.replace(circle.size() - 4, 4, circle.substr(4, 4));
-  CHECK(tiff_fault(folder.write("v.tif", circle)) == "its pages follow each other in a circle");
-  CHECK(tiff_fault(folder.write("v.tif", std::string("II*\0\0\0\0\0", 8))) == "has no pages");
+  CHECK(read_fault(folder.write("v.tif", circle)) == "its pages follow each other in a circle");
+  CHECK(read_fault(folder.write("v.tif", std::string("II*\0\0\0\0\0", 8))) == "has no pages");
 
   // Directories of 65,535 entries at every 16th byte of 2 MB once took 22 s.
   constexpr std::size_t kEntries = 100, kStep = 16, kDirectories = 200;
@@ -361,5 +350,5 @@ TEST_CASE("each fault of a TIFF file has its message") {
     const std::size_t next = n + 1 < kDirectories ? 8 + (n + 1) * kStep : 0;
     overlap.replace(8 + n * kStep + kLink, 4, little(next, 4));
   }
-  CHECK(tiff_fault(folder.write("v.tif", overlap)) == "its directories overlap");
+  CHECK(read_fault(folder.write("v.tif", overlap)) == "its directories overlap");
 }

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "io/volume/read_volume.h"
+#include "read_fault.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -59,17 +60,6 @@ struct Recording {
   }
 };
 
-std::string choice_fault(const std::string& path, const ReadOptions& options) {
-  try {
-    read_volume(path, options);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    REQUIRE(message.starts_with(path + ": "));
-    return message.substr(path.size() + 2);
-  }
-  return "";
-}
-
 // Every volume of the file is read, whole and in part; without a choice the file is refused.
 void check_recording(const std::string& path, const Recording& recording, bool has_place) {
   const Roi roi{{1, 0, 0}, {3, 3, 2}};
@@ -98,7 +88,7 @@ void check_recording(const std::string& path, const Recording& recording, bool h
   const auto count = [](int n, const char* noun) { return text(n, " ", noun, n == 1 ? "" : "s"); };
   const std::string channels = count(recording.channels, "channel");
   const std::string times = count(recording.times, "time");
-  CHECK(choice_fault(path, {}) ==
+  CHECK(read_fault(path, {}) ==
         (recording.times == 1 ? text("has ", channels, ": --channel N chooses one, counted from 1")
          : recording.channels == 1
              ? text("has ", times, ": --time N chooses one, counted from 1")
@@ -106,11 +96,11 @@ void check_recording(const std::string& path, const Recording& recording, bool h
                     ": --channel N and --time N choose one, counted from 1")));
   ReadOptions beyond;
   beyond.channel = recording.channels + 1;
-  CHECK(choice_fault(path, beyond) ==
+  CHECK(read_fault(path, beyond) ==
         text("has ", channels, ", and no channel ", recording.channels + 1));
   beyond.channel = recording.channels;
   beyond.time = recording.times + 1;
-  CHECK(choice_fault(path, beyond) == text("has ", times, ", and no time ", recording.times + 1));
+  CHECK(read_fault(path, beyond) == text("has ", times, ", and no time ", recording.times + 1));
 }
 
 std::string ome(const std::string& order, int channels, int times, const std::string& inside) {
@@ -238,7 +228,7 @@ TEST_CASE("pages that a description does not account for are refused") {
   const auto fault_of_pages = [&](const std::string& description, const ReadOptions& options) {
     std::vector<TiffPage> pages = pages_of_recording(recording, "ZCT", {});
     pages[0].tags[270] = tiff_text(description);
-    return choice_fault(folder.write("v.tif", tiff_file({}, pages)), options);
+    return read_fault(folder.write("v.tif", tiff_file({}, pages)), options);
   };
   const auto with = [&](const std::string& data) {
     return fault_of_pages(ome("ZCT", 2, 1, data), first);
@@ -290,12 +280,12 @@ TEST_CASE("a file of one volume has channel 1 and time 1, in every format") {
     const std::string path = folder.path(stored.files[0].name);
     ReadOptions options = stored.options;
     options.channel = options.time = 1;
-    CHECK(choice_fault(path, options) == "");
+    CHECK(read_fault(path, options) == "");
     options.channel = 2;
-    CHECK(choice_fault(path, options) == "has 1 channel, and no channel 2");
+    CHECK(read_fault(path, options) == "has 1 channel, and no channel 2");
     options.channel.reset();
     options.time = 2;
-    CHECK(choice_fault(path, options) == "has 1 time, and no time 2");
+    CHECK(read_fault(path, options) == "has 1 time, and no time 2");
   }
   ReadOptions second;
   second.channel = 2;
@@ -332,7 +322,7 @@ TEST_CASE("which axes of NRRD are of space") {
   CHECK(first_two("dimension: 5\nsizes: 2 1 3 4 2\n", time) == "24 25");
   CHECK(first_two("dimension: 4\nsizes: 2 2 3 4\nkinds: domain list domain domain\n", channel) ==
         "2 3");
-  CHECK(choice_fault(write("dimension: 5\nsizes: 2 2 3 2 2\n"), {}) ==
+  CHECK(read_fault(write("dimension: 5\nsizes: 2 2 3 2 2\n"), {}) ==
         "sizes '2 2 3 2 2' are 5-dimensional: only three-dimensional scalar volumes can be meshed");
 }
 
@@ -354,13 +344,15 @@ TEST_CASE("Slicer's segments are those that its file names") {
   CHECK(segments[1].channel == 1);
   CHECK(segments[2].label == 1);
   CHECK(segments[2].channel == 2);
-  CHECK(choice_fault(path, {}) ==
+  CHECK(read_fault(path, {}) ==
         "has 2 channels: --channel N chooses one, counted from 1; --label NAME chooses one of "
         "'Liver', 'left kidney', 'Tumor'");
   ReadOptions second;
   second.channel = 2;
   ReadLog log;
   CHECK(read_volume(path, second, &log).sample(0, 0, 0) == '1');
+  REQUIRE(log.segments.size() == 1);
+  CHECK(log.segments[0].name == "Tumor");
   REQUIRE(log.notes.size() == 1);
   CHECK(log.notes[0].ends_with(
       "names segments, which --label takes: 'Liver', 'left kidney', 'Tumor'"));
