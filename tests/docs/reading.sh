@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What docs/guide/reading.md lists is there, and is short enough to be read: at most 2,000 lines. A
-# row of its tables names a file of src/, and functions or classes of it (reading.awk).
+# row of its tables links a file of src/, and names functions or classes of it (reading.awk).
 # Usage: reading.sh SOURCE
 set -eu
 cd "$1"
@@ -36,8 +36,8 @@ for row in 'f 6' 'A 3' 'class A 6' 'A::g 0' 'file 14'; do
 done
 
 # FILE <tab> NAME, a line each.
-awk -F '|' '/^\| [a-z_0-9\/]+\.(h|cpp) \|/ {
-  gsub(/ /, "", $2)
+awk -F '|' '/^\| \[[a-z_0-9\/]+\.(h|cpp)\]\(/ {
+  gsub(/^ \[|\].*/, "", $2)
   n = split($3, part, "`")
   for (m = 2; m <= n; m += 2) print $2 "\t" part[m]
 }' $page >"$work/list"
