@@ -22,8 +22,8 @@ struct Length {
   double in(const Volume& volume) const;
 };
 
-// The test of Stage 1: the closed-ball conditions on the exact contour, or the paper's tests on
-// Voronoi edges.
+// The test of Stage 1: the topological ball property, of regions of the exact contour (certified),
+// or the paper's tests on Voronoi edges.
 enum class RecoverWay : std::uint8_t { certified, paper };
 
 struct Options : RunSettings {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed-ball conditions on the labels of T. Where they hold, the dual of the labels is
+// The topological ball property of the labels of T. Where it holds, the dual of the labels is
 // homeomorphic to T, and so to Sigma (docs/proof.md, Theorem 2; Edelsbrunner and Shah 1997).
 //
 // The label of a vertex of T is its nearest site. L(a) is the set of vertices of T labeled a, R(a)

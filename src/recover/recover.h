@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 1, certified. Sites are vertices of the exact contour T. They are added until the labels of
-// T satisfy the closed-ball conditions (certificate.h). Then the dual K of the labels is
+// T have the topological ball property (certificate.h). Then the dual K of the labels is
 // homeomorphic to T, and so to Sigma, component by component. No Voronoi edge is searched for that.
 //
 // Three more tests have the same remedy. No vertex of T may be too far from the facets at its site

@@ -115,7 +115,7 @@ TEST_CASE("rings hold every triangle of T once, and follow the chains") {
 }
 
 // With every vertex of T a site, the dual is T itself: each triangle is a triple, each region one
-// vertex; the certificate must hold, or closed-ball conditions were miscounted.
+// vertex; the certificate must hold, or its conditions were miscounted.
 TEST_CASE("the certificate holds when every vertex of T is a site, and the dual is T") {
   for (const char* name : {"torus", "linked_tori", "gyroid"}) {
     CAPTURE(name);
