@@ -1,6 +1,7 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX, CLANG (for `make
 # sanitize`, `make fuzz` and `make tidy`); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
+# for `make sanitize`: ROOMS (a regular expression, e.g. "refine|io/.*": only unit tests of these rooms);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options); for
@@ -22,6 +23,7 @@ SANITIZE_BUILD = $(BUILD)-sanitize
 FUZZ_BUILD = $(BUILD)-fuzz
 CLANG ?= clang++
 SINCE ?=
+ROOMS ?= .*
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
 .PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
@@ -89,7 +91,7 @@ quality:
 # The tests of code under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on: by
 # clang where there is one, since it compiles them in half the time.
 sanitize: doctest
-	@cmake -S . -Wno-dev -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF \
+	@cmake -S . -Wno-dev -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF -DDELISO_TEST_ROOMS='$(ROOMS)' \
 	  $(if $(shell command -v $(CLANG)),-DCMAKE_CXX_COMPILER=$(CLANG),$(CXX_FLAG))
 	@cmake --build $(SANITIZE_BUILD) -j $(JOBS)
 	@ctest --test-dir $(SANITIZE_BUILD) --output-on-failure -j $(JOBS)

@@ -13,10 +13,10 @@ inline constexpr bool kSanitized = __has_feature(address_sanitizer);
 inline constexpr bool kSanitized = false;
 #endif
 
-// A fifth of n under sanitizers. For loops, and for what they must have met.
+// A tenth of n under sanitizers. For loops, and for what they must have met.
 template <class Integer>
 constexpr Integer cases(Integer n) {
-  return kSanitized ? n / 5 : n;
+  return kSanitized ? n / 10 : n;
 }
 
 }  // namespace deliso::test

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "blocks/grid.h"
 #include "blocks/mesh_in_blocks.h"
+#include "cases.h"
 #include "deliso/deliso.h"
 #include "mesh_parts.h"
 #include "stress/tiny_volume.h"
@@ -72,7 +73,7 @@ TEST_CASE("parts are contiguous and hold every cell once") {
 
 TEST_CASE("both sides of a seam have the same vertices in the same places") {
   std::size_t compared = 0;
-  for (std::uint64_t seed = 30; seed < 44; ++seed) {
+  for (std::uint64_t seed = 30; seed < 30 + test::cases(14u); ++seed) {
     CAPTURE(seed);
     const auto tiny = make_tiny_volume(seed, 8, 12);
     const Index3 voxels = tiny.volume.voxels();
@@ -108,13 +109,13 @@ TEST_CASE("both sides of a seam have the same vertices in the same places") {
       compared += seam(parts[a]).size();
     }
   }
-  CHECK(compared > 500);
+  CHECK(compared > test::cases(500u));
 }
 
 TEST_CASE(
     "a part reads no sample outside of its box: narrow blocks have wider seams than half a block") {
   int read = 0, beyond_blocks = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(12u); ++seed) {
     const auto tiny = make_tiny_volume(seed, 16, 28);
     Options options;
     options.block_side = 4 + static_cast<int>(seed);
@@ -138,6 +139,6 @@ TEST_CASE(
       // A seam to another part may be refused.
     }
   }
-  CHECK(read > 50);
-  CHECK(beyond_blocks > 10);
+  CHECK(read > test::cases(50));
+  CHECK(beyond_blocks > test::cases(10));
 }

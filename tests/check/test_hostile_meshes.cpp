@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "cases.h"
 #include "check/hostile_meshes.h"
 #include "check/self_intersections.h"
 #include "check/verify.h"
@@ -72,7 +73,7 @@ const Hostile& named(const std::vector<Hostile>& all, const std::string& name) {
 TEST_CASE("every hostile mesh has faults, the same with any number of threads") {
   const Ball ball;
   int threads = 1;
-  for (const Hostile& mesh : hostile_meshes(1500, 23)) {
+  for (const Hostile& mesh : hostile_meshes(cases(1500u), 23)) {
     CAPTURE(mesh.name);
     const Verification one = ball.verify(mesh, 1);
     CHECK(one.faults.any());

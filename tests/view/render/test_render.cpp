@@ -204,6 +204,7 @@ namespace {
 bool draws_edges(std::span<const Subject> subjects) {
   RenderOptions options = small_picture();
   options.size = {402 * static_cast<int>(subjects.size()), 400};
+  options.occlusion = false;
   const Image without = deliso::render(subjects, options);
   options.edges = Edges::automatic;
   return deliso::render(subjects, options).pixels != without.pixels;
@@ -227,6 +228,7 @@ TEST_CASE(
   // however many they are.
   RenderOptions options = small_picture();
   options.size = {400, 400};
+  options.occlusion = false;
   const auto brightness = [&](const TriMesh& mesh, Edges edges) {
     options.edges = edges;
     double sum = 0;
@@ -480,6 +482,7 @@ TEST_CASE("panels show each subject as alone, by one camera, with a rule between
       CAPTURE(width);
       RenderOptions options = small_picture();
       options.size = {width, 90};
+      options.occlusion = width == 301;
       std::vector<Subject> subjects(static_cast<std::size_t>(panels), {&whole, {}});
       if (panels > 1) subjects[1].clip = lower;
       const PictureSize panel = layout_of(options, subjects.size()).panel;
