@@ -84,6 +84,16 @@ inline unsigned box_faces_at(const Vec3& p, const Box3& box, double tolerance = 
   return faces;
 }
 
+// Returns the sum of the box's inward normals over `faces`.
+inline Vec3 inwards(unsigned faces) {
+  Vec3 sum;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((faces >> (2 * axis) & 1) != 0) sum[axis] += 1;
+    if ((faces >> (2 * axis + 1) & 1) != 0) sum[axis] -= 1;
+  }
+  return sum;
+}
+
 // True if one face of `box` is at most `tolerance` from both p and q.
 inline bool on_one_face(const Vec3& p, const Vec3& q, const Box3& box, double tolerance = 0) {
   return (box_faces_at(p, box, tolerance) & box_faces_at(q, box, tolerance)) != 0;

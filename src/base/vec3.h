@@ -33,6 +33,14 @@ constexpr Vec3 operator/(const Vec3& a, double s) {
   return {a.x / s, a.y / s, a.z / s};
 }
 
+// The product and the quotient of each component.
+constexpr Vec3 times(const Vec3& a, const Vec3& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+constexpr Vec3 divided(const Vec3& a, const Vec3& b) {
+  return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+
 constexpr double dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }

@@ -9,7 +9,6 @@
 #include "blocks/clear_seam.h"
 #include "blocks/seam.h"
 #include "contour/contour.h"
-#include "contour/keep_components.h"
 #include "deliso/deliso.h"
 #include "recover/recover.h"
 #include "refine/lift_off.h"

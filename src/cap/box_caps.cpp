@@ -19,7 +19,7 @@ BoxCaps::BoxCaps(const TriMesh& mesh, const Box3& box, const std::array<bool, 8>
   collect_boundary();
   if (!failure_.empty()) return;
   for (int f = 0; f < 6; ++f) {
-    FaceCap& cap = caps_[static_cast<std::size_t>(f)];
+    FaceCap& cap = caps_[f];
     cap.number = f;
     cap.across = f / 2;
     // Counter-clockwise in (u, v) is counter-clockwise seen from outside the box.

@@ -14,7 +14,7 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa) {
   std::array<bool, 8> inside;
   for (int m = 0; m < 8; ++m) {
     const auto at = [&](int axis) { return (m >> axis & 1) != 0 ? last[axis] : 0; };
-    inside[static_cast<std::size_t>(m)] = volume.sample(at(0), at(1), at(2)) >= kappa;
+    inside[m] = volume.sample(at(0), at(1), at(2)) >= kappa;
   }
   return inside;
 }

@@ -22,9 +22,9 @@ std::array<bool, 8> corners_inside(const Volume& volume, double kappa);
 // Appends the caps to s.mesh. If there is no surface but the volume is inside, they are the whole
 // box. The refinement's bound on r/l also bounds theirs, as far as boundary edges allow. Sets
 // report.cap: if the surface cannot be closed, it stays open, and report.cap.failure gives the
-// reason. Crossing triangles are not searched for: count_crossings() does that, on the points as
-// written. For faces without boundary edges, `inside` gives the corners of the box. pre: the mesh
-// is linked.
+// reason. Crossing triangles are not searched for: find_place_faults() does that, on the points
+// as written. For faces without boundary edges, `inside` gives the corners of the box. pre: the
+// mesh is linked.
 void close_on_box(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
                   const std::array<bool, 8>& inside, const Parameters& parameters, Report& report);
 

@@ -15,7 +15,7 @@
 #include "check/triangle_tree.h"
 #include "check/validity.h"
 #include "check/voxel_components.h"
-#include "contour/keep_components.h"
+#include "contour/contour.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "contour/boundary_chains.h"
 #include "contour/contour_stream.h"
 #include "contour/piece_mesher.h"
 
@@ -25,6 +24,54 @@ class CountingSink final : public ContourSink {
  private:
   VertexId next_ = 0;
 };
+
+// Links segments into chains. pre: every vertex starts one segment and ends one; `component` holds
+// component numbers.
+BoundaryChains chain_segments(std::vector<BoundarySegment> segments) {
+  std::sort(segments.begin(), segments.end(),
+            [](const auto& s, const auto& t) { return s.from < t.from; });
+  const auto starting_at = [&](VertexId v) {
+    const auto found = std::lower_bound(segments.begin(), segments.end(), v,
+                                        [](const auto& s, VertexId id) { return s.from < id; });
+    DELISO_CHECK(found != segments.end() && found->from == v);
+    return static_cast<std::size_t>(found - segments.begin());
+  };
+  BoundaryChains chains;
+  std::vector<bool> used(segments.size());
+  for (std::size_t start = 0; start < segments.size(); ++start) {
+    if (used[start]) continue;
+    for (std::size_t s = start; !used[s]; s = starting_at(segments[s].to)) {
+      used[s] = true;
+      chains.vertices.push_back(segments[s].from);
+      chains.face.push_back(segments[s].face);
+    }
+    BoxFace previous = chains.face.back();
+    for (std::size_t n = chains.first.back(); n < chains.face.size(); ++n) {
+      chains.on_box_edge.push_back(chains.face[n] != previous);
+      previous = chains.face[n];
+    }
+    chains.first.push_back(static_cast<std::uint32_t>(chains.vertices.size()));
+    chains.component.push_back(segments[start].component);
+  }
+  return chains;
+}
+
+// Returns the chains of kept components, with new numbers.
+BoundaryChains kept_chains(const BoundaryChains& all, const std::vector<VertexId>& new_vertex,
+                           const std::vector<std::uint32_t>& new_component) {
+  BoundaryChains kept;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (new_component[all.component[c]] == kNoId) continue;
+    for (std::size_t n = all.first[c]; n < all.first[c + 1]; ++n) {
+      kept.vertices.push_back(new_vertex[all.vertices[n]]);
+      kept.face.push_back(all.face[n]);
+      kept.on_box_edge.push_back(all.on_box_edge[n]);
+    }
+    kept.first.push_back(static_cast<std::uint32_t>(kept.vertices.size()));
+    kept.component.push_back(new_component[all.component[c]]);
+  }
+  return kept;
+}
 
 }  // namespace
 
@@ -53,6 +100,37 @@ std::vector<std::uint8_t> chosen_components(const ContourSummary& summary,
                            [&](std::size_t c) { return components[c].crossings; });
   for (const std::size_t c : std::span(by_size).subspan(choice.largest)) chosen[c] = 0;
   return chosen;
+}
+
+void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept) {
+  if (std::ranges::find(kept, 0) == kept.end()) return;
+  std::vector<std::uint32_t> new_component(kept.size(), kNoId);
+  std::vector<ContourComponent> components;
+  for (std::uint32_t c = 0; c < kept.size(); ++c) {
+    if (!kept[c]) continue;
+    new_component[c] = static_cast<std::uint32_t>(components.size());
+    components.push_back(contour.summary.components[c]);
+  }
+  contour.summary.components = std::move(components);
+
+  std::vector<VertexId> new_vertex(contour.points.size(), kNoId);
+  VertexId next = 0;
+  for (VertexId v = 0; v < new_vertex.size(); ++v) {
+    if (!kept[contour.component[v]]) continue;
+    contour.points[next] = contour.points[v];
+    contour.component[next] = new_component[contour.component[v]];
+    contour.box_faces[next] = contour.box_faces[v];
+    new_vertex[v] = next++;
+  }
+  contour.points.resize(next);
+  contour.component.resize(next);
+  contour.box_faces.resize(next);
+  std::erase_if(contour.triangles, [&](std::array<VertexId, 3>& triangle) {
+    for (VertexId& v : triangle) v = new_vertex[v];
+    return triangle[0] == kNoId;
+  });
+  contour.crowded.clear();  // numbers of triangles
+  contour.boundary = kept_chains(contour.boundary, new_vertex, new_component);
 }
 
 ContourMesh build_contour(const Volume& volume, double kappa) {

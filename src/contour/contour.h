@@ -121,6 +121,12 @@ struct ContourMesh {
 // 1). Throws InputError if T has 2^32 - 1 vertices or more.
 ContourMesh build_contour(const Volume& volume, double kappa);
 
+// Removes the components with kept[c] == 0 from T (--largest, --min-component), and numbers the
+// others anew. All later steps take T for the whole surface: sites, labels, boundary curves, and
+// the samples of Stage 2. Vertices, triangles and chains stay in order. I1 to I6 hold;
+// `summary.active_voxels` and the like still count voxels of the whole surface.
+void keep_components(ContourMesh& contour, std::span<const std::uint8_t> kept);
+
 // Returns the summary alone, without T: for volumes of any size.
 ContourSummary summarize_contour(const Volume& volume, double kappa);
 

@@ -119,12 +119,7 @@ class ContourStream {
   void add_crossing(int axis, Index3 sample) {
     Index3 end = sample;
     ++end[axis];
-    int faces = 0;
-    for (int other = 0; other < 3; ++other) {
-      if (other == axis) continue;
-      if (sample[other] == 0) faces |= 1 << (2 * other);
-      if (sample[other] == dims_[other] - 1) faces |= 2 << (2 * other);
-    }
+    const unsigned faces = outer_faces(sample, dims_) & ~(3u << (2 * axis));
     const VertexId vertex =
         sink_.crossing(axis, sample, value(sample), value(end), static_cast<std::uint8_t>(faces));
     slots(axis, sample.k)[in_layer(sample.i, sample.j)] = {vertex, kNoId};
@@ -184,16 +179,6 @@ class ContourStream {
     }
   }
 
-  // Returns the faces of the voxel that lie on the box: bit f for face f.
-  int box_faces(Index3 voxel) const {
-    int faces = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (voxel[axis] == 0) faces |= 1 << (2 * axis);
-      if (voxel[axis] == dims_[axis] - 2) faces |= 2 << (2 * axis);
-    }
-    return faces;
-  }
-
   void walk_voxel(Index3 voxel, int mask) {
     const VoxelValues values(volume_.corners(voxel), kappa_);
     ++found_.active_voxels;
@@ -248,7 +233,7 @@ class ContourStream {
     const int first = loops.first[l], end = loops.first[l + 1];
     auto& counts = found_.components.counts(label);
     counts.half_sides += static_cast<std::uint64_t>(end - first);
-    const int on_box = box_faces(voxel);
+    const unsigned on_box = outer_faces(voxel, volume_.voxels());
     if (on_box == 0) return;
     for (int n = first; n < end; ++n) {
       const std::uint8_t face = loops.face[n];

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "contour/boundary_chains.h"
 #include "contour/components.h"
 #include "contour/voxel_topology.h"
 
@@ -30,6 +29,13 @@ struct VoxelPieces {
   std::span<const VertexId> vertices(int loop) const {
     return std::span(vertex).subspan(loops.first[loop], loops.edges(loop).size());
   }
+};
+
+// A segment of T on the box, directed as in its triangle.
+struct BoundarySegment {
+  VertexId from, to;
+  std::uint32_t component;  // a label, later a component's number
+  BoxFace face;
 };
 
 // A receiver of crossings and active voxels.

@@ -126,31 +126,22 @@ CellFrame FineVoxel::frame(const Cell& cell) const {
   return f;
 }
 
-int FineVoxel::outer_faces(Index3 cell) const {
-  int faces = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (cell[axis] == 0) faces |= 1 << (2 * axis);
-    if (cell[axis] == factor_[axis] - 1) faces |= 2 << (2 * axis);
-  }
-  return faces;
-}
-
-Corners FineVoxel::corners_of_cell(std::uint32_t cell_point) const {
-  Corners c;
-  for (int m = 0; m < 8; ++m) c[m] = values_[cell_point + corner_offset_[m]];
-  return c;
-}
-
-void FineVoxel::link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces) {
+void FineVoxel::link_segments(const Cell& cell) {
+  const VoxelLoops& loops = cell.loops;
+  const unsigned outer = outer_faces(cell.at, factor_);
   for (int l = 0; l < loops.count; ++l) {
     const int first = loops.first[l], end = loops.first[l + 1];
     for (int n = first; n < end; ++n) {
-      if ((faces >> loops.face[n] & 1) == 0) continue;
-      next_[slot_of_edge(cell_point, loops.edge[n])] =
-          slot_of_edge(cell_point, loops.edge[n + 1 < end ? n + 1 : first]);
+      const Slot from = slot(cell, loops.edge[n]);
+      const Slot to = slot(cell, loops.edge[n + 1 < end ? n + 1 : first]);
+      pieces_.unite(from, to);
+      if ((outer >> loops.face[n] & 1) == 0) continue;
+      next_[from] = to;
       ++segments_;
     }
   }
+  if (!cell.tube) return;
+  pieces_.unite(slot(cell, loops.edges(cell.tube.a)[0]), slot(cell, loops.edges(cell.tube.b)[0]));
 }
 
 void FineVoxel::trace() {
@@ -160,20 +151,15 @@ void FineVoxel::trace() {
     for (int j = 0; j < factor_.j; ++j) {
       for (int i = 0; i < factor_.i; ++i) {
         cell.at = {i, j, k};
-        cell.corners = corners_of_cell(point(cell.at));
+        const std::uint32_t low = point(cell.at);
+        for (int m = 0; m < 8; ++m) cell.corners[m] = values_[low + corner_offset_[m]];
         const int mask = mask_of(cell.corners);
         if (mask == 0 || mask == 255) continue;
         const VoxelValues values(cell.corners, 0);
         cell.loops = voxel_loops(mask, values);
         cell.tube = find_tube(mask, values, cell.loops);
         cells_.push_back(cell);
-        link_segments(cell.loops, point(cell.at), outer_faces(cell.at));
-        const auto unite = [&](int e, int f) { pieces_.unite(slot(cell, e), slot(cell, f)); };
-        for (int l = 0; l < cell.loops.count; ++l) {
-          const auto edges = cell.loops.edges(l);
-          for (const auto e : edges) unite(edges[0], e);
-          if (cell.tube && l == cell.tube.b) unite(cell.loops.edges(cell.tube.a)[0], edges[0]);
-        }
+        link_segments(cell);
       }
     }
   }

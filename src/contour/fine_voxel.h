@@ -68,9 +68,7 @@ class FineVoxel {
   }
   std::span<const Cell> cells() const { return cells_; }
   CellFrame frame(const Cell& cell) const;  // in the voxel's own coordinates
-  Slot slot(const Cell& cell, int e) const { return slot_of_edge(point(cell.at), e); }
-  // Returns the faces of the voxel that the cell lies on: bit f for face f.
-  int outer_faces(Index3 cell) const;
+  Slot slot(const Cell& cell, int e) const { return 3 * point(cell.at) + edge_offset_[e]; }
   // Returns the piece of the voxel's Sigma that a crossing belongs to: one slot represents the
   // piece.
   Slot piece(Slot slot) { return pieces_.find(slot); }
@@ -84,18 +82,14 @@ class FineVoxel {
     return static_cast<std::uint32_t>(p.i) + stride_[1] * static_cast<std::uint32_t>(p.j) +
            stride_[2] * static_cast<std::uint32_t>(p.k);
   }
-  Slot slot_of_edge(std::uint32_t cell_point, int e) const {
-    return 3 * cell_point + edge_offset_[e];
-  }
   bool is_crossed(Slot slot) const {
     const std::uint32_t low = slot / 3;
     return inside_[low] != inside_[low + stride_[slot % 3]];
   }
   std::span<const Slot> crossed(const std::vector<Slot>& slots);
   void sort_lattice_edges();
-  Corners corners_of_cell(std::uint32_t cell_point) const;
   void trace();
-  void link_segments(const VoxelLoops& loops, std::uint32_t cell_point, int faces);
+  void link_segments(const Cell& cell);
   bool faces_agree(const VoxelLoops& loops) const;
 
   Index3 factor_;

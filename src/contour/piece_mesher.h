@@ -46,9 +46,7 @@ class PieceMesher final : public ContourSink {
         first_(volume.first()) {}
 
   // Returns the position of a sample, in voxels.
-  Vec3 place(Index3 sample) const {
-    return to_vec3({first_.i + sample.i, first_.j + sample.j, first_.k + sample.k});
-  }
+  Vec3 place(Index3 sample) const { return to_vec3(first_ + sample); }
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1,
                     std::uint8_t box_faces) override {
@@ -75,17 +73,32 @@ class PieceMesher final : public ContourSink {
   // As voxel(), for the pieces of a cell of `voxel`. pre: the vertices lie on the cell's surface.
   void cell(const CellFrame& frame, const VoxelPieces& pieces, const VoxelPieces& voxel) {
     if (fan(frame, pieces, voxel)) return;
+    fill(frame, pieces, [&](int l) { return pieces.vertices(l); });
+  }
+
+  // Fills the loops by disks and a tube. `vertices(l)` are those of loop l.
+  template <class Vertices>
+  void fill(const CellFrame& frame, const VoxelPieces& pieces, Vertices&& vertices) {
     for (int l = 0; l < pieces.loops.count; ++l) {
       if (pieces.tube && l == pieces.tube.b) continue;
       if (pieces.tube && l == pieces.tube.a) {
-        tube(frame, pieces.corners, pieces.vertices(l), pieces.vertices(pieces.tube.b),
-             pieces.label[l]);
+        tube(frame, pieces.corners, vertices(l), vertices(pieces.tube.b), pieces.label[l]);
       } else {
-        disk(frame, pieces.corners, pieces.vertices(l), pieces.label[l]);
+        disk(frame, pieces.corners, vertices(l), pieces.label[l]);
       }
     }
   }
 
+  // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
+  VertexId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
+    if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
+    mesh_.points.push_back(times(p, spacing_));
+    mesh_.box_faces.push_back(box_faces);
+    mesh_.component.push_back(label);
+    return VertexId(mesh_.points.size() - 1);
+  }
+
+ private:
   // True if Sigma is thin in the voxel: there are several pieces, or it crosses one of their grid
   // lines again. A line that leaves the volume is as its last sample.
   bool is_thin(const VoxelPieces& pieces) const {
@@ -125,14 +138,13 @@ class PieceMesher final : public ContourSink {
       }
       return sum;
     };
-    const Vec3 size{frame.size.x * spacing_.x, frame.size.y * spacing_.y,
-                    frame.size.z * spacing_.z};
+    const Vec3 size = times(frame.size, spacing_);
     const Vec3 scale{1 / size.x, 1 / size.y, 1 / size.z};
     std::size_t from = 0;
     bool has_short_edge = false;
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 edge = mesh_.points[loop[i]] - mesh_.points[loop[(i + 1) % n]];
-      const double edge2 = length2(Vec3{edge.x * scale.x, edge.y * scale.y, edge.z * scale.z});
+      const double edge2 = length2(times(edge, scale));
       has_short_edge |= edge2 < kMinFanEdge * kMinFanEdge;
       if (chords(i) < chords(from)) from = i;
     }
@@ -208,32 +220,14 @@ class PieceMesher final : public ContourSink {
     }
   }
 
-  // Adds a vertex at p, in voxels. Its component is that of the first piece given with it.
-  VertexId add_at(const Vec3& p, std::uint8_t box_faces, std::uint32_t label = kNoId) {
-    return add_vertex({p.x * spacing_.x, p.y * spacing_.y, p.z * spacing_.z}, box_faces, label);
-  }
-
- private:
-  VertexId add_vertex(const Vec3& p, std::uint8_t box_faces, std::uint32_t label) {
-    if (mesh_.points.size() >= kNoId) throw InputError("the contour has 2^32 vertices or more");
-    mesh_.points.push_back(p);
-    mesh_.box_faces.push_back(box_faces);
-    mesh_.component.push_back(label);
-    return VertexId(mesh_.points.size() - 1);
-  }
-
   VertexId add_inner(const CellFrame& cell, const Vec3& u, std::uint32_t label) {
-    return add_at({cell.low.x + u.x * cell.size.x, cell.low.y + u.y * cell.size.y,
-                   cell.low.z + u.z * cell.size.z},
-                  0, label);
+    return add_at(cell.low + times(u, cell.size), 0, label);
   }
 
   // Return coordinates in the cell.
   Vec3 local(const CellFrame& cell, VertexId v) const { return local(cell, mesh_.points[v]); }
   Vec3 local(const CellFrame& cell, const Vec3& p) const {
-    return {(p.x / spacing_.x - cell.low.x) / cell.size.x,
-            (p.y / spacing_.y - cell.low.y) / cell.size.y,
-            (p.z / spacing_.z - cell.low.z) / cell.size.z};
+    return divided(divided(p, spacing_) - cell.low, cell.size);
   }
 
   ContourMesh& mesh_;

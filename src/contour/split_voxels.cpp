@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
+#include "base/sorted_list.h"
 #include "contour/contour_stream.h"
 #include "contour/fine_voxel.h"
 #include "contour/piece_mesher.h"
@@ -12,59 +14,35 @@
 namespace deliso {
 namespace {
 
-// A set of voxels: a bit for each.
-class VoxelSet {
- public:
-  explicit VoxelSet(Index3 dims) : dims_(dims) {}
+using VoxelNumbers = std::vector<std::uint64_t>;  // ascending
 
-  void add(std::uint64_t number) {
-    if (bits_.empty())
-      bits_.resize(1 + voxel_number(dims_, {dims_.i - 2, dims_.j - 2, dims_.k - 2}));
-    DELISO_CHECK(number < bits_.size());
-    bits_[number] = true;
-  }
-  // Returns false if the set does not have the voxel.
-  bool remove(std::uint64_t number) {
-    if (bits_.empty() || !bits_[number]) return false;
-    bits_[number] = false;
-    return true;
-  }
-
-  // True if the set has the voxel; voxels outside the volume are in no set.
-  bool contains(Index3 voxel) const {
-    if (bits_.empty()) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (voxel[axis] < 0 || voxel[axis] > dims_[axis] - 2) return false;
-    }
-    return bits_[voxel_number(dims_, voxel)];
-  }
-
- private:
-  Index3 dims_;
-  std::vector<bool> bits_;  // none before the first voxel
-};
+VoxelNumbers without(const VoxelNumbers& list, const VoxelNumbers& removed) {
+  VoxelNumbers out;
+  std::ranges::set_difference(list, removed, std::back_inserter(out));
+  return out;
+}
 
 // Meshes voxels, some of them in cells.
 class SplitMesher final : public ContourSink {
  public:
-  // Keeps references to the sets: the listed voxels, and others that stay whole.
+  // Keeps references to the lists: the voxels to split, and others that stay whole.
   SplitMesher(ContourMesh& mesh, const Volume& volume, double kappa, const ContourSplit& split,
-              const VoxelSet& listed, const VoxelSet& whole)
+              const VoxelNumbers& whole)
       : mesh_(mesh),
         mesher_(mesh, volume, kappa),
-        listed_(listed),
+        listed_(split.voxels),
         whole_(whole),
         sizes_{Size(split.factor), Size(split.elsewhere)},
         has_elsewhere_(split.elsewhere != Index3{1, 1, 1}),
         dims_(volume.dims()),
         voxels_(volume.voxels()),
         inner_faces_(volume.inner_faces()) {
-    first_across_y_.resize(static_cast<std::size_t>(voxels_.i), kNoId);
-    first_across_z_.resize(first_across_y_.size() * static_cast<std::size_t>(voxels_.j), kNoId);
+    first_across_y_.resize(voxels_.i, kNoId);
+    first_across_z_.resize(first_across_y_.size() * voxels_.j, kNoId);
   }
 
   // Split voxels whose cells have another topology. If there are any, the mesh is of no use.
-  std::vector<std::uint64_t> disagreeing;
+  VoxelNumbers disagreeing;
 
   VertexId crossing(int axis, Index3 sample, double c0, double c1,
                     std::uint8_t box_faces) override {
@@ -73,7 +51,7 @@ class SplitMesher final : public ContourSink {
 
   void voxel(const VoxelPieces& p) override {
     Size* const own = size_of(p.voxel);
-    const auto crossings = static_cast<std::size_t>(p.loops.first[p.loops.count]);
+    const std::size_t crossings = p.loops.first[p.loops.count];
     SizeAtFace at{};
     for (std::size_t n = 0; n < crossings; ++n) {
       const int f = p.loops.face[n];
@@ -130,27 +108,35 @@ class SplitMesher final : public ContourSink {
   // Returns the size of the voxel's cells; null for whole voxels. A voxel stays whole between cells
   // of unlike sizes, and at a seam: the next block does not know the crossings of its cells.
   Size* size_of(Index3 voxel) {
-    if (listed_.contains(voxel)) return &sizes_[0];
-    if (!has_elsewhere_ || whole_.contains(voxel)) return nullptr;
+    if (is_in(listed_, voxel)) return &sizes_[0];
+    const bool may_split = has_elsewhere_ && is_in_volume(voxel) && !is_in(whole_, voxel);
+    if (!may_split || (outer_faces(voxel, voxels_) & inner_faces_) != 0) return nullptr;
     for (int f = 0; f < 6; ++f) {
-      const int axis = f >> 1, end = (f & 1) != 0 ? voxels_[axis] - 1 : 0;
-      const bool beyond = (f & 1) != 0 ? voxel[axis] > end : voxel[axis] < end;
-      const bool at_seam = voxel[axis] == end && (inner_faces_ >> f & 1) != 0;
-      if (beyond || at_seam || listed_.contains(voxel_across(voxel, f))) return nullptr;
+      if (is_in(listed_, voxel_across(voxel, f))) return nullptr;
     }
     return &sizes_[1];
+  }
+
+  bool is_in_volume(Index3 voxel) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (voxel[axis] < 0 || voxel[axis] >= voxels_[axis]) return false;
+    }
+    return true;
+  }
+  bool is_in(const VoxelNumbers& list, Index3 voxel) const {
+    return is_in_volume(voxel) && std::ranges::binary_search(list, voxel_number(dims_, voxel));
   }
 
   // Returns the first id on the face between `low_voxel` and the next one along the axis.
   VertexId& first_on_face(int axis, Index3 low_voxel) {
     if (axis == 0) return first_across_x_;
-    const auto i = static_cast<std::size_t>(low_voxel.i), j = static_cast<std::size_t>(low_voxel.j);
+    const auto [i, j, k] = low_voxel;
     return axis == 1 ? first_across_y_[i] : first_across_z_[i + first_across_y_.size() * j];
   }
 
   void number_face(Size& size, Index3 voxel, int f) {
     const int axis = f >> 1;
-    const bool high = (f & 1) != 0, on_box = voxel[axis] == (high ? voxels_[axis] - 1 : 0);
+    const bool high = (f & 1) != 0, on_box = (outer_faces(voxel, voxels_) >> f & 1) != 0;
     const auto slots = size.fine.crossed_on_face(f);
     if (!high && !on_box) {
       VertexId id = first_on_face(axis, voxel);
@@ -196,11 +182,11 @@ class SplitMesher final : public ContourSink {
 
   // Only split voxels have cells on the box, so only they call this.
   void add_boundary(const Size& size, const VoxelPieces& p) {
+    const unsigned outer = outer_faces(p.voxel, voxels_);
     for (int l = 0; l < p.loops.count; ++l) {
       for (int n = p.loops.first[l]; n < p.loops.first[l + 1]; ++n) {
         const std::uint8_t face = p.loops.face[n];
-        const int axis = face >> 1;
-        if (p.voxel[axis] != ((face & 1) != 0 ? voxels_[axis] - 1 : 0)) continue;
+        if ((outer >> face & 1) == 0) continue;
         replaced_.push_back(p.vertex[n]);
         VertexId from = p.vertex[n];
         size.fine.for_each_after(p.loops.edge[n], [&](FineVoxel::Slot slot) {
@@ -228,19 +214,12 @@ class SplitMesher final : public ContourSink {
     const CellFrame frame{mesher_.place(p.voxel), {1, 1, 1}};
     // Without a neighbor's crossings on its faces it is as any voxel.
     if (vertices == p.loops.first[p.loops.count]) return mesher_.cell(frame, p, p);
-    for (int l = 0; l < p.loops.count; ++l) {
-      if (p.tube && l == p.tube.b) continue;
-      if (p.tube && l == p.tube.a) {
-        mesher_.tube(frame, p.corners, loop[l], loop[p.tube.b], p.label[l]);
-      } else {
-        mesher_.disk(frame, p.corners, loop[l], p.label[l]);
-      }
-    }
+    mesher_.fill(frame, p, [&](int l) { return std::span<const VertexId>(loop[l]); });
   }
 
   ContourMesh& mesh_;
   PieceMesher mesher_;
-  const VoxelSet &listed_, &whole_;
+  const VoxelNumbers &listed_, &whole_;
   std::array<Size, 2> sizes_;  // of the cells of listed voxels, and elsewhere
   bool has_elsewhere_;
   Index3 dims_, voxels_;
@@ -253,20 +232,18 @@ class SplitMesher final : public ContourSink {
 
 }  // namespace
 
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split) {
-  VoxelSet listed(volume.dims()), whole(volume.dims());
-  for (const std::uint64_t voxel : split.voxels) listed.add(voxel);
+ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split) {
+  VoxelNumbers whole;
   while (true) {
     ContourMesh mesh;
-    SplitMesher mesher(mesh, volume, kappa, split, listed, whole);
+    SplitMesher mesher(mesh, volume, kappa, split, whole);
     WalkResult found = walk_contour(volume, kappa, mesher);
     if (mesher.disagreeing.empty()) {
       complete(mesh, std::move(found));
       return mesh;
     }
-    for (const std::uint64_t voxel : mesher.disagreeing) {
-      if (!listed.remove(voxel)) whole.add(voxel);
-    }
+    whole = united(whole, without(mesher.disagreeing, split.voxels));
+    split.voxels = without(split.voxels, mesher.disagreeing);
   }
 }
 

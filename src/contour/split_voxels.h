@@ -19,7 +19,7 @@ namespace deliso {
 // Where T is to be finer. A split voxel is cut into i x j x k cells, whose corners have the
 // interpolant's values. Its pieces are those of its cells.
 struct ContourSplit {
-  std::vector<std::uint64_t> voxels;  // voxel_number()s of active voxels
+  std::vector<std::uint64_t> voxels;  // voxel_number()s of active voxels, ascending
   Index3 factor{4, 4, 4};             // cells of each listed voxel, >= 1
   // Cells of every other active voxel, >= 1. Voxels that share a face with a listed one stay whole,
   // so that cells of two sizes never meet.
@@ -33,6 +33,6 @@ struct ContourSplit {
 // chains go from cell to cell. Rounding might give the cells of a voxel another topology than the
 // voxel's (a face's saddle at kappa, to the last bits). Such a voxel stays whole: then there is
 // another pass over the volume.
-ContourMesh build_contour(const Volume& volume, double kappa, const ContourSplit& split);
+ContourMesh build_contour(const Volume& volume, double kappa, ContourSplit split);
 
 }  // namespace deliso

@@ -106,4 +106,12 @@ bool Triangulation::build(std::span<const Vec3> points, std::vector<SiteId>& ids
   return true;
 }
 
+void append_auxiliary(const Box3& box, std::vector<Vec3>& points) {
+  const Vec3 middle = box.middle();
+  const double d = 16 * length(box.size());
+  for (const Vec3& to : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
+    points.push_back(middle + d * to);
+  }
+}
+
 }  // namespace deliso

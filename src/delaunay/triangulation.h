@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/box3.h"
 #include "base/check.h"
 #include "base/ids.h"
 #include "base/vec3.h"
@@ -140,6 +141,12 @@ class Triangulation {
   ConflictZone scratch_zone_;
   std::vector<CellId> scratch_created_;
 };
+
+// Appends the corners of a regular tetrahedron around the box, 16 of its diagonals away. With these
+// auxiliary points there is a triangulation even where all others lie in one plane, and the hull is
+// far from them.
+inline constexpr std::size_t kAuxiliaryVertices = 4;
+void append_auxiliary(const Box3& box, std::vector<Vec3>& points);
 
 // Returns the vertices of f, counter-clockwise seen from outside f.cell.
 inline SiteTriangle facet_vertices(const Triangulation& t, Facet f) {

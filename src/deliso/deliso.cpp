@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "contour/contour.h"
-#include "contour/keep_components.h"
 #include "paper/recover.h"
 #include "recover/recover.h"
 #include "refine/refine.h"

@@ -89,7 +89,7 @@ void BoxGrid::add(Id id, const Box& box) {
   if (id >= places_.size()) places_.resize(id + 1);
   DELISO_ASSERT(places_[id].level < 0);
   places_[id] = place_of(box);
-  Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
+  Level& level = levels_[places_[id].level];
   if (level.size >= 2 * level.lists.size()) grow(level);
   append(level.list(places_[id].number), id, box);
   ++level.size;
@@ -129,7 +129,7 @@ void BoxGrid::append(List& in, Id id, const Box& box) {
 }
 
 void BoxGrid::remove(Id id) {
-  Level& level = levels_[static_cast<std::size_t>(places_[id].level)];
+  Level& level = levels_[places_[id].level];
   List& in = level.list(places_[id].number);
   const auto block = [&](std::uint32_t n) -> Block& { return blocks_[in.first + n / kLanes]; };
   std::uint32_t n = 0;

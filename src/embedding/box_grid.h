@@ -142,7 +142,7 @@ bool BoxGrid::any(const Box& query, Predicate&& pred) const {
     return false;
   };
   for (int n = 0; n < kLevels; ++n) {
-    const Level& level = levels_[static_cast<std::size_t>(n)];
+    const Level& level = levels_[n];
     if (level.size == 0) continue;
     const float scale = scale_of(n);
     std::array<std::uint32_t, 3> low, high;

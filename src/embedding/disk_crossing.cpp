@@ -184,13 +184,13 @@ bool DiskCrossing::meet(std::size_t f, const Triangle& t) const {
   const Triangle& s = disk_->facets[f];
   // Side 2 first: a cone has it on the boundary.
   for (const int side : {2, 0, 1}) {
-    const auto inside = s[static_cast<std::size_t>(side)];
+    const auto inside = s[side];
     if (separates(plane_through(s, normals_[f], side), inside, t)) return false;
   }
   const Vec3 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
   const Vec3 normal = area_normal(a, b, c);
   for (int side = 0; side < 3; ++side) {
-    const auto inside = t[static_cast<std::size_t>(side)];
+    const auto inside = t[side];
     if (separates(plane_through(t, normal, side), inside, s)) return false;
   }
   return !collinear(a, b, c) && triangles_intersect(*points_, s, t);

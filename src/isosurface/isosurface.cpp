@@ -26,8 +26,8 @@ struct Field {
   Field(const Volume& v, const T* s, double isovalue, double first_inside, CubicMethod m)
       : volume(v),
         samples(s),
-        dy(static_cast<std::size_t>(v.dims().i)),
-        dz(dy * static_cast<std::size_t>(v.dims().j)),
+        dy(v.dims().i),
+        dz(dy * v.dims().j),
         threshold(static_cast<T>(first_inside)),
         kappa(isovalue),
         method(m) {}
@@ -46,7 +46,7 @@ struct Nearest {
 
   // Offers root n of the span.
   void offer(const VoxelSpan& span, const Roots& roots, int n, const Volume& volume) {
-    const double s = roots.t[static_cast<std::size_t>(n)], t = parameter_at(span, s);
+    const double s = roots.t[n], t = parameter_at(span, s);
     if (!(std::abs(t) < distance || (std::abs(t) == distance && t > hit.t))) return;
     hit = {t, point_at(span, s, volume), roots.leaves(n)};
     distance = std::abs(t);
@@ -164,7 +164,7 @@ void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
         ++computations;
         const Roots roots = field.roots(span);
         for (int n = 0; n < roots.count; ++n) {
-          const double s = roots.t[static_cast<std::size_t>(n)];
+          const double s = roots.t[n];
           hits.push_back({parameter_at(span, s), point_at(span, s, volume_), roots.leaves(n)});
         }
         return false;

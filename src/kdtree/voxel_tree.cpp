@@ -32,7 +32,7 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 
 VoxelTree::VoxelTree(const Volume& volume)
     : volume_(volume),
-      per_spacing_{1 / volume.spacing().x, 1 / volume.spacing().y, 1 / volume.spacing().z},
+      per_spacing_(divided({1, 1, 1}, volume.spacing())),
       box_(volume.box()) {
   for (int axis = 0; axis < 3; ++axis) {
     first_[axis] = volume.first()[axis];
@@ -53,7 +53,7 @@ void VoxelTree::choose_axes() {
     for (const std::size_t other : {1u, 0u})
       if (longest[other] > longest[axis]) axis = other;
     if (shortest[axis] < 2) break;
-    axis_[static_cast<std::size_t>(depth_++)] = static_cast<std::uint8_t>(axis);
+    axis_[depth_++] = static_cast<std::uint8_t>(axis);
     longest[axis] = (longest[axis] + 1) / 2;
     shortest[axis] /= 2;
   }
@@ -70,8 +70,7 @@ void VoxelTree::build(const T* samples) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<std::size_t> bits;
     for (int level = 0; level < depth_; ++level)
-      if (axis_[static_cast<std::size_t>(level)] == axis)
-        bits.push_back(std::size_t{1} << (depth_ - 1 - level));
+      if (axis_[level] == axis) bits.push_back(std::size_t{1} << (depth_ - 1 - level));
     const int end = voxels[static_cast<int>(axis)];
     add_cuts(axes[axis], 0, end, 0, bits, 0);
     axes[axis].cut.push_back(end);
@@ -80,7 +79,7 @@ void VoxelTree::build(const T* samples) {
   // One row of bricks along x at a time. First reduces its sample rows to one, element by element
   // (which vectorizes), then that row brick by brick.
   // Locals only: bytes may alias the members of a vector, and then nothing vectorizes.
-  const std::size_t row = static_cast<std::size_t>(dims.i);
+  const std::size_t row = dims.i;
   std::vector<T> low_row(row), high_row(row);
   T *const low = low_row.data(), *const high = high_row.data();
   for (std::size_t z = 0; z < axes[2].code.size(); ++z) {

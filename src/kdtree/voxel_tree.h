@@ -66,10 +66,9 @@ class VoxelTree {
       const double below = origin[axis] <= box_.hi[axis] ? smaller(u, top_in_voxels_[axis]) : u;
       return origin[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
     };
-    return {
-        {in_voxels(0), in_voxels(1), in_voxels(2)},
-        {direction.x * per_spacing_.x, direction.y * per_spacing_.y, direction.z * per_spacing_.z},
-        volume_.voxels()};
+    return {{in_voxels(0), in_voxels(1), in_voxels(2)},
+            times(direction, per_spacing_),
+            volume_.voxels()};
   }
 
  private:
@@ -121,8 +120,7 @@ bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* sample
                            Visit&& visit) const {
   if (!(range.lo < range.hi)) return false;
   const auto& nodes = std::get<Nodes<T>>(nodes_);
-  const std::size_t dy = static_cast<std::size_t>(volume_.dims().i);
-  const std::size_t dz = dy * static_cast<std::size_t>(volume_.dims().j);
+  const std::size_t dy = volume_.dims().i, dz = dy * volume_.dims().j;
 
   std::array<Pending, kMaxDepth> stack;
   std::size_t waiting = 0;
@@ -132,7 +130,7 @@ bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* sample
     if (active && at.level < depth_) {
       // Go to the child that comes first along the line; the other one waits. The crossing of the
       // split plane is compared exactly as in a voxel walk.
-      const std::size_t axis = axis_[static_cast<std::size_t>(at.level)];
+      const std::size_t axis = axis_[at.level];
       const int middle = at.box.lo[axis] + (at.box.hi[axis] - at.box.lo[axis]) / 2;
       const double split = line.at_plane(axis, middle);
       const auto descend = [&](Pending& node, int upper) {

@@ -25,13 +25,6 @@ std::string describe_face(const TriMesh& mesh, FaceId f) {
   return text("facet ", f, " (", v[0], ", ", v[1], ", ", v[2], ")");
 }
 
-std::vector<Triangle> corners_of(const TriMesh& mesh) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
-  return triangles;
-}
-
 std::string describe_edge(const TriMesh& mesh, VertexId lo, VertexId hi) {
   return text("the edge from ", describe_vertex(mesh, lo), " to ", describe_vertex(mesh, hi));
 }
@@ -176,10 +169,7 @@ MeshTopology mesh_topology(std::span<const Vec3> points, std::span<const Triangl
     if (component[v] == topology.components.size()) topology.components.push_back({.box = {p, p}});
     ComponentTopology& c = topology.components[component[v]];
     ++c.vertices;
-    for (int axis = 0; axis < 3; ++axis) {
-      c.box.lo[axis] = std::min(c.box.lo[axis], p[axis]);
-      c.box.hi[axis] = std::max(c.box.hi[axis], p[axis]);
-    }
+    c.box = united(c.box, {p, p});
   }
   topology.faces = triangles.size();
   for (const Triangle& t : triangles) ++topology.components[component[t[0]]].faces;

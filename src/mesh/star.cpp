@@ -2,8 +2,6 @@
 #include "mesh/star.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -12,8 +10,6 @@
 
 namespace deliso {
 namespace {
-
-constexpr std::size_t kSmall = 64;
 
 struct LinkEdge {
   VertexId a, b;
@@ -28,41 +24,6 @@ LinkEdge link_edge(VertexId q, const Triangle& t) {
 
 bool is_degenerate(VertexId q, const LinkEdge& e) {
   return e.a == e.b || e.a == q || e.b == q;
-}
-
-enum class Step { moved, stuck, branched };
-
-// Moves `end` along the only edge of `rest` that holds it, and removes that edge from `rest`.
-Step advance(VertexId& end, std::span<LinkEdge>& rest) {
-  std::size_t found = rest.size();
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (rest[i].a != end && rest[i].b != end) continue;
-    if (found != rest.size()) return Step::branched;
-    found = i;
-  }
-  if (found == rest.size()) return Step::stuck;
-  end = rest[found].a == end ? rest[found].b : rest[found].a;
-  std::swap(rest[found], rest.back());
-  rest = rest.first(rest.size() - 1);
-  return Step::moved;
-}
-
-// Walks from the first edge in both directions. A walked edge is removed, and a vertex is left only
-// if it has no other edge. So the walk is simple, and the remaining edges are apart from it.
-Star walk_small_link(std::span<LinkEdge> edges) {
-  const std::size_t count = edges.size();
-  VertexId head = edges[0].a, tail = edges[0].b;
-  std::span<LinkEdge> rest = edges.subspan(1);
-  for (Step step = Step::moved; step != Step::stuck;) {
-    step = advance(tail, rest);
-    if (step == Step::branched) return Star::singular;
-    if (tail == head) return rest.empty() && count > 2 ? Star::disk : Star::singular;
-  }
-  for (Step step = Step::moved; step != Step::stuck;) {
-    step = advance(head, rest);
-    if (step == Step::branched) return Star::singular;
-  }
-  return rest.empty() ? Star::half_disk : Star::singular;
 }
 
 }  // namespace
@@ -87,15 +48,6 @@ Star classify_star(VertexId q, std::span<const Triangle> triangles) {
 }
 
 VertexLink link_of(VertexId q, std::span<const Triangle> triangles) {
-  const std::size_t count = triangles.size();
-  if (count == 0) return {};
-  if (count <= kSmall) {
-    std::array<LinkEdge, kSmall> edges;
-    for (std::size_t n = 0; n < count; ++n) edges[n] = link_edge(q, triangles[n]);
-    const Star star = walk_small_link(std::span(edges).first(count));
-    if (star == Star::disk) return {1, count, 0};
-    if (star == Star::half_disk) return {1, count + 1, 2};
-  }
   std::vector<VertexId> ends, around;
   for (const Triangle& t : triangles) {
     const LinkEdge edge = link_edge(q, t);

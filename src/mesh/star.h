@@ -38,8 +38,7 @@ struct VertexLink {
   bool closed() const { return loose_ends == 0; }
 };
 
-// Returns the link of q. Disks and half disks of up to 64 triangles cost n^2 comparisons and no
-// allocation, others O(n log n). pre: each triangle contains q, once.
+// Returns the link of q, in O(n log n). pre: each triangle contains q, once.
 VertexLink link_of(VertexId q, std::span<const Triangle> triangles);
 
 }  // namespace deliso

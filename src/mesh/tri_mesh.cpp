@@ -110,6 +110,13 @@ std::vector<Vec3> TriMesh::world_points() const {
   return world;
 }
 
+std::vector<Triangle> corners_of(const TriMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  return triangles;
+}
+
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles) {
   TriMesh mesh;
   mesh.points = std::move(points);

@@ -100,6 +100,9 @@ struct LinkResult {
 };
 LinkResult link_faces(TriMesh& mesh);
 
+// Returns the corners of all facets, in their order.
+std::vector<Triangle> corners_of(const TriMesh& mesh);
+
 // Returns a linked mesh of `triangles` over `points`. Unused vertices are kept.
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles);
 

@@ -56,7 +56,7 @@ MergeShape shape_after_merge(const Refinement& r, std::span<const FaceId> star, 
     const Face& face = r.mesh.faces[f];
     if (has_corner(face.v, to)) continue;
     Triangle v = face.v;
-    v[static_cast<std::size_t>(corner_index(face, from))] = to;
+    v[corner_index(face, from)] = to;
     const Vec3 &a = r.point(v[0]), &b = r.point(v[1]), &c = r.point(v[2]);
     const bool turns = !(dot(r.normal(face.v), area_normal(a, b, c)) > 0);
     after.ratio2 = std::max(after.ratio2, turns ? kNotAsked : radius_ratio2(a, b, c));

@@ -52,16 +52,6 @@ constexpr double kStartDepth = 0x1p-4;
 //   nothing.
 enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 
-// Returns the sum of the box's inward normals over `faces`.
-Vec3 inwards(unsigned faces) {
-  Vec3 sum;
-  for (int axis = 0; axis < 3; ++axis) {
-    if ((faces >> (2 * axis) & 1) != 0) sum[axis] += 1;
-    if ((faces >> (2 * axis + 1) & 1) != 0) sum[axis] -= 1;
-  }
-  return sum;
-}
-
 class LiftOff {
  public:
   LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
@@ -112,7 +102,10 @@ class LiftOff {
     return (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]) / 3;
   }
   // Replaces the cavity by the cone from p over its boundary.
-  bool replace_by_cone(Proposal& c, const Vec3& p, bool near_surface);
+  bool replace_by_cone(Proposal& c, const Vec3& p, bool near_surface) {
+    c.cone(p);
+    return replace(c, near_surface);
+  }
   bool flip(Proposal& c, FaceId f, int i, bool near_surface);
   bool replace(Proposal& c, bool near_surface);
 
@@ -215,11 +208,6 @@ std::vector<Vec3> LiftOff::find_off_box(std::span<const Line> lines, const Vec3&
     return distance2(p, middle) < distance2(q, middle);
   });
   return found;
-}
-
-bool LiftOff::replace_by_cone(Proposal& c, const Vec3& p, bool near_surface) {
-  c.cone(p);
-  return replace(c, near_surface);
 }
 
 bool LiftOff::flip(Proposal& c, FaceId f, int i, bool near_surface) {

@@ -21,7 +21,7 @@ struct Roots {
 
   // True if the cubic passes to outside at root n: passages alternate.
   bool leaves(int n) const { return from_inside == (n % 2 == 0); }
-  void push(double root) { t[static_cast<std::size_t>(count++)] = root; }
+  void push(double root) { t[count++] = root; }
   const double* begin() const { return t.data(); }
   const double* end() const { return t.data() + count; }
 };

@@ -66,7 +66,7 @@ Roots closed_form_roots(const Cubic& c) {
     const double p = a1 / 3 - third * third;
     const double q = third * third * third - 0.5 * third * a1 + 0.5 * a0;
     roots = depressed_roots(p, q);
-    for (int n = 0; n < roots.count; ++n) roots.t[static_cast<std::size_t>(n)] -= third;
+    for (int n = 0; n < roots.count; ++n) roots.t[n] -= third;
   } else if (std::abs(c[2]) > tiny) {
     roots = quadratic_roots(c[0], c[1], c[2]);
   } else if (std::abs(c[1]) > tiny) {

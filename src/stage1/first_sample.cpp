@@ -32,28 +32,10 @@ Block block_of(VertexId v, const ContourMesh& contour, const Volume& volume) {
   return block;
 }
 
-// Distance scale of the auxiliary vertices from the box's center, in diagonals of the box.
-constexpr double kAuxiliaryDiagonals = 16;
-
-// Returns the triangulation of the points and the auxiliary vertices. The points come first in
-// `ids`.
-Triangulation triangulate(std::vector<Vec3> points, const Box3& box, std::vector<SiteId>& ids) {
-  const Vec3 center = box.middle();
-  const double d = kAuxiliaryDiagonals * length(box.size());
-  for (const Vec3& corner : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
-    points.push_back(center + d * corner);
-  }
-  Triangulation triangulation;
-  const bool built = triangulation.build(points, ids);
-  DELISO_CHECK(built);
-  return triangulation;
-}
-
 }  // namespace
 
 bool is_auxiliary(const Vec3& p, const Box3& box) {
-  const Vec3 center = box.middle();
-  return distance2(p, center) > length2(box.size());
+  return distance2(p, box.middle()) > length2(box.size());
 }
 
 void require_room(const Triangulation& triangulation, const Parameters& parameters) {
@@ -93,8 +75,10 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   std::vector<Vec3> points;
   points.reserve(seeds.size());
   for (const VertexId v : seeds) points.push_back(contour.points[v]);
+  append_auxiliary(volume.box(), points);
   std::vector<SiteId> ids;
-  out.triangulation = triangulate(std::move(points), volume.box(), ids);
+  const bool built = out.triangulation.build(points, ids);
+  DELISO_CHECK(built);
   std::size_t first = 0;
   for (const std::vector<CurvePlace>& chain : chains) {
     out.chain.add_loop(std::span(ids).subspan(first, chain.size()), chain);

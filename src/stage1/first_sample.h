@@ -6,8 +6,7 @@
 // component in each block of 8^3 voxels that the component meets. Random points miss small
 // components and thin branches, and later tests cannot find a piece of Sigma without a point.
 //
-// Four auxiliary vertices lie far outside the box. With them there is a triangulation even where
-// Sigma is one plane. The hull and its Voronoi edges are far from the surface.
+// It also has the auxiliary vertices of delaunay/triangulation.h.
 #pragma once
 
 #include "contour/contour.h"
@@ -18,8 +17,6 @@
 #include "surface/report.h"
 
 namespace deliso {
-
-inline constexpr std::size_t kAuxiliaryVertices = 4;
 
 // True if a vertex at p is auxiliary.
 bool is_auxiliary(const Vec3& p, const Box3& box);

@@ -129,8 +129,7 @@ Index3 Volume::voxel_at(const Vec3& p) const {
 
 Corners Volume::corners(Index3 voxel) const {
   const std::size_t n = index(voxel.i, voxel.j, voxel.k);
-  const std::size_t dy = static_cast<std::size_t>(dims_.i);
-  const std::size_t dz = dy * static_cast<std::size_t>(dims_.j);
+  const std::size_t dy = dims_.i, dz = dy * dims_.j;
   return visit([=](const auto* s) { return corners_from(s + n, dy, dz, 0); });
 }
 

@@ -40,29 +40,41 @@ std::string_view name_of(SampleType type);  // "uint8", "float32", ...
 
 struct Index3 {
   int i = 0, j = 0, k = 0;
-  int operator[](int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
-  int& operator[](int axis) { return axis == 0 ? i : axis == 1 ? j : k; }
+  constexpr int operator[](int axis) const { return axis == 0 ? i : axis == 1 ? j : k; }
+  constexpr int& operator[](int axis) { return axis == 0 ? i : axis == 1 ? j : k; }
+  friend constexpr Index3 operator+(Index3 a, Index3 b) {
+    return {a.i + b.i, a.j + b.j, a.k + b.k};
+  }
   friend bool operator==(const Index3&, const Index3&) = default;
 };
 
 // Returns the sample at corner m of a voxel; the corner is at the high end of axis k if bit k of m
 // is set.
 constexpr Index3 corner_of(Index3 voxel, int m) {
-  return {voxel.i + (m & 1), voxel.j + (m >> 1 & 1), voxel.k + (m >> 2)};
+  return voxel + Index3{m & 1, m >> 1 & 1, m >> 2};
 }
 
 // Returns the voxel's number in scan order; `dims` are the volume's, in samples.
 constexpr std::uint64_t voxel_number(Index3 dims, Index3 voxel) {
-  const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
-  return n(voxel.i) + n(dims.i - 1) * (n(voxel.j) + n(dims.j - 1) * n(voxel.k));
+  return voxel.i + std::uint64_t(dims.i - 1) * (voxel.j + std::uint64_t(dims.j - 1) * voxel.k);
 }
 
 // Returns the voxel with that number.
 constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
-  const auto nx = static_cast<std::uint64_t>(dims.i - 1),
-             ny = static_cast<std::uint64_t>(dims.j - 1);
+  const std::uint64_t nx = dims.i - 1, ny = dims.j - 1;
   return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny),
           static_cast<int>(number / nx / ny)};
+}
+
+// Returns the faces of a grid's box on which `at` lies: bit f for face f. `count`: places along
+// each axis.
+constexpr unsigned outer_faces(Index3 at, Index3 count) {
+  unsigned faces = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (at[axis] == 0) faces |= 1u << (2 * axis);
+    if (at[axis] == count[axis] - 1) faces |= 2u << (2 * axis);
+  }
+  return faces;
 }
 
 // Returns the voxel across face f of `voxel`; it may lie outside the volume.
@@ -135,15 +147,9 @@ class Volume {
   // Returns the faces of the box that are inside the larger volume, and so shared with another
   // block: bit f for face f (2 * axis, + 1 at the high end).
   unsigned inner_faces() const;
-  std::size_t sample_count() const {
-    return static_cast<std::size_t>(dims_.i) * static_cast<std::size_t>(dims_.j) *
-           static_cast<std::size_t>(dims_.k);
-  }
+  std::size_t sample_count() const { return std::size_t(dims_.i) * dims_.j * dims_.k; }
   std::size_t index(int i, int j, int k) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(dims_.i) *
-               (static_cast<std::size_t>(j) +
-                static_cast<std::size_t>(dims_.j) * static_cast<std::size_t>(k));
+    return i + std::size_t(dims_.i) * (j + std::size_t(dims_.j) * k);
   }
 
   // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "contour/keep_components.h"
+#include "contour/contour.h"
 
 #include <doctest/doctest.h>
 
