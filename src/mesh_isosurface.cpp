@@ -88,12 +88,7 @@ SampleBox box_of_part(const Volume& shape, const Options& options, PartChoice pa
   const std::vector<SampleBox> boxes = block_grid(shape, options).boxes();
   const CellRun own = cells_of(part, boxes.size());
   SampleBox all = own.begin == own.end ? SampleBox{{0, 0, 0}, {1, 1, 1}} : boxes[own.begin];
-  for (std::size_t cell = own.begin; cell < own.end; ++cell) {
-    for (int axis = 0; axis < 3; ++axis) {
-      all.begin[axis] = std::min(all.begin[axis], boxes[cell].begin[axis]);
-      all.end[axis] = std::max(all.end[axis], boxes[cell].end[axis]);
-    }
-  }
+  for (std::size_t cell = own.begin; cell < own.end; ++cell) all = united(all, boxes[cell]);
   return grown(all, {kSeamMarginSamples, kSeamMarginSamples, kSeamMarginSamples}, shape.voxels());
 }
 

@@ -221,7 +221,7 @@ class FaceRuns {
     Lines lines;
     const int first = volume_.first()[axis], last = first + volume_.voxels()[axis];
     lines.push_back(volume_.box().lo[axis]);
-    for (const int plane : grid.planes[static_cast<std::size_t>(axis)]) {
+    for (const int plane : grid.planes[axis]) {
       if (first < plane && plane < last) lines.push_back(plane * volume_.spacing()[axis]);
     }
     lines.push_back(volume_.box().hi[axis]);

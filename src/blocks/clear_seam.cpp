@@ -39,15 +39,10 @@ bool lift(Refinement& r, FaceId f, VertexId v) {
   if (!c) return false;
   c->asks_surface = false;
   const Vec3 from = r.point(v);
-  Vec3 inwards;
-  const Box3 box = r.surface.volume().box();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (from[axis] == box.lo[axis]) inwards[axis] = 1;
-    if (from[axis] == box.hi[axis]) inwards[axis] = -1;
-  }
+  const Vec3 inward = inwards(box_faces_at(from, r.surface.volume().box()));
   double off = kPerturbationVoxels * r.parameters.voxel;
   for (int step = 0; step < kMaxOffsets; ++step, off *= kOffsetFactor) {
-    c->move(v, from + off * inwards);
+    c->move(v, from + off * inward);
     if (step == 0) c->in.facets.push_back({r.s.chain.previous(v), r.s.chain.next(v), v});
     if (!r.replace()) return true;
   }

@@ -6,39 +6,24 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
 
-// Calls join(a, b) for neighbors in the order of their places that are at one place.
-template <class Item, class Place, class Join>
-void join_at_places(std::vector<Item>& items, Place place, Join&& join) {
-  std::ranges::stable_sort(items, {}, [&](const Item& item) { return by_place(place(item)); });
-  for (std::size_t n = 1; n < items.size(); ++n) {
-    if (place(items[n - 1]) == place(items[n])) join(items[n - 1], items[n]);
-  }
-}
-
 std::uint64_t loops_of(std::span<const BlockComponents> blocks) {
-  struct End {
-    Vec3 at;
-    std::uint32_t arc;
-  };
-  std::vector<End> ends;
+  std::vector<Vec3> ends;  // two of each arc
   std::uint64_t loops = 0;
-  std::uint32_t arcs = 0;
   for (const BlockComponents& block : blocks) {
     loops += block.closed_curves;
     for (const BlockComponents::Arc& arc : block.arcs) {
-      ends.push_back({arc.from, arcs});
-      ends.push_back({arc.to, arcs++});
+      ends.insert(ends.end(), {arc.from, arc.to});
     }
   }
-  DisjointSets sets(arcs);
-  join_at_places(
-      ends, [](const End& end) { return end.at; },
-      [&](const End& a, const End& b) { sets.unite(a.arc, b.arc); });
-  for (std::uint32_t arc = 0; arc < arcs; ++arc) loops += sets.find(arc) == arc;
+  const std::vector<VertexId> first = first_at_place(ends);
+  DisjointSets arcs(ends.size() / 2);
+  for (std::uint32_t n = 0; n < ends.size(); ++n) arcs.unite(n / 2, first[n].number() / 2);
+  for (std::uint32_t arc = 0; arc < ends.size() / 2; ++arc) loops += arcs.find(arc) == arc;
   return loops;
 }
 
@@ -50,11 +35,9 @@ BlockComponents components_of(const ContourMesh& contour, const Volume& block) {
   out.segments_on_inner.resize(out.components.size(), 0);
   const Index3 begin = block.first();
   for (ContourComponent& c : out.components) {
-    for (int axis = 0; axis < 3; ++axis) {
-      c.first[axis] += begin[axis];
-      c.lo[axis] += begin[axis];
-      c.hi[axis] += begin[axis];
-    }
+    c.first = c.first + begin;
+    c.lo = c.lo + begin;
+    c.hi = c.hi + begin;
   }
   const BoundaryChains& chains = contour.boundary;
   for (std::uint32_t c = 0; c < chains.size(); ++c) {
@@ -88,7 +71,8 @@ BlockComponents components_of(const ContourMesh& contour, const Volume& block) {
 AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
   std::vector<ContourComponent> pieces;
   std::vector<std::uint64_t> segments;
-  std::vector<BlockComponents::Crossing> crossings;
+  std::vector<Vec3> crossings;          // of all blocks
+  std::vector<std::uint32_t> piece_at;  // of each crossing
   std::vector<std::uint32_t> first_piece;
   for (const BlockComponents& block : blocks) {
     const auto first = static_cast<std::uint32_t>(pieces.size());
@@ -96,17 +80,18 @@ AllComponents joined(std::span<const BlockComponents> blocks, Index3 dims) {
     pieces.insert(pieces.end(), block.components.begin(), block.components.end());
     segments.insert(segments.end(), block.segments_on_inner.begin(), block.segments_on_inner.end());
     for (const BlockComponents::Crossing& c : block.crossings) {
-      crossings.push_back({c.point, first + c.component});
+      crossings.push_back(c.point);
+      piece_at.push_back(first + c.component);
     }
   }
   DisjointSets sets(pieces.size());
-  join_at_places(
-      crossings, [](const auto& c) { return c.point; },
-      [&](const auto& a, const auto& b) {
-        sets.unite(a.component, b.component);
-        --pieces[b.component].crossings;  // counted by both
-        --pieces[b.component].euler;
-      });
+  const std::vector<VertexId> first_at = first_at_place(crossings);
+  for (std::size_t n = 0; n < crossings.size(); ++n) {
+    if (first_at[n] == n) continue;
+    sets.unite(piece_at[first_at[n]], piece_at[n]);
+    --pieces[piece_at[n]].crossings;  // counted by both
+    --pieces[piece_at[n]].euler;
+  }
   // Segments were counted by both blocks, too; the first gives up its count in pairs below.
   const std::vector<std::uint32_t> set = sets.take_numbers();
   const std::size_t count = set.empty() ? 0 : 1 + *std::ranges::max_element(set);

@@ -35,29 +35,34 @@ bool is_in(const SampleBox& inner, const SampleBox& outer) {
   return true;
 }
 
+SampleBox united(SampleBox a, const SampleBox& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    a.begin[axis] = std::min(a.begin[axis], b.begin[axis]);
+    a.end[axis] = std::max(a.end[axis], b.end[axis]);
+  }
+  return a;
+}
+
 BlockGrid::BlockGrid(const Volume& volume, int side) {
   for (int axis = 0; axis < 3; ++axis) {
     const int voxels = volume.voxels()[axis], first = volume.first()[axis];
     const int parts = side > 0 ? std::max(1, (voxels + side / 2) / side) : 1;
     for (int n = 0; n <= parts; ++n) {
-      planes[static_cast<std::size_t>(axis)].push_back(
-          first + static_cast<int>(std::int64_t{voxels} * n / parts));
+      planes[axis].push_back(first + static_cast<int>(std::int64_t{voxels} * n / parts));
     }
   }
 }
 
 Index3 BlockGrid::cells() const {
   Index3 cells;
-  for (int axis = 0; axis < 3; ++axis) {
-    cells[axis] = static_cast<int>(planes[static_cast<std::size_t>(axis)].size()) - 1;
-  }
+  for (int axis = 0; axis < 3; ++axis) cells[axis] = static_cast<int>(planes[axis].size()) - 1;
   return cells;
 }
 
 Index3 BlockGrid::cell_of(Index3 voxel) const {
   Index3 cell;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<int>& at = planes[static_cast<std::size_t>(axis)];
+    const std::vector<int>& at = planes[axis];
     cell[axis] = static_cast<int>(std::ranges::upper_bound(at, voxel[axis]) - at.begin()) - 1;
   }
   return cell;
@@ -66,10 +71,9 @@ Index3 BlockGrid::cell_of(Index3 voxel) const {
 std::size_t BlockGrid::number_of(Index3 cell) const {
   const auto [nx, ny, nz] = cells();
   const int j = cell.k % 2 == 0 ? cell.j : ny - 1 - cell.j;
-  const std::size_t row =
-      static_cast<std::size_t>(cell.k) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(j);
+  const std::size_t row = std::size_t(ny) * cell.k + j;
   const int i = row % 2 == 0 ? cell.i : nx - 1 - cell.i;
-  return row * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+  return row * nx + i;
 }
 
 std::vector<SampleBox> BlockGrid::boxes() const {
@@ -87,16 +91,14 @@ std::vector<SampleBox> BlockGrid::boxes() const {
 }
 
 CellRun cells_of(PartChoice part, std::size_t cells) {
-  const auto bound = [&](int n) {
-    return cells * static_cast<std::size_t>(n) / static_cast<std::size_t>(part.of);
-  };
+  const auto bound = [&](int n) { return cells * n / part.of; };
   return {bound(part.number - 1), bound(part.number)};
 }
 
 SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, SampleBox box,
                  unsigned faces) {
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<int>& planes = grid.planes[static_cast<std::size_t>(axis)];
+    const std::vector<int>& planes = grid.planes[axis];
     if ((faces >> (2 * axis) & 1) != 0) {
       box.begin[axis] = *std::prev(std::ranges::lower_bound(planes, box.begin[axis]));
     }
@@ -107,13 +109,9 @@ SampleBox merged(const BlockGrid& grid, const std::vector<SampleBox>& boxes, Sam
   for (bool grows = true; grows;) {
     grows = false;
     for (const SampleBox& other : boxes) {
-      if (!overlap(box, other)) continue;
-      const SampleBox before = box;
-      for (int axis = 0; axis < 3; ++axis) {
-        box.begin[axis] = std::min(box.begin[axis], other.begin[axis]);
-        box.end[axis] = std::max(box.end[axis], other.end[axis]);
-      }
-      grows |= box != before;
+      if (!overlap(box, other) || is_in(other, box)) continue;
+      box = united(box, other);
+      grows = true;
     }
   }
   return box;
@@ -125,19 +123,15 @@ int usual_block_side(const Volume& volume) {
 }
 
 Volume samples_of(const Volume& volume, const SampleBox& box) {
-  const Index3 dims = box.dims();
-  const Index3 begin = volume.first(), voxels = volume.voxels();
-  const Index3 end{begin.i + voxels.i, begin.j + voxels.j, begin.k + voxels.k};
-  DELISO_CHECK(is_in(box, {begin, end}));
+  const Index3 dims = box.dims(), first = volume.first();
+  DELISO_CHECK(is_in(box, {first, first + volume.voxels()}));
   if (dims == volume.dims()) return volume;
   const std::size_t size = size_of(volume.type());
-  const std::size_t row = static_cast<std::size_t>(dims.i) * size;
-  const auto bytes = std::make_shared<std::vector<std::byte>>(
-      row * static_cast<std::size_t>(dims.j) * static_cast<std::size_t>(dims.k));
+  const std::size_t row = size * dims.i;
+  const auto bytes = std::make_shared<std::vector<std::byte>>(row * dims.j * dims.k);
   std::byte* to = bytes->data();
   const std::byte* const from =
       volume.visit([](const auto* samples) { return reinterpret_cast<const std::byte*>(samples); });
-  const Index3 first = volume.first();
   for (int k = box.begin.k - first.k; k <= box.end.k - first.k; ++k) {
     for (int j = box.begin.j - first.j; j <= box.end.j - first.j; ++j, to += row) {
       std::memcpy(to, from + size * volume.index(box.begin.i - first.i, j, k), row);

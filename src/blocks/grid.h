@@ -19,6 +19,7 @@ struct SampleBox {
   friend bool operator==(const SampleBox&, const SampleBox&) = default;
 };
 bool is_in(const SampleBox& inner, const SampleBox& outer);
+SampleBox united(SampleBox a, const SampleBox& b);
 // Returns the box with more samples on either side, cut off at sample 0 and `last`.
 SampleBox grown(SampleBox box, Index3 by, Index3 last);
 

@@ -322,7 +322,7 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
     const CellRun own = cells_of({number, of}, cells);
     for (std::size_t n = own.begin; n < own.end; ++n) part_of[n] = with_cells.size();
     if (own.begin == own.end) continue;
-    with_cells.push_back(std::move(parts[static_cast<std::size_t>(number - 1)]));
+    with_cells.push_back(std::move(parts[number - 1]));
     // Each part has counted those of the whole.
     std::uint64_t& skipped = with_cells.back().report[Counter::components_skipped];
     if (with_cells.size() > 1) skipped = 0;

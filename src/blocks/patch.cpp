@@ -2,7 +2,7 @@
 #include "blocks/patch.h"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <utility>
 
 #include "base/sorted_list.h"
@@ -11,22 +11,18 @@
 namespace deliso {
 namespace {
 
-// Ids in the whole, ascending, with those in the patch.
+// Returns the place of an id of the whole in the list; kNoId if it is not there.
 template <class Id>
-using Numbers = std::vector<std::pair<Id, Id>>;
-
-template <class Id>
-Id number_in(const Numbers<Id>& numbers, Id in_whole) {
-  const auto at = std::ranges::lower_bound(numbers, in_whole, {}, &std::pair<Id, Id>::first);
-  return at != numbers.end() && at->first == in_whole ? at->second : Id(kNoId);
+Id place_in(const std::map<Id, Id>& places, Id in_whole) {
+  const auto at = places.find(in_whole);
+  return at != places.end() ? at->second : Id(kNoId);
 }
 
 template <class Id>
-Numbers<Id> numbered(std::span<const Id> in_whole) {
-  Numbers<Id> numbers;
-  for (std::size_t n = 0; n < in_whole.size(); ++n) numbers.emplace_back(in_whole[n], Id(n));
-  std::ranges::sort(numbers);
-  return numbers;
+std::map<Id, Id> places_in(std::span<const Id> list) {
+  std::map<Id, Id> places;
+  for (std::size_t n = 0; n < list.size(); ++n) places[list[n]] = Id(n);
+  return places;
 }
 
 // Returns for the elements of a patch, of which `ids` are those of the whole before, their ids in
@@ -81,11 +77,11 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
   std::ranges::sort(vertices, {}, place);
   std::ranges::sort(held, {}, place);
   const VertexId first_held(vertices.size());
-  const Numbers<VertexId> outside = numbered(std::span<const VertexId>(vertices));
+  const std::map<VertexId, VertexId> outside = places_in(std::span<const VertexId>(vertices));
   vertices.insert(vertices.end(), held.begin(), held.end());
   for (VertexId v = first_held; v < vertices.size(); ++v) places.vertex[vertices[v]] = v;
   const auto local_vertex = [&](VertexId v) {
-    return holds(v) ? places.vertex[v] : number_in(outside, v);
+    return holds(v) ? places.vertex[v] : place_in(outside, v);
   };
 
   IdArray<FaceId, Face> faces;
@@ -111,13 +107,13 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
     }
   }
   patch.facets = std::move(facets);
-  const Numbers<FaceId> frozen =
-      numbered(std::span<const FaceId>(patch.facets).first(patch.region.first_free.number()));
+  const std::map<FaceId, FaceId> frozen =
+      places_in(std::span<const FaceId>(patch.facets).first(patch.region.first_free.number()));
   const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
   for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
   for (Face& face : s.mesh.faces) {
     for (FaceId& g : face.n) {
-      if (g != kNoId) g = is_free(g) ? places.facet[g] : number_in(frozen, g);
+      if (g != kNoId) g = is_free(g) ? places.facet[g] : place_in(frozen, g);
     }
   }
   // The ends of an open chain are their own neighbors.

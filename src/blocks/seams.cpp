@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -23,46 +22,31 @@ constexpr std::array kMaxShares{0.25, 0.375, 0.5};
 // Boxes at work at once, for each thread: bounds the memory of those that are not put back yet.
 constexpr std::size_t kPatchesPerThread = 8;
 
-// The intervals into which the planes between blocks cut an axis: even ones lie between planes, odd
-// ones around one.
-class Intervals {
- public:
-  Intervals(const std::vector<int>& planes, double spacing, std::size_t round) {
-    ends_.push_back(-kFar);
-    for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
-      const int side = std::min(planes[n] - planes[n - 1], planes[n + 1] - planes[n]);
-      const double half = std::min(kHalfSamples[round], kMaxShares[round] * side);
-      ends_.push_back((planes[n] - half) * spacing);
-      ends_.push_back((planes[n] + half) * spacing);
-    }
-    ends_.push_back(kFar);
-  }
-
-  std::size_t size() const { return ends_.size() - 1; }
-  std::size_t at(double x) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(ends_, x) - ends_.begin() - 1);
-  }
-  double lo(std::size_t n) const { return ends_[n]; }
-  double hi(std::size_t n) const { return ends_[n + 1]; }
-
- private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<double> ends_;
-};
-
-// The boxes of a round, by the numbers of their intervals.
+// The boxes of a round. The planes between blocks cut an axis into intervals: even ones lie between
+// planes, odd ones around one. A box has a number of an interval for each axis.
 class RoundBoxes {
  public:
-  RoundBoxes(const BlockRun& run, std::size_t round)
-      : grid_(run.grid),
-        round_(round),
-        axes_{axis(run, 0, round), axis(run, 1, round), axis(run, 2, round)} {}
+  RoundBoxes(const BlockRun& run, std::size_t round) : grid_(run.grid), round_(round) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<int>& planes = grid_.planes[axis];
+      const double spacing = run.source.shape.spacing()[axis];
+      std::vector<double>& ends = ends_[axis];
+      ends.push_back(-Region::kFar);
+      for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
+        const int side = std::min(planes[n] - planes[n - 1], planes[n + 1] - planes[n]);
+        const double half = std::min(kHalfSamples[round], kMaxShares[round] * side);
+        ends.push_back((planes[n] - half) * spacing);
+        ends.push_back((planes[n] + half) * spacing);
+      }
+      ends.push_back(Region::kFar);
+    }
+  }
 
-  std::size_t size() const { return axes_[0].size() * axes_[1].size() * axes_[2].size(); }
+  std::size_t size() const { return count(0) * count(1) * count(2); }
 
   // Returns the number of the place that holds p: a box of this round, or what is between them.
   std::size_t at(const Vec3& p) const {
-    return number(axes_[0].at(p.x), axes_[1].at(p.y), axes_[2].at(p.z));
+    return number(interval(0, p.x), interval(1, p.y), interval(2, p.z));
   }
   bool is_box(std::size_t number) const {
     const auto [i, j, k] = intervals(number);
@@ -74,8 +58,8 @@ class RoundBoxes {
   void for_each(const Box3& box, Visit&& visit) const {
     std::array<std::size_t, 3> lo, hi;
     for (int a = 0; a < 3; ++a) {
-      lo[a] = axes_[a].at(box.lo[a]);
-      hi[a] = axes_[a].at(box.hi[a]);
+      lo[a] = interval(a, box.lo[a]);
+      hi[a] = interval(a, box.hi[a]);
     }
     for (std::size_t k = lo[2]; k <= hi[2]; ++k) {
       for (std::size_t j = lo[1]; j <= hi[1]; ++j) {
@@ -94,7 +78,7 @@ class RoundBoxes {
       Index3 cell;
       bool is_new = true;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto interval = at[static_cast<std::size_t>(axis)];
+        const auto interval = at[axis];
         const int beyond = corner >> axis & 1;
         is_new &= beyond == 0 || (interval & 1) != 0;
         cell[axis] = static_cast<int>(interval / 2) + beyond;
@@ -106,29 +90,29 @@ class RoundBoxes {
 
   Region region(std::size_t number) const {
     const auto [i, j, k] = intervals(number);
-    return {0,
-            {axes_[0].lo(i), axes_[1].lo(j), axes_[2].lo(k)},
-            {axes_[0].hi(i), axes_[1].hi(j), axes_[2].hi(k)}};
+    const auto& [x, y, z] = ends_;
+    return {0, {x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}};
   }
 
  private:
-  static Intervals axis(const BlockRun& run, int a, std::size_t round) {
-    return {run.grid.planes[static_cast<std::size_t>(a)], run.source.shape.spacing()[a], round};
+  std::size_t count(int axis) const { return ends_[axis].size() - 1; }
+  std::size_t interval(int axis, double x) const {
+    return std::ranges::upper_bound(ends_[axis], x) - ends_[axis].begin() - 1;
   }
   std::array<std::size_t, 3> intervals(std::size_t number) const {
-    const std::size_t rest = number / axes_[0].size();
-    return {number % axes_[0].size(), rest % axes_[1].size(), rest / axes_[1].size()};
+    const std::size_t rest = number / count(0);
+    return {number % count(0), rest % count(1), rest / count(1)};
   }
   bool is_box(std::size_t i, std::size_t j, std::size_t k) const {
     return (i & 1) + (j & 1) + (k & 1) == round_ + 1;
   }
   std::size_t number(std::size_t i, std::size_t j, std::size_t k) const {
-    return i + axes_[0].size() * (j + axes_[1].size() * k);
+    return i + count(0) * (j + count(1) * k);
   }
 
   const BlockGrid& grid_;
   std::size_t round_;
-  std::array<Intervals, 3> axes_;
+  std::array<std::vector<double>, 3> ends_;  // of the intervals
 };
 
 // Returns the samples in the region and some around it.

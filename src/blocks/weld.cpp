@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
@@ -41,17 +42,6 @@ Index3 voxel_beyond(const Block& block, const BoundaryLoop& loop, std::size_t i,
   return voxel;
 }
 
-// Returns per arc: nonzero if it lies on a seam that is welded.
-std::vector<std::uint8_t> welded_arcs(const Block& block, const BoundaryLoop& loop,
-                                      const Vec3& spacing, const IsElsewhere& is_elsewhere) {
-  std::vector<std::uint8_t> welded = loop.fixed;
-  for (std::size_t i = 0; i < welded.size(); ++i) {
-    if (is_elsewhere && welded[i] != 0 && is_elsewhere(voxel_beyond(block, loop, i, spacing)))
-      welded[i] = 0;
-  }
-  return welded;
-}
-
 std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& spacing,
                                  const IsElsewhere& is_elsewhere) {
   std::vector<OuterRun> runs;
@@ -59,9 +49,13 @@ std::vector<OuterRun> outer_runs(const std::vector<Block>& blocks, const Vec3& s
     if (!blocks[b].loops) continue;
     const BoundaryLoops& loops = *blocks[b].loops;
     for (std::uint32_t l = 0; l < loops.size(); ++l) {
-      const std::vector<std::uint8_t> welded =
-          welded_arcs(blocks[b], loops[l], spacing, is_elsewhere);
+      // Per arc: nonzero if it lies on a seam that is welded.
+      std::vector<std::uint8_t> welded = loops[l].fixed;
       const std::size_t n = welded.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        if (welded[i] == 0 || !is_elsewhere) continue;
+        welded[i] = !is_elsewhere(voxel_beyond(blocks[b], loops[l], i, spacing));
+      }
       if (std::ranges::find(welded, 1) == welded.end()) {
         runs.push_back({b, l, 0, n});
         continue;
@@ -159,27 +153,24 @@ class Welder {
 
   // Numbers the vertices of all blocks in order. Vertices at one place of a seam have one number.
   void number_vertices() {
-    struct SeamPoint {
-      Vec3 at;
-      std::uint32_t block;
-      VertexId vertex;
-    };
-    std::vector<SeamPoint> seam;
+    std::vector<Vec3> places;  // of the vertices on seams
+    std::vector<std::pair<std::uint32_t, VertexId>> seam;
     for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
       const SurfaceMesh& s = blocks_[b].mesh;
       new_id_.emplace_back(s.mesh.points.size(), kNoId);
       for (VertexId v = 0; v < s.mesh.points.size(); ++v) {
-        if (is_on_seam(blocks_[b], v)) seam.push_back({s.mesh.points[v], b, v});
+        if (!is_on_seam(blocks_[b], v)) continue;
+        places.push_back(s.mesh.points[v]);
+        seam.emplace_back(b, v);
       }
     }
-    std::ranges::sort(seam, {}, [](const SeamPoint& p) {
-      return std::tuple(by_place(p.at), p.block, p.vertex.number());
-    });
+    const auto new_id = [&](std::size_t n) -> VertexId& {
+      return new_id_[seam[n].first][seam[n].second];
+    };
     // The first at a place keeps its own number; the others get it when all are known.
-    std::vector<std::size_t> first(seam.size());
+    const std::vector<VertexId> first = first_at_place(places);
     for (std::size_t n = 0; n < seam.size(); ++n) {
-      first[n] = n > 0 && seam[n].at == seam[n - 1].at ? first[n - 1] : n;
-      if (first[n] != n) new_id_[seam[n].block][seam[n].vertex] = kShared;
+      if (first[n] != n) new_id(n) = kShared;
     }
     std::size_t count = 0;
     for (IdArray<VertexId, VertexId>& ids : new_id_) {
@@ -189,9 +180,8 @@ class Welder {
     }
     on_seam_.resize(count, 0);
     for (std::size_t n = 0; n < seam.size(); ++n) {
-      const VertexId id = new_id_[seam[first[n]].block][seam[first[n]].vertex];
-      new_id_[seam[n].block][seam[n].vertex] = id;
-      on_seam_[id] = 1;
+      new_id(n) = new_id(first[n]);
+      on_seam_[new_id(n)] = 1;
     }
     vertices_ = count;
   }
