@@ -208,7 +208,7 @@ SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
       if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
     }
   }
-  if (follower_) follower_->point_inserted(v);
+  if (follower_) follower_->site_added(v);
   return v;
 }
 

@@ -72,10 +72,10 @@ class Observer {
   // The vertex `v` of T shall be a site. `asker`: the site whose test demands it; kNoId: a test of
   // all of K.
   virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
-  // That vertex is a site.
-  virtual void site_added(SiteId /*site*/) {}
-  // A point is inserted; the cells of the zone are removed.
+  // Both ways. A point is inserted, and the cells of the zone are removed; then the point is a
+  // site, in the certified way that vertex.
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
+  virtual void site_added(SiteId /*site*/) {}
 
   // The paper's way. Restricted facets have records.
   virtual void restricted_ready(const RestrictedDelaunay&) {}
@@ -87,8 +87,6 @@ class Observer {
   virtual void record_asked(RecordId, Reason, double /*value*/) {}
   // The record is about to be freed; its facet may have been restricted.
   virtual void record_gone(RecordId) {}
-  // The point was inserted.
-  virtual void point_inserted(SiteId /*v*/) {}
   // A boundary edge is about to be split, in place of an insertion or for its own sake.
   virtual void edge_split(SiteId /*from*/, SiteId /*to*/) {}
   // The demanded insertion ended, after any number of points.

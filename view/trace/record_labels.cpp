@@ -63,8 +63,8 @@ void TraceRecorder::site_asked(Reason reason, SiteId asker, VertexId v) {
   if (asker != kNoId) event.caller[0] = number(asker);
 }
 
-void TraceRecorder::site_added(SiteId site) {
-  if (trace_.is_full()) return record(TraceOutcome::done);
+void TraceRecorder::show_labels(SiteId site) {
+  if (trace_.is_full()) return;
   const Labels& labels = *labels_;
   number_vertices();
   TraceEvent& event = trace_.event();
@@ -87,7 +87,6 @@ void TraceRecorder::site_added(SiteId site) {
     if (shows_contour_) event.relabel.push_back({v, event.vertex});
     label_[v] = site;
   }
-  record(TraceOutcome::done);
 }
 
 }  // namespace deliso

@@ -96,11 +96,10 @@ void TraceRecorder::show(RecordId r) {
   trace_.event().added.push_back(shown_[r]);
 }
 
-void TraceRecorder::point_inserted(SiteId v) {
+void TraceRecorder::show_records(SiteId site) {
   number_vertices();
-  trace_.event().vertex = number(v);
+  trace_.event().vertex = number(site);
   for (const RecordId r : restricted_->created()) show(r);
-  record(outcome_);
 }
 
 void TraceRecorder::edge_split(SiteId from, SiteId to) {

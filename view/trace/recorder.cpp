@@ -37,6 +37,11 @@ void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
   }
 }
 
+void TraceRecorder::site_added(SiteId site) {
+  labels_ ? show_labels(site) : show_records(site);
+  record(outcome_);
+}
+
 void TraceRecorder::record(TraceOutcome outcome) {
   trace_.count(report_.searches_recover.searches, report_.searches_recover.computations);
   trace_.record(outcome);

@@ -32,12 +32,12 @@ class TraceRecorder : public Observer {
 
   // Both ways of Stage 1.
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
+  void site_added(SiteId site) override;
   void recovery_finished() override;
 
   // Certified, record_labels.cpp.
   void labels_ready(const Labels& labels, const Box3& domain) override;
   void site_asked(Reason reason, SiteId asker, VertexId v) override;
-  void site_added(SiteId site) override;
 
   // As published, record_restricted.cpp.
   void restricted_ready(const RestrictedDelaunay& restricted) override;
@@ -45,7 +45,6 @@ class TraceRecorder : public Observer {
   void star_asked(SiteId q, bool on_boundary, RecordId furthest) override;
   void record_asked(RecordId r, Reason reason, double value) override;
   void record_gone(RecordId r) override;
-  void point_inserted(SiteId v) override;
   void edge_split(SiteId from, SiteId to) override;
   void attempt_ended(Attempt attempt, const Vec3& x) override;
 
@@ -87,6 +86,9 @@ class TraceRecorder : public Observer {
   // Ends the event.
   void record(TraceOutcome outcome);
   void show(RecordId r);
+  // What a new site changed: labels, or facets of Del S|Sigma.
+  void show_labels(SiteId site);
+  void show_records(SiteId site);
   // Facets of the mesh went, others came: the trace gets the worst distance of those there.
   void update_worst(const std::vector<FaceId>& gone, const std::vector<FaceId>& come);
   void tell_facet(RecordId r, TraceEvent& event) const;
