@@ -19,7 +19,7 @@ struct FaceAreas {
 
   void add(int face, const Vec3& from, const Vec3& to) {
     if (!origin) origin = from;
-    sums[static_cast<std::size_t>(face)] += cross(from - *origin, to - *origin)[face >> 1];
+    sums[face] += cross(from - *origin, to - *origin)[face >> 1];
   }
 };
 

@@ -39,10 +39,6 @@ Box3 box_of(const ContourComponent& c, const Volume& volume) {
   return {volume.position(c.lo), volume.position({c.hi.i + 1, c.hi.j + 1, c.hi.k + 1})};
 }
 
-Vec3 middle_of(const Box3& box) {
-  return box.middle();
-}
-
 // Returns the most frequent of `votes`, of several the least; kNoId if there are none.
 std::uint32_t most_frequent(std::vector<std::uint32_t> votes) {
   std::ranges::sort(votes);
@@ -95,9 +91,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
   // Of several components the nearest decides, in voxels along each axis: spacings may be very
   // unequal.
   const Vec3 spacing = volume.spacing();
-  const auto in_voxels = [&](const Vec3& p) {
-    return Vec3{p.x / spacing.x, p.y / spacing.y, p.z / spacing.z};
-  };
+  const auto in_voxels = [&](const Vec3& p) { return divided(p, spacing); };
   const auto nearest_component = [&](const std::vector<Vec3>& voters) {
     std::vector<std::uint32_t> facing, others;
     for (const Vec3& p : voters) {
@@ -116,9 +110,7 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
       });
       if (component == kNoId) continue;
       const Vec3 g = volume.gradient(p);
-      const bool is_facing =
-          normal.x * g.x * spacing.x + normal.y * g.y * spacing.y + normal.z * g.z * spacing.z < 0;
-      (is_facing ? facing : others).push_back(component);
+      (dot(normal, times(g, spacing)) < 0 ? facing : others).push_back(component);
     }
     return most_frequent(facing.empty() ? others : facing);
   };
@@ -170,7 +162,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
              topology_text(c.euler(), c.boundary_loops), ", ", box_text(c.box, spacing),
              stands_for[m] == kNoId ? std::string(") is near no component of the surface")
                                     : text(") is a further one on component ", stands_for[m])),
-        middle_of(c.box));
+        c.box.middle());
   }
   result.kept = chosen_components(contour.summary, choice);
   const std::vector<std::optional<Vec3>> origins = component_origins(contour, volume.box());
@@ -194,7 +186,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
       if (!result.kept[e]) continue;
       const auto loops = x.boundary_loops;
       faults.add(FaultKind::missing_components,
-                 text(name, " is missing: ", topology_text(x.euler, loops)), middle_of(box));
+                 text(name, " is missing: ", topology_text(x.euler, loops)), box.middle());
       continue;
     }
     result.kept[e] = 1;
@@ -207,12 +199,12 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                  text(name, " has ", topology_text(x.euler, x.boundary_loops),
                       ", but the mesh there (of vertex ", vertices[m][0], ") ",
                       topology_text(c.euler(), c.boundary_loops)),
-                 middle_of(box));
+                 box.middle());
     }
     if (by_boundary[m] != 0 ? by_boundary[m] < 0 : bounded[m] * exactly_bounded[e] < 0) {
       faults.add(FaultKind::turned_components,
                  text(name, " has its normals turned to the side of the greater values"),
-                 middle_of(box));
+                 box.middle());
     }
   }
   return result;

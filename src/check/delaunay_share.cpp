@@ -14,15 +14,6 @@ namespace {
 
 constexpr std::size_t kCellsAtOnce = 1u << 13, kFacetsAtOnce = 1u << 11;
 
-// Appends the corners of a regular tetrahedron around the box, 16 of its diagonals away.
-void add_auxiliary(const Box3& box, std::vector<Vec3>& points) {
-  const Vec3 middle = box.middle();
-  const double d = 16 * length(box.size());
-  for (const Vec3& to : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
-    points.push_back(middle + d * to);
-  }
-}
-
 // Returns the distance from a triangle's circumcenter to the nearest point of Sigma on its dual
 // line; infinity without one.
 double height(const CleanMesh& mesh, const Triangle& t, const Isosurface& surface,
@@ -42,7 +33,7 @@ MeshTriangulation::MeshTriangulation(const CleanMesh& mesh, const Box3& box) {
     points.push_back(mesh.points[v]);
     source.push_back(v);
   }
-  add_auxiliary(box, points);
+  append_auxiliary(box, points);
   std::vector<SiteId> ids;
   built_ = cells_.build(points, ids, kMaxCellsPerVertex);
   if (!built_) return;

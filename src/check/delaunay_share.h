@@ -41,8 +41,7 @@ inline constexpr double kBallLimitRadii = 4;
 // many as there are vertices.
 inline constexpr std::size_t kMaxCellsPerVertex = 96;
 
-// The Delaunay triangulation of a mesh's vertices. Four auxiliary vertices far outside represent
-// infinity.
+// The Delaunay triangulation of a mesh's vertices, with auxiliary ones.
 class MeshTriangulation {
  public:
   MeshTriangulation(const CleanMesh& mesh, const Box3& box);

@@ -72,7 +72,7 @@ Distances summarize(std::vector<double> values, const CleanMesh& mesh, const Dis
   d.rms = std::sqrt(squares / n);
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.999 * n)) - 1;
   std::nth_element(values.begin(), values.begin() + rank, values.end());
-  d.quantile_999 = values[static_cast<std::size_t>(rank)];
+  d.quantile_999 = values[rank];
   return d;
 }
 

@@ -32,7 +32,6 @@ double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
   return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
 }
 
-// Returns the length of a voxel in reports.
 }  // namespace
 
 FacetComponents facet_components(const TriMesh& mesh) {

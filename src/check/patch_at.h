@@ -24,7 +24,6 @@ class PatchAt {
   double distance_along(const Vec3& direction, double limit, SearchCounters& counters) const;
 
  private:
-  static Vec3 times(const Vec3& a, const Vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
   std::optional<double> distance_within(const Vec3& direction) const;
 
   const Isosurface& surface_;

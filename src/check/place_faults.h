@@ -12,7 +12,9 @@
 namespace deliso {
 
 struct PlaceFaults {
-  std::size_t crossings = 0;   // pairs of triangles; of count_crossings()
+  // Pairs of triangles that cross, vertices at one position counted as one. A triangle around which
+  // some pairs were not tested counts as one more.
+  std::size_t crossings = 0;
   std::size_t flat = 0;        // triangles without area
   std::size_t coincident = 0;  // vertices at the position of one with a smaller id
 
@@ -23,7 +25,7 @@ struct PlaceFaults {
 
 // Counts the faults. `where`, if given, receives the vertices that have a part in one, ascending.
 PlaceFaults find_place_faults(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
-                              int threads, std::vector<VertexId>* where = nullptr);
+                              int threads = 1, std::vector<VertexId>* where = nullptr);
 
 // Returns the points rounded to floats. Vertices in faults of the nearest floats take others of the
 // eight floats around them if that leaves fewer faults. Four rounds over these vertices; none while

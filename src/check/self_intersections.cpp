@@ -9,7 +9,6 @@
 #include "base/sorted_list.h"
 #include "delaunay/predicates.h"
 #include "embedding/triangle_pair.h"
-#include "mesh/first_at_place.h"
 
 namespace deliso {
 namespace {
@@ -119,21 +118,6 @@ class Search {
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads) {
   return Search(points, triangles, tree, threads).run();
-}
-
-std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces,
-                            int threads) {
-  std::vector<VertexId> merged = first_at_place(points);
-  std::vector<Triangle> triangles;
-  triangles.reserve(faces.size());
-  for (const Face& face : faces) {
-    const Triangle t{merged[face.v[0]], merged[face.v[1]], merged[face.v[2]]};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
-  }
-  const std::vector<Vec3> places(points.begin(), points.end());
-  const Crossings found =
-      find_crossings(places, triangles, TriangleTree(places, triangles, threads), threads);
-  return found.pairs.size() + found.given_up.size();
 }
 
 }  // namespace deliso

@@ -38,10 +38,4 @@ inline constexpr std::size_t kBoxesShared = 1u << 26, kTestsShared = 1u << 23,
 Crossings find_crossings(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                          const TriangleTree& tree, int threads = 1);
 
-// Returns how many such pairs a mesh of these facets has over `points`. Vertices at one position
-// count as one. Facets without area, or with two corners at one position, are ignored. A facet
-// around which some pairs were not tested counts as one more.
-std::size_t count_crossings(std::span<const Vec3> points, std::span<const Face> faces,
-                            int threads = 1);
-
 }  // namespace deliso

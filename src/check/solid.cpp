@@ -42,7 +42,7 @@ std::array<PlaneOfBox, 6> planes_of(const TriMesh& mesh, const Box3& box, double
       exact += plane.off(p) == 0;
     }
     if (2 * exact > near) plane.tolerance = 0;
-    planes[static_cast<std::size_t>(n)] = plane;
+    planes[n] = plane;
   }
   return planes;
 }

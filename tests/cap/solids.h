@@ -14,6 +14,7 @@
 #include "base/random.h"
 #include "base/vec2.h"
 #include "cap/box_caps.h"
+#include "check/place_faults.h"
 #include "check/self_intersections.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
@@ -36,7 +37,7 @@ inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
   options.cap = true;
   solid.mesh = make(volume, kappa, options, solid.report);
   if (solid.report.cap.failure.empty()) {
-    solid.crossings = count_crossings(solid.mesh.points, solid.mesh.faces);
+    solid.crossings = find_place_faults(solid.mesh.points, corners_of(solid.mesh)).crossings;
   }
   return solid;
 }

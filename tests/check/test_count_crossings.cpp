@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "check/self_intersections.h"
+#include "check/place_faults.h"
 #include "embedding/all_crossings.h"
 
 using namespace deliso;
@@ -13,12 +13,12 @@ using namespace deliso;
 namespace {
 
 std::size_t crossings(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  return count_crossings(points, make_tri_mesh(points, triangles).faces);
+  return find_place_faults(points, triangles).crossings;
 }
 
 }  // namespace
 
-TEST_CASE("count_crossings counts what brute force finds among random triangles") {
+TEST_CASE("find_place_faults counts the crossings that brute force finds among random triangles") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "check/self_intersections.h"
+#include "check/place_faults.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 
@@ -82,8 +82,7 @@ TEST_CASE("bodies that touch are closed manifolds with common facets, and no fac
   CHECK(facets[{0, 1}] > 200);
   CHECK(facets[{0, 2}] > 200);
   CHECK(facets[{2, 1}] > 50);
-  const TriMesh both = make_tri_mesh(mesh.points, all);
-  CHECK(count_crossings(mesh.points, both.faces) == 0);
+  CHECK(find_place_faults(mesh.points, all).crossings == 0);
   CHECK(mesh.largest_distance <= 0.1);
   for (const BodyId body : {1, 2}) {
     const TriMesh one = mesh.mesh_of(body);

@@ -14,7 +14,7 @@
 
 #include "base/ids.h"
 #include "base/text.h"
-#include "check/self_intersections.h"
+#include "check/place_faults.h"
 #include "mesh/tri_mesh.h"
 
 namespace deliso::stress {
@@ -71,19 +71,17 @@ inline bool is_closed(std::span<const Triangle> triangles, bool manifold) {
 inline std::string shared_fault(const SharedFile& file, bool manifold) {
   std::set<std::set<VertexId>> facets;
   std::set<int> labels;
-  std::vector<Face> faces;
   for (std::size_t f = 0; f < file.triangles.size(); ++f) {
     const Triangle& t = file.triangles[f];
     facets.insert({t[0], t[1], t[2]});
     labels.insert(file.sides[f].begin(), file.sides[f].end());
-    faces.push_back({t, {}});
     if (file.sides[f][0] == file.sides[f][1]) return text("triangle ", f, " in one label");
   }
   if (facets.size() != file.triangles.size()) return "a triangle twice";
   for (const int label : labels) {
     if (!is_closed(file.of(label), manifold && label != 0)) return text(label, " is not closed");
   }
-  const std::size_t crossings = count_crossings(file.points, faces);
+  const std::size_t crossings = find_place_faults(file.points, file.triangles).crossings;
   return crossings == 0 ? std::string() : text(crossings, " crossings");
 }
 
