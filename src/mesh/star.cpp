@@ -6,7 +6,6 @@
 
 #include "base/check.h"
 #include "base/disjoint_sets.h"
-#include "base/sorted_list.h"
 
 namespace deliso {
 namespace {
@@ -48,23 +47,25 @@ Star classify_star(VertexId q, std::span<const Triangle> triangles) {
 }
 
 VertexLink link_of(VertexId q, std::span<const Triangle> triangles) {
-  std::vector<VertexId> ends, around;
-  for (const Triangle& t : triangles) {
-    const LinkEdge edge = link_edge(q, t);
-    ends.insert(ends.end(), {edge.a, edge.b});
+  // The ends of the link's edges, with their triangles: sorted, those at one vertex are adjacent.
+  std::vector<std::uint64_t> ends;
+  ends.reserve(2 * triangles.size());
+  for (std::size_t n = 0; n < triangles.size(); ++n) {
+    const LinkEdge edge = link_edge(q, triangles[n]);
+    for (const std::uint64_t end : {edge.a, edge.b}) ends.push_back(end << 32 | n);
   }
-  around = ends;
-  sort_unique(around);
-  for (VertexId& end : ends) {
-    end = VertexId(std::lower_bound(around.begin(), around.end(), end) - around.begin());
+  std::sort(ends.begin(), ends.end());
+  DisjointSets pieces(triangles.size());
+  VertexLink link;
+  for (std::size_t i = 0, j; i < ends.size(); i = j) {
+    const auto triangle = static_cast<std::uint32_t>(ends[i]);
+    for (j = i + 1; j < ends.size() && ends[j] >> 32 == ends[i] >> 32; ++j) {
+      pieces.unite(triangle, static_cast<std::uint32_t>(ends[j]));
+    }
+    ++link.vertices;
+    link.loose_ends += j == i + 1;
   }
-  DisjointSets pieces(around.size());
-  std::vector<std::uint8_t> uses(around.size(), 0);
-  for (std::size_t n = 0; n < ends.size(); n += 2) pieces.unite(ends[n], ends[n + 1]);
-  for (const VertexId end : ends) uses[end] = static_cast<std::uint8_t>(std::min(2, uses[end] + 1));
-  const auto loose_ends = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), 1));
-  VertexLink link{0, around.size(), loose_ends};
-  for (std::uint32_t n = 0; n < around.size(); ++n) link.fans += pieces.find(n) == n;
+  for (std::uint32_t n = 0; n < triangles.size(); ++n) link.fans += pieces.find(n) == n;
   return link;
 }
 
