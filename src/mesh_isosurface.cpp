@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "blocks/components.h"
 #include "blocks/mesh_in_blocks.h"
@@ -18,7 +19,6 @@
 #include "refine/coarsen.h"
 #include "refine/refine.h"
 #include "surface/observer.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

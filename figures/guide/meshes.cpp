@@ -15,7 +15,6 @@
 #include "kdtree/voxel_tree.h"
 #include "recover/certificate.h"
 #include "recover/labels.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 #include "view/render/color_map.h"
 #include "view/render/render.h"

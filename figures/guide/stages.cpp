@@ -18,7 +18,6 @@
 #include "io/volume/builtin_volume.h"
 #include "refine/operations.h"
 #include "refine/refine.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 namespace deliso::guide {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "blocks/choose_seams.h"
 #include "blocks/clear_seam.h"
 #include "blocks/seam.h"
@@ -13,9 +14,8 @@
 #include "recover/recover.h"
 #include "refine/lift_off.h"
 #include "refine/refine.h"
-#include "stage1/boundary_loops.h"
+#include "stage1/first_sample.h"
 #include "surface/observer.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

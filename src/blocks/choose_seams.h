@@ -4,7 +4,7 @@
 // planes of the grid. The candidates are crossings of grid edges, in an order that does not depend
 // on the loop's direction or start.
 //
-// Every third crossing is chosen. Refine mends what lies at a seam (blocks/seams.h), so a seam
+// Every second crossing is chosen. Refine mends what lies at a seam (blocks/seams.h), so a seam
 // needs no more. Then chords that come near another one, of any curve in the rectangle, are halved
 // until none do. That terminates, since the curves through all crossings never meet.
 #pragma once

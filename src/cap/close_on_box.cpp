@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cap/close_on_box.h"
 
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "cap/box_caps.h"
 #include "mesh/tri_mesh.h"
 #include "refine/lift_off.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 

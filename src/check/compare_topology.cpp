@@ -36,7 +36,7 @@ std::string topology_text(std::int64_t euler, std::uint64_t loops) {
 }
 
 Box3 box_of(const ContourComponent& c, const Volume& volume) {
-  return {volume.position(c.lo), volume.position({c.hi.i + 1, c.hi.j + 1, c.hi.k + 1})};
+  return {volume.position(c.lo), volume.position(c.hi + Index3{1, 1, 1})};
 }
 
 // Returns the most frequent of `votes`, of several the least; kNoId if there are none.

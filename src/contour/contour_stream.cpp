@@ -70,13 +70,11 @@ class ContourStream {
         kappa_(kappa),
         sink_(sink),
         dims_(volume.dims()),
-        row_stride_(static_cast<std::size_t>(dims_.i)),
-        layer_size_(row_stride_ * static_cast<std::size_t>(dims_.j)),
         layers_{LayerBits(dims_.i, dims_.j), LayerBits(dims_.i, dims_.j)} {}
 
   WalkResult run() {
     if (dims_.i < 2 || dims_.j < 2 || dims_.k < 2) return {};
-    for (auto& slots : slots_) slots.resize(layer_size_);
+    for (auto& slots : slots_) slots.resize(volume_.index(0, 0, 1));
     for (int k = 0; k < dims_.k; ++k) {
       throw_if_canceled();
       aim_slots(k - 1);
@@ -98,7 +96,7 @@ class ContourStream {
   const std::uint64_t* row(int j, int k) const { return layers_[k & 1].row(j); }
   // Returns the slots of the edges along an axis from layer k. Those along z have one layer.
   std::vector<Slot>& slots(int axis, int k) { return slots_[axis == 2 ? 4 : 2 * axis + (k & 1)]; }
-  std::size_t in_layer(int i, int j) const { return row_stride_ * size_t(j) + size_t(i); }
+  std::size_t in_layer(int i, int j) const { return volume_.index(i, j, 0); }
   double value(Index3 at) const { return volume_.sample(at.i, at.j, at.k) - kappa_; }
 
   // Calls visit(i) for every bit set in bits(w), below `limit`.
@@ -247,7 +245,6 @@ class ContourStream {
   double kappa_;
   ContourSink& sink_;
   Index3 dims_;
-  std::size_t row_stride_, layer_size_;
   std::array<LayerBits, 2> layers_;
   std::array<std::vector<Slot>, 5> slots_;
   std::array<Slot*, 12> edge_slots_{};

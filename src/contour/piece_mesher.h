@@ -19,10 +19,6 @@ struct CellFrame {
   Vec3 low, size;
 };
 
-inline Vec3 to_vec3(Index3 n) {
-  return {static_cast<double>(n.i), static_cast<double>(n.j), static_cast<double>(n.k)};
-}
-
 // A share of an edge. Crossings keep this distance from its ends. Next to kappa they would round
 // onto the sample, and so onto each other or onto the volume's box.
 constexpr double kCrossingMargin = 1e-11;

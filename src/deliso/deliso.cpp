@@ -8,7 +8,6 @@
 #include "paper/recover.h"
 #include "recover/recover.h"
 #include "refine/refine.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 #include "surface/observer.h"
 

@@ -31,11 +31,11 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 }  // namespace
 
 VoxelTree::VoxelTree(const Volume& volume)
-    : volume_(volume), per_spacing_(divided({1, 1, 1}, volume.spacing())), box_(volume.box()) {
-  for (int axis = 0; axis < 3; ++axis) {
-    first_[axis] = volume.first()[axis];
-    top_in_voxels_[axis] = volume.voxels()[axis];
-  }
+    : volume_(volume),
+      per_spacing_(divided({1, 1, 1}, volume.spacing())),
+      first_(to_vec3(volume.first())),
+      top_in_voxels_(to_vec3(volume.voxels())),
+      box_(volume.box()) {
   choose_axes();
   volume.visit([&](const auto* samples) { build(samples); });
 }

@@ -77,9 +77,13 @@ std::string check_edges(const TriMesh& mesh, std::span<const EdgeUse> uses) {
 
 std::string check_vertices(const TriMesh& mesh, std::span<const Triangle> triangles) {
   const TrianglesAtVertices incident(mesh.points.size(), triangles);
+  std::vector<FaceId> around;
   std::vector<Triangle> star;
   for (VertexId v = 0; v < mesh.points.size(); ++v) {
     const std::span<const std::uint32_t> at = incident.at(v);
+    // Neighbors are right by now: three facets or more that a walk finds are one fan.
+    if (!at.empty()) facets_around(mesh, FaceId(at[0]), v, around);
+    if (at.size() > 2 && around.size() == at.size()) continue;
     star.clear();
     for (const std::uint32_t f : at) star.push_back(triangles[f]);
     const VertexLink link = link_of(v, star);

@@ -39,7 +39,7 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
   q.faces = mesh.faces.size();
   if (mesh.faces.empty()) return q;
   q.min_angle = 180;
-  q.min_area = q.min_edge = std::numeric_limits<double>::infinity();
+  q.min_edge = std::numeric_limits<double>::infinity();
   std::vector<double> ratios;
   ratios.reserve(mesh.faces.size());
   double edge_sum = 0;
@@ -50,30 +50,20 @@ MeshQuality measure_quality(const TriMesh& mesh, double lambda, double r_min) {
     const Shape s =
         shape_of(mesh.points[face.v[0]], mesh.points[face.v[1]], mesh.points[face.v[2]]);
     const auto [least, most] = std::minmax_element(s.angle.begin(), s.angle.end());
-    if (*least < q.min_angle) {
-      q.min_angle = *least;
-      q.min_angle_face = f;
-    }
-    if (*most > q.max_angle) {
-      q.max_angle = *most;
-      q.max_angle_face = f;
-    }
+    q.min_angle = std::min(q.min_angle, *least);
+    q.max_angle = std::max(q.max_angle, *most);
     const auto bin = static_cast<std::size_t>(*least / (60.0 / MeshQuality::kAngleBins));
     ++q.angle_histogram[std::min(bin, MeshQuality::kAngleBins - 1)];
 
     ratios.push_back(s.r_over_l);
     q.degenerate_faces += !(s.area > 0);
-    if (s.r_over_l > q.max_r_over_l) {
-      q.max_r_over_l = s.r_over_l;
-      q.max_r_over_l_face = f;
-    }
+    q.max_r_over_l = std::max(q.max_r_over_l, s.r_over_l);
     q.over_lambda += s.r_over_l > lambda;
     if (s.radius > r_min) {
       q.max_r_over_l_above_r_min = std::max(q.max_r_over_l_above_r_min, s.r_over_l);
       q.over_lambda_above_r_min += s.r_over_l > lambda;
     }
     q.max_radius = std::max(q.max_radius, s.radius);
-    q.min_area = std::min(q.min_area, s.area);
     q.area += s.area;
     for (int i = 0; i < 3; ++i) {
       q.min_edge = std::min(q.min_edge, s.edge[i]);

@@ -17,14 +17,11 @@ struct MeshQuality {
   std::size_t faces = 0;
   std::size_t degenerate_faces = 0;  // without area: r/l and r are infinite
 
-  // In degrees, and the first facets that have these values; kNoId in an empty mesh.
-  double min_angle = 0, max_angle = 0;
-  FaceId min_angle_face = kNoId, max_angle_face = kNoId;
+  double min_angle = 0, max_angle = 0;  // degrees
   // Facets by their smallest angle, in steps of 5 degrees: [0, 5), ... [55, 60].
   std::array<std::size_t, kAngleBins> angle_histogram{};
 
   double max_r_over_l = 0;
-  FaceId max_r_over_l_face = kNoId;
   // r/l at the quantiles kQuantiles: the smallest value not exceeded by that share of the facets.
   std::array<double, kQuantiles.size()> r_over_l_quantiles{};
   double max_r_over_l_above_r_min = 0;  // of facets with r > r_min
@@ -32,7 +29,7 @@ struct MeshQuality {
   std::size_t over_lambda_above_r_min = 0;
 
   double max_radius = 0;
-  double min_area = 0, area = 0;
+  double area = 0;
   double min_edge = 0, mean_edge = 0, max_edge = 0;  // each edge of linked facets once
 };
 

@@ -6,11 +6,11 @@
 #include <queue>
 
 #include "base/sorted_list.h"
+#include "base/stopwatch.h"
 #include "paper/orient.h"
 #include "stage1/build_tri_mesh.h"
 #include "stage1/poles.h"
 #include "surface/criteria.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

@@ -36,35 +36,28 @@ Certificate::Region Certificate::count_region(SiteId a, VertexId at,
   for (std::size_t k = 0; k < count; ++k) {
     const VertexId v = reached[k];
     const std::span<const VertexId> ring = labels_.ring(v);
-    std::size_t inside = 0;
     for (const VertexId u : ring) {
       if (label[u] != a) continue;
-      ++inside;
       reached[count] = u;
       count += visited[u] != now;
       visited[u] = now;
     }
     const bool on_boundary = labels_.contour().on_boundary(v);
     const std::size_t triangles = ring.size() - on_boundary;
-    if (inside == ring.size()) {  // the most frequent case
-      edges_twice += static_cast<long>(triangles);
-      faces_thrice += static_cast<long>(triangles);
-    } else {
-      for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
-        const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
-        const SiteId b = label[u], c = label[w];
-        if (b == a) {
-          ++edges_twice;
-          ++(c == a ? faces_thrice : interface_with(c).F);
-          continue;
-        }
-        Interface& i = interface_with(b);
-        ++i.E;
-        if (c == b) {
-          ++i.F;
-        } else if (c != a) {  // labels a, b, a: counted from w
-          facets.push_back({{a, b, c}, {v, u, w}});
-        }
+    for (std::size_t n = 0; n < triangles; ++n) {  // the edge (v, u), the triangle (v, u, w)
+      const VertexId u = ring[n], w = ring[n + 1 < ring.size() ? n + 1 : 0];
+      const SiteId b = label[u], c = label[w];
+      if (b == a) {
+        ++edges_twice;
+        ++(c == a ? faces_thrice : interface_with(c).F);
+        continue;
+      }
+      Interface& i = interface_with(b);
+      ++i.E;
+      if (c == b) {
+        ++i.F;
+      } else if (c != a) {  // labels a, b, a: counted from w
+        facets.push_back({{a, b, c}, {v, u, w}});
       }
     }
     if (!on_boundary) continue;

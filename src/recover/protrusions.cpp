@@ -70,20 +70,13 @@ VertexId find_protrusion(SiteId s, std::span<const DualFacet> facets, const Labe
              (f.is_within(d, limit2) || f.distance2_to(d) <= nearest2);
     });
   };
-  // The facet that the last vertex was over: most vertices are over the same one as the one before.
-  std::size_t last = 0;
   VertexId worst = kNoId;
   double worst2 = near_limit(parameters) * near_limit(parameters);
   for (const VertexId v : labels.region(s)) {
     if (labels.distance2_to_site(v) <= worst2) continue;
     const Vec3 d = labels.contour().points[v] - site;
-    if (last < seen.size() && seen[last].is_within(d, worst2)) continue;
     const auto is_over = [&](const SeenFacet& f) { return f.is_within(d, worst2); };
-    const auto over = std::ranges::find_if(seen, is_over);
-    if (over != seen.end()) {
-      last = static_cast<std::size_t>(over - seen.begin());
-      continue;
-    }
+    if (std::ranges::any_of(seen, is_over)) continue;
     double nearest2 = labels.distance2_to_site(v);
     for (const SeenFacet& f : seen) {
       nearest2 = std::min(nearest2, f.distance2_to(d));

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/sorted_list.h"
+#include "base/stopwatch.h"
 #include "contour/bounded_volume.h"
 #include "contour/fine_contour.h"
 #include "recover/certificate.h"
@@ -15,7 +16,6 @@
 #include "stage1/build_tri_mesh.h"
 #include "stage1/poles.h"
 #include "surface/observer.h"
-#include "surface/step_timer.h"
 #include "surface/surface_point.h"
 
 namespace deliso {

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "base/triangle.h"
 #include "refine/coverage.h"
 #include "refine/operations.h"
 #include "refine/orientation.h"
 #include "refine/refine.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "base/triangle.h"
 #include "refine/coverage.h"
 #include "refine/facet_queue.h"
 #include "refine/operations.h"
 #include "refine/thin.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "base/check.h"
 #include "base/random.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "surface/observer.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 namespace {
@@ -42,6 +42,20 @@ void require_room(const Triangulation& triangulation, const Parameters& paramete
   if (triangulation.vertex_capacity() <= parameters.max_vertices) return;
   throw InputError(text("more than --max-vertices ", parameters.max_vertices,
                         " vertices needed before the surface is recovered"));
+}
+
+BoundaryLoops boundary_loops(const ContourMesh& contour) {
+  const BoundaryChains& chains = contour.boundary;
+  BoundaryLoops loops(chains.size());
+  for (std::size_t c = 0; c < loops.size(); ++c) {
+    for (std::uint32_t k = chains.first[c]; k < chains.first[c + 1]; ++k) {
+      loops[c].points.push_back(contour.points[chains.vertices[k]]);
+      loops[c].kept.push_back(chains.on_box_edge[k]);
+      loops[c].faces.push_back(chains.face[k]);
+    }
+    loops[c].fixed.resize(loops[c].points.size(), 0);
+  }
+  return loops;
 }
 
 FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves& curves,
@@ -77,8 +91,7 @@ FirstSample init_triangulation(const ContourMesh& contour, const BoundaryCurves&
   for (const VertexId v : seeds) points.push_back(contour.points[v]);
   append_auxiliary(volume.box(), points);
   std::vector<SiteId> ids;
-  const bool built = out.triangulation.build(points, ids);
-  DELISO_CHECK(built);
+  DELISO_CHECK(out.triangulation.build(points, ids));
   std::size_t first = 0;
   for (const std::vector<CurvePlace>& chain : chains) {
     out.chain.add_loop(std::span(ids).subspan(first, chain.size()), chain);

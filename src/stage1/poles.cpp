@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/stopwatch.h"
 #include "delaunay/voronoi.h"
 #include "surface/observer.h"
-#include "surface/step_timer.h"
 
 namespace deliso {
 

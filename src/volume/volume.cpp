@@ -114,7 +114,7 @@ double Volume::voxel() const {
 }
 
 Box3 Volume::box() const {
-  return {position({0, 0, 0}), position({dims_.i - 1, dims_.j - 1, dims_.k - 1})};
+  return {position({0, 0, 0}), position(voxels())};
 }
 
 Index3 Volume::voxel_at(const Vec3& p) const {

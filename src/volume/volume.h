@@ -48,6 +48,10 @@ struct Index3 {
   friend bool operator==(const Index3&, const Index3&) = default;
 };
 
+constexpr Vec3 to_vec3(Index3 n) {
+  return {static_cast<double>(n.i), static_cast<double>(n.j), static_cast<double>(n.k)};
+}
+
 // Returns the sample at corner m of a voxel; the corner is at the high end of axis k if bit k of m
 // is set.
 constexpr Index3 corner_of(Index3 voxel, int m) {
@@ -154,10 +158,7 @@ class Volume {
 
   // Returns the box of all samples: [0, (n-1)*s] along each axis if this is no block.
   Box3 box() const;
-  Vec3 position(Index3 sample) const {
-    return {(first_.i + sample.i) * spacing_.x, (first_.j + sample.j) * spacing_.y,
-            (first_.k + sample.k) * spacing_.z};
-  }
+  Vec3 position(Index3 sample) const { return times(to_vec3(first_ + sample), spacing_); }
   // Returns a coordinate in samples along an axis, counted from the block's first one.
   double in_samples(const Vec3& p, int axis) const {
     return p[axis] / spacing_[axis] - first_[axis];

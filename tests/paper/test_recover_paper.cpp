@@ -11,7 +11,7 @@
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
-#include "stage1/boundary_loops.h"
+#include "stage1/first_sample.h"
 
 using namespace deliso;
 

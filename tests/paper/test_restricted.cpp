@@ -6,7 +6,6 @@
 
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 #include "stage1/poles.h"
 #include "surface/boundary.h"

@@ -10,7 +10,6 @@
 #include "deliso/options.h"
 #include "mesh/tri_mesh.h"
 #include "recover/certificate.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;

@@ -5,7 +5,6 @@
 
 #include "deliso/fields.h"
 #include "deliso/options.h"
-#include "stage1/boundary_loops.h"
 #include "stage1/first_sample.h"
 
 using namespace deliso;
