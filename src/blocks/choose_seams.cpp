@@ -279,7 +279,7 @@ class FaceRuns {
       std::reverse(edges.begin(), edges.end());
     }
     if (closed && !edges.empty()) {
-      const auto first = std::min_element(edges.begin(), edges.end()) - edges.begin();
+      const auto first = std::ranges::min_element(edges, {}, &GridEdge::key) - edges.begin();
       std::rotate(run.points.begin(), run.points.begin() + first, run.points.end());
       run.points.push_back(run.points.front());
     }

@@ -79,6 +79,18 @@ void require_closed(const Block& whole, const Box3& box) {
   if (!is_closed) throw InputError("the seams of the parts do not fit together");
 }
 
+// Refines at the seams that are due, and puts the whole in order. Returns it.
+Block finished(const BlockRun& run, Block whole, const IsDue& is_due, const Parameters& given,
+               Report& report) {
+  if (run.grid.cells() != Index3{1, 1, 1}) {
+    if (!run.options.stop_after_recover) refine_seams(run, whole, is_due, given.observer);
+    order_by_place(whole, run.grid, run.source.shape);
+  }
+  report.add(whole.report);
+  require_room(whole, given);
+  return whole;
+}
+
 class BlockMesher {
  public:
   BlockMesher(const VolumeSource& source, double kappa, const Options& options,
@@ -111,18 +123,10 @@ class BlockMesher {
     Block whole = weld(blocks_, run_.source.shape.spacing(), [&](Index3 voxel) {
       return !own_.holds(grid_.number_of(grid_.cell_of(voxel)));
     });
-    if (cells_.size() > 1) {
-      if (!options_.stop_after_recover) {
-        const IsDue is_within = [&](std::span<const std::size_t> cells) {
-          return std::ranges::all_of(cells, [&](std::size_t cell) { return own_.holds(cell); });
-        };
-        refine_seams(run_, whole, is_within, options_.threads, given_.observer);
-      }
-      order_by_place(whole, grid_, run_.source.shape);
-    }
-    report_.add(whole.report);
-    require_room(whole, given_);
-    return whole;
+    const IsDue is_within = [&](std::span<const std::size_t> cells) {
+      return std::ranges::all_of(cells, [&](std::size_t cell) { return own_.holds(cell); });
+    };
+    return finished(run_, std::move(whole), is_within, given_, report_);
   }
 
  private:
@@ -330,19 +334,11 @@ Block join_parts(const VolumeSource& source, double kappa, const Options& option
   begin_stage(parameters.observer, "weld");
   Block whole = weld(with_cells, source.shape.spacing(), nullptr);
   require_closed(whole, source.shape.box());
-  if (cells > 1) {
-    const IsDue is_between = [&](std::span<const std::size_t> box) {
-      return std::ranges::any_of(
-          box, [&](std::size_t cell) { return part_of[cell] != part_of[box[0]]; });
-    };
-    if (!options.stop_after_recover) {
-      refine_seams(run, whole, is_between, options.threads, parameters.observer);
-    }
-    order_by_place(whole, grid, source.shape);
-  }
-  report.add(whole.report);
-  require_room(whole, parameters);
-  return whole;
+  const IsDue is_between = [&](std::span<const std::size_t> box) {
+    return std::ranges::any_of(box,
+                               [&](std::size_t cell) { return part_of[cell] != part_of[box[0]]; });
+  };
+  return finished(run, std::move(whole), is_between, parameters, report);
 }
 
 }  // namespace deliso

@@ -23,12 +23,7 @@ namespace deliso {
 struct GridEdge {
   int axis = 0;
   Index3 low;
-  friend bool operator<(const GridEdge& a, const GridEdge& b) {
-    const auto key = [](const GridEdge& e) {
-      return std::tuple(e.axis, e.low.i, e.low.j, e.low.k);
-    };
-    return key(a) < key(b);
-  }
+  auto key() const { return std::tuple(axis, low.i, low.j, low.k); }
 };
 
 // Returns the grid edge that p lies on, between its ends; nothing if it lies on none.

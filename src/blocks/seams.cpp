@@ -132,11 +132,11 @@ SampleBox samples_around(const BlockRun& run, const Region& region) {
 // What of the mesh is left to do at the seams.
 class SeamWork {
  public:
-  SeamWork(const BlockRun& run, Block& whole, const IsDue& is_due, int threads, Observer* observer)
+  SeamWork(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer)
       : run_(run),
         whole_(whole),
         is_due_(is_due),
-        threads_(threads),
+        threads_(run.options.threads),
         observer_(observer),
         is_open_(whole.is_open),
         may_thin_(whole.may_thin),
@@ -148,7 +148,7 @@ class SeamWork {
     places_.facet.resize(whole_.mesh.mesh.faces.size());
     places_.vertex.resize(whole_.mesh.mesh.points.size());
     std::size_t boxes_left = patches.size();
-    const std::size_t batch = kPatchesPerThread * static_cast<std::size_t>(std::max(threads_, 1));
+    const std::size_t batch = kPatchesPerThread * std::max(threads_, 1);
     for (std::size_t begin = 0; begin < patches.size(); begin += batch) {
       const std::size_t count = std::min(batch, patches.size() - begin);
       begin_stage(observer_, "seams");
@@ -265,9 +265,8 @@ class SeamWork {
 
 }  // namespace
 
-void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
-                  Observer* observer) {
-  SeamWork work(run, whole, is_due, threads, observer);
+void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer) {
+  SeamWork work(run, whole, is_due, observer);
   for (std::size_t round = 0; round < kHalfSamples.size(); ++round) work.round(round);
 }
 

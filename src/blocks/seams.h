@@ -31,7 +31,6 @@ inline constexpr int kSeamMarginSamples = 4;
 // Refines at the seams of welded blocks, in the boxes that are due. Dead facets and unused vertices
 // stay. Adds what was done to whole.report. Tells the observer, which may be null, of each box;
 // stage "seams" begins whenever boxes are refined side by side.
-void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, int threads,
-                  Observer* observer);
+void refine_seams(const BlockRun& run, Block& whole, const IsDue& is_due, Observer* observer);
 
 }  // namespace deliso
