@@ -73,12 +73,8 @@ constexpr Index3 numbered_voxel(Index3 dims, std::uint64_t number) {
 // Returns the faces of a grid's box on which `at` lies: bit f for face f. `count`: places along
 // each axis.
 constexpr unsigned outer_faces(Index3 at, Index3 count) {
-  unsigned faces = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (at[axis] == 0) faces |= 1u << (2 * axis);
-    if (at[axis] == count[axis] - 1) faces |= 2u << (2 * axis);
-  }
-  return faces;
+  const auto ends = [](int n, int of) { return unsigned(n == 0) | unsigned(n == of - 1) << 1; };
+  return ends(at.i, count.i) | ends(at.j, count.j) << 2 | ends(at.k, count.k) << 4;
 }
 
 // Returns the voxel across face f of `voxel`; it may lie outside the volume.
