@@ -34,9 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   std::ofstream(series + "/1", std::ios::binary) << all.substr(0, cut);
   std::ofstream(series + "/2", std::ios::binary) << all.substr(cut + kDetached.size());
   try {
-    check_volume(read_volume(series), series);
+    check(read_volume(series));
   } catch (const InputError& error) {
-    check_message(error);
+    check(error);
   }
   return 0;
 }

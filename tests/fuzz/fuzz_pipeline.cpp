@@ -208,7 +208,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     mesh = mesh_isosurface(volume, isovalue, options, report);
   } catch (const InputError& error) {
-    check_message(error);
+    check(error);
     const bool has_voxel = volume.box().smallest_side() > 0;
     require(!has_voxel || options.max_vertices < 1u << 20, "refused without --max-vertices");
     return 0;

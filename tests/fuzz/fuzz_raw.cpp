@@ -39,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     const ReadOptions options = options_in(line);
     const Bytes input{"v.raw", std::as_bytes(std::span(copy)), nullptr};
-    check_volume(read_raw({input, "", options, log}), input.name);
+    check(read_raw({input, "", options, log}));
   } catch (const InputError& error) {
-    check_message(error);
+    check(error);
   }
   return 0;
 }

@@ -29,15 +29,15 @@ void become_standard_input(const std::uint8_t* bytes, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   become_standard_input(bytes, size);
   try {
-    check_volume(read_volume("-"), "standard input");
+    check(read_volume("-"));
   } catch (const InputError& error) {
-    check_message(error);
+    check(error);
   }
   become_standard_input(bytes, size);
   try {
-    check_read_mesh(read_mesh("-"));
+    check(read_mesh("-"));
   } catch (const InputError& error) {
-    check_message(error);
+    check(error);
   }
   return 0;
 }

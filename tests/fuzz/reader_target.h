@@ -4,7 +4,6 @@
 // are, reading them ends with an InputError of one line or with a volume that is whole.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "io/damage.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/volume_formats.h"
 #include "volume/volume.h"
@@ -33,26 +33,10 @@ inline void require(bool holds, const char* what) {
   if (!holds) found(what);
 }
 
-inline void check_message(const InputError& error) {
-  const std::string message = error.what();
-  require(!message.empty(), "a message without words");
-  for (const char c : message) {
-    require(static_cast<unsigned char>(c) >= 0x20, "a control character in a message");
-  }
-}
-
-// Touches every sample, so that the sanitizers see where they are.
-inline void check_volume(const Volume& volume, const std::string& name) {
-  const Index3 n = volume.dims();
-  require(n.i >= 2 && n.j >= 2 && n.k >= 2, "a volume without a voxel");
-  for (int axis = 0; axis < 3; ++axis) {
-    require(volume.spacing()[axis] > 0, "a spacing that is not positive");
-    require(std::isfinite(volume.frame().origin[axis]), "an origin that is not finite");
-    const Vec3& direction = volume.frame().axes[static_cast<std::size_t>(axis)];
-    require(std::abs(length(direction) - 1) < 1e-12, "an axis that is no unit vector");
-  }
-  const ValueRange range = value_range(volume, name);
-  require(range.min <= range.max, "an empty range of samples");
+// Of a message, a mesh or a volume that reading gave.
+template <class Result>
+void check(const Result& result) {
+  if (const char* flaw = test::flaw_of(result)) found(flaw);
 }
 
 // A folder of this process, for detached data.
@@ -87,9 +71,9 @@ inline void run_reader(const std::uint8_t* bytes, std::size_t size, const char* 
     }
     ReadLog log;
     try {
-      check_volume(read({input, folder(), options, log}), input.name);
+      check(read({input, folder(), options, log}));
     } catch (const InputError& error) {
-      check_message(error);
+      check(error);
     }
   }
 }

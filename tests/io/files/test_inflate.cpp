@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "io/damage.h"
 #include "io/files/checksum.h"
 #include "io/files/deflate_writer.h"
 
@@ -214,14 +215,7 @@ TEST_CASE("damaged data never goes unnoticed and never writes outside its buffer
     std::string data = writer.finish();
     data = gzip ? gzip_wrapped(data, content) : zlib_wrapped(data, content);
     const std::string intact = data;
-    for (std::uint32_t n = 1 + random.below(3); n > 0; --n) {
-      const std::size_t at = random.below(static_cast<std::uint32_t>(data.size()));
-      if (random.below(4) == 0) {
-        data.resize(at);
-        break;
-      }
-      data[at] = static_cast<char>(random.below(256));
-    }
+    data = damaged(data, random);
     if (data == intact) continue;
     const Result result = run(data, gzip ? Wrapping::gzip : Wrapping::zlib, content.size());
     faults += result.inflated.fault != nullptr;

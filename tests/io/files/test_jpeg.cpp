@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "io/damage.h"
 #include "io/files/jpeg_writer.h"
 
 using namespace deliso;
@@ -148,12 +149,7 @@ TEST_CASE("a JPEG stream that is cut has a fault, one that is damaged a fault or
       CHECK(decoded_jpeg(stream.substr(0, size), image.columns, image.rows).fault() != "");
     }
     for (int n = 0; n < 50; ++n) {
-      std::string damaged = stream;
-      for (std::uint32_t edits = 1 + random.below(3); edits > 0; --edits) {
-        damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] =
-            static_cast<char>(random.below(256));
-      }
-      const DecodedJpeg found = decoded_jpeg(damaged, image.columns, image.rows);
+      const DecodedJpeg found = decoded_jpeg(damaged(stream, random), image.columns, image.rows);
       CHECK((found.picture.fault || (found.picture.bits >= 2 && found.picture.bits <= 16)));
     }
   }

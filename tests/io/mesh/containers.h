@@ -13,15 +13,9 @@
 #include "base/text.h"
 #include "io/files/checksum.h"
 #include "io/files/deflate.h"
+#include "io/files/deflate_writer.h"
 
 namespace deliso::test {
-
-// Little endian; `size` bytes of it.
-inline std::string low_bytes(std::uint64_t value, int size) {
-  std::string bytes;
-  for (int n = 0; n < size; ++n, value >>= 8) bytes += static_cast<char>(value);
-  return bytes;
-}
 
 template <class T>
 std::string bytes_of_numbers(const std::vector<T>& numbers) {
@@ -33,9 +27,9 @@ std::string bytes_of_numbers(const std::vector<T>& numbers) {
 inline std::string glb_file(std::string json, std::string data) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   data.resize((data.size() + 3) / 4 * 4);
-  std::string file = "glTF" + low_bytes(2, 4) + low_bytes(28 + json.size() + data.size(), 4);
-  file += low_bytes(json.size(), 4) + "JSON" + json;
-  return file + low_bytes(data.size(), 4) + std::string("BIN\0", 4) + data;
+  std::string file = "glTF" + little(2, 4) + little(28 + json.size() + data.size(), 4);
+  file += little(json.size(), 4) + "JSON" + json;
+  return file + little(data.size(), 4) + std::string("BIN\0", 4) + data;
 }
 
 // How a zip archive is written.
@@ -56,33 +50,32 @@ inline std::string zip_file(const std::vector<std::pair<std::string, std::string
     }
     const std::uint32_t elsewhere = 0xffffffff;
     const auto number = [&](std::uint64_t value) {
-      return low_bytes(form.wide ? elsewhere : value, 4);
+      return little(form.wide ? elsewhere : value, 4);
     };
-    const std::string extra =
-        form.wide ? low_bytes(1, 2) + low_bytes(24, 2) + low_bytes(content.size(), 8) +
-                        low_bytes(packed.size(), 8) + low_bytes(file.size(), 8)
-                  : "";
-    const std::string common =
-        low_bytes(20, 2) + low_bytes(0, 2) + low_bytes(form.deflated ? 8 : 0, 2) + low_bytes(0, 4) +
-        low_bytes(crc32(std::as_bytes(std::span(content))), 4) + number(packed.size()) +
-        number(content.size()) + low_bytes(name.size(), 2);
-    directory += "PK\1\2" + low_bytes(20, 2) + common + low_bytes(extra.size(), 2) +
-                 low_bytes(0, 10) + number(file.size()) + name + extra;
+    const std::string extra = form.wide ? little(1, 2) + little(24, 2) + little(content.size(), 8) +
+                                              little(packed.size(), 8) + little(file.size(), 8)
+                                        : "";
+    const std::string common = little(20, 2) + little(0, 2) + little(form.deflated ? 8 : 0, 2) +
+                               little(0, 4) + little(crc32(std::as_bytes(std::span(content))), 4) +
+                               number(packed.size()) + number(content.size()) +
+                               little(name.size(), 2);
+    directory += "PK\1\2" + little(20, 2) + common + little(extra.size(), 2) + little(0, 10) +
+                 number(file.size()) + name + extra;
     // A field that nobody knows is skipped.
-    file += "PK\3\4" + common + low_bytes(5, 2) + name + "?\1\1" + low_bytes(0, 2) + packed;
+    file += "PK\3\4" + common + little(5, 2) + name + "?\1\1" + little(0, 2) + packed;
   }
   const std::size_t begin = file.size();
   file += directory;
   if (form.wide) {
     const std::size_t end = file.size();
-    file += "PK\6\6" + low_bytes(44, 8) + low_bytes(0, 12) + low_bytes(0, 8) +
-            low_bytes(parts.size(), 8) + low_bytes(directory.size(), 8) + low_bytes(begin, 8);
-    file += "PK\6\7" + low_bytes(0, 4) + low_bytes(end, 8) + low_bytes(1, 4);
+    file += "PK\6\6" + little(44, 8) + little(0, 12) + little(0, 8) + little(parts.size(), 8) +
+            little(directory.size(), 8) + little(begin, 8);
+    file += "PK\6\7" + little(0, 4) + little(end, 8) + little(1, 4);
   }
-  file += "PK\5\6" + low_bytes(0, 4) + low_bytes(parts.size(), 2) + low_bytes(parts.size(), 2) +
-          low_bytes(directory.size(), 4) + low_bytes(form.wide ? 0xffffffff : begin, 4);
+  file += "PK\5\6" + little(0, 4) + little(parts.size(), 2) + little(parts.size(), 2) +
+          little(directory.size(), 4) + little(form.wide ? 0xffffffff : begin, 4);
   const std::string comment = "a comment";
-  return file + low_bytes(comment.size(), 2) + comment;
+  return file + little(comment.size(), 2) + comment;
 }
 
 inline constexpr const char* kRelations =

@@ -90,6 +90,12 @@ inline std::string vtp(const std::vector<Vec3>& points,
   return file + "</VTKFile>\n";
 }
 
+// A square and a triangle, and the triangles that they are cut into.
+inline const std::vector<Vec3> kRichPoints{
+    {0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}, {2, 2, -1}};
+inline const std::vector<std::vector<VertexId>> kRichPolygons{{0, 1, 2, 3}, {2, 4, 3}};
+inline const std::vector<Triangle> kRichTriangles{{0, 1, 2}, {0, 2, 3}, {2, 4, 3}};
+
 inline std::vector<VtkForm> all_vtk_forms() {
   std::vector<VtkForm> all{{"ascii", "", std::endian::little, 4, 0}};
   for (const std::endian order : {std::endian::little, std::endian::big}) {

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "io/volume/read_volume.h"
+#include "read_fault.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -44,19 +45,6 @@ std::string write_series(const TemporaryFolder& folder, const Truth& truth, cons
 std::string write_series(const TemporaryFolder& folder, const Truth& truth,
                          const DicomForm& form = {}) {
   return write_series(folder, truth, form, [](int, DicomElements&) {});
-}
-
-// Returns the message without the names of the folders above the series; "" if all is well.
-std::string dicom_fault(const std::string& series, const ReadOptions& options = {}) {
-  try {
-    read_volume(series, options);
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    const std::string above = series.substr(0, series.rfind('/') + 1);
-    if (message.starts_with(above)) message.erase(0, above.size());
-    return message;
-  }
-  return "";
 }
 
 }  // namespace
@@ -172,7 +160,7 @@ TEST_CASE("files of the folder that are no images are passed over, and told") {
   CHECK(log.notes[0].ends_with("passed over '.note' and 2 more: no DICOM images"));
   CHECK(log.files.size() == kSlices);
   for (const char* name : kNames) std::filesystem::remove(series + "/" + name);
-  CHECK(dicom_fault(series).find("is a folder without slices") != std::string::npos);
+  CHECK(read_message(series).find("is a folder without slices") != std::string::npos);
 }
 
 TEST_CASE("each fault of a series has its message, with the file") {
@@ -180,7 +168,7 @@ TEST_CASE("each fault of a series has its message, with the file") {
   const Truth truth = oblique_truth(SampleType::u16);
   // Slice 3 is the file 'a', the first that is read, and slice 2 is 'e.dcm', the last.
   const auto with = [&](std::uint32_t tag, const DicomElement& element) {
-    return dicom_fault(write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
+    return read_message(write_series(folder, truth, {}, [&](int k, DicomElements& elements) {
       if (k == 2) elements[tag] = element;
     }));
   };
@@ -226,21 +214,21 @@ TEST_CASE("each fault of a series has its message, with the file") {
   CHECK(with(0x7fe00010, {"OW", "abc"}).starts_with("series/e.dcm: has 4 bytes of samples"));
 
   std::string series = write_series(folder, truth);
-  CHECK(dicom_fault(series + "/a") == "a: is one slice: give the folder that holds the series");
+  CHECK(read_message(series + "/a") == "a: is one slice: give the folder that holds the series");
   ReadOptions options;
   options.spacing = Vec3{1, 1, 1};
   CHECK(read_volume(series, options).spacing() == Vec3{1, 1, 1});
   options = {};
   options.array = "x";
-  CHECK(dicom_fault(series, options).find("has no named arrays") != std::string::npos);
+  CHECK(read_message(series, options).find("has no named arrays") != std::string::npos);
   options = {};
   options.roi = Roi{{0, 0, 0}, {4, 3, 6}};
-  CHECK(dicom_fault(series, options).starts_with("series: region 0:6 along z"));
+  CHECK(read_message(series, options).starts_with("series: region 0:6 along z"));
 
   const std::string whole = dicom_file({}, dicom_image(truth, {}, 2, 1));
   for (std::size_t size = 140; size < whole.size(); size += 7) {
     folder.write("series/e.dcm", whole.substr(0, size));
-    CHECK(dicom_fault(series) != "");
+    CHECK(read_message(series) != "");
   }
 }
 
@@ -257,7 +245,7 @@ TEST_CASE("transfer syntaxes that are not read are named") {
       const std::string data = dicom_elements(form, dicom_image(truth, form, 0, kSlices));
       const std::string file =
           std::string(128, '\0') + "DICM" + dicom_elements({}, {{0x00020010, {"UI", uid}}}) + data;
-      CHECK(dicom_fault(folder.write("v.dcm", file)).find(message) != std::string::npos);
+      CHECK(read_message(folder.write("v.dcm", file)).find(message) != std::string::npos);
     }
   }
 }
@@ -303,27 +291,27 @@ TEST_CASE("compressed samples that are damaged or missing have a message") {
     const DicomForm form{.coding = coding};
     const std::string whole = dicom_file(form, dicom_image(truth, form, 0, kSlices));
     for (std::size_t size = 200; size + 9 < whole.size(); size += 13) {
-      CHECK(dicom_fault(folder.write("v.dcm", whole.substr(0, size))) != "");
+      CHECK(read_message(folder.write("v.dcm", whole.substr(0, size))) != "");
     }
     if (!form.is_packed()) continue;
     DicomElements elements = dicom_image(truth, form, 0, kSlices);
     elements[0x00280011] = {"US", little(5, 2)};
-    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))) ==
+    CHECK(read_message(folder.write("v.dcm", dicom_file(form, elements))) ==
           (coding == Coding::rle
                ? "v.dcm: its run lengths are damaged"
                : "v.dcm: its JPEG of frame 1 is damaged, or not lossless: another size"));
     elements[0x00280008] = {"IS", "4"};
-    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))) ==
+    CHECK(read_message(folder.write("v.dcm", dicom_file(form, elements))) ==
           "v.dcm: has 5 compressed frames in place of 4");
     elements[0x00280010] = elements[0x00280011] = {"US", little(65535, 2)};
-    CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements)))
+    CHECK(read_message(folder.write("v.dcm", dicom_file(form, elements)))
               .find("compressed frames in place") != std::string::npos);
   }
   // Memory is taken for samples that can be there only.
   const DicomForm form{.coding = Coding::rle};
   DicomElements elements = dicom_image(truth, form, 0, kSlices);
   elements[0x00280010] = elements[0x00280011] = {"US", little(65535, 2)};
-  CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))).find("bytes of samples") !=
+  CHECK(read_message(folder.write("v.dcm", dicom_file(form, elements))).find("bytes of samples") !=
         std::string::npos);
 }
 
@@ -395,9 +383,9 @@ TEST_CASE("frames of nuclear medicine are placed by the numbers of their slices"
           static_cast<std::uint8_t>(
               truth.bytes[static_cast<std::size_t>(n % 12 + 12 * frames[n / 12])]));
   }
-  CHECK(dicom_fault(with({1, 2, 3, 1, 2}))
+  CHECK(read_message(with({1, 2, 3, 1, 2}))
             .ends_with("v.dcm, frame 4: has the same place (ImagePositionPatient) as frame 1"));
-  CHECK(dicom_fault(with({1, 2, 3})) == "v.dcm: has the offsets of 3 frames, and 5 frames");
+  CHECK(read_message(with({1, 2, 3})) == "v.dcm: has the offsets of 3 frames, and 5 frames");
 }
 
 TEST_CASE("a folder of several series lists them, and one of them is taken") {
@@ -425,12 +413,12 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
   const std::string list =
       "holds 2 series, of which --series N takes one: 1 is 'Head', 5 images of 4 x 3 "
       "('b/head/0'); 2 is 'Chest ? 1.0', 4 images of 5 x 3 ('a/0')";
-  CHECK(dicom_fault(folder.path("disk")) == "disk: " + list);
-  CHECK(dicom_fault(folder.path("disk/DICOMDIR")).ends_with("disk: " + list));
+  CHECK(read_message(folder.path("disk")) == "disk: " + list);
+  CHECK(read_message(folder.path("disk/DICOMDIR")).ends_with("disk: " + list));
   ReadOptions options;
   for (const std::uint64_t beyond : {0, 3}) {
     options.series = beyond;
-    CHECK(dicom_fault(folder.path("disk"), options) == "disk: " + list);
+    CHECK(read_message(folder.path("disk"), options) == "disk: " + list);
   }
   for (const char* input : {"disk", "disk/DICOMDIR"}) {
     options.series = 1;
@@ -456,10 +444,10 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
 
   // Nobody else has series.
   options.series = 1;
-  CHECK(dicom_fault("builtin:sphere:8", options).find("has no series to choose from") !=
+  CHECK(read_message("builtin:sphere:8", options).find("has no series to choose from") !=
         std::string::npos);
   folder.write("v.npy", "\x93NUMPY");
-  CHECK(dicom_fault(folder.path("v.npy"), options).find("has no series to choose from") !=
+  CHECK(read_message(folder.path("v.npy"), options).find("has no series to choose from") !=
         std::string::npos);
 }
 
@@ -525,7 +513,7 @@ TEST_CASE("slices of a tilted gantry are resampled upright") {
     });
     const double sides[] = {4 + 4 * std::abs(shifts[0]), 3 + 4 * std::abs(shifts[1])};
     if (sides[0] * sides[1] > 4 * 12) {
-      CHECK(dicom_fault(series).starts_with("series: sheared grid: its axes "));
+      CHECK(read_message(series).starts_with("series: sheared grid: its axes "));
       continue;
     }
     ReadLog log;
@@ -573,7 +561,7 @@ TEST_CASE("a file of several frames says where they are") {
     const DicomForm form{.place = place};
     DicomElements elements = dicom_image(truth, form, 0, kSlices);
     elements[tag] = element;
-    return dicom_fault(folder.write("v.dcm", dicom_file(form, elements)));
+    return read_message(folder.write("v.dcm", dicom_file(form, elements)));
   };
   CHECK(with(Place::stack, 0x00180088, {"DS", "3"}) == "");
   CHECK(with(Place::stack, 0x00180088, {"DS", ""}) ==
@@ -610,6 +598,6 @@ TEST_CASE("a file of several frames says where they are") {
   for (int n = 0; n < 100; ++n) nested = dicom_sequence(form, {{{0x00081140, nested}}});
   elements = dicom_image(truth, form, 0, kSlices);
   elements[0x00081140] = nested;
-  CHECK(dicom_fault(folder.write("v.dcm", dicom_file(form, elements))).find("is damaged") !=
+  CHECK(read_message(folder.write("v.dcm", dicom_file(form, elements))).find("is damaged") !=
         std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "io/volume/read_fault.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/volume_files.h"
 
@@ -15,26 +16,9 @@ using namespace deliso::test;
 
 namespace {
 
-// Reads `name` in the folder and returns the message without the folder's name; "" if all is well.
-std::string fault(const TemporaryFolder& folder, const std::string& name,
-                  const ReadOptions& options = {}) {
-  try {
-    read_volume(folder.path(name), options);
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    CHECK(message.find('\n') == std::string::npos);
-    const std::string path = folder.path("");
-    for (std::size_t at; (at = message.find(path)) != std::string::npos;)
-      message.erase(at, path.size());
-    CHECK(message.find(": ") != std::string::npos);
-    return message;
-  }
-  return "";
-}
 std::string fault_of(const TemporaryFolder& folder, const std::string& name,
                      const std::string& content, const ReadOptions& options = {}) {
-  folder.write(name, content);
-  return fault(folder, name, options);
+  return read_message(folder.write(name, content), options);
 }
 
 Truth small_truth(SampleType type = SampleType::u8) {
@@ -70,19 +54,20 @@ TEST_CASE("an image of NIfTI that is a device or a pipe is refused") {
   pair.pair = true;
   const std::vector<NamedFile> files = nifti(small_truth(), pair);
   folder.write("v.hdr", files.front().content);
-  CHECK(fault(folder, "v.hdr").find("v.img: cannot open") != std::string::npos);
+  CHECK(read_message(folder.path("v.hdr")).find("v.img: cannot open") != std::string::npos);
   std::filesystem::create_symlink("/dev/zero", folder.path("v.img"));
-  CHECK(fault(folder, "v.hdr").find("is a device") != std::string::npos);
+  CHECK(read_message(folder.path("v.hdr")).find("is a device") != std::string::npos);
   std::filesystem::remove(folder.path("v.img"));
   REQUIRE(mkfifo(folder.path("v.img").c_str(), 0600) == 0);
-  CHECK(fault(folder, "v.hdr").find("is no regular file") != std::string::npos);
+  CHECK(read_message(folder.path("v.hdr")).find("is no regular file") != std::string::npos);
 }
 
 TEST_CASE("files that are missing, unreadable, empty or no volumes are refused") {
   const TemporaryFolder folder;
-  CHECK(fault(folder, "none.nrrd") == "none.nrrd: cannot open: No such file or directory");
+  CHECK(read_message(folder.path("none.nrrd")) ==
+        "none.nrrd: cannot open: No such file or directory");
   std::filesystem::create_directories(folder.path("folder"));
-  CHECK(fault(folder, "folder") ==
+  CHECK(read_message(folder.path("folder")) ==
         "folder: is a folder without slices, of DICOM or TIFF: give the one that holds them, or a "
         "file");
   const std::string unknown =
@@ -157,7 +142,7 @@ TEST_CASE("foreign formats are named, with a way to convert them") {
   for (const auto& [file, content, message] : folders) {
     const TemporaryFolder slices;
     slices.write(file, content);
-    CHECK(fault(slices, "").find(message) != std::string::npos);
+    CHECK(read_message(slices.path("")).find(message) != std::string::npos);
   }
 }
 
@@ -177,9 +162,7 @@ TEST_CASE("axes and origins that are no numbers, or too large, are refused in ev
         CAPTURE(stored.label);
         CAPTURE(bad);
         CAPTURE(part);
-        for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
-        for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
-        CHECK(fault(folder, stored.files[0].name) != "");
+        CHECK(read_message(stored.write(folder)) != "");
         ++refused;
       }
     }
@@ -203,9 +186,7 @@ TEST_CASE("a region beyond the grid is a fault of the file that was named") {
   const std::string message = ": region 0:3 along x is not two or more of the samples 0:2";
   for (const StoredVolume& stored : all_forms(small_truth())) {
     if (stored.label.starts_with("raw")) continue;
-    for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
-    for (const NamedFile& file : stored.files) folder.write(file.name, file.content);
-    CHECK(fault(folder, stored.files[0].name, options) == stored.files[0].name + message);
+    CHECK(read_message(stored.write(folder), options) == stored.files[0].name + message);
   }
 }
 
@@ -245,7 +226,7 @@ TEST_CASE("an input that is no regular file is read to its end") {
   const TemporaryFolder folder;
   ReadOptions options;
   options.raw = RawLayout{{2, 3, 4}};
-  CHECK(fault(folder, "pipe", options).find("No such file") != std::string::npos);
+  CHECK(read_message(folder.path("pipe"), options).find("No such file") != std::string::npos);
   CHECK_THROWS_WITH_AS(read_volume("/dev/null", options), "/dev/null: is a device, not a file",
                        InputError);
 }

@@ -82,11 +82,9 @@ TEST_CASE("ImageJ's spacing, unit and signed samples") {
   CHECK(log.notes[0].ends_with("the spacing is in 'micron', as ImageJ has it"));
   CHECK(read("unit=micron\nyunit=nm\nspacing=2.5\nzunit=mm\n", true, log).spacing() ==
         Vec3{0.25, 0.002, 2500});
-  CHECK_THROWS_WITH_AS(read("unit=micron\nzunit=plane\n", true, log),
-                       (folder.path("v.tif") + ": its axes have different units, and zunit is "
-                                               "'plane': --spacing X,Y,Z gives the distances")
-                           .c_str(),
-                       InputError);
+  CHECK_THROWS_AS(read("unit=micron\nzunit=plane\n", true, log), InputError);
+  CHECK(read_fault(folder.path("v.tif")) ==
+        "its axes have different units, and zunit is 'plane': --spacing X,Y,Z gives the distances");
   CHECK(bytes_of_samples(read("", true, log)) == truth.bytes);
   const Volume is_signed = read("cf=0\nc0=-32768.0\nc1=1.0\nvunit=Gray Value\n", false, log);
   const Volume plain = read("cf=20\n", false, log);
@@ -244,14 +242,9 @@ TEST_CASE("a folder of TIFF files is a stack, in the order of the numbers in the
 
   const auto fault_of_slice = [&](const std::string& content) {
     folder.write(name(4), content);
-    try {
-      read_volume(slices);
-    } catch (const InputError& error) {
-      const std::string message = error.what(), start = folder.path(name(4)) + ": ";
-      REQUIRE(message.starts_with(start));
-      return message.substr(start.size());
-    }
-    return std::string();
+    const std::string message = read_message(slices), start = name(4) + ": ";
+    REQUIRE((message.empty() || message.starts_with(start)));
+    return message.substr(std::min(message.size(), start.size()));
   };
   const TiffPage page = tiff_page(truth, {}, 4);
   CHECK(fault_of_slice(tiff_file({}, {page, page})) ==

@@ -820,6 +820,13 @@ struct StoredVolume {
   std::vector<NamedFile> files;  // the first is the one to read
   bool has_axes = true;
   ReadOptions options{};
+
+  // Returns the path to read.
+  std::string write(const TemporaryFolder& folder) const {
+    for (const char* old : {"v.img", "v.img.gz"}) std::filesystem::remove(folder.path(old));
+    for (const NamedFile& file : files) folder.write(file.name, file.content);
+    return folder.path(files[0].name);
+  }
 };
 
 inline std::vector<StoredVolume> all_forms(const Truth& t) {

@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "fuzz/mesh_target.h"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  deliso::fuzz::run_parser(bytes, size, deliso::MeshFormat::stl);
-  return 0;
-}

@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "fuzz/reader_target.h"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  deliso::fuzz::run_reader(bytes, size, "v.vti", "v.data", deliso::read_vti);
-  return 0;
-}
