@@ -11,32 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include "app/parsed_line.h"
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
 
 using namespace deliso;
+using namespace deliso::test;
 
 namespace {
-
-// The words of a line; '' is an empty one, and ~ a blank within one.
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> words;
-  for (std::size_t at = 0, end; at < line.size(); at = end + 1) {
-    end = std::min(line.find(' ', at), line.size());
-    std::string word(line.substr(at, end - at));
-    std::ranges::replace(word, '~', ' ');
-    words.push_back(word == "''" ? "" : word);
-  }
-  return words;
-}
-
-CommandLine parse_words(const std::vector<std::string>& words) {
-  return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
-}
-CommandLine parsed(const std::string& line) {
-  return parse_words(split(line));
-}
 
 // The message with which these words are refused; empty when they are not.
 std::string refusal_of(const std::vector<std::string>& words) {
@@ -617,6 +600,12 @@ TEST_CASE("each command line that is refused has its message") {
       {"join --volume v.nrrd -o whole.ply", "no parts given..."},
       {"join a.part -o whole.ply", "no volume given..."},
       {"join a.part --volume v.nrrd", "no mesh named..."},
+      {"trace builtin:torus:16", "no page named..."},
+      {"trace builtin:torus:16 -o a.ply", "cannot write 'a.ply': pages are .html"},
+      {"trace builtin:torus:16 -o a.html --cap", "--cap has no meaning for deliso trace"},
+      {"trace builtin:torus:16 -o a.html --part 1/2", "--part has no meaning for deliso trace"},
+      {"trace volume.nrrd -o a.html", "no isovalue given..."},
+      {"trace builtin:torus:16 -o a.html --trace-limit 0", "--trace-limit..."},
       {"join - - --volume v.nrrd -o whole.ply", "... standard input..."},
       {"join a.part --volume v.nrrd --iso 1 -o a.ply", "--iso has no meaning for deliso join"}};
   for (const auto& expected : refused) {

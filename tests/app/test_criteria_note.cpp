@@ -12,18 +12,17 @@
 #include <vector>
 
 #include "app/check_report.h"
+#include "app/parsed_line.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "deliso/fields.h"
+#include "io/damage.h"
 
 using namespace deliso;
+using namespace deliso::test;
 
 namespace {
-
-CommandLine parse(std::initializer_list<std::string_view> arguments) {
-  return parse_command_line(std::vector<std::string_view>(arguments));
-}
 
 std::optional<Criteria> read(const std::string& comment) {
   return noted_criteria(std::vector<std::string>{comment});
@@ -59,20 +58,18 @@ Volume long_voxels() {
 
 TEST_CASE("the line of a run has lengths in voxels for options in any unit") {
   const Volume volume = long_voxels();
-  const auto note = [&](std::initializer_list<std::string_view> options) {
-    std::vector<std::string_view> arguments = {"a", "--iso", "1"};
-    arguments.insert(arguments.end(), options);
-    return criteria_note(parse_command_line(arguments), volume);
+  const auto note = [&](const std::string& options) {
+    return criteria_note(parsed("a --iso 1" + options), volume);
   };
-  CHECK(note({}) == words(" r-min=0.25 max-distance=0.1 lambda=2"));
-  CHECK(note({"--max-distance", "0.2", "--rmin", "0.25", "--lambda", "1.5", "--max-radius", "2"}) ==
+  CHECK(note("") == words(" r-min=0.25 max-distance=0.1 lambda=2"));
+  CHECK(note(" --max-distance 0.2 --rmin 0.25 --lambda 1.5 --max-radius 2") ==
         words(" r-min=1 max-distance=0.4 lambda=1.5 max-radius=4"));
-  CHECK(note({"--eps1", "0.3"}) == words(" r-min=0.25 lambda=2 eps1=0.3"));
-  CHECK(note({"--paper"}) == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
+  CHECK(note(" --eps1 0.3") == words(" r-min=0.25 lambda=2 eps1=0.3"));
+  CHECK(note(" --paper") == words(" r-min=0.004 lambda=2 eps1=0.1 eps2=0.2"));
   // The distance is a result, and no limit to check against.
-  CHECK(note({"--vertices", "100"}) == words(" r-min=0.25 lambda=2"));
-  CHECK(note({"--stop-after", "recover"}) == words(" stop-after=recover"));
-  CHECK_FALSE(read(note({"--stop-after", "recover"})));
+  CHECK(note(" --vertices 100") == words(" r-min=0.25 lambda=2"));
+  CHECK(note(" --stop-after recover") == words(" stop-after=recover"));
+  CHECK_FALSE(read(note(" --stop-after recover")));
 }
 
 TEST_CASE("criteria are read back to the last bit") {
@@ -116,25 +113,7 @@ TEST_CASE("no bytes in a comment do harm") {
   for (std::uint64_t seed = 1; seed <= 50000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    std::string bytes = whole;
-    for (std::uint32_t count = 1 + random.below(3); count > 0; --count) {
-      const std::size_t at = random.below(static_cast<std::uint32_t>(bytes.size()));
-      switch (random.below(4)) {
-        case 0:
-          bytes[at] = static_cast<char>(random.next());
-          break;
-        case 1:
-          bytes.erase(at, 1 + random.below(4));
-          break;
-        case 2:
-          bytes.insert(at, whole.substr(random.below(20), random.below(30)));
-          break;
-        default:
-          bytes.insert(at, random.below(1000), static_cast<char>(random.next()));
-      }
-      if (bytes.empty()) bytes.push_back(' ');
-    }
-    const auto criteria = read(bytes);
+    const auto criteria = read(damaged(whole, random));
     if (criteria) REQUIRE(in_range(*criteria));
     ++(criteria ? taken : passed);
   }
@@ -150,34 +129,32 @@ TEST_CASE("a check uses the file's criteria, except those given as options") {
                           {Criterion::r_over_l, r_over_l}});
   };
   const Criteria noted = limits(0.3, 0.4, 1.5, 0.7);
-  const auto options = [&](std::initializer_list<std::string_view> given, bool with_file = true) {
-    std::vector<std::string_view> arguments = {"check", "m", "a", "--iso", "1"};
-    arguments.insert(arguments.end(), given);
-    return verify_options(parse_command_line(arguments), volume,
+  const auto options = [&](const std::string& given, bool with_file = true) {
+    return verify_options(parsed("check m a --iso 1" + given), volume,
                           with_file ? std::optional(noted) : std::nullopt);
   };
-  CHECK(options({}).limits == limits(0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5));
-  CHECK(options({}, false).limits == limits(0.1 * 0.5, kNotAsked, 2, 0.25 * 0.5));
-  CHECK(options({"--lambda", "3"}).limits == limits(0.3 * 0.5, 0.4, 3, 0.7 * 0.5));
-  CHECK(options({"--rmin", "2vox"}).limits == limits(0.3 * 0.5, 0.4, 1.5, 1));
-  CHECK(options({"--max-distance", "0.25"}).limits == limits(0.25, 0.4, 1.5, 0.7 * 0.5));
-  CHECK(options({"--eps1", "0.2"}).limits == limits(kNotAsked, 0.2, 1.5, 0.7 * 0.5));
-  CHECK(options({"--eps1", "0.2", "--max-distance", "0.25"}).limits ==
-        limits(0.25, 0.2, 1.5, 0.7 * 0.5));
-  CHECK(options({"--paper"}).limits == limits(kNotAsked, 0.1, 2, 0.001 * 2));
+  CHECK(options("").limits == limits(0.3 * 0.5, 0.4, 1.5, 0.7 * 0.5));
+  CHECK(options("", false).limits == limits(0.1 * 0.5, kNotAsked, 2, 0.25 * 0.5));
+  CHECK(options(" --lambda 3").limits == limits(0.3 * 0.5, 0.4, 3, 0.7 * 0.5));
+  CHECK(options(" --rmin 2vox").limits == limits(0.3 * 0.5, 0.4, 1.5, 1));
+  CHECK(options(" --max-distance 0.25").limits == limits(0.25, 0.4, 1.5, 0.7 * 0.5));
+  CHECK(options(" --eps1 0.2").limits == limits(kNotAsked, 0.2, 1.5, 0.7 * 0.5));
+  CHECK(options(" --eps1 0.2 --max-distance 0.25").limits == limits(0.25, 0.2, 1.5, 0.7 * 0.5));
+  CHECK(options(" --paper").limits == limits(kNotAsked, 0.1, 2, 0.001 * 2));
 
   // A length is a share of a voxel in the file.
   Criteria with_radius = limits(kNotAsked, kNotAsked, 2, 1);
   with_radius[Criterion::radius] = 3;
-  CHECK(verify_options(parse({"check", "m", "a", "--iso", "1"}), volume, with_radius)
-            .limits[Criterion::radius] == 1.5);
+  CHECK(
+      verify_options(parsed("check m a --iso 1"), volume, with_radius).limits[Criterion::radius] ==
+      1.5);
 
   // Only a distance that the check command itself was given is required.
-  CHECK_FALSE(options({}).require_distance);
-  CHECK_FALSE(options({"--lambda", "3"}).require_distance);
-  CHECK(options({"--max-distance", "0.25"}).require_distance);
-  CHECK(options({"--max-distance", "0.25"}, false).require_distance);
-  const CommandLine mesh = parse({"a", "--iso", "1", "--check", "--max-distance", "0.25"});
+  CHECK_FALSE(options("").require_distance);
+  CHECK_FALSE(options(" --lambda 3").require_distance);
+  CHECK(options(" --max-distance 0.25").require_distance);
+  CHECK(options(" --max-distance 0.25", false).require_distance);
+  const CommandLine mesh = parsed("a --iso 1 --check --max-distance 0.25");
   CHECK_FALSE(verify_options(mesh, volume).require_distance);
   CHECK(verify_options(mesh, volume).limits[Criterion::distance] == 0.25);
 }

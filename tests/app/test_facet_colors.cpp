@@ -8,9 +8,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <span>
-#include <string_view>
+#include <string>
 #include <vector>
 
+#include "app/parsed_line.h"
 #include "base/check.h"
 #include "view/render/color_map.h"
 
@@ -20,12 +21,10 @@ using Triangles = std::vector<Triangle>;
 
 namespace {
 
-FacetColors colors_of(std::span<const TriMesh> meshes, std::vector<std::string_view> more) {
-  std::vector<std::string_view> arguments{"render"};
-  for (std::size_t n = 0; n < meshes.size(); ++n) arguments.push_back("m.ply");
-  arguments.insert(arguments.end(), {"-o", "m.png"});
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const CommandLine line = parse_command_line(arguments);
+FacetColors colors_of(std::span<const TriMesh> meshes, const std::string& more) {
+  std::string arguments = "render -o m.png";
+  for (std::size_t n = 0; n < meshes.size(); ++n) arguments += " m.ply";
+  const CommandLine line = test::parsed(arguments + more);
   if (line.input.empty()) return color_facets(meshes, line, nullptr);
   const Input input = read_input(line);
   return color_facets(meshes, line, &input);
@@ -39,18 +38,18 @@ TEST_CASE("colors of a known mesh by side, component and angle") {
                     Triangles{{0, 1, 2}, {0, 1, 3}}),
       make_tri_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {4, 4, 4}, {5, 4, 4}, {4, 5, 4}},
                     Triangles{{0, 1, 2}, {3, 4, 5}})};
-  const FacetColors sides = colors_of(meshes, {});
+  const FacetColors sides = colors_of(meshes, "");
   REQUIRE(sides.of_mesh.size() == 2);
   CHECK(sides.of_mesh[0].empty());
   CHECK_FALSE(sides.bar.has_value());
   CHECK(sides.components.empty());
 
-  const FacetColors components = colors_of(meshes, {"--color-by", "component"});
+  const FacetColors components = colors_of(meshes, " --color-by component");
   CHECK(components.components == std::vector<std::size_t>{1, 2});
   CHECK(components.of_mesh[1] == std::vector<Rgb>{category_color(0), category_color(1)});
   CHECK_FALSE(components.bar.has_value());
 
-  const FacetColors angles = colors_of(meshes, {"--color-by", "angle"});
+  const FacetColors angles = colors_of(meshes, " --color-by angle");
   REQUIRE(angles.bar.has_value());
   CHECK(angles.bar->hi == 60);
   CHECK_FALSE(angles.bar->open);
@@ -67,13 +66,11 @@ TEST_CASE("colors by the volume: triangles that touch shells around a sphere") {
     meshes.push_back(make_tri_mesh(
         {p + Vec3{0.1, 0, 0}, p + Vec3{0, 0.1, 0}, p - Vec3{0.1, 0.1, 0}}, Triangles{{0, 1, 2}}));
   }
-  const FacetColors distances =
-      colors_of(meshes, {"--color-by", "distance", "--volume", "builtin:sphere"});
+  const FacetColors distances = colors_of(meshes, " --color-by distance --volume builtin:sphere");
   REQUIRE(distances.bar.has_value());
   CHECK(distances.bar->hi >= 1);
   CHECK(distances.bar->hi <= 1.2);
-  const FacetColors gradients =
-      colors_of(meshes, {"--color-by", "gradient", "--volume", "builtin:sphere"});
+  const FacetColors gradients = colors_of(meshes, " --color-by gradient --volume builtin:sphere");
   REQUIRE(gradients.bar.has_value());
   CHECK(gradients.bar->hi == doctest::Approx(0.04));  // from 1 / 31.5 up
   for (std::size_t n = 0; n < 3; ++n) {
@@ -85,6 +82,6 @@ TEST_CASE("colors by the volume: triangles that touch shells around a sphere") {
   }
   std::vector<TriMesh> far{meshes[0]};
   for (Vec3& p : far[0].points) p.x += 1e6;
-  CHECK_THROWS_WITH_AS(colors_of(far, {"--color-by", "distance", "--volume", "builtin:sphere"}),
+  CHECK_THROWS_WITH_AS(colors_of(far, " --color-by distance --volume builtin:sphere"),
                        "no triangle is near the isosurface of the volume", InputError);
 }

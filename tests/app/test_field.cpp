@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "app/criteria_note.h"
 #include "app/input.h"
+#include "app/parsed_line.h"
 #include "app/run.h"
 #include "base/check.h"
 #include "base/random.h"
@@ -26,7 +26,7 @@
 #include "mesh/quality.h"
 
 using namespace deliso;
-using deliso::test::TemporaryFolder;
+using namespace deliso::test;
 
 namespace {
 
@@ -58,24 +58,15 @@ struct Balls {
       }
     }
     volume = Volume::from_samples(kDims, {1, 1, 1}, samples);
-    folder = std::filesystem::temp_directory_path() / "deliso-test-field";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::ofstream(file("balls.raw"), std::ios::binary)
-        .write(reinterpret_cast<const char*>(samples.data()),
-               static_cast<std::streamsize>(samples.size()));
+    folder.write("balls.raw", {samples.begin(), samples.end()});
   }
-  ~Balls() { std::filesystem::remove_all(folder); }
-  std::string file(const std::string& name) const { return (folder / name).string(); }
   // The command line of these labels.
-  CommandLine line(const std::vector<std::string>& more) const {
-    std::vector<std::string> all{file("balls.raw"), "--dims", "58x36x30", "--type", "uint8", "-q"};
-    all.insert(all.end(), more.begin(), more.end());
-    return parse_command_line(std::vector<std::string_view>(all.begin(), all.end()));
+  CommandLine line(const std::string& more) const {
+    return parsed(folder / "balls.raw" + " --dims 58x36x30 --type uint8 -q " + more);
   }
 
   Volume volume = Volume::from_samples({2, 2, 2}, {1, 1, 1}, std::vector<float>(8, 0));
-  std::filesystem::path folder;
+  TemporaryFolder folder;
 };
 
 // The distance of p from the closed mesh; negative outside.
@@ -125,13 +116,13 @@ TEST_CASE("the median comes before the Gaussian") {
 
 TEST_CASE("the comment of a mesh names its field, and criteria are read past it") {
   const Balls balls;
-  const CommandLine line = balls.line({"--label", "4,1", "--smooth", "1.5", "--median", "1"});
+  const CommandLine line = balls.line("--label 4,1 --smooth 1.5 --median 1");
   const std::string note = criteria_note(line, balls.volume);
   CHECK(note.ends_with(" median=1 smooth=1.5 label=1,4"));
   const std::vector<std::string> comments{"DelIso", note};
   CHECK(noted_criteria(comments).has_value());
   CHECK(noted_field(comments) == field_note(line.field, balls.volume));
-  const std::string plain = criteria_note(balls.line({"--iso", "1"}), balls.volume);
+  const std::string plain = criteria_note(balls.line("--iso 1"), balls.volume);
   CHECK(noted_field(std::vector{plain}) == "");
   CHECK_FALSE(noted_field(std::vector<std::string>{"by another program"}).has_value());
 }
@@ -140,9 +131,8 @@ TEST_CASE("a label's mesh has the volume of its voxels within one percent") {
   const Balls balls;
   for (const std::string label : {"1", "2", "4"}) {
     CAPTURE(label);
-    std::vector<std::string> more{"--label", label, "--max-distance", "0.05vox"};
-    if (label == "4") more.emplace_back("--cap");
-    const CommandLine line = balls.line(more);
+    const CommandLine line =
+        balls.line("--max-distance 0.05vox --label " + label + (label == "4" ? " --cap" : ""));
     const Input input = read_input(line);
     REQUIRE(input.isovalue.has_value());
     CHECK(*input.isovalue == 0);
@@ -160,7 +150,7 @@ TEST_CASE("no point is inside the meshes of two labels by more than D") {
   std::vector<TriMesh> meshes;
   double most = 0;
   for (const std::string label : {"1", "2", "4"}) {
-    const CommandLine line = balls.line({"--label", label, "--cap"});
+    const CommandLine line = balls.line("--cap --label " + label);
     const Input input = read_input(line);
     Report report;
     TriMesh mesh = mesh_isosurface(input.volume(), 0, line.options, report);
@@ -187,46 +177,44 @@ TEST_CASE("no point is inside the meshes of two labels by more than D") {
 
 TEST_CASE("a mesh for each label, where the label lies, and each passes the check") {
   const Balls balls;
-  const CommandLine line = balls.line(
-      {"--label", "all", "-o", balls.file("part-%d.ply"), "--json", balls.file("%d.json")});
+  const CommandLine line = balls.line("--label all -o " + balls.folder.path("part-%d.ply") +
+                                      " --json " + balls.folder.path("%d.json"));
   CHECK(run_mesh(line) == kExitSuccess);
-  CHECK_FALSE(std::filesystem::exists(balls.file("part-0.ply")));
+  CHECK_FALSE(std::filesystem::exists(balls.folder.path("part-0.ply")));
   for (const std::string label : {"1", "2"}) {
     CAPTURE(label);
     const double middle = label == "1" ? 13 : 34;
-    const std::string file = balls.file("part-" + label + ".ply");
+    const std::string file = balls.folder.path("part-" + label + ".ply");
     const TriMesh mesh = read_mesh(file);
     Vec3 sum{};
     for (const Vec3& p : mesh.points) sum = sum + p;
     const double count = static_cast<double>(mesh.points.size());
     CHECK(std::fabs(sum.x / count - middle) < 0.5);
     CHECK(std::fabs(sum.y / count - 17) < 0.2);
-    CHECK(std::filesystem::exists(balls.file(label + ".json")));
-    CommandLine check = balls.line({"--label", label});
+    CHECK(std::filesystem::exists(balls.folder.path(label + ".json")));
+    CommandLine check = balls.line("--label " + label);
     check.meshes = {file};
     CHECK(run_check(check) == kExitSuccess);
     check.field.labels = {4};
     CHECK(run_check(check) == kFaultFound);
     // One label alone gives the same file.
-    const CommandLine alone = balls.line({"--label", label, "-o", balls.file("alone.ply")});
-    CHECK(run_mesh(alone) == kExitSuccess);
-    std::ifstream a(file, std::ios::binary), b(balls.file("alone.ply"), std::ios::binary);
-    CHECK(std::string(std::istreambuf_iterator<char>(a), {}) ==
-          std::string(std::istreambuf_iterator<char>(b), {}));
+    const std::string alone = balls.folder.path("alone.ply");
+    CHECK(run_mesh(balls.line("--label " + label + " -o " + alone)) == kExitSuccess);
+    CHECK(file_bytes(file) == file_bytes(alone));
   }
-  CHECK(std::filesystem::exists(balls.file("part-4.ply")));
+  CHECK(std::filesystem::exists(balls.folder.path("part-4.ply")));
 }
 
 TEST_CASE("shared labels are closed, and have the same vertices where they touch") {
   const Balls balls;
   const auto shared = [&](const std::string& file, const std::string& threads) {
-    return run_mesh(balls.line({"--label", "all", "--shared", balls.file(file), "-o",
-                                balls.file("%d.ply"), "--threads", threads}));
+    return run_mesh(balls.line("--label all --shared " + balls.folder.path(file) + " -o " +
+                               balls.folder.path("%d.ply") + " --threads " + threads));
   };
   CHECK(shared("all.ply", "1") == kExitSuccess);
   std::vector<TriMesh> meshes;
   for (const char* name : {"1.ply", "2.ply", "4.ply"})
-    meshes.push_back(read_mesh(balls.file(name)));
+    meshes.push_back(read_mesh(balls.folder.path(name)));
   const auto common = [&](const TriMesh& a, const TriMesh& b) {
     return std::ranges::count_if(
         a.points, [&](const Vec3& p) { return std::ranges::count(b.points, p) > 0; });
@@ -238,22 +226,22 @@ TEST_CASE("shared labels are closed, and have the same vertices where they touch
   CHECK(common(meshes[0], meshes[1]) > 5);
   CHECK(common(meshes[1], meshes[2]) > 5);
   CHECK(common(meshes[0], meshes[2]) == 0);
-  const TriMesh all = read_mesh(balls.file("all.ply"));
+  const TriMesh all = read_mesh(balls.folder.path("all.ply"));
   CHECK(all.points.size() <
         meshes[0].points.size() + meshes[1].points.size() + meshes[2].points.size());
   CHECK(shared("again.ply", "3") == kExitSuccess);
-  CHECK(read_mesh(balls.file("again.ply")).points == all.points);
+  CHECK(read_mesh(balls.folder.path("again.ply")).points == all.points);
   CHECK(shared("all.vtp", "2") == kExitSuccess);
-  CHECK(read_mesh(balls.file("all.vtp")).points == all.points);
+  CHECK(read_mesh(balls.folder.path("all.vtp")).points == all.points);
 }
 
 TEST_CASE("an input is not overwritten by the mesh of a label") {
   const Balls balls;
-  std::filesystem::copy(balls.file("balls.raw"), balls.file("2.ply"));
-  CommandLine line = balls.line({"--label", "all", "-o", balls.file("%d.ply")});
-  line.input = balls.file("2.ply");
+  std::filesystem::copy(balls.folder.path("balls.raw"), balls.folder.path("2.ply"));
+  CommandLine line = balls.line("--label all -o " + balls.folder.path("%d.ply"));
+  line.input = balls.folder.path("2.ply");
   CHECK_THROWS_AS(run_mesh(line), InputError);
-  CHECK_FALSE(std::filesystem::exists(balls.file("1.ply")));
+  CHECK_FALSE(std::filesystem::exists(balls.folder.path("1.ply")));
 }
 
 TEST_CASE("segments of --label are the labels and the channel of the file") {
@@ -264,10 +252,8 @@ TEST_CASE("segments of --label are the labels and the channel of the file") {
       "kinds: list domain domain domain\nSegment0_Name:=Liver\nSegment0_LabelValue:=7\n"
       "Segment0_Layer:=0\nSegment1_Name:=Spleen\nSegment1_LabelValue:=3\nSegment1_Layer:=0\n"
       "Segment2_Name:=Tumor\nSegment2_LabelValue:=7\nSegment2_Layer:=1\n\n0123456789abcdef");
-  const auto found = [&](const std::string& label, const std::string& more = "--quiet") {
-    const std::string option = "--label=" + label;
-    CommandLine line =
-        parse_command_line(std::vector<std::string_view>{"mesh", path, option, more});
+  const auto found = [&](const std::string& label, const std::string& more = "") {
+    CommandLine line = parsed("mesh " + path + " --label=" + label + more);
     find_segments(line);
     return line;
   };
@@ -283,7 +269,7 @@ TEST_CASE("segments of --label are the labels and the channel of the file") {
                        InputError);
   CHECK_THROWS_WITH_AS(found("Liver,Tumor"),
                        (path + ": segment 'Tumor' is in channel 2, not in 1").c_str(), InputError);
-  CHECK_THROWS_WITH_AS(found("Liver", "--channel=2"),
+  CHECK_THROWS_WITH_AS(found("Liver", " --channel=2"),
                        (path + ": segment 'Liver' is in channel 1, not in 2").c_str(), InputError);
 }
 
@@ -301,31 +287,23 @@ TEST_CASE("with --nan a volume has the mesh of the volume with these values, als
     return folder.write(name, {reinterpret_cast<const char*>(samples.data()), 4 * samples.size()});
   };
   const std::string whole = write("whole.raw", filled), gaps = write("gaps.raw", with_nan);
-  const auto line_of_mesh = [](std::vector<std::string> words) {
-    words.insert(words.end(), {"--dims=24x24x24", "--type=float32", "--iso=1", "--block-side=8",
-                               "--smooth=0.5vox", "--quiet"});
-    return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  const auto line_of_mesh = [](const std::string& words) {
+    return parsed(words +
+                  " --dims=24x24x24 --type=float32 --iso=1 --block-side=8 --smooth=0.5vox -q");
   };
-  const std::string out = "--output=" + folder.path("a.ply"), ply = folder.path("a.ply");
-  const auto bytes = [&] {
-    std::ifstream file(ply, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  REQUIRE(run_mesh(line_of_mesh({whole, out})) == kExitSuccess);
-  const std::string wanted = bytes();
-  CHECK_THROWS_AS(run_mesh(line_of_mesh({gaps, out})), InputError);
-  REQUIRE(run_mesh(line_of_mesh({gaps, out, "--nan=-3"})) == kExitSuccess);
-  CHECK(bytes() == wanted);
-  for (const char* part : {"1", "2"}) {
-    const CommandLine line = line_of_mesh(
-        {gaps, "--nan=-3", std::string("--part=") + part + "/2", "--output=" + folder.path(part)});
-    CHECK(run_part(line) == kExitSuccess);
-  }
-  const std::string one = folder.path("1"), two = folder.path("2"), volume = "--volume=" + gaps;
+  const std::string ply = folder.path("a.ply"), out = " -o " + ply;
+  REQUIRE(run_mesh(line_of_mesh(whole + out)) == kExitSuccess);
+  const std::string wanted = file_bytes(ply);
+  CHECK_THROWS_AS(run_mesh(line_of_mesh(gaps + out)), InputError);
+  REQUIRE(run_mesh(line_of_mesh(gaps + out + " --nan=-3")) == kExitSuccess);
+  CHECK(file_bytes(ply) == wanted);
+  const std::string one = folder.path("1"), two = folder.path("2");
+  CHECK(run_part(line_of_mesh(gaps + " --nan=-3 --part=1/2 -o " + one)) == kExitSuccess);
+  CHECK(run_part(line_of_mesh(gaps + " --nan=-3 --part=2/2 -o " + two)) == kExitSuccess);
   const CommandLine join =
-      parse_command_line(std::vector<std::string_view>{"join", one, two, volume, out, "--quiet"});
+      parsed("join " + one + " " + two + " --volume=" + gaps + out + " --quiet");
   CHECK(run_join(join) == kExitSuccess);
-  CHECK(bytes() == wanted);
-  CHECK(read_input(line_of_mesh({gaps, "--nan=-3"})).log.notes.back() ==
+  CHECK(file_bytes(ply) == wanted);
+  CHECK(read_input(line_of_mesh(gaps + " --nan=-3")).log.notes.back() ==
         "1,152 samples are NaN, and taken as -3");
 }

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
+#include "app/parsed_line.h"
 #include "base/random.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
@@ -16,10 +18,8 @@ using namespace deliso;
 
 namespace {
 
-CommandLine command_line(std::vector<std::string_view> more) {
-  std::vector<std::string_view> arguments{"builtin:fuel:24", "-o", "mesh.ply"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return parse_command_line(arguments);
+CommandLine command_line(const std::string& more = "") {
+  return test::parsed("builtin:fuel:24 -o mesh.ply" + more);
 }
 
 // Columns that a line takes: without what sets colors.
@@ -34,7 +34,7 @@ std::size_t width_of(std::string line) {
 }  // namespace
 
 TEST_CASE("the bar never goes back") {
-  const std::vector<StageCost> stages = mesh_stages(command_line({}));
+  const std::vector<StageCost> stages = mesh_stages(command_line());
   REQUIRE(stages.size() > 5);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -55,8 +55,7 @@ TEST_CASE("the bar never goes back") {
 }
 
 TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage ends") {
-  for (const std::vector<std::string_view>& more : std::vector<std::vector<std::string_view>>{
-           {}, {"--paper"}, {"--check"}, {"--cap", "-q"}, {"--stop-after", "recover"}}) {
+  for (const char* more : {"", " --paper", " --check", " --cap -q", " --stop-after recover"}) {
     const std::vector<StageCost> stages = mesh_stages(command_line(more));
     ProgressModel model(stages);
     CHECK(model.at(stages.front().stage, 0) == 0);
@@ -70,13 +69,8 @@ TEST_CASE("the bar goes from 0 to 100 %, and is not there before the last stage 
 }
 
 TEST_CASE("the program knows every stage that a run reports") {
-  for (const std::vector<std::string_view>& more :
-       std::vector<std::vector<std::string_view>>{{},
-                                                  {"--paper"},
-                                                  {"--cap"},
-                                                  {"--single-stage", "--recover", "paper"},
-                                                  {"--vertices", "500"},
-                                                  {"--stop-after", "recover"}}) {
+  for (const char* more : {"", " --paper", " --cap", " --single-stage --recover paper",
+                           " --vertices 500", " --stop-after recover"}) {
     CommandLine line = command_line(more);
     std::vector<std::string> order;
     struct Stages : Observer {
@@ -112,7 +106,7 @@ TEST_CASE("the program knows every stage that a run reports") {
 }
 
 TEST_CASE("in blocks the bar runs from reading to the seams") {
-  CommandLine line = command_line({"--cap", "--block-side", "8", "--threads", "2"});
+  CommandLine line = command_line(" --cap --block-side 8 --threads 2");
   struct Stages : Observer {
     ProgressModel model;
     std::vector<std::string> order;

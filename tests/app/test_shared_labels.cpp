@@ -7,22 +7,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "app/parsed_line.h"
 #include "app/run.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "cases.h"
+#include "io/files/temporary_folder.h"
 #include "io/mesh/read_mesh.h"
 #include "mesh/quality.h"
 #include "stress/shared_file.h"
 
 using namespace deliso;
 using namespace deliso::stress;
+using namespace deliso::test;
 
 namespace {
 
@@ -106,42 +107,23 @@ Corners3 corners_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 TEST_CASE("random labels fill space once, between common triangles that never cross") {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / "deliso-test-shared-labels";
-  std::filesystem::create_directories(folder);
-  const auto path = [&](const std::string& name) { return (folder / name).string(); };
+  const TemporaryFolder folder;
   constexpr int kVolumes = test::cases(120);
   int sound = 0, facets = 0, far = 0, samples = 0, uncertain = 0, twice = 0, kept = 0;
   for (std::uint64_t seed = 0; seed < kVolumes; ++seed) {
     CAPTURE(seed);
     const RandomLabels labels(seed);
-    std::ofstream(path("labels.raw"), std::ios::binary)
-        .write(reinterpret_cast<const char*>(labels.samples.data()),
-               static_cast<std::streamsize>(labels.samples.size()));
+    folder.write("labels.raw", {labels.samples.begin(), labels.samples.end()});
     const bool is_sharp = seed % 2 == 0;
     const Index3 n = labels.dims;
     const std::string dims = text(n.i, "x", n.j, "x", n.k);
-    const std::vector<std::string> words{path("labels.raw"),
-                                         "--dims",
-                                         dims,
-                                         "--type",
-                                         "uint8",
-                                         "--label",
-                                         "all",
-                                         "--shared",
-                                         path("all.ply"),
-                                         "-o",
-                                         path("%d.ply"),
-                                         "-q",
-                                         "--ply-ascii",
-                                         "--double",
-                                         "--smooth",
-                                         is_sharp ? "0.3vox" : "1vox"};
-    const int status =
-        run_mesh(parse_command_line(std::vector<std::string_view>(words.begin(), words.end())));
+    const int status = run_mesh(
+        parsed(text(folder / "labels.raw", " --dims ", dims, " --type uint8 --label all --shared ",
+                    folder / "all.ply", " -o ", folder / "%d.ply",
+                    " -q --ply-ascii --double --smooth ", is_sharp ? "0.3vox" : "1vox")));
     CHECK((status == kExitSuccess || status == kFaultFound));
     sound += status == kExitSuccess ? 1 : 0;
-    const SharedFile all = read_shared(path("all.ply"));
+    const SharedFile all = read_shared(folder / "all.ply");
     CHECK(shared_fault(all, status == kExitSuccess) == "");
 
     for (std::size_t f = 0; f < all.triangles.size(); ++f) {
@@ -161,7 +143,7 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
                                   all.points[t[2].number()]));
       }
       if (here.empty()) continue;
-      const TriMesh mesh = read_mesh(path(text(label, ".ply")));
+      const TriMesh mesh = read_mesh(folder / text(label, ".ply"));
       for (const Face& face : mesh.faces) {
         own.push_back(
             corners_of(mesh.points[face.v[0]], mesh.points[face.v[1]], mesh.points[face.v[2]]));
@@ -204,5 +186,4 @@ TEST_CASE("random labels fill space once, between common triangles that never cr
   CHECK(twice == 0);
   CHECK(samples > test::cases(300));
   CHECK(kept == samples);
-  std::filesystem::remove_all(folder);
 }

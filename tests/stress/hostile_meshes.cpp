@@ -20,11 +20,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command_line.h"
+#include "app/parsed_line.h"
 #include "app/run.h"
 #include "base/check.h"
 #include "base/random.h"
 #include "deliso/deliso.h"
+#include "io/damage.h"
 #include "io/mesh/mesh_files.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/builtin_fields.h"
@@ -265,11 +266,6 @@ std::string written(const Soup& soup, Form form, const TemporaryFolder& folder, 
   return folder.path(name);
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // The commands of a seed; the last word of each is its output.
 std::vector<std::vector<std::string>> commands_of(const Base& base, const std::string& mesh,
                                                   const TemporaryFolder& folder, Random& random) {
@@ -328,8 +324,7 @@ std::string fault_of(const std::vector<std::string>& words, std::string& story) 
   int status = 0;
   const std::string& output = words.back();
   try {
-    CommandLine line =
-        parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+    CommandLine line = parse_words(words);
     line.options.threads = 1;
     switch (line.command) {
       case Command::check:
@@ -344,10 +339,7 @@ std::string fault_of(const std::vector<std::string>& words, std::string& story) 
   } catch (const InputError& error) {
     const std::string message = error.what();
     story += " | " + words[0] + ": " + message;
-    if (message.empty()) return "a message without words";
-    if (std::ranges::any_of(message, [](char c) { return c >= 0 && c < ' '; })) {
-      return "a control character in a message";
-    }
+    if (const char* flaw = flaw_of(error)) return flaw;
     return std::filesystem::exists(output) ? "refused, and left a file" : "";
   } catch (const std::exception& error) {
     return text("an exception: ", error.what());
@@ -368,7 +360,7 @@ bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
   Soup soup = base.soup;
   edit_soup(soup, edit, base, random);
   const std::string mesh = written(soup, form, folder, random);
-  std::string file = bytes_of(mesh);
+  std::string file = file_bytes(mesh);
   const bool is_text = form == Form::ply_ascii || form == Form::off || form == Form::obj ||
                        form == Form::stl_ascii || form == Form::vtp_other;
   edit_file(file, edit, is_text, random);

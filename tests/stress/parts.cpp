@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/input.h"
+#include "app/parsed_line.h"
 #include "app/parts.h"
 #include "base/check.h"
 #include "base/random.h"
@@ -70,7 +71,7 @@ Case case_of(std::uint64_t seed) {
 CommandLine line_of(const Case& made, int part, int of) {
   std::vector<std::string> words = made.words;
   if (of > 0) words.insert(words.end(), {text("--part=", part, "/", of), "--output=x.part"});
-  return parse_command_line(std::vector<std::string_view>(words.begin(), words.end()));
+  return test::parse_words(words);
 }
 
 // The samples for a part: read box by box, or in memory, and then only what the part needs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files against the specification's demands, read by a parser of their own.
+// glTF files against the specification's demands.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/json_schema.h"
+#include "io/files/json_value.h"
 #include "io/mesh/written_mesh.h"
 
 using namespace deliso;
@@ -16,13 +16,12 @@ using namespace deliso::test;
 
 namespace {
 
-const json::Value& member(const json::Value& object, const std::string& key) {
-  const json::Value* value = object.find(key);
-  REQUIRE_MESSAGE(value != nullptr, key);
-  return *value;
+const JsonValue& member(const JsonValue& object, const std::string& key) {
+  REQUIRE_MESSAGE(!object[key].is_null(), key);
+  return object[key];
 }
 
-std::size_t count(const json::Value& object, const std::string& key) {
+std::size_t count(const JsonValue& object, const std::string& key) {
   const double number = member(object, key).number;
   REQUIRE(number >= 0);
   REQUIRE(number == std::floor(number));
@@ -30,19 +29,19 @@ std::size_t count(const json::Value& object, const std::string& key) {
 }
 
 struct Glb {
-  json::Value json;
+  JsonValue json;
   std::string buffer;
 
-  const json::Value& item(const std::string& list, std::size_t n) const {
-    const std::vector<json::Value>& items = member(json, list).items;
+  const JsonValue& item(const std::string& list, std::size_t n) const {
+    const std::vector<JsonValue>& items = member(json, list).items;
     REQUIRE(n < items.size());
     return items[n];
   }
   // The numbers of an accessor, and the least and the largest of each component.
   template <class T>
   std::vector<T> numbers(std::size_t accessor) const {
-    const json::Value& a = item("accessors", accessor);
-    const json::Value& view = item("bufferViews", count(a, "bufferView"));
+    const JsonValue& a = item("accessors", accessor);
+    const JsonValue& view = item("bufferViews", count(a, "bufferView"));
     const std::size_t at = count(view, "byteOffset"),
                       width = member(a, "type").string == "VEC3" ? 3 : 1;
     CHECK(member(a, "componentType").number == (std::is_same_v<T, float> ? 5126 : 5125));
@@ -66,7 +65,7 @@ Glb parsed(const std::string& bytes) {
   const std::size_t text = number_at<std::uint32_t>(bytes, 12);
   CHECK(text % 4 == 0);
   CHECK(bytes.substr(16, 4) == "JSON");
-  Glb glb{json::parse(bytes.substr(20, text)), {}};
+  Glb glb{parse_json(bytes.substr(20, text), "glTF"), {}};
   CHECK(member(member(glb.json, "asset"), "version").string == "2.0");
   if (bytes.size() == 20 + text) return glb;
   const std::size_t size = number_at<std::uint32_t>(bytes, 20 + text);
@@ -76,7 +75,7 @@ Glb parsed(const std::string& bytes) {
   CHECK(glb.buffer.size() == size);
   CHECK(count(glb.item("buffers", 0), "byteLength") == size);
   std::size_t end = 0;  // of the views, which follow each other
-  for (const json::Value& view : member(glb.json, "bufferViews").items) {
+  for (const JsonValue& view : member(glb.json, "bufferViews").items) {
     CHECK(count(view, "byteOffset") == end);
     end += count(view, "byteLength");
   }
@@ -94,11 +93,11 @@ TEST_CASE("glTF: its extras, the bounds of its coordinates, and a matrix to the 
     if (patient) mesh.frame.space = AnatomicalSpace::lps;
     const MeshWriteOptions options{.format = MeshFormat::glb, .comment = "a \"quoted\" word"};
     const Glb glb = parsed(written(mesh, options));
-    const json::Value& extras = member(member(glb.json, "asset"), "extras");
+    const JsonValue& extras = member(member(glb.json, "asset"), "extras");
     CHECK(member(extras, "comment").string == options.comment);
-    CHECK((extras.find("SPACE") != nullptr) == patient);
+    CHECK(extras["SPACE"].is_null() != patient);
     CHECK(member(glb.item("scenes", count(glb.json, "scene")), "nodes").items[0].number == 0);
-    const std::vector<json::Value>& matrix = member(glb.item("nodes", 0), "matrix").items;
+    const std::vector<JsonValue>& matrix = member(glb.item("nodes", 0), "matrix").items;
     REQUIRE(matrix.size() == 16);
     // z is up in the world, y in glTF, whose unit is the meter.
     const double unit = patient ? 0.001 : 1;
@@ -110,8 +109,8 @@ TEST_CASE("glTF: its extras, the bounds of its coordinates, and a matrix to the 
     CHECK(count(primitives[0], "material") < member(glb.json, "materials").items.size());
     CHECK(glb.numbers<std::uint32_t>(count(primitives[0], "indices")).size() ==
           3 * mesh.faces.size());
-    const json::Value& names = member(primitives[0], "attributes");
-    CHECK(names.members.size() == 1);
+    const JsonValue& names = member(primitives[0], "attributes");
+    CHECK(names.keys.size() == 1);
 
     const std::size_t accessor = count(names, "POSITION");
     const std::vector<float> positions = glb.numbers<float>(accessor);
@@ -135,14 +134,14 @@ TEST_CASE("glTF: values of vertices, and caps as a primitive of their own") {
     options.first_cap = first_cap;
     const Glb glb = parsed(written(mesh, options));
     std::vector<std::uint32_t> corners;
-    for (const json::Value& primitive : member(glb.item("meshes", 0), "primitives").items) {
+    for (const JsonValue& primitive : member(glb.item("meshes", 0), "primitives").items) {
       const std::string material =
           member(glb.item("materials", count(primitive, "material")), "name").string;
       CHECK(material == (corners.size() < 3 * first_cap ? "surface" : "cap"));
       for (const std::uint32_t v : glb.numbers<std::uint32_t>(count(primitive, "indices"))) {
         corners.push_back(v);
       }
-      const json::Value& names = member(primitive, "attributes");
+      const JsonValue& names = member(primitive, "attributes");
       const auto normals = glb.numbers<float>(count(names, "NORMAL"));
       REQUIRE(normals.size() == 12);
       for (std::size_t n = 0; n < normals.size(); ++n) {
@@ -161,6 +160,6 @@ TEST_CASE("glTF: values of vertices, and caps as a primitive of their own") {
 TEST_CASE("glTF of an empty mesh has a scene without nodes") {
   const Glb glb = parsed(written(TriMesh{}, {.format = MeshFormat::glb}));
   CHECK(glb.buffer.empty());
-  CHECK(glb.json.find("meshes") == nullptr);
+  CHECK(glb.json["meshes"].is_null());
   CHECK(member(glb.json, "scenes").items.size() == 1);
 }
