@@ -21,7 +21,8 @@
 #include <optional>
 #include <vector>
 
-#include "contour/voxel_oracle.h"
+#include "contour/voxel_topology.h"
+#include "contour/voxel_truth.h"
 #include "delaunay/big_int.h"
 
 namespace deliso {

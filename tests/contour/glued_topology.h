@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The topology of Sigma in a volume, glued together from an oracle's voxels.
+// The topology of Sigma in a volume, glued together from the exact oracle's voxels.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "contour/contour.h"
-#include "contour/voxel_oracle.h"
+#include "contour/exact_voxel.h"
 
 namespace deliso {
 
@@ -24,11 +24,9 @@ inline GluedTopology topology_of(const ContourSummary& summary) {
   return kinds;
 }
 
-// solve(samples, kappa) returns a voxel's VoxelTruth. Returns nothing if it cannot decide, or if
-// two voxels see different arcs on the face between them (then `faces_agree` becomes false).
-template <class Solve>
-std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa, Solve&& solve,
-                                         bool& faces_agree) {
+// Returns nothing where the oracle is at fault: its axes differ in a voxel, or two voxels see
+// different arcs on the face between them.
+inline std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa) {
   // Elements: grid edges, 3 * sample + axis. Pieces and arcs of the voxels join them.
   UnionFind surface(3 * volume.sample_count()), curves(3 * volume.sample_count());
   std::map<std::pair<int, int>, int> arcs;
@@ -49,7 +47,7 @@ std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa, Sol
         int inside = 0;
         for (const double v : samples) inside += v >= kappa;
         if (inside == 0 || inside == 8) continue;
-        const VoxelTruth truth = solve(samples, kappa);
+        const VoxelTruth truth = ExactVoxel::solve(samples, kappa);
         if (!truth.resolved) return std::nullopt;
         for (const VoxelPiece& piece : truth.pieces) {
           const int first = element(voxel, std::countr_zero(static_cast<unsigned>(piece.edges)));
@@ -78,7 +76,7 @@ std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa, Sol
   std::map<int, int> euler;
   for (const int e : crossings) ++euler[surface.root(e)];
   for (const auto& [arc, sides] : arcs) {
-    faces_agree = faces_agree && sides == 2;
+    if (sides != 2) return std::nullopt;
     --euler[surface.root(arc.first)];
   }
   for (const auto& [first, piece_euler] : pieces) euler[surface.root(first)] += piece_euler;

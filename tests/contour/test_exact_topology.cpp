@@ -37,27 +37,6 @@ GluedTopology contour_of(Index3 dims, const WideValues& wide) {
 
 }  // namespace
 
-TEST_CASE("the exact oracle has the pieces that subdivision finds") {
-  Random random(21);
-  int compared = 0, tubes = 0;
-  for (int trial = 0; trial < 3000; ++trial) {
-    CAPTURE(trial);
-    Corners c;
-    const double low = random.uniform(-6, 0);
-    for (double& v : c) v = (random.below(2) != 0 ? 1 : -1) * std::exp2(random.uniform(low, 0));
-    const VoxelTruth truth = VoxelOracle::solve(c);
-    if (!truth.resolved) continue;
-    const VoxelTruth exact = ExactVoxel::solve(c, 0);
-    REQUIRE(exact.resolved);
-    CHECK((exact.pieces == truth.pieces));
-    CHECK((exact.mate == truth.mate));
-    ++compared;
-    for (const VoxelPiece& piece : truth.pieces) tubes += piece.loops == 2;
-  }
-  CHECK(compared > 2900);
-  CHECK(tubes > 10);
-}
-
 TEST_CASE("single voxels over magnitudes and with tied saddles have the exact topology") {
   Random random(22);
   int tubes = 0;
@@ -81,10 +60,8 @@ TEST_CASE("small volumes over magnitudes and with tied saddles have the exact to
     const WideValues wide = make_wide_values(random, static_cast<WideKind>(trial % kWideKinds),
                                              static_cast<std::size_t>(dims.i * dims.j * dims.k));
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, wide.samples);
-    bool faces_agree = true;
-    const auto expected = glue_voxels(volume, wide.kappa, ExactVoxel::solve, faces_agree);
+    const auto expected = glue_voxels(volume, wide.kappa);
     REQUIRE(expected);
-    CHECK(faces_agree);
     CHECK((deliso::topology_of(summarize_contour(volume, wide.kappa)) == *expected));
   }
 }
