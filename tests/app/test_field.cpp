@@ -24,39 +24,24 @@
 #include "io/mesh/read_mesh.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 using namespace deliso::test;
 
 namespace {
 
-bool same_samples(const Volume& a, const Volume& b) {
-  if (a.dims() != b.dims() || a.type() != b.type()) return false;
-  for (int k = 0; k < a.dims().k; ++k) {
-    for (int j = 0; j < a.dims().j; ++j) {
-      for (int i = 0; i < a.dims().i; ++i) {
-        if (a.sample(i, j, k) != b.sample(i, j, k)) return false;
-      }
-    }
-  }
-  return true;
-}
-
 // Balls of labels 1, 2 and 4 that touch each other; 4 is cut by the box.
 struct Balls {
   static constexpr Index3 kDims{58, 36, 30};
   Balls() {
     std::vector<std::uint8_t> samples;
-    for (int k = 0; k < kDims.k; ++k) {
-      for (int j = 0; j < kDims.j; ++j) {
-        for (int i = 0; i < kDims.i; ++i) {
-          const auto in = [&](double x, double r) {
-            return (i - x) * (i - x) + (j - 17.) * (j - 17.) + (k - 14.) * (k - 14.) <= r * r;
-          };
-          samples.push_back(in(13, 10) ? 1 : in(34, 11.2) ? 2 : in(56, 11) ? 4 : 0);
-        }
-      }
-    }
+    for_each_index(kDims, [&](int i, int j, int k) {
+      const auto in = [&](double x, double r) {
+        return (i - x) * (i - x) + (j - 17.) * (j - 17.) + (k - 14.) * (k - 14.) <= r * r;
+      };
+      samples.push_back(in(13, 10) ? 1 : in(34, 11.2) ? 2 : in(56, 11) ? 4 : 0);
+    });
     volume = Volume::from_samples(kDims, {1, 1, 1}, samples);
     folder.write("balls.raw", {samples.begin(), samples.end()});
   }

@@ -10,6 +10,7 @@
 #include "base/triangle.h"
 #include "check/facet_values.h"
 #include "deliso/deliso.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -19,14 +20,10 @@ namespace {
 // out from `end` on; in a frame with sheared axes, mirrored or not.
 Volume ball(double radius, int end, bool mirrored) {
   std::vector<float> samples;
-  for (int k = 0; k < 25; ++k) {
-    for (int j = 0; j < 25; ++j) {
-      for (int i = 0; i < end; ++i) {
-        samples.push_back(static_cast<float>(
-            radius - length(Vec3{1.0 * i, 1.0 * j, 1.0 * k} - Vec3{12, 12, 12})));
-      }
-    }
-  }
+  for_each_index({end, 25, 25}, [&](int i, int j, int k) {
+    samples.push_back(
+        static_cast<float>(radius - length(Vec3{1.0 * i, 1.0 * j, 1.0 * k} - Vec3{12, 12, 12})));
+  });
   const double s = mirrored ? -1 : 1;
   const Frame frame{{100, -20, 3}, {Vec3{s, 0, 0}, Vec3{0.6, 0.8, 0}, Vec3{0, 0, 1}}};
   return Volume::from_samples({end, 25, 25}, {1, 1, 1}, samples, frame);

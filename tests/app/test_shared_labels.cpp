@@ -20,6 +20,7 @@
 #include "io/mesh/read_mesh.h"
 #include "mesh/quality.h"
 #include "stress/shared_file.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 using namespace deliso::stress;
@@ -41,24 +42,20 @@ struct RandomLabels {
     }
     const auto kind = random.below(4);
     int run = 0;
-    for (int k = 0; k < dims.k; ++k) {
-      for (int j = 0; j < dims.j; ++j) {
-        for (int i = 0; i < dims.i; ++i) {
-          const Vec3 p{double(i), double(j), double(k)};
-          const auto nearest =
-              std::ranges::min_element(centers, {}, [&](const Vec3& c) { return distance2(c, p); });
-          const int cell = static_cast<int>(nearest - centers.begin()) % (most + 1);
-          const int drawn = static_cast<int>(random.below(static_cast<std::uint32_t>(most + 1)));
-          if (random.below(3) == 0) run = drawn;
-          const bool outside = distance(p, {dims.i / 2., dims.j / 2., dims.k / 2.}) > dims.i / 2.;
-          samples.push_back(static_cast<std::uint8_t>(kind == 0   ? cell
-                                                      : kind == 1 ? (outside ? 0 : 1 + cell % most)
-                                                      : kind == 2 ? run
-                                                      : random.below(12) == 0 ? drawn
-                                                                              : 0));
-        }
-      }
-    }
+    for_each_index(dims, [&](int i, int j, int k) {
+      const Vec3 p{double(i), double(j), double(k)};
+      const auto nearest =
+          std::ranges::min_element(centers, {}, [&](const Vec3& c) { return distance2(c, p); });
+      const int cell = static_cast<int>(nearest - centers.begin()) % (most + 1);
+      const int drawn = static_cast<int>(random.below(static_cast<std::uint32_t>(most + 1)));
+      if (random.below(3) == 0) run = drawn;
+      const bool outside = distance(p, {dims.i / 2., dims.j / 2., dims.k / 2.}) > dims.i / 2.;
+      samples.push_back(static_cast<std::uint8_t>(kind == 0   ? cell
+                                                  : kind == 1 ? (outside ? 0 : 1 + cell % most)
+                                                  : kind == 2 ? run
+                                                  : random.below(12) == 0 ? drawn
+                                                                          : 0));
+    });
     samples[samples.size() / 2] = 1;  // not all is background
   }
   int at(int i, int j, int k) const {

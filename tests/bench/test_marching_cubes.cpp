@@ -15,6 +15,7 @@
 #include "base/triangle.h"
 #include "contour/voxel_topology.h"
 #include "mesh/check_mesh.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -144,14 +145,9 @@ TEST_CASE("noise of every seed gives a manifold that is open at the box only") {
 
 TEST_CASE("a sphere has one component, Euler number 2, its area, and normals that point outwards") {
   const Index3 dims{33, 33, 33};
-  std::vector<double> samples;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i)
-        samples.push_back(10 - length(Vec3{i - 16.1, j - 15.9, k - 16.2}));
-    }
-  }
-  const Volume volume = Volume::from_samples<double>(dims, {1, 1, 1}, samples);
+  const Volume volume = sampled<double>(dims, {1, 1, 1}, [&](int i, int j, int k) {
+    return 10 - length(Vec3{i - 16.1, j - 15.9, k - 16.2});
+  });
   const TriMesh mesh = marching_cubes(volume, 0);
   const MeshTopology topology = mesh_topology(mesh);
   CHECK(topology.components.size() == 1);

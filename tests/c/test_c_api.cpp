@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/parsed_line.h"
 #include "app/run.h"
 #include "c/deliso.h"
 #include "io/volume/builtin_volume.h"
@@ -84,11 +85,6 @@ std::string refusal(OptionList options, double isovalue = 2.5) {
   return deliso_last_error();
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 TEST_CASE("the same bytes as the program") {
@@ -108,12 +104,10 @@ TEST_CASE("the same bytes as the program") {
     for (const char* ending : {"ply", "off", "obj", "stl", "vtp", "glb", "3mf", "smesh", "poly"}) {
       CAPTURE(ending);
       REQUIRE(deliso_mesh_save(mesh.get, (ours + ending).c_str()) == DELISO_OK);
-      const std::string output = theirs + ending;
-      REQUIRE(run_mesh(parse_command_line(std::vector<std::string_view>{
-                  npy, "--spacing", "1,1,1.25", "--iso", "1.5", "--max-distance", "0.2vox", "--cap",
-                  "--seed", "3", "-q", "-o", output})) == kExitSuccess);
-      CHECK(bytes_of(ours + ending).size() > 1000);
-      CHECK(bytes_of(ours + ending) == bytes_of(output));
+      REQUIRE(run_mesh(test::parsed(npy + " --spacing 1,1,1.25 --iso 1.5 --max-distance 0.2vox" +
+                                    " --cap --seed 3 -q -o " + theirs + ending)) == kExitSuccess);
+      CHECK(test::file_bytes(ours + ending).size() > 1000);
+      CHECK(test::file_bytes(ours + ending) == test::file_bytes(theirs + ending));
     }
   }
 }
@@ -244,7 +238,7 @@ TEST_CASE("a mesh made of another's data is the same") {
     for (const char* ending :
          {".ply", ".off", ".obj", ".stl", ".vtp", ".glb", ".3mf", ".smesh", ".poly"}) {
       REQUIRE(deliso_mesh_save(mesh, (here + ending).c_str()) == DELISO_OK);
-      files += bytes_of(here + ending);
+      files += test::file_bytes(here + ending);
     }
     return files;
   };
@@ -429,7 +423,7 @@ TEST_CASE("files: a volume and a mesh are read, labels saved together, and null 
   CHECK(in_file == made);
   const char* const size[] = {"size=60x40", nullptr};
   CHECK(deliso_render(taken.meshes.data(), 1, size, picture.c_str()) == DELISO_OK);
-  CHECK(bytes_of(picture).size() > 100);
+  CHECK(test::file_bytes(picture).size() > 100);
   char* json = nullptr;
   REQUIRE(deliso_info(volume, std::nan(""), nullptr, nullptr, &json) == DELISO_OK);
   CHECK(std::strstr(json, "\"dims\": [12, 16, 16]") != nullptr);

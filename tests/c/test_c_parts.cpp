@@ -6,8 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -89,8 +87,7 @@ struct MeshContent {
     for (const char* name : {"m.ply", "m.obj", "m.vtp"}) {
       const std::string path = folder.write(name, "");
       REQUIRE(deliso_mesh_save(mesh, path.c_str()) == DELISO_OK);
-      std::ifstream file(path, std::ios::binary);
-      files.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+      files.push_back(test::file_bytes(path));
     }
     const std::string report = deliso_mesh_report(mesh);
     const std::size_t begin = report.find("\"mesh\": {");

@@ -18,8 +18,10 @@
 #include "check/self_intersections.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
+#include "mesh/meshes.h"
 #include "mesh/quality.h"
 #include "planar/plane_predicates.h"
+#include "volume/sampled.h"
 
 namespace deliso {
 
@@ -53,8 +55,7 @@ inline int face_of(const TriMesh& mesh, const Face& face, const Box3& box) {
 }
 
 inline std::size_t crossing_pairs(const TriMesh& mesh) {
-  std::vector<Triangle> triangles;
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  const std::vector<Triangle> triangles = test::triangles_of(mesh);
   const TriangleTree tree(mesh.points, triangles);
   return find_crossings(mesh.points, triangles, tree).pairs.size();
 }
@@ -127,16 +128,12 @@ inline double sampled_volume(const Volume& volume, double kappa, int per_voxel) 
   const Vec3 s = volume.spacing();
   const Index3 n = volume.voxels();
   std::size_t inside = 0, all = 0;
-  for (int k = 0; k < n.k * per_voxel; ++k) {
-    for (int j = 0; j < n.j * per_voxel; ++j) {
-      for (int i = 0; i < n.i * per_voxel; ++i) {
-        const Vec3 p{(i + 0.5) / per_voxel * s.x, (j + 0.5) / per_voxel * s.y,
-                     (k + 0.5) / per_voxel * s.z};
-        inside += volume.value(p) >= kappa;
-        ++all;
-      }
-    }
-  }
+  for_each_index({n.i * per_voxel, n.j * per_voxel, n.k * per_voxel}, [&](int i, int j, int k) {
+    const Vec3 p{(i + 0.5) / per_voxel * s.x, (j + 0.5) / per_voxel * s.y,
+                 (k + 0.5) / per_voxel * s.z};
+    inside += volume.value(p) >= kappa;
+    ++all;
+  });
   const Vec3 size = volume.box().size();
   return size.x * size.y * size.z * static_cast<double>(inside) / static_cast<double>(all);
 }

@@ -12,6 +12,7 @@
 #include "cases.h"
 #include "deliso/fields.h"
 #include "stress/tiny_volume.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -197,13 +198,9 @@ TEST_CASE(
   const Vec3 size = ball.volume.box().size();
   const double full = size.x * size.y * size.z, of_ball = enclosed_volume(solid.mesh);
   std::vector<float> turned;
-  for (int k = 0; k < 20; ++k) {
-    for (int j = 0; j < 20; ++j) {
-      for (int i = 0; i < 20; ++i) {
-        turned.push_back(static_cast<float>(-ball.volume.sample(i, j, k)));
-      }
-    }
-  }
+  for_each_index({20, 20, 20}, [&](int i, int j, int k) {
+    turned.push_back(static_cast<float>(-ball.volume.sample(i, j, k)));
+  });
   const Volume bubble = Volume::from_samples({20, 20, 20}, ball.volume.spacing(), turned);
   solid = solid_of(bubble, 0);
   check_solid(solid, bubble.box());

@@ -9,6 +9,7 @@
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "mesh/quality.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -18,16 +19,10 @@ constexpr double kPi = 3.14159265358979323846;
 
 // A cylinder around the z axis of a 65 x 65 x 9 box, inside within `radius`.
 Volume cylinder(double radius) {
-  std::vector<float> samples;
-  for (int k = 0; k < 9; ++k) {
-    for (int j = 0; j < 65; ++j) {
-      for (int i = 0; i < 65; ++i) {
-        const double x = i - 32, y = j - 32;
-        samples.push_back(static_cast<float>(radius - std::sqrt(x * x + y * y)));
-      }
-    }
-  }
-  return Volume::from_samples({65, 65, 9}, {1, 1, 1}, samples);
+  return sampled<float>({65, 65, 9}, {1, 1, 1}, [&](int i, int j, int) {
+    const double x = i - 32, y = j - 32;
+    return radius - std::sqrt(x * x + y * y);
+  });
 }
 
 // A prism of n sides inscribed into it, with its corners on the curve of the samples.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/random.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -17,13 +18,9 @@ using Triangles = std::vector<Triangle>;
 
 // x + 2 y - 2 z, whose gradient is 3 everywhere: trilinear interpolation reproduces it.
 Volume slope() {
-  std::vector<float> samples;
-  for (int k = 0; k < 9; ++k) {
-    for (int j = 0; j < 9; ++j) {
-      for (int i = 0; i < 9; ++i) samples.push_back(0.5f * static_cast<float>(i + 2 * j - 2 * k));
-    }
-  }
-  return Volume::from_samples({9, 9, 9}, {0.5, 0.5, 0.5}, samples);
+  return sampled<float>({9, 9, 9}, {0.5, 0.5, 0.5}, [&](int i, int j, int k) {
+    return 0.5f * static_cast<float>(i + 2 * j - 2 * k);
+  });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
+#include "mesh/meshes.h"
 
 using namespace deliso;
 
@@ -68,8 +69,7 @@ TEST_CASE("each of 200 random changes of sound meshes is a fault") {
         geometric_isovalue(volume.type(), find_builtin_field("builtin:" + name)->isovalue);
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, kappa, {}, report);
-    Soup sound{mesh.points, {}};
-    for (const Face& face : mesh.faces) sound.triangles.push_back(face.v);
+    const Soup sound{mesh.points, test::triangles_of(mesh)};
     const auto has_fault = [&](const Soup& soup) {
       return verify(make_tri_mesh(soup.points, soup.triangles), volume, kappa, {}).faults.any();
     };

@@ -16,9 +16,11 @@
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
+#include "mesh/meshes.h"
 #include "mesh/tri_mesh.h"
 #include "stress/judge.h"
 #include "stress/tiny_volume.h"
+#include "volume/sampled.h"
 
 namespace deliso {
 namespace {
@@ -29,9 +31,7 @@ struct Parts {
 };
 
 Parts parts_of(const TriMesh& mesh) {
-  Parts parts{mesh.points, {}};
-  for (const Face& face : mesh.faces) parts.triangles.push_back(face.v);
-  return parts;
+  return {mesh.points, test::triangles_of(mesh)};
 }
 
 struct Good {
@@ -89,9 +89,10 @@ void remove_unused(Parts& parts) {
 }  // namespace
 
 TEST_CASE("each kind of fault in a sphere is reported, and no other") {
-  const Good good("sphere");
-  const Parts sphere = parts_of(good.mesh);
-  REQUIRE(kinds_of(good.verify_parts(sphere).faults).empty());
+  static const Good good("sphere");  // once for all subcases
+  static const Parts sphere = parts_of(good.mesh);
+  static const bool is_sound = kinds_of(good.verify_parts(sphere).faults).empty();
+  REQUIRE(is_sound);
   const std::size_t middle = sphere.triangles.size() / 2;
 
   SUBCASE("hole") {
@@ -386,16 +387,10 @@ TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min")
 // Vertices on the surface, the middles of triangles far from it. No line found Sigma there, so once
 // no distance was measured.
 TEST_CASE("triangles without surface near by are too far if distances are required") {
-  std::vector<float> samples;
-  for (int k = 0; k < 49; ++k) {
-    for (int j = 0; j < 49; ++j) {
-      for (int i = 0; i < 49; ++i) {
-        const Vec3 p{i - 24.1, j - 24.2, k - 24.3};
-        samples.push_back(static_cast<float>(20 - length(p)));
-      }
-    }
-  }
-  const Volume volume = Volume::from_samples({49, 49, 49}, {1, 1, 1}, samples);
+  const Volume volume = sampled<float>({49, 49, 49}, {1, 1, 1}, [&](int i, int j, int k) {
+    const Vec3 p{i - 24.1, j - 24.2, k - 24.3};
+    return 20 - length(p);
+  });
   const double kappa = geometric_isovalue(volume.type(), 0);
   const VoxelTree tree(volume);
   const Isosurface surface(volume, tree, kappa);

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "io/volume/volume_files.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -16,14 +17,10 @@ int main(int argc, char** argv) {
   truth.origin = {-31, 17, 140};
   const double c = std::cos(kAngle), s = std::sin(kAngle);
   truth.axes = {Vec3{c, s, 0}, Vec3{-s * c, c * c, s}, Vec3{s * s, -s * c, c}};
-  for (int k = 0; k < kSide; ++k) {
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
-        const double r = distance(Vec3{1.0 * i, 1.0 * j, 1.0 * k}, {9, 10, 9.5});
-        truth.bytes += static_cast<char>(static_cast<unsigned char>(240 - 20 * r));
-      }
-    }
-  }
+  for_each_index({kSide, kSide, kSide}, [&](int i, int j, int k) {
+    const double r = distance(Vec3{1.0 * i, 1.0 * j, 1.0 * k}, {9, 10, 9.5});
+    truth.bytes += static_cast<char>(static_cast<unsigned char>(240 - 20 * r));
+  });
   std::ofstream(argv[1], std::ios::binary) << test::nifti(truth, {})[0].content;
   return 0;
 }

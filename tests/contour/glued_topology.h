@@ -10,23 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "contour/contour.h"
 #include "contour/exact_voxel.h"
+#include "mesh/component_kinds.h"
 
 namespace deliso {
 
-// (Euler number, boundary loops) of every component.
-using GluedTopology = std::multiset<std::pair<std::int64_t, std::uint64_t>>;
-
-inline GluedTopology topology_of(const ContourSummary& summary) {
-  GluedTopology kinds;
-  for (const auto& c : summary.components) kinds.insert({c.euler, c.boundary_loops});
-  return kinds;
-}
-
 // Returns nothing where the oracle is at fault: its axes differ in a voxel, or two voxels see
 // different arcs on the face between them.
-inline std::optional<GluedTopology> glue_voxels(const Volume& volume, double kappa) {
+inline std::optional<ComponentKinds> glue_voxels(const Volume& volume, double kappa) {
   // Elements: grid edges, 3 * sample + axis. Pieces and arcs of the voxels join them.
   UnionFind surface(3 * volume.sample_count()), curves(3 * volume.sample_count());
   std::map<std::pair<int, int>, int> arcs;
@@ -83,8 +74,9 @@ inline std::optional<GluedTopology> glue_voxels(const Volume& volume, double kap
   std::map<int, std::set<int>> loops;
   for (const auto& [a, b] : on_box) curves.unite(a, b);
   for (const auto& [a, b] : on_box) loops[surface.root(a)].insert(curves.root(a));
-  GluedTopology kinds;
-  for (const auto& [root, e] : euler) kinds.insert({e, loops[root].size()});
+  ComponentKinds kinds;
+  for (const auto& [root, e] : euler) kinds.emplace_back(e, loops[root].size());
+  std::ranges::sort(kinds);
   return kinds;
 }
 

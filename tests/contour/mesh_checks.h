@@ -14,7 +14,7 @@
 
 namespace deliso {
 
-struct MeshTopology {
+struct CountedTopology {
   std::size_t components = 0, boundary_loops = 0;
   std::int64_t euler = 0;
 };
@@ -26,7 +26,7 @@ inline std::string vertex_name(const ContourMesh& mesh, VertexId v) {
 }
 
 // Counts by union-find over triangles and walks over boundary edges, from the triangles alone.
-inline MeshTopology measure_topology(const ContourMesh& mesh) {
+inline CountedTopology measure_topology(const ContourMesh& mesh) {
   std::vector<VertexId> parent(mesh.points.size()), next_on_boundary(mesh.points.size(), kNoId);
   for (VertexId v = 0; v < parent.size(); ++v) parent[v] = v;
   const auto root = [&](VertexId v) {
@@ -40,7 +40,7 @@ inline MeshTopology measure_topology(const ContourMesh& mesh) {
       parent[root(t[i])] = root(t[(i + 1) % 3]);
     }
   }
-  MeshTopology topology;
+  CountedTopology topology;
   std::size_t edges = 0;
   for (const auto& [a, b] : directed) {
     const bool twin = directed.count({b, a}) != 0;
@@ -194,7 +194,7 @@ inline std::string check_summary(const ContourMesh& mesh) {
     if (components[c].euler != euler[c]) return name + ": wrong Euler number";
     if (components[c].boundary_loops != loops[c]) return name + ": wrong boundary loops";
   }
-  const MeshTopology whole = measure_topology(mesh);
+  const CountedTopology whole = measure_topology(mesh);
   if (whole.components != components.size()) return "wrong number of components";
   if (whole.euler != mesh.summary.euler()) return "wrong Euler number";
   if (whole.boundary_loops != mesh.summary.boundary_loops()) return "wrong number of loops";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The volumes that spheres bound, whole or cut by the box, against the formula.
 #include "contour/bounded_volume.h"
+#include "volume/sampled.h"
 
 #include <doctest/doctest.h>
 
@@ -13,16 +14,7 @@ namespace {
 
 constexpr int kSamples = 33;
 
-template <class Field>
-Volume sampled(Field&& field) {
-  std::vector<float> samples;
-  for (int k = 0; k < kSamples; ++k) {
-    for (int j = 0; j < kSamples; ++j) {
-      for (int i = 0; i < kSamples; ++i) samples.push_back(static_cast<float>(field(i, j, k)));
-    }
-  }
-  return Volume::from_samples({kSamples, kSamples, kSamples}, {1, 1, 1}, samples);
-}
+constexpr Index3 kCube{kSamples, kSamples, kSamples};
 
 }  // namespace
 
@@ -39,7 +31,7 @@ TEST_CASE(
     CAPTURE(c.share);
     for (const double sign : {1.0, -1.0}) {  // a ball, or a hole
       CAPTURE(sign);
-      const Volume volume = sampled([&](int i, int j, int k) {
+      const Volume volume = sampled<float>(kCube, {1, 1, 1}, [&](int i, int j, int k) {
         const Vec3 p{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
         return sign * (kRadius - distance(p, c.center));
       });
@@ -55,7 +47,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a component that meets opposite faces of the box has no volume of its own") {
-  const Volume volume = sampled([](int i, int j, int) { return 5 - std::hypot(i - 12, j - 15); });
+  const Volume volume = sampled<float>(
+      kCube, {1, 1, 1}, [](int i, int j, int) { return 5 - std::hypot(i - 12, j - 15); });
   const ContourMesh contour = build_contour(volume, 0);
   const auto origins = component_origins(contour, volume.box());
   REQUIRE(origins.size() == 1);

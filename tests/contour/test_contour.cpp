@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "io/volume/builtin_volume.h"
 #include "mesh_checks.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -22,16 +23,6 @@ ContourSummary checked_summary(const Volume& volume, double kappa) {
   CHECK(check_contour(mesh, volume, kappa) == "");
   CHECK(summarize_contour(volume, kappa) == mesh.summary);
   return mesh.summary;
-}
-
-Volume sampled_field(Index3 dims, const std::function<double(double, double, double)>& field) {
-  std::vector<float> samples;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i) samples.push_back(static_cast<float>(field(i, j, k)));
-    }
-  }
-  return Volume::from_samples(dims, {1, 1, 1}, samples);
 }
 
 double torus_field(double x, double y, double z, double big, double small) {
@@ -129,9 +120,10 @@ TEST_CASE("fields of known topology have a contour of that topology") {
     return std::sqrt(x * x + y * y + z * z);
   };
   SUBCASE("sphere") {
-    const Volume volume = sampled_field({33, 33, 33}, [&](double x, double y, double z) {
-      return 10.3 - distance_to(x - 16.1, y - 15.9, z - 16.2);
-    });
+    const Volume volume =
+        sampled<float>({33, 33, 33}, {1, 1, 1}, [&](double x, double y, double z) {
+          return 10.3 - distance_to(x - 16.1, y - 15.9, z - 16.2);
+        });
     const ContourSummary s = checked_summary(volume, 0);
     REQUIRE(s.components.size() == 1);
     CHECK(s.euler() == 2);
@@ -140,16 +132,17 @@ TEST_CASE("fields of known topology have a contour of that topology") {
     CHECK(s.components[0].hi == Index3{26, 26, 26});
   }
   SUBCASE("half a sphere, cut by the box") {
-    const Volume volume = sampled_field({33, 33, 33}, [&](double x, double y, double z) {
-      return 10.3 - distance_to(x - 16.1, y - 15.9, z + 0.2);
-    });
+    const Volume volume =
+        sampled<float>({33, 33, 33}, {1, 1, 1}, [&](double x, double y, double z) {
+          return 10.3 - distance_to(x - 16.1, y - 15.9, z + 0.2);
+        });
     const ContourSummary s = checked_summary(volume, 0);
     REQUIRE(s.components.size() == 1);
     CHECK(s.euler() == 1);
     CHECK(s.boundary_loops() == 1);
   }
   SUBCASE("torus") {
-    const Volume volume = sampled_field({40, 40, 40}, [](double x, double y, double z) {
+    const Volume volume = sampled<float>({40, 40, 40}, {1, 1, 1}, [](double x, double y, double z) {
       return torus_field(x - 19.6, y - 19.4, z - 19.7, 12, 4);
     });
     const ContourSummary s = checked_summary(volume, 0);
@@ -157,7 +150,7 @@ TEST_CASE("fields of known topology have a contour of that topology") {
     CHECK(s.euler() == 0);
   }
   SUBCASE("two linked tori") {
-    const Volume volume = sampled_field({48, 40, 40}, [](double x, double y, double z) {
+    const Volume volume = sampled<float>({48, 40, 40}, {1, 1, 1}, [](double x, double y, double z) {
       return std::max(torus_field(x - 16.6, y - 19.4, z - 19.7, 10, 3),
                       torus_field(x - 27.1, z - 19.4, y - 19.7, 10, 3));
     });
@@ -167,13 +160,14 @@ TEST_CASE("fields of known topology have a contour of that topology") {
   }
   SUBCASE("five spheres, in scan order") {
     const Vec3 centers[5] = {{9, 9, 7}, {29, 9, 8}, {9, 29, 9}, {29, 29, 10}, {19, 19, 30}};
-    const Volume volume = sampled_field({40, 40, 40}, [&](double x, double y, double z) {
-      double best = -1e9;
-      for (const Vec3& c : centers) {
-        best = std::max(best, 5.2 - distance_to(x - c.x - 0.1, y - c.y + 0.2, z - c.z));
-      }
-      return best;
-    });
+    const Volume volume =
+        sampled<float>({40, 40, 40}, {1, 1, 1}, [&](double x, double y, double z) {
+          double best = -1e9;
+          for (const Vec3& c : centers) {
+            best = std::max(best, 5.2 - distance_to(x - c.x - 0.1, y - c.y + 0.2, z - c.z));
+          }
+          return best;
+        });
     const ContourSummary s = checked_summary(volume, 0);
     REQUIRE(s.components.size() == 5);
     for (std::size_t n = 0; n < 5; ++n) {
@@ -196,16 +190,12 @@ TEST_CASE("rows of every length around a machine word have all their crossings")
     }
     const Volume volume = Volume::from_samples({nx, 4, 3}, {1, 1, 1}, samples);
     std::size_t crossings = 0;
-    for (int k = 0; k < 3; ++k) {
-      for (int j = 0; j < 4; ++j) {
-        for (int i = 0; i < nx; ++i) {
-          const bool inside = volume.sample(i, j, k) >= 30000.5;
-          if (i + 1 < nx) crossings += inside != (volume.sample(i + 1, j, k) >= 30000.5);
-          if (j + 1 < 4) crossings += inside != (volume.sample(i, j + 1, k) >= 30000.5);
-          if (k + 1 < 3) crossings += inside != (volume.sample(i, j, k + 1) >= 30000.5);
-        }
-      }
-    }
+    for_each_index({nx, 4, 3}, [&](int i, int j, int k) {
+      const bool inside = volume.sample(i, j, k) >= 30000.5;
+      if (i + 1 < nx) crossings += inside != (volume.sample(i + 1, j, k) >= 30000.5);
+      if (j + 1 < 4) crossings += inside != (volume.sample(i, j + 1, k) >= 30000.5);
+      if (k + 1 < 3) crossings += inside != (volume.sample(i, j, k + 1) >= 30000.5);
+    });
     const ContourSummary s = checked_summary(volume, 30000.5);
     std::size_t found = 0;
     for (const auto& component : s.components) found += component.crossings;

@@ -22,17 +22,16 @@ Corners corners_of(const std::vector<double>& samples) {
   return c;
 }
 
-GluedTopology topology_of(const VoxelTruth& truth) {
-  GluedTopology kinds;
-  for (const VoxelPiece& piece : truth.pieces) {
-    kinds.insert({piece.euler, static_cast<std::uint64_t>(piece.loops)});
-  }
+ComponentKinds kinds_of(const VoxelTruth& truth) {
+  ComponentKinds kinds;
+  for (const VoxelPiece& piece : truth.pieces) kinds.emplace_back(piece.euler, piece.loops);
+  std::ranges::sort(kinds);
   return kinds;
 }
 
-GluedTopology contour_of(Index3 dims, const WideValues& wide) {
+ComponentKinds contour_of(Index3 dims, const WideValues& wide) {
   const Volume volume = Volume::from_samples(dims, {1, 1, 1}, wide.samples);
-  return deliso::topology_of(summarize_contour(volume, wide.kappa));
+  return deliso::kinds_of(summarize_contour(volume, wide.kappa));
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ TEST_CASE("single voxels over magnitudes and with tied saddles have the exact to
     const WideValues wide = make_wide_values(random, static_cast<WideKind>(trial % kWideKinds), 8);
     const VoxelTruth truth = ExactVoxel::solve(corners_of(wide.samples), wide.kappa);
     REQUIRE(truth.resolved);
-    CHECK((contour_of({2, 2, 2}, wide) == topology_of(truth)));
+    CHECK((contour_of({2, 2, 2}, wide) == kinds_of(truth)));
     for (const VoxelPiece& piece : truth.pieces) tubes += piece.loops == 2;
   }
   CHECK(tubes > 50);
@@ -62,7 +61,7 @@ TEST_CASE("small volumes over magnitudes and with tied saddles have the exact to
     const Volume volume = Volume::from_samples(dims, {1, 1, 1}, wide.samples);
     const auto expected = glue_voxels(volume, wide.kappa);
     REQUIRE(expected);
-    CHECK((deliso::topology_of(summarize_contour(volume, wide.kappa)) == *expected));
+    CHECK((deliso::kinds_of(summarize_contour(volume, wide.kappa)) == *expected));
   }
 }
 
@@ -98,7 +97,7 @@ TEST_CASE("voxels whose tunnels depend on the last bits have the exact topology"
     CAPTURE(wide.kappa);
     const VoxelTruth truth = ExactVoxel::solve(corners_of(wide.samples), wide.kappa);
     REQUIRE(truth.resolved);
-    CHECK((contour_of({2, 2, 2}, wide) == topology_of(truth)));
+    CHECK((contour_of({2, 2, 2}, wide) == kinds_of(truth)));
   }
 }
 
@@ -113,6 +112,6 @@ TEST_CASE("voxels at both ends of the exponents have the exact topology") {
     wide.kappa *= scale;
     const VoxelTruth truth = ExactVoxel::solve(corners_of(wide.samples), wide.kappa);
     REQUIRE(truth.resolved);
-    CHECK((contour_of({2, 2, 2}, wide) == topology_of(truth)));
+    CHECK((contour_of({2, 2, 2}, wide) == kinds_of(truth)));
   }
 }

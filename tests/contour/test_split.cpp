@@ -12,6 +12,7 @@
 #include "cases.h"
 #include "contour/split_voxels.h"
 #include "mesh_checks.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -111,17 +112,13 @@ std::uint64_t split_by(const ContourSplit& split, const Volume& volume, double k
                               voxel_number(volume.dims(), voxel));
   };
   std::uint64_t sum = 0;
-  for (int k = 0; k < count.k; ++k) {
-    for (int j = 0; j < count.j; ++j) {
-      for (int i = 0; i < count.i; ++i) {
-        if (!is_active(volume, kappa, {i, j, k})) continue;
-        const bool beside_listed = is_listed({i - 1, j, k}) || is_listed({i + 1, j, k}) ||
-                                   is_listed({i, j - 1, k}) || is_listed({i, j + 1, k}) ||
-                                   is_listed({i, j, k - 1}) || is_listed({i, j, k + 1});
-        sum += is_listed({i, j, k}) || (split.elsewhere != Index3{1, 1, 1} && !beside_listed);
-      }
-    }
-  }
+  for_each_index(count, [&](int i, int j, int k) {
+    if (!is_active(volume, kappa, {i, j, k})) return;
+    const bool beside_listed = is_listed({i - 1, j, k}) || is_listed({i + 1, j, k}) ||
+                               is_listed({i, j - 1, k}) || is_listed({i, j + 1, k}) ||
+                               is_listed({i, j, k - 1}) || is_listed({i, j, k + 1});
+    sum += is_listed({i, j, k}) || (split.elsewhere != Index3{1, 1, 1} && !beside_listed);
+  });
   return sum;
 }
 
@@ -149,16 +146,6 @@ void check_split(Random& random, const Volume& volume, double kappa, Tally& tall
   tally.split += finer.split_voxels;
   tally.with_boundary += plain.boundary.size() > 0;
   for (const auto& component : plain.summary.components) tally.tubes += component.tubes;
-}
-
-Volume double_field(Index3 dims, const std::function<double(double, double, double)>& field) {
-  std::vector<double> samples;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i) samples.push_back(field(i, j, k));
-    }
-  }
-  return Volume::from_samples(dims, {1, 1, 1}, samples);
 }
 
 }  // namespace
@@ -218,7 +205,7 @@ TEST_CASE("single voxels, some with tubes, keep their topology when split") {
 TEST_CASE("triangles face outwards and come closer to the surface as cells get smaller") {
   const double radius = 6.3;
   const Vec3 center{9.1, 8.9, 9.2};
-  const Volume volume = double_field({19, 19, 19}, [&](double x, double y, double z) {
+  const Volume volume = sampled<double>({19, 19, 19}, {1, 1, 1}, [&](double x, double y, double z) {
     const Vec3 d = Vec3{x, y, z} - center;
     return radius - length(d);
   });

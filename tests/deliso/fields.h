@@ -14,6 +14,7 @@
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
 #include "surface/report.h"
+#include "volume/sampled.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -57,17 +58,13 @@ inline Scene wave_scene(std::uint64_t seed, int size, Vec3 spacing = {1, 1, 1}) 
                      random.uniform(0, 6)});
   }
   std::vector<float> samples;
-  for (int k = 0; k < size; ++k) {
-    for (int j = 0; j < size; ++j) {
-      for (int i = 0; i < size; ++i) {
-        double sum = 0;
-        for (const Wave& w : waves) {
-          sum += std::sin(dot(w.k, Vec3{1.0 * i, 1.0 * j, 1.0 * k}) + w.phase);
-        }
-        samples.push_back(static_cast<float>(sum));
-      }
+  for_each_index({size, size, size}, [&](int i, int j, int k) {
+    double sum = 0;
+    for (const Wave& w : waves) {
+      sum += std::sin(dot(w.k, Vec3{1.0 * i, 1.0 * j, 1.0 * k}) + w.phase);
     }
-  }
+    samples.push_back(static_cast<float>(sum));
+  });
   return Scene(Volume::from_samples({size, size, size}, spacing, samples), 0.3);
 }
 

@@ -13,6 +13,7 @@
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "refine/refine.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -29,20 +30,14 @@ Volume blobs(std::uint64_t seed, std::size_t count, Vec3 spacing = {1, 1, 1}) {
         {random.uniform(0, kSize), random.uniform(0, kSize), random.uniform(0, kSize)});
     radii.push_back(random.uniform(1, 4));
   }
-  std::vector<float> samples;
-  for (int k = 0; k < kSize; ++k) {
-    for (int j = 0; j < kSize; ++j) {
-      for (int i = 0; i < kSize; ++i) {
-        double inside = -100;
-        for (std::size_t n = 0; n < count; ++n) {
-          const Vec3 d = Vec3{1.0 * i, 1.0 * j, 1.0 * k} - centers[n];
-          inside = std::max(inside, radii[n] - length(d));
-        }
-        samples.push_back(static_cast<float>(inside));
-      }
+  return sampled<float>({kSize, kSize, kSize}, spacing, [&](int i, int j, int k) {
+    double inside = -100;
+    for (std::size_t n = 0; n < count; ++n) {
+      const Vec3 d = Vec3{1.0 * i, 1.0 * j, 1.0 * k} - centers[n];
+      inside = std::max(inside, radii[n] - length(d));
     }
-  }
-  return Volume::from_samples({kSize, kSize, kSize}, spacing, samples);
+    return inside;
+  });
 }
 
 double longest_edge(const TriMesh& mesh) {

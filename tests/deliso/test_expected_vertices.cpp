@@ -12,6 +12,7 @@
 #include "contour/contour.h"
 #include "deliso/deliso.h"
 #include "io/volume/builtin_volume.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -32,16 +33,10 @@ Volume ball(double radius, Vec3 spacing, double side) {
   const Index3 dims{static_cast<int>(2 * side / spacing.x) + 1,
                     static_cast<int>(2 * side / spacing.y) + 1,
                     static_cast<int>(2 * side / spacing.z) + 1};
-  std::vector<float> samples;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i) {
-        const Vec3 p = Vec3{i * spacing.x, j * spacing.y, k * spacing.z} - Vec3{side, side, side};
-        samples.push_back(static_cast<float>(radius - length(p)));
-      }
-    }
-  }
-  return Volume::from_samples(dims, spacing, samples);
+  return sampled<float>(dims, spacing, [&](int i, int j, int k) {
+    const Vec3 p = Vec3{i * spacing.x, j * spacing.y, k * spacing.z} - Vec3{side, side, side};
+    return radius - length(p);
+  });
 }
 
 }  // namespace

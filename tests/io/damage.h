@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -39,7 +41,7 @@ inline std::string damaged(std::string bytes, Random& random) {
     return end == 0 ? 0 : below(end);
   };
   for (std::uint32_t edits = 1 + below(4); edits > 0; --edits) {
-    const std::size_t at = place(), kind = below(9);
+    const std::size_t at = place(), kind = below(10);
     if (kind == 0) bytes.resize(at);
     if (kind == 1) bytes.insert(at, any_piece(random));
     if (kind == 2) bytes.replace(at, below(8), any_piece(random));
@@ -55,8 +57,19 @@ inline std::string damaged(std::string bytes, Random& random) {
         bytes[n] = below(2) ? '\xff' : '\0';
       }
     }
-    if (kind == 7 && !bytes.empty()) bytes[at] = static_cast<char>(random.next());
-    if (kind == 8 && !bytes.empty()) bytes[at] ^= static_cast<char>(1 << below(8));
+    if (kind == 7) {  // four or eight bytes become a number, or a large count
+      constexpr double kNumbers[] = {NAN, HUGE_VAL, 1e29, -1e30, 1e-300, 1e308, -1, 0, 2e9};
+      const double number = kNumbers[below(std::size(kNumbers))];
+      std::uint64_t word = std::bit_cast<std::uint64_t>(number);
+      if (below(2)) word = std::bit_cast<std::uint32_t>(static_cast<float>(number));
+      if (below(3) == 0) word = random.next() >> below(64);
+      const std::size_t size = below(2) ? 8 : 4;
+      for (std::size_t n = 0; n < size && at + n < bytes.size(); ++n) {
+        bytes[at + n] = static_cast<char>(word >> 8 * n);
+      }
+    }
+    if (kind == 8 && !bytes.empty()) bytes[at] = static_cast<char>(random.next());
+    if (kind == 9 && !bytes.empty()) bytes[at] ^= static_cast<char>(1 << below(8));
   }
   return bytes;
 }

@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "base/segment.h"
+#include "volume/sampled.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -18,15 +19,6 @@ struct TestField {
   Volume volume;
   double kappa;
 };
-
-template <class T, class F>
-Volume sampled(Index3 dims, Vec3 spacing, F&& f) {
-  std::vector<T> samples;
-  for (int k = 0; k < dims.k; ++k)
-    for (int j = 0; j < dims.j; ++j)
-      for (int i = 0; i < dims.i; ++i) samples.push_back(static_cast<T>(f(i, j, k)));
-  return Volume::from_samples(dims, spacing, samples);
-}
 
 inline TestField test_field(std::string name, Volume volume, double kappa) {
   const double used = geometric_isovalue(volume.type(), kappa);

@@ -10,6 +10,7 @@
 
 #include "fields.h"
 #include "isosurface/voxel_ray.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -22,22 +23,18 @@ std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Ra
   const Volume& volume = field.volume;
   const Index3 n = volume.voxels();
   if (!line.valid()) return hits;
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i) {
-        const VoxelSpan span = line.span({i, j, k}, range);
-        if (span.empty()) continue;
-        Corners corners = volume.corners({i, j, k});
-        for (double& c : corners) c -= field.kappa;
-        // Of the first root by the sample's side, of the next by turns.
-        bool leaves = patch_along(corners, span.u0, span.u1)[0] >= 0;
-        for (const double s : find_intersections(corners, span, method)) {
-          hits.push_back({parameter_at(span, s), point_at(span, s, volume), leaves});
-          leaves = !leaves;
-        }
-      }
+  for_each_index(n, [&](int i, int j, int k) {
+    const VoxelSpan span = line.span({i, j, k}, range);
+    if (span.empty()) return;
+    Corners corners = volume.corners({i, j, k});
+    for (double& c : corners) c -= field.kappa;
+    // Of the first root by the sample's side, of the next by turns.
+    bool leaves = patch_along(corners, span.u0, span.u1)[0] >= 0;
+    for (const double s : find_intersections(corners, span, method)) {
+      hits.push_back({parameter_at(span, s), point_at(span, s, volume), leaves});
+      leaves = !leaves;
     }
-  }
+  });
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
   return hits;
 }

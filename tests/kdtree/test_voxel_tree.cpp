@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "../isosurface/fields.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -23,10 +24,9 @@ std::vector<VoxelSpan> all_pieces(const LatticeLine& line, const Volume& volume)
   std::vector<VoxelSpan> spans;
   const Index3 n = volume.voxels();
   if (!line.valid()) return spans;
-  for (int k = 0; k < n.k; ++k)
-    for (int j = 0; j < n.j; ++j)
-      for (int i = 0; i < n.i; ++i)
-        if (const auto span = line.span({i, j, k}, {0, 1}); !span.empty()) spans.push_back(span);
+  for_each_index(n, [&](int i, int j, int k) {
+    if (const auto span = line.span({i, j, k}, {0, 1}); !span.empty()) spans.push_back(span);
+  });
   std::sort(spans.begin(), spans.end(),
             [](const VoxelSpan& a, const VoxelSpan& b) { return a.t0 < b.t0; });
   return spans;

@@ -31,6 +31,12 @@ inline TriMesh mesh_of(const Triangles& triangles) {
   return make_tri_mesh(some_points(triangles.empty() ? 0 : last + 1), triangles);
 }
 
+inline Triangles triangles_of(const TriMesh& mesh) {
+  Triangles triangles;
+  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  return triangles;
+}
+
 // The same points and facets, in the same order, and adjacent to the same facets.
 inline bool same_mesh(const TriMesh& a, const TriMesh& b) {
   return a.points == b.points &&
@@ -182,11 +188,7 @@ class RandomMesh {
 
   const TriMesh& mesh() const { return mesh_; }
   Random& random() { return random_; }
-  Triangles triangles() const {
-    Triangles all;
-    for (const Face& face : mesh_.faces) all.push_back(face.v);
-    return all;
-  }
+  Triangles triangles() const { return triangles_of(mesh_); }
   bool has_edge(VertexId a, VertexId b) const {
     for (const Face& face : mesh_.faces) {
       const auto has = [&](VertexId v) {
@@ -204,8 +206,7 @@ class RandomMesh {
 
 // Replaces facet f by three facets around a new vertex at p.
 inline void split_facet(TriMesh& mesh, FaceId f, const Vec3& p) {
-  Triangles triangles;
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  Triangles triangles = triangles_of(mesh);
   const auto [a, b, c] = triangles[f];
   const auto v = VertexId(mesh.points.size());
   triangles[f] = {a, b, v};

@@ -12,6 +12,7 @@
 #include "deliso/options.h"
 #include "mesh/check_mesh.h"
 #include "stage1/first_sample.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -103,13 +104,7 @@ TEST_CASE("MultiIntersect leaves no edge met twice where edges on the box are sp
       }
       return static_cast<float>(sum / count);
     };
-    std::vector<float> samples;
-    for (int k = 0; k < kSize; ++k) {
-      for (int j = 0; j < kSize; ++j) {
-        for (int i = 0; i < kSize; ++i) samples.push_back(mean_at(i, j, k));
-      }
-    }
-    const Scene scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples), 0.02);
+    const Scene scene(sampled<float>({kSize, kSize, kSize}, {1, 1, 1}, mean_at), 0.02);
     Options options = Options::paper();
     options.samples = 5;
     Begun begun(scene, options);
@@ -143,19 +138,16 @@ TEST_CASE("curves very close to each other are not split down to r_min") {
 TEST_CASE(
     "a component smaller than r_min has sites and no facet: it is lost, and that is counted") {
   constexpr int kSize = 24;
-  std::vector<float> samples;
-  for (int k = 0; k < kSize; ++k) {
-    for (int j = 0; j < kSize; ++j) {
-      for (int i = 0; i < kSize; ++i) {
-        const auto ball = [&](double x, double y, double z, double r) {
-          return r - std::sqrt((i - x) * (i - x) + (j - y) * (j - y) + (k - z) * (k - z));
-        };
-        samples.push_back(
-            static_cast<float>(std::max(ball(9.1, 11.2, 10.7, 6.4), ball(20.1, 20, 20.2, 0.7))));
-      }
-    }
-  }
-  const Scene scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples), 0);
+  const Scene scene(sampled<float>({kSize, kSize, kSize}, {1, 1, 1},
+                                   [&](int i, int j, int k) {
+                                     const auto ball = [&](double x, double y, double z, double r) {
+                                       return r - std::sqrt((i - x) * (i - x) + (j - y) * (j - y) +
+                                                            (k - z) * (k - z));
+                                     };
+                                     return std::max(ball(9.1, 11.2, 10.7, 6.4),
+                                                     ball(20.1, 20, 20.2, 0.7));
+                                   }),
+                    0);
   REQUIRE(scene.contour.summary.components.size() == 2);
   Options options = Options::paper();
   options.r_min = {2, Length::Unit::voxel};

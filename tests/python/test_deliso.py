@@ -77,8 +77,9 @@ class TestMesh(TestCase):
             self.assertEqual(a.read(), b.read())
         return m
 
-    def test_same_bytes_of_every_format_and_option(self):
-        for ending in ENDINGS:
+    # The C library's test has the other formats.
+    def test_same_bytes_of_every_option(self):
+        for ending in ("ply", "glb"):
             m = self.same_as_program(field(), ending)
         self.assertGreater(len(m.vertices), 100)
         self.same_as_program(
@@ -443,7 +444,9 @@ class TestCopies(TestCase):
             self.assertFalse(b.flags.writeable)
         self.assertEqual(m.report, other.report)
         self.assertEqual(m.sound, other.sound)
-        self.assertEqual(self.saved(m), self.saved(other))
+        files = self.saved(m)
+        self.assertEqual(files, self.saved(other))
+        return files
 
     def test_copies_are_whole_and_outlive_the_mesh(self):
         ways = {
@@ -464,8 +467,7 @@ class TestCopies(TestCase):
                 with self.subTest(kind + " by " + way):
                     m = make()
                     other = copied(m)
-                    self.assert_same(m, other)
-                    expected = self.saved(m)
+                    expected = self.assert_same(m, other)
                     del m
                     gc.collect()
                     deliso.mesh(noise(12), 0.5)  # takes memory that was freed

@@ -180,7 +180,7 @@ class Labeled {
       std::sort(t.begin(), t.end());
       if (!facets.insert(t).second) return "a facet twice";
     }
-    const MeshTopology is = measure_topology(k), wanted = measure_topology(contour_);
+    const CountedTopology is = measure_topology(k), wanted = measure_topology(contour_);
     if (is.components != wanted.components || is.euler != wanted.euler ||
         is.boundary_loops != wanted.boundary_loops) {
       return "another topology";

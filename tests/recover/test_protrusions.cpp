@@ -13,6 +13,7 @@
 #include "deliso/fields.h"
 #include "deliso/options.h"
 #include "stress/tiny_volume.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -22,18 +23,14 @@ namespace {
 Scene ball_with_a_rod() {
   constexpr int kSize = 24;
   std::vector<float> samples;
-  for (int k = 0; k < kSize; ++k) {
-    for (int j = 0; j < kSize; ++j) {
-      for (int i = 0; i < kSize; ++i) {
-        const double ball = 4.6 - std::sqrt((i - 6.1) * (i - 6.1) + (j - 11.7) * (j - 11.7) +
-                                            (k - 12.2) * (k - 12.2));
-        const double beyond = std::max({0.0, i - 14.8, 6.1 - i});
-        const double rod =
-            0.9 - std::sqrt((j - 11.7) * (j - 11.7) + (k - 12.2) * (k - 12.2) + beyond * beyond);
-        samples.push_back(static_cast<float>(std::max(ball, rod)));
-      }
-    }
-  }
+  for_each_index({kSize, kSize, kSize}, [&](int i, int j, int k) {
+    const double ball =
+        4.6 - std::sqrt((i - 6.1) * (i - 6.1) + (j - 11.7) * (j - 11.7) + (k - 12.2) * (k - 12.2));
+    const double beyond = std::max({0.0, i - 14.8, 6.1 - i});
+    const double rod =
+        0.9 - std::sqrt((j - 11.7) * (j - 11.7) + (k - 12.2) * (k - 12.2) + beyond * beyond);
+    samples.push_back(static_cast<float>(std::max(ball, rod)));
+  });
   return Scene(Volume::from_samples({kSize, kSize, kSize}, {1, 1, 1}, samples), 0);
 }
 

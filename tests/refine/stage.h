@@ -18,6 +18,7 @@
 #include "deliso/options.h"
 #include "embedding/all_crossings.h"
 #include "mesh/check_mesh.h"
+#include "mesh/component_kinds.h"
 #include "refine/refine.h"
 #include "refine/refinement.h"
 
@@ -47,17 +48,6 @@ inline Scene some_scene(int n) {
   if (n < 8) return builtin_scene(names[n], n % 2 == 0 ? 16 : 20);
   if (n < 12) return wave_scene(static_cast<std::uint64_t>(n), 9, {1, 1, n % 2 == 0 ? 2.0 : 1.0});
   return noise_scene(static_cast<std::uint64_t>(n));
-}
-
-// (Euler number, boundary loops) of every component, sorted.
-using Kinds = std::vector<std::pair<std::ptrdiff_t, std::size_t>>;
-inline Kinds kinds_of(const TriMesh& mesh) {
-  Kinds kinds;
-  for (const ComponentTopology& c : mesh_topology(mesh).components) {
-    kinds.emplace_back(c.euler(), c.boundary_loops);
-  }
-  std::sort(kinds.begin(), kinds.end());
-  return kinds;
 }
 
 // How many closed components have their normals outwards.
@@ -316,7 +306,7 @@ class Stage {
     return boundary_edges == chain_edges ? "" : "the chain has other edges than the boundary";
   }
 
-  Kinds kinds_;
+  ComponentKinds kinds_;
   int turned_out_;
   double tolerance_ = 0;
 };

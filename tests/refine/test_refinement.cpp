@@ -13,6 +13,7 @@
 #include "mesh/meshes.h"
 #include "mesh/tri_mesh.h"
 #include "refine/stage.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 using namespace deliso::test;
@@ -344,8 +345,8 @@ TEST_CASE("G1 passes boundary runs joined in another order, which change the top
   change.cavity = {FaceId(0), FaceId(1), FaceId(2), FaceId(3)};
   change.in.facets = {{0, 1, 4}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}};
   CHECK(bare.keeps_manifold(change));
-  CHECK(kinds_of(mesh) == Kinds{{-1, 3}});
-  CHECK(kinds_of(changed_mesh(mesh, change)) == Kinds{{-1, 1}});
+  CHECK(kinds_of(mesh) == ComponentKinds{{-1, 3}});
+  CHECK(kinds_of(changed_mesh(mesh, change)) == ComponentKinds{{-1, 1}});
 }
 
 TEST_CASE(
@@ -460,16 +461,12 @@ TEST_CASE(
 // gates before would say is set aside: no facet is held to have a surface point.
 TEST_CASE(
     "G5 is exact: every change that it refuses would cross, and no change that is made does") {
-  std::vector<float> samples;
-  for (int k = 0; k < 8; ++k) {
-    for (int j = 0; j < 8; ++j) {
-      for (int i = 0; i < 8; ++i) {
-        const double bend = 0.3 * std::sin(0.7 * i + 0.4 * j);
-        samples.push_back(static_cast<float>(1 - std::abs(k - 3.5 - bend) / 0.8));
-      }
-    }
-  }
-  const Scene scene(Volume::from_samples<float>({8, 8, 8}, {1, 1, 1}, samples), 0.3);
+  const Scene scene(sampled<float>({8, 8, 8}, {1, 1, 1},
+                                   [&](int i, int j, int k) {
+                                     const double bend = 0.3 * std::sin(0.7 * i + 0.4 * j);
+                                     return 1 - std::abs(k - 3.5 - bend) / 0.8;
+                                   }),
+                    0.3);
   Options options;
   options.r_min = {0.3, Length::Unit::voxel};
   Stage stage(scene, options, true);

@@ -76,7 +76,7 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
   if (options.cap && !report.cap.failure.empty()) return "open: " + report.cap.failure;
   const std::size_t triangles = options.cap ? report.cap.surface_triangles : mesh.faces.size();
   const auto expected = expected_kinds(volume, options, report);
-  if (expected && kinds_of(mesh_topology(surface_of(mesh, triangles))) != *expected) {
+  if (expected && kinds_of(surface_of(mesh, triangles)) != *expected) {
     return "another topology";
   }
   VerifyOptions how;

@@ -10,11 +10,10 @@
 //   cmake --build build --target exact_topology
 //   build/tests/exact_topology --count 30000
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 #include "contour/glued_topology.h"
 #include "contour/wide_values.h"
+#include "stress/seeds.h"
 #include "stress/tiny_volume.h"
 
 using namespace deliso;
@@ -46,19 +45,9 @@ TinyVolume make_volume(std::uint64_t seed, WideKind& kind, bool& is_wide) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t first_seed = 1, count = 600;
-  for (int n = 1; n < argc; ++n) {
-    const std::string_view option = argv[n];
-    const char* value = n + 1 < argc ? argv[++n] : "";
-    if (option == "--first-seed") {
-      first_seed = std::strtoull(value, nullptr, 10);
-    } else if (option == "--count") {
-      count = std::strtoull(value, nullptr, 10);
-    } else {
-      std::fprintf(stderr, "exact_topology: what is '%s'? (its source's head says)\n", argv[n]);
-      return 2;
-    }
-  }
+  const auto seeds = parse_seeds(argc, argv, "exact_topology", 600);
+  if (!seeds) return 2;
+  const std::uint64_t first_seed = seeds->first, count = seeds->count;
   constexpr const char* kNames[] = {"magnitudes", "half-way", "near ties", "tiny volumes"};
   Counts counts[kWideKinds + 1];
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
@@ -74,7 +63,7 @@ int main(int argc, char** argv) {
       continue;
     }
     row.components += expected->size();
-    const GluedTopology found = topology_of(summarize_contour(tiny.volume, kappa));
+    const ComponentKinds found = kinds_of(summarize_contour(tiny.volume, kappa));
     if (found == *expected) continue;
     ++row.different;
     std::printf(

@@ -2,19 +2,13 @@
 // Meshes edited by a hostile hand, in every format that is read, for check, render and view.
 //   stress_hostile_meshes [--first-seed N] [--count M] [--list]
 // A seed says everything: mesh, format, edit and options. Its commands must end within a minute of
-// processor time, each with its output whole, or with one line that leaves no file. A seed runs in
-// a process of its own, so a crash is a fault too. Exit status 1 where there is one.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+// processor time, each with its output whole, or with one line that leaves no file. A crash is a
+// fault too. Exit status 1 where there is one.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -31,6 +25,8 @@
 #include "io/volume/builtin_fields.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
+#include "mesh/meshes.h"
+#include "stress/in_child.h"
 #include "stress/seeds.h"
 
 using namespace deliso;
@@ -39,7 +35,7 @@ using namespace deliso::test;
 
 namespace {
 
-constexpr int kMostSeconds = 60;  // of processor time, for the commands of a seed
+constexpr unsigned kMostSeconds = 60;  // of processor time, for the commands of a seed
 
 enum class Edit : std::uint8_t {
   coordinates,  // of one to four vertices
@@ -48,14 +44,10 @@ enum class Edit : std::uint8_t {
   copies,       // triangles doubled, turned around, left out
   merged,       // vertices snapped to a coarse grid
   far_soup,     // few triangles, in the planes of the box or far away
-  bytes,        // one to four of the file's, anywhere
-  numbers,      // one to three in the file's text, or words of its binary data
-  truncated,
-  shifted,  // a run of bytes goes, or comes twice
+  file,         // its bytes, as io/damage.h does
 };
-constexpr std::array<std::string_view, 10> kEdits{"coordinates", "whole",    "corners", "copies",
-                                                  "merged",      "far soup", "bytes",   "numbers",
-                                                  "truncated",   "shifted"};
+constexpr std::array<std::string_view, 7> kEdits{"coordinates", "whole",    "corners", "copies",
+                                                 "merged",      "far soup", "file"};
 
 enum class Form : std::uint8_t {
   ply,
@@ -94,8 +86,7 @@ struct Base {
     Report report;
     const TriMesh mesh =
         mesh_isosurface(volume, find_builtin_field(name)->isovalue, options, report);
-    for (const Vec3& p : mesh.points) soup.points.push_back(p);
-    for (const Face& face : mesh.faces) soup.triangles.push_back(face.v);
+    soup = {mesh.points, triangles_of(mesh)};
   }
 
   std::string name, isovalue;
@@ -185,61 +176,6 @@ void edit_soup(Soup& soup, Edit edit, const Base& base, Random& random) {
             {any_vertex(random, soup), any_vertex(random, soup), any_vertex(random, soup)});
       }
       break;
-    default:
-      break;
-  }
-}
-
-// Puts another number in place of one of the text's, or of four or eight bytes.
-void edit_number(std::string& file, bool is_text, Random& random) {
-  constexpr std::string_view kWords[] = {
-      "nan",   "inf", "1e29",   "-1e30",   "1e-300",
-      "1e400", "-1",  "0",      "",        "4294967295",
-      "0x7f",  "1.5", "1e9999", "3 0 1 2", "99999999999999999999"};
-  constexpr double kNumbers[] = {NAN, INFINITY, 1e29, -1e30, 1e-300, 1e308, -1, 0, 2e9};
-  std::size_t at = below(random, file.size());
-  if (is_text) {
-    while (at < file.size() && (file[at] < '0' || file[at] > '9')) ++at;
-    std::size_t end = at;
-    while (end < file.size() && file[end] > ' ' && file[end] != '"') ++end;
-    file.replace(at, end - at, kWords[below(random, std::size(kWords))]);
-    return;
-  }
-  const double number = kNumbers[below(random, std::size(kNumbers))];
-  const auto single = static_cast<float>(number);
-  const std::uint32_t word = static_cast<std::uint32_t>(random.next()) >> below(random, 32);
-  char bytes[8];
-  const std::size_t size = below(random, 2) == 0 ? 8 : 4;
-  if (size == 8) std::memcpy(bytes, &number, 8);
-  if (size == 4)
-    std::memcpy(bytes, below(random, 2) == 0 ? static_cast<const void*>(&single) : &word, 4);
-  if (file.size() < size) return;
-  file.replace(std::min(at, file.size() - size), size, std::string_view(bytes, size));
-}
-
-void edit_file(std::string& file, Edit edit, bool is_text, Random& random) {
-  switch (edit) {
-    case Edit::bytes:
-      for (std::size_t n = 1 + below(random, 4); n > 0; --n) {
-        file[below(random, file.size())] = static_cast<char>(random.next());
-      }
-      break;
-    case Edit::numbers:
-      for (std::size_t n = 1 + below(random, 3); n > 0; --n) edit_number(file, is_text, random);
-      break;
-    case Edit::truncated:
-      file.resize(below(random, file.size()));
-      break;
-    case Edit::shifted: {
-      const std::size_t at = below(random, file.size());
-      const std::string run = file.substr(at, 1 + below(random, 40));
-      if (below(random, 2) == 0) {
-        file.erase(at, run.size());
-      } else {
-        file.insert(at, run);
-      }
-      break;
-    }
     default:
       break;
   }
@@ -352,8 +288,8 @@ std::string fault_of(const std::vector<std::string>& words, std::string& story) 
 // Returns true if all commands of the seed end as they should. Writes faults, and with `list` all.
 bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
   Random random(seed);
-  // 11 and 10 have no common factor: every form gets every edit.
-  const auto edit = static_cast<Edit>(seed % kEdits.size());
+  // 11 and 10 have no common factor: every form gets every edit. Four of ten are of the file.
+  const auto edit = static_cast<Edit>(std::min<std::uint64_t>(seed % 10, 6));
   const auto form = static_cast<Form>(seed % kForms.size());
   const Base& base = bases[below(random, bases.size())];
   const TemporaryFolder folder;
@@ -361,9 +297,7 @@ bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
   edit_soup(soup, edit, base, random);
   const std::string mesh = written(soup, form, folder, random);
   std::string file = file_bytes(mesh);
-  const bool is_text = form == Form::ply_ascii || form == Form::off || form == Form::obj ||
-                       form == Form::stl_ascii || form == Form::vtp_other;
-  edit_file(file, edit, is_text, random);
+  if (edit == Edit::file) file = damaged(file, random);
   folder.write(std::filesystem::path(mesh).filename().string(), file);
   std::string story = text("seed ", seed, ": ", kForms[static_cast<std::size_t>(form)], ", ",
                            kEdits[static_cast<std::size_t>(edit)], ", ", base.name);
@@ -381,43 +315,39 @@ bool run_seed(std::uint64_t seed, const std::vector<Base>& bases, bool list) {
   return is_sound;
 }
 
+struct SeedVerdict {
+  bool is_sound = false;
+  double seconds = 0;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto seeds = parse_seeds(argc, argv, "stress_hostile_meshes", 2000);
   if (!seeds) return 2;
-  const auto [first, count, list] = *seeds;
+  const std::uint64_t first = seeds->first, count = seeds->count;
+  const bool list = seeds->list;
   const std::vector<Base> bases{Base("builtin:torus:16"), Base("builtin:gyroid:16"),
                                 Base("builtin:fuel:16")};
   std::uint64_t faults = 0, slowest_seed = 0;
   double slowest = 0;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    std::fflush(stdout);
-    const pid_t child = ::fork();
-    if (child < 0) {
-      std::perror("stress_hostile_meshes");
-      return 2;
-    }
-    if (child == 0) {
-      const rlimit cpu{kMostSeconds, RLIM_INFINITY};
-      ::setrlimit(RLIMIT_CPU, &cpu);
-      std::_Exit(run_seed(seed, bases, list) ? 0 : 1);
-    }
-    int status = 0;
-    rusage used{};
-    ::wait4(child, &status, 0, &used);
-    const double seconds =
-        static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
-        1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
-    if (seconds > slowest) slowest = seconds, slowest_seed = seed;
-    if (WIFSIGNALED(status)) {
-      std::printf("seed %llu: FAULT: signal %d, after %.1f s\n",
-                  static_cast<unsigned long long>(seed), WTERMSIG(status), seconds);
-    } else if (WEXITSTATUS(status) != 0) {
-      std::printf("seed %llu: FAULT\n", static_cast<unsigned long long>(seed));
-    }
-    faults += status != 0;
-  }
+  const bool forked = run_in_children<SeedVerdict>(
+      first, first + count, kMostSeconds,
+      [&](std::uint64_t seed) {
+        const std::clock_t start = std::clock();
+        const bool is_sound = run_seed(seed, bases, list);
+        return SeedVerdict{is_sound, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+      },
+      [&](std::uint64_t seed, const SeedVerdict& verdict) {
+        faults += !verdict.is_sound;
+        if (verdict.seconds > slowest) slowest = verdict.seconds, slowest_seed = seed;
+      },
+      [&](std::uint64_t seed, bool hung) {
+        ++faults;
+        std::printf("seed %llu: FAULT: %s\n", static_cast<unsigned long long>(seed),
+                    hung ? "hung" : "crashed");
+      });
+  if (!forked) return 2;
   std::printf("%llu meshes, %llu faults; the slowest took %.2f s of processor time (seed %llu)\n",
               static_cast<unsigned long long>(count), static_cast<unsigned long long>(faults),
               slowest, static_cast<unsigned long long>(slowest_seed));

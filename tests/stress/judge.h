@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "mesh/check_mesh.h"
+#include "mesh/component_kinds.h"
 
 namespace deliso::stress {
 
@@ -37,25 +36,6 @@ inline std::string first_of(const Faults& faults, std::initializer_list<FaultKin
   return {};
 }
 
-// (Euler number, boundary loops) of every component, sorted.
-using ComponentKinds = std::vector<std::pair<std::int64_t, std::uint64_t>>;
-
-inline ComponentKinds kinds_of(const MeshTopology& mesh) {
-  ComponentKinds kinds;
-  for (const ComponentTopology& c : mesh.components) {
-    kinds.emplace_back(c.euler(), c.boundary_loops);
-  }
-  std::ranges::sort(kinds);
-  return kinds;
-}
-
-inline ComponentKinds kinds_of(const ContourSummary& contour) {
-  ComponentKinds kinds;
-  for (const auto& c : contour.components) kinds.emplace_back(c.euler, c.boundary_loops);
-  std::ranges::sort(kinds);
-  return kinds;
-}
-
 // Only the two slow checkers and the contour are trusted, each with its own counts.
 inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& options,
                      const Report& report) {
@@ -70,7 +50,7 @@ inline Verdict judge(const Volume& volume, const TriMesh& mesh, const Options& o
   verdict.invalid = !fault.empty();
 
   const ComponentKinds exact = kinds_of(summarize_contour(volume, report.kappa_effective));
-  verdict.topology_exact = kinds_of(mesh_topology(mesh)) == exact;
+  verdict.topology_exact = kinds_of(mesh) == exact;
   if (fault.empty() && !verdict.topology_exact) fault = "another topology";
   const std::string differs = first_of(
       v.faults, {missing_components, extra_components, different_components, turned_components});

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "volume/sampled.h"
 #include "volume/volume.h"
 
 namespace deliso::stress {
@@ -51,11 +52,7 @@ struct Recipe {
 
 template <class F>
 void fill(Recipe& recipe, F f) {
-  for (int k = 0; k < recipe.dims.k; ++k) {
-    for (int j = 0; j < recipe.dims.j; ++j) {
-      for (int i = 0; i < recipe.dims.i; ++i) recipe.samples.push_back(f(i, j, k));
-    }
-  }
+  for_each_index(recipe.dims, [&](int i, int j, int k) { recipe.samples.push_back(f(i, j, k)); });
 }
 
 inline void noise(Recipe& r, Random& random) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -32,17 +33,13 @@ std::vector<T> random_samples(Random& random, std::size_t count) {
 // The interpolant as the sum of the samples times their weights (1 - |x - i|)(1 - |y - j|)(...).
 double weighted_sum(const Volume& volume, const Vec3& p) {
   double sum = 0;
-  for (int k = 0; k < volume.dims().k; ++k) {
-    for (int j = 0; j < volume.dims().j; ++j) {
-      for (int i = 0; i < volume.dims().i; ++i) {
-        const Vec3 at = volume.position({i, j, k});
-        double weight = 1;
-        for (int axis = 0; axis < 3; ++axis)
-          weight *= std::max(0.0, 1 - std::abs(p[axis] - at[axis]) / volume.spacing()[axis]);
-        sum += weight * volume.sample(i, j, k);
-      }
-    }
-  }
+  for_each_index(volume.dims(), [&](int i, int j, int k) {
+    const Vec3 at = volume.position({i, j, k});
+    double weight = 1;
+    for (int axis = 0; axis < 3; ++axis)
+      weight *= std::max(0.0, 1 - std::abs(p[axis] - at[axis]) / volume.spacing()[axis]);
+    sum += weight * volume.sample(i, j, k);
+  });
   return sum;
 }
 
@@ -78,11 +75,10 @@ void check_interpolation(std::uint64_t seed) {
     }
   }
   // At samples the interpolant is the sample, and outside the box it is that of the nearest point.
-  for (int k = 0; k < dims.k; ++k)
-    for (int j = 0; j < dims.j; ++j)
-      for (int i = 0; i < dims.i; ++i)
-        REQUIRE(std::abs(volume.value(volume.position({i, j, k})) - volume.sample(i, j, k)) <=
-                1e-13 * scale);
+  for_each_index(dims, [&](int i, int j, int k) {
+    REQUIRE(std::abs(volume.value(volume.position({i, j, k})) - volume.sample(i, j, k)) <=
+            1e-13 * scale);
+  });
   const Vec3 top = volume.box().hi;
   for (int n = 0; n < 20; ++n) {
     const Vec3 p{random.uniform(-5, 20), random.uniform(-5, 20), random.uniform(-5, 20)};
@@ -193,12 +189,11 @@ TEST_CASE("corner m of a voxel is a sample; voxel_at is clamped to the box") {
   const Volume volume = Volume::from_samples({3, 4, 5}, {0.5, 2, 4}, samples);
   CHECK(volume.voxels() == Index3{2, 3, 4});
   CHECK(volume.box().hi == Vec3{1, 6, 16});
-  for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 2; ++i)
-        for (int m = 0; m < 8; ++m)
-          CHECK(volume.corners({i, j, k})[static_cast<std::size_t>(m)] ==
-                volume.sample(i + (m & 1), j + (m >> 1 & 1), k + (m >> 2)));
+  for_each_index({2, 3, 4}, [&](int i, int j, int k) {
+    for (int m = 0; m < 8; ++m)
+      CHECK(volume.corners({i, j, k})[static_cast<std::size_t>(m)] ==
+            volume.sample(i + (m & 1), j + (m >> 1 & 1), k + (m >> 2)));
+  });
   CHECK(volume.voxel_at({-1, -1, -1}) == Index3{0, 0, 0});
   CHECK(volume.voxel_at({0.5, 2, 4}) == Index3{1, 1, 1});
   CHECK(volume.voxel_at({1, 6, 16}) == Index3{1, 2, 3});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -57,23 +58,11 @@ void hold_against_oracle(Index3 dims, const Vec3& sigma, SampleType type, double
   CHECK(smooth.type() == type);
   REQUIRE(smooth.dims() == dims);
   double most = 0;
-  for (int k = 0; k < dims.k; ++k) {
-    for (int j = 0; j < dims.j; ++j) {
-      for (int i = 0; i < dims.i; ++i) {
-        most = std::max(most, std::fabs(smooth.sample(i, j, k) - oracle(volume, {i, j, k}, sigma)));
-      }
-    }
-  }
+  for_each_index(dims, [&](int i, int j, int k) {
+    most = std::max(most, std::fabs(smooth.sample(i, j, k) - oracle(volume, {i, j, k}, sigma)));
+  });
   CHECK(most < tolerance);
   CHECK(smooth.sample(1, 1, 1) != volume.sample(1, 1, 1));
-}
-
-bool same_bytes(const Volume& a, const Volume& b) {
-  return a.type() == b.type() && a.visit([&](const auto* s) {
-    return b.visit([&](const auto* t) {
-      return std::memcmp(s, t, size_of(a.type()) * a.sample_count()) == 0;
-    });
-  });
 }
 
 }  // namespace
@@ -106,7 +95,7 @@ TEST_CASE("the same bytes with any number of threads, also in a volume of severa
   const Volume volume = random_volume<std::uint16_t>({13, 12, 37}, 3);
   const Volume one = gaussian(volume, {1.3, 1.3, 1.3}, 1);
   for (const int threads : {2, 3, 8}) {
-    CHECK(same_bytes(one, gaussian(volume, {1.3, 1.3, 1.3}, threads)));
+    CHECK(same_samples(one, gaussian(volume, {1.3, 1.3, 1.3}, threads)));
   }
 }
 

@@ -11,21 +11,11 @@
 #include "base/random.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
 namespace {
-
-template <class F>
-Volume labeled(Index3 n, F&& label) {
-  std::vector<std::uint8_t> samples;
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i) samples.push_back(static_cast<std::uint8_t>(label(i, j, k)));
-    }
-  }
-  return Volume::from_samples(n, {1, 1, 1}, samples);
-}
 
 // Five cells of a Voronoi diagram, the last of them 0, with a sheet 7 one voxel thick, and labels
 // 8, 9 and 10 of one voxel: in the sheet, in a cell, and beside that.
@@ -36,7 +26,7 @@ Volume cells(std::uint64_t seed) {
   for (Vec3& c : centers) {
     c = {random.uniform(0, 26), random.uniform(0, 24), random.uniform(0, 28)};
   }
-  return labeled(kCells, [&](int i, int j, int k) {
+  return sampled<std::uint8_t>(kCells, {1, 1, 1}, [&](int i, int j, int k) {
     if (k == 14 && j > 4 && j < 20 && i < 12) return i == 6 && j == 12 ? 8 : 7;
     if (k == 5 && j == 9 && (i == 15 || i == 16)) return i == 15 ? 9 : 10;
     const Vec3 p{double(i), double(j), double(k)};
@@ -57,7 +47,7 @@ double greatest(const Volume& field) {
 }
 
 Volume ball(int n, double radius, const Vec3& center, int inner) {
-  return labeled({n, n, n}, [&](int i, int j, int k) {
+  return sampled<std::uint8_t>({n, n, n}, {1, 1, 1}, [&](int i, int j, int k) {
     const Vec3 d = Vec3{double(i), double(j), double(k)} - center;
     return dot(d, d) > radius * radius ? 0 : dot(d, d) < 1 ? inner : 3;
   });
@@ -91,27 +81,23 @@ TEST_CASE("the field of a label is its weighted indicator less the largest other
       CAPTURE(labels[l].label);
       const Volume field = fields.field(labels[l].label);
       const Vec3 at = field.frame().origin;
-      for (int k = 0; k < kCells.k; ++k) {
-        for (int j = 0; j < kCells.j; ++j) {
-          for (int i = 0; i < kCells.i; ++i) {
-            float others = 1e-30F;
-            for (std::size_t m = 0; m < labels.size(); ++m) {
-              if (m == l) continue;
-              others = std::max(others, static_cast<float>(weighted[m].sample(i, j, k)));
-            }
-            const float expected = static_cast<float>(weighted[l].sample(i, j, k)) - others;
-            const Index3 here{i - int(at.x), j - int(at.y), k - int(at.z)}, n = field.dims();
-            const bool is_in = here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j &&
-                               here.k >= 0 && here.k < n.k;
-            if (is_in) {
-              wrong += field.sample(here.i, here.j, here.k) != static_cast<double>(expected);
-              opposite += expected > 0;
-            } else {
-              outside += expected >= 0;
-            }
-          }
+      for_each_index(kCells, [&](int i, int j, int k) {
+        float others = 1e-30F;
+        for (std::size_t m = 0; m < labels.size(); ++m) {
+          if (m == l) continue;
+          others = std::max(others, static_cast<float>(weighted[m].sample(i, j, k)));
         }
-      }
+        const float expected = static_cast<float>(weighted[l].sample(i, j, k)) - others;
+        const Index3 here{i - int(at.x), j - int(at.y), k - int(at.z)}, n = field.dims();
+        const bool is_in = here.i >= 0 && here.i < n.i && here.j >= 0 && here.j < n.j &&
+                           here.k >= 0 && here.k < n.k;
+        if (is_in) {
+          wrong += field.sample(here.i, here.j, here.k) != static_cast<double>(expected);
+          opposite += expected > 0;
+        } else {
+          outside += expected >= 0;
+        }
+      });
     }
     CHECK(wrong == 0);  // so f_M = -f_L where L and M are the two largest, and f_L + f_M <= 0
     CHECK(outside == 0);
@@ -127,34 +113,20 @@ TEST_CASE("a label has the same weight and field alone, among all, and in any nu
     LabelFields alone = fields_of(volume, filter, {l.label}, 1);
     CHECK(alone.weighed(l.label).weight == l.weight);
     const Volume a = all.field(l.label), b = alone.field(l.label);
-    REQUIRE(a.dims() == b.dims());
-    int differ = 0;
-    for (int k = 0; k < a.dims().k; ++k) {
-      for (int j = 0; j < a.dims().j; ++j) {
-        for (int i = 0; i < a.dims().i; ++i) differ += a.sample(i, j, k) != b.sample(i, j, k);
-      }
-    }
-    CHECK(differ == 0);
+    CHECK(same_samples(a, b));
   }
 }
 
 TEST_CASE("labels that count as one have the field of one label") {
   const Volume volume = cells(7);
-  const Volume joined = labeled(kCells, [&](int i, int j, int k) {
+  const Volume joined = sampled<std::uint8_t>(kCells, {1, 1, 1}, [&](int i, int j, int k) {
     const int label = static_cast<int>(volume.sample(i, j, k));
     return label == 4 || label == 7 ? 2 : label;
   });
   const IndicatorFilter filter{0, {1, 1, 1}};
   const Volume a = fields_of(volume, filter, {2, 4, 7}).field(2);
   const Volume b = fields_of(joined, filter, {2}).field(2);
-  REQUIRE(a.dims() == b.dims());
-  int differ = 0;
-  for (int k = 0; k < a.dims().k; ++k) {
-    for (int j = 0; j < a.dims().j; ++j) {
-      for (int i = 0; i < a.dims().i; ++i) differ += a.sample(i, j, k) != b.sample(i, j, k);
-    }
-  }
-  CHECK(differ == 0);
+  CHECK(same_samples(a, b));
 }
 
 TEST_CASE("labels of one voxel and sheets of one keep their volume, wherever they are") {

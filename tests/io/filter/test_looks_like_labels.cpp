@@ -16,6 +16,7 @@
 #include "io/filter/median.h"
 #include "io/volume/builtin_fields.h"
 #include "io/volume/builtin_volume.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -25,14 +26,9 @@ constexpr int kLabelSide = 32;
 
 template <class T, class F>
 Volume made(int side, F value) {
-  std::vector<T> samples;
-  for (int k = 0; k < side; ++k) {
-    for (int j = 0; j < side; ++j) {
-      for (int i = 0; i < side; ++i)
-        samples.push_back(static_cast<T>(value(Vec3{double(i), double(j), double(k)})));
-    }
-  }
-  return Volume::from_samples({side, side, side}, {1, 1, 1}, samples);
+  return sampled<T>({side, side, side}, {1, 1, 1}, [&](int i, int j, int k) {
+    return value(Vec3{double(i), double(j), double(k)});
+  });
 }
 
 std::vector<Vec3> random_points(Random& random, int count) {

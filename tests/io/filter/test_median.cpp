@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -55,15 +56,11 @@ void hold_against_oracle(Index3 n, double lo, double hi, std::uint64_t seed) {
     const Volume one = median(volume, radius, 1), many = median(volume, radius, 3);
     REQUIRE(one.type() == volume.type());
     std::size_t wrong = 0, changed = 0;
-    for (int k = 0; k < n.k; ++k) {
-      for (int j = 0; j < n.j; ++j) {
-        for (int i = 0; i < n.i; ++i) {
-          const auto expected = static_cast<double>(oracle(samples, n, {i, j, k}, radius));
-          wrong += one.sample(i, j, k) != expected || many.sample(i, j, k) != expected;
-          changed += expected != volume.sample(i, j, k);
-        }
-      }
-    }
+    for_each_index(n, [&](int i, int j, int k) {
+      const auto expected = static_cast<double>(oracle(samples, n, {i, j, k}, radius));
+      wrong += one.sample(i, j, k) != expected || many.sample(i, j, k) != expected;
+      changed += expected != volume.sample(i, j, k);
+    });
     CHECK(wrong == 0);
     CHECK(changed > 0);
   }

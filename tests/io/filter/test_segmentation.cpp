@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "io/filter/gaussian.h"
 #include "io/filter/median.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -43,18 +44,14 @@ void hold_against_brute_force(Index3 n, std::int64_t least, std::uint32_t count)
     std::uint64_t samples = 0;
     double share = 0;
     Index3 first = n, last{-1, -1, -1};
-    for (int k = 0; k < n.k; ++k) {
-      for (int j = 0; j < n.j; ++j) {
-        for (int i = 0; i < n.i; ++i) {
-          if (volume.sample(i, j, k) != static_cast<double>(found.label)) continue;
-          ++samples;
-          const auto half = [](int at, int of) { return at == 0 || at == of - 1 ? 0.5 : 1; };
-          share += half(i, n.i) * half(j, n.j) * half(k, n.k);
-          first = {std::min(first.i, i), std::min(first.j, j), std::min(first.k, k)};
-          last = {std::max(last.i, i), std::max(last.j, j), std::max(last.k, k)};
-        }
-      }
-    }
+    for_each_index(n, [&](int i, int j, int k) {
+      if (volume.sample(i, j, k) != static_cast<double>(found.label)) return;
+      ++samples;
+      const auto half = [](int at, int of) { return at == 0 || at == of - 1 ? 0.5 : 1; };
+      share += half(i, n.i) * half(j, n.j) * half(k, n.k);
+      first = {std::min(first.i, i), std::min(first.j, j), std::min(first.k, k)};
+      last = {std::max(last.i, i), std::max(last.j, j), std::max(last.k, k)};
+    });
     all += samples;
     for (const LabelSamples& same : {found, many[m]}) {
       CHECK(same.label == found.label);
@@ -88,16 +85,10 @@ std::string refusal(const Volume& volume) {
 
 // A ball of label 3 in a box of n^3 samples.
 Volume ball(int n, double radius, const Vec3& center) {
-  std::vector<std::uint8_t> samples;
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        const Vec3 d = Vec3{double(i), double(j), double(k)} - center;
-        samples.push_back(dot(d, d) <= radius * radius ? 3 : 0);
-      }
-    }
-  }
-  return Volume::from_samples({n, n, n}, {1, 1, 1}, samples);
+  return sampled<std::uint8_t>({n, n, n}, {1, 1, 1}, [&](int i, int j, int k) {
+    const Vec3 d = Vec3{double(i), double(j), double(k)} - center;
+    return dot(d, d) <= radius * radius ? 3 : 0;
+  });
 }
 
 }  // namespace
@@ -157,15 +148,11 @@ TEST_CASE("filters of the cut-out indicator give what filters of all of it give"
   const Index3 n = cut.dims();
   double inside = 0, all = 0;
   int wrong = 0;
-  for (int k = 0; k < n.k; ++k) {
-    for (int j = 0; j < n.j; ++j) {
-      for (int i = 0; i < n.i; ++i) {
-        const double value = cut.sample(i, j, k);
-        inside += value;
-        wrong += value != whole.sample(i + int(at.x), j + int(at.y), k + int(at.z));
-      }
-    }
-  }
+  for_each_index(n, [&](int i, int j, int k) {
+    const double value = cut.sample(i, j, k);
+    inside += value;
+    wrong += value != whole.sample(i + int(at.x), j + int(at.y), k + int(at.z));
+  });
   whole.visit([&](const auto* s) {
     for (std::size_t m = 0; m < whole.sample_count(); ++m) all += static_cast<double>(s[m]);
   });
@@ -179,13 +166,9 @@ TEST_CASE("a volume in background keeps its samples and their places") {
   CHECK(wider.dims() == Index3{9, 6, 9});
   CHECK(wider.frame().to_world(wider.position({2, 1, 3})) == Vec3{0, 0, 0});
   int wrong = 0;
-  for (int k = 0; k < 9; ++k) {
-    for (int j = 0; j < 6; ++j) {
-      for (int i = 0; i < 9; ++i) {
-        const bool in = i >= 2 && i < 7 && j >= 1 && j < 5 && k >= 3 && k < 6;
-        wrong += wider.sample(i, j, k) != (in ? volume.sample(i - 2, j - 1, k - 3) : 0);
-      }
-    }
-  }
+  for_each_index({9, 6, 9}, [&](int i, int j, int k) {
+    const bool in = i >= 2 && i < 7 && j >= 1 && j < 5 && k >= 3 && k < 6;
+    wrong += wider.sample(i, j, k) != (in ? volume.sample(i - 2, j - 1, k - 3) : 0);
+  });
   CHECK(wrong == 0);
 }

@@ -13,6 +13,7 @@
 
 #include "base/random.h"
 #include "io/filter/histogram.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -115,26 +116,22 @@ std::vector<std::int16_t> synthetic_chest(double noise) {
     const double d = 1 - std::hypot((x - cx) / rx, (y - cy) / ry);
     return std::clamp(d * std::min(rx, ry) + 0.5, 0.0, 1.0);
   };
-  for (int k = 0; k < kSide; ++k) {
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
-        // Slices differ by parts of a voxel, lest the mixed values repeat.
-        const double x = i - 47.5 + 0.02 * k, y = j - 47.5 + 0.03 * k;
-        if (x * x + y * y > 47.5 * 47.5) {
-          samples.push_back(-2000);
-          continue;
-        }
-        double value = -1000;
-        const auto lay = [&](double what, double share) { value += share * (what - value); };
-        lay(-100, within(x, y, 0, 0, 42, 33));
-        lay(40, within(x, y, 0, 0, 37, 28));
-        lay(-850, within(x, y, -16, -3, 13, 16));
-        lay(-850, within(x, y, 16, -3, 13, 16));
-        lay(random.uniform(300, 1500), within(x, y, 0, 17, 9, 9));
-        samples.push_back(static_cast<std::int16_t>(std::round(value + noise * normal(random))));
-      }
+  for_each_index({kSide, kSide, kSide}, [&](int i, int j, int k) {
+    // Slices differ by parts of a voxel, lest the mixed values repeat.
+    const double x = i - 47.5 + 0.02 * k, y = j - 47.5 + 0.03 * k;
+    if (x * x + y * y > 47.5 * 47.5) {
+      samples.push_back(-2000);
+      return;
     }
-  }
+    double value = -1000;
+    const auto lay = [&](double what, double share) { value += share * (what - value); };
+    lay(-100, within(x, y, 0, 0, 42, 33));
+    lay(40, within(x, y, 0, 0, 37, 28));
+    lay(-850, within(x, y, -16, -3, 13, 16));
+    lay(-850, within(x, y, 16, -3, 13, 16));
+    lay(random.uniform(300, 1500), within(x, y, 0, 17, 9, 9));
+    samples.push_back(static_cast<std::int16_t>(std::round(value + noise * normal(random))));
+  });
   return samples;
 }
 

@@ -3,13 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/files/deflate_writer.h"
-#include "io/files/inflate.h"
+#include "io/files/inflated.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/written_mesh.h"
 
@@ -17,16 +16,6 @@ using namespace deliso;
 using namespace deliso::test;
 
 namespace {
-
-std::string inflated(const std::string& data, std::uint32_t size) {
-  std::string out(size, '\0');
-  const Inflated result = inflate(std::as_bytes(std::span(data)), Wrapping::none,
-                                  std::as_writable_bytes(std::span(out)));
-  CHECK(result.fault == nullptr);
-  CHECK(result.ended);
-  CHECK(result.size == size);
-  return out;
-}
 
 using Parts = std::vector<std::pair<std::string, std::string>>;
 
@@ -52,7 +41,7 @@ Parts unzipped(const std::string& bytes) {
     CHECK(bytes.substr(local + 4, 10) == bytes.substr(at + 6, 10));
     CHECK(bytes.substr(local + 14, 12) == std::string(12, '\0'));
     const std::size_t data = local + 30 + name_size;
-    parts.emplace_back(name, inflated(bytes.substr(data, packed), size));
+    parts.emplace_back(name, inflated(bytes.substr(data, packed), Wrapping::none, size));
     CHECK(slow_crc32(parts.back().second) == sum);
     CHECK(bytes.substr(data + packed, 4) == "PK\7\x8");
     CHECK(bytes.substr(data + packed + 4, 12) == bytes.substr(at + 16, 12));

@@ -7,6 +7,7 @@
 
 #include "contour/contour.h"
 #include "io/files/checksum.h"
+#include "volume/sampled.h"
 
 using namespace deliso;
 
@@ -70,10 +71,9 @@ TEST_CASE("a region of a built-in field is the same samples") {
   REQUIRE(part.dims() == Index3{18, 25, 33});
   CHECK(part.frame().origin == Vec3{3, 5, 7});
   int different = 0;
-  for (int k = 0; k < 33; ++k)
-    for (int j = 0; j < 25; ++j)
-      for (int i = 0; i < 18; ++i)
-        different += part.sample(i, j, k) != whole.sample(i + 3, j + 5, k + 7);
+  for_each_index({18, 25, 33}, [&](int i, int j, int k) {
+    different += part.sample(i, j, k) != whole.sample(i + 3, j + 5, k + 7);
+  });
   CHECK(different == 0);
 }
 

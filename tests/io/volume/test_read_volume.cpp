@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "io/volume/builtin_volume.h"
+#include "volume/sampled.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -196,11 +197,10 @@ TEST_CASE("a region has the same samples in every format") {
       REQUIRE(part.dims() ==
               Index3{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k});
       int different = 0;
-      for (int k = 0; k < part.dims().k; ++k)
-        for (int j = 0; j < part.dims().j; ++j)
-          for (int i = 0; i < part.dims().i; ++i)
-            different += part.sample(i, j, k) !=
-                         whole.sample(i + roi.begin.i, j + roi.begin.j, k + roi.begin.k);
+      for_each_index(part.dims(), [&](int i, int j, int k) {
+        different +=
+            part.sample(i, j, k) != whole.sample(i + roi.begin.i, j + roi.begin.j, k + roi.begin.k);
+      });
       CHECK(different == 0);
       // The same sample is at the same place in the world.
       const Vec3 there = whole.frame().to_world(whole.position(roi.begin));
@@ -234,17 +234,13 @@ TEST_CASE("regions know their place in the whole, and have its samples") {
       CHECK(((block.inner_faces() >> (2 * axis)) & 1) == (which[axis] > 0));
       CHECK(((block.inner_faces() >> (2 * axis + 1)) & 1) == (which[axis] + 1 < of[axis]));
     }
-    for (int k = 0; k < dims.k; ++k) {
-      for (int j = 0; j < dims.j; ++j) {
-        for (int i = 0; i < dims.i; ++i) {
-          const Index3 at{first.i + i, first.j + j, first.k + k};
-          different += block.sample(i, j, k) != whole.sample(at.i, at.j, at.k) ||
-                       block.position({i, j, k}) != whole.position(at);
-          const bool is_voxel = i + 1 < dims.i && j + 1 < dims.j && k + 1 < dims.k;
-          seen[whole.index(at.i, at.j, at.k)] += is_voxel;
-        }
-      }
-    }
+    for_each_index(dims, [&](int i, int j, int k) {
+      const Index3 at{first.i + i, first.j + j, first.k + k};
+      different += block.sample(i, j, k) != whole.sample(at.i, at.j, at.k) ||
+                   block.position({i, j, k}) != whole.position(at);
+      const bool is_voxel = i + 1 < dims.i && j + 1 < dims.j && k + 1 < dims.k;
+      seen[whole.index(at.i, at.j, at.k)] += is_voxel;
+    });
     const Vec3 p = block.position({1, 1, 1}) + Vec3{0.25, 0.5, -0.125};
     CHECK(block.value(p) == whole.value(p));
     CHECK(block.gradient(p) == whole.gradient(p));
@@ -351,16 +347,15 @@ TEST_CASE("a NumPy array is indexed [z][y][x], in C and in Fortran order") {
 TEST_CASE("NumPy's integers of 64 bits become float64, and its booleans bytes") {
   const TemporaryFolder folder;
   const std::int64_t values[] = {0, 1, -1, 255, -256, 1LL << 40, -(1LL << 52), (1LL << 53)};
-  for (const bool big : {false, true}) {
+  for (const bool is_big : {false, true}) {
     std::string bytes;
     for (const std::int64_t value : values) {
-      for (int n = 0; n < 8; ++n) {
-        bytes += static_cast<char>(static_cast<std::uint64_t>(value) >> 8 * (big ? 7 - n : n));
-      }
+      bytes += ordered(static_cast<std::uint64_t>(value), 8,
+                       is_big ? std::endian::big : std::endian::little);
     }
     ReadLog log;
     const Volume volume = read_volume(
-        folder.write("v.npy", npy(big ? ">i8" : "<i8", false, "2, 2, 2", bytes)), {}, &log);
+        folder.write("v.npy", npy(is_big ? ">i8" : "<i8", false, "2, 2, 2", bytes)), {}, &log);
     CHECK(volume.type() == SampleType::f64);
     CHECK(log.notes.size() == 1);
     for (int n = 0; n < 8; ++n) {

@@ -60,26 +60,13 @@ struct Truth {
   }
 };
 
+// Calls f with a zero of the type.
 template <class F>
 void visit_type(SampleType type, F f) {
-  switch (type) {
-    case SampleType::u8:
-      return f(std::uint8_t{});
-    case SampleType::i8:
-      return f(std::int8_t{});
-    case SampleType::u16:
-      return f(std::uint16_t{});
-    case SampleType::i16:
-      return f(std::int16_t{});
-    case SampleType::u32:
-      return f(std::uint32_t{});
-    case SampleType::i32:
-      return f(std::int32_t{});
-    case SampleType::f32:
-      return f(float{});
-    case SampleType::f64:
-      return f(double{});
-  }
+  auto left = static_cast<int>(type);
+  const auto visit = [&](auto... zeros) { ((left-- == 0 ? f(zeros) : void()), ...); };
+  visit(std::uint8_t{}, std::int8_t{}, std::uint16_t{}, std::int16_t{}, std::uint32_t{},
+        std::int32_t{}, float{}, double{});
 }
 constexpr SampleType kAllTypes[] = {SampleType::u8,  SampleType::i8,  SampleType::u16,
                                     SampleType::i16, SampleType::u32, SampleType::i32,
@@ -380,7 +367,7 @@ inline std::vector<NamedFile> vti(const Truth& t, const VtkForm& form) {
   return {{"v.vti", file + "</VTKFile>\n"}};
 }
 
-// ---- all of them
+// ---- NumPy
 
 // A .npy file of these samples, as numpy.lib.format describes it: `shape` is in Python's order.
 inline std::string npy(const std::string& descr, bool fortran, const std::string& shape,
@@ -394,21 +381,13 @@ inline std::string npy(const std::string& descr, bool fortran, const std::string
   std::string file = "\x93NUMPY";
   file += static_cast<char>(version);
   file += '\0';
-  for (std::size_t n = 0; n < length_size; ++n) {
-    file += static_cast<char>(header.size() >> 8 * n & 255);
-  }
-  return file + header + samples;
+  return file + little(header.size(), static_cast<int>(length_size)) + header + samples;
 }
 
 inline std::string npy(const Truth& t, std::endian order, int version) {
-  constexpr std::pair<SampleType, const char*> kKinds[] = {
-      {SampleType::u8, "u1"},  {SampleType::i8, "i1"},  {SampleType::u16, "u2"},
-      {SampleType::i16, "i2"}, {SampleType::u32, "u4"}, {SampleType::i32, "i4"},
-      {SampleType::f32, "f4"}, {SampleType::f64, "f8"}};
-  std::string descr(1, size_of(t.type) == 1 ? '|' : order == std::endian::big ? '>' : '<');
-  for (const auto& [type, kind] : kKinds) {
-    if (type == t.type) descr += kind;
-  }
+  const char* const kinds[] = {"u1", "i1", "u2", "i2", "u4", "i4", "f4", "f8"};
+  const char mark = size_of(t.type) == 1 ? '|' : order == std::endian::big ? '>' : '<';
+  const std::string descr = mark + std::string(kinds[static_cast<int>(t.type)]);
   const std::string shape = to_text(t.dims.k) + ", " + to_text(t.dims.j) + ", " + to_text(t.dims.i);
   return npy(descr, false, shape, t.in_order(order), version);
 }
@@ -814,6 +793,8 @@ inline std::string tiff(const Truth& t, const TiffForm& form) {
   for (int k = 0; k < t.dims.k; ++k) pages.push_back(tiff_page(t, form, k));
   return tiff_file(form, pages);
 }
+
+// ---- all of them
 
 struct StoredVolume {
   std::string label;
