@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -60,60 +61,49 @@ struct Fixture {
     vandal.relink(f.cell, f.index, {c, j});
     vandal.relink(g.cell, g.index, {c, i});
   }
-  void expect(const std::string& rule) {
-    const std::string found = check_triangulation(t);
-    CHECK_MESSAGE(found.starts_with(rule), found);
-  }
 };
+
+struct Damage {
+  const char* rule;  // that the checker must find broken
+  void (*make)(Fixture&);
+};
+constexpr Damage kDamages[] = {
+    // A link to a wrong facet; a missing cell; a vertex twice in a cell.
+    {"I1",
+     [](Fixture& f) {
+       f.vandal.relink(f.finite, 2, f.t.mirror({f.finite, 1}));
+     }},
+    {"I1", [](Fixture& f) { f.vandal.remove(f.finite); }},
+    {"I1", [](Fixture& f) { f.vandal.set_vertex(f.finite, 2, f.t.vertex(f.finite, 3)); }},
+    // A finite cell of negative orientation, and one at infinity.
+    {"I2", [](Fixture& f) { f.turn_over(f.finite, 0, 1); }},
+    {"I2", [](Fixture& f) { f.turn_over(f.infinite, 1, 2); }},
+    // The infinite vertex is not the first.
+    {"I5", [](Fixture& f) { f.turn_over(f.infinite, 0, 1); }},
+    // An incident cell that does not hold its vertex; a vertex in no cell.
+    {"I4",
+     [](Fixture& f) {
+       const SiteId v = f.t.vertex(f.finite, f.t.vertex(f.finite, 0) == 0 ? 1 : 0);
+       CellId c = 0;
+       const auto holds = [&](CellId cell) {
+         return std::ranges::count(f.t.vertices(cell), v) > 0;
+       };
+       while (!f.t.is_live(c) || holds(c)) ++c;
+       f.vandal.set_incident(v, c);
+     }},
+    {"I4", [](Fixture& f) {
+       f.vandal.add_point({0, 0, 0});
+     }}};
 
 }  // namespace
 
-TEST_CASE_FIXTURE(Fixture, "I1: a link to a wrong facet") {
-  vandal.relink(finite, 2, t.mirror({finite, 1}));
-  expect("I1");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I1: a missing cell") {
-  vandal.remove(finite);
-  expect("I1");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I1: a vertex twice in a cell") {
-  vandal.set_vertex(finite, 2, t.vertex(finite, 3));
-  expect("I1");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I2: a finite cell of negative orientation") {
-  turn_over(finite, 0, 1);
-  expect("I2");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I2: a cell at infinity of negative orientation") {
-  turn_over(infinite, 1, 2);
-  expect("I2");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I5: the infinite vertex not the first") {
-  turn_over(infinite, 0, 1);
-  expect("I5");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I4: an incident cell that does not hold its vertex") {
-  const SiteId v = t.vertex(finite, 0) == 0 ? t.vertex(finite, 1) : t.vertex(finite, 0);
-  CellId c = 0;
-  const auto holds = [&](CellId cell) {
-    for (SiteId w : t.vertices(cell))
-      if (w == v) return true;
-    return false;
-  };
-  while (!t.is_live(c) || holds(c)) ++c;
-  vandal.set_incident(v, c);
-  expect("I4");
-}
-
-TEST_CASE_FIXTURE(Fixture, "I4: a vertex in no cell") {
-  vandal.add_point({0, 0, 0});
-  expect("I4");
+TEST_CASE("each broken rule of a triangulation is found") {
+  for (const Damage& damage : kDamages) {
+    Fixture f;
+    damage.make(f);
+    const std::string found = check_triangulation(f.t);
+    CHECK_MESSAGE(found.starts_with(damage.rule), found);
+  }
 }
 
 TEST_CASE_FIXTURE(Fixture, "I3: a vertex inside a circumsphere, and one beyond the hull") {

@@ -19,12 +19,6 @@ Truth tiff_truth(SampleType type = SampleType::u8) {
   return random_truth(type, {5, 4, 3}, 5);
 }
 
-std::vector<TiffPage> pages_of(const Truth& truth, const TiffForm& form = {}) {
-  std::vector<TiffPage> pages;
-  for (int k = 0; k < truth.dims.k; ++k) pages.push_back(tiff_page(truth, form, k));
-  return pages;
-}
-
 template <class Unpack>
 std::string unpacked(Unpack unpack, const std::string& packed, std::size_t room) {
   std::string out(room, '\0');
@@ -63,7 +57,7 @@ TEST_CASE("ImageJ's spacing, unit and signed samples") {
   const Truth truth = tiff_truth(SampleType::u16);
   const TiffForm form{.order = std::endian::big, .rows_per_strip = 4};
   const auto read = [&](const std::string& lines, bool has_resolution, ReadLog& log) {
-    std::vector<TiffPage> pages = pages_of(truth, form);
+    std::vector<TiffPage> pages = tiff_pages(truth, form);
     pages[0].tags[270] = tiff_text("ImageJ=1.53t\nimages=3\nslices=3\n" + lines);
     if (has_resolution) {
       pages[0].tags[282] = tiff_ratio(form, 40, 10);
@@ -102,7 +96,7 @@ TEST_CASE("a note is one line of bounded length") {
         "PhysicalSizeXUnit=\"" +
             unit + "\" PhysicalSizeYUnit=\"" + unit + "\" PhysicalSizeZUnit=\"" + unit +
             "\"/></OME>"}) {
-    std::vector<TiffPage> pages = pages_of(tiff_truth());
+    std::vector<TiffPage> pages = tiff_pages(tiff_truth());
     pages[0].tags[270] = tiff_text(description);
     ReadLog log;
     read_volume(folder.write("v\x1b\n.tif", tiff_file({}, pages)), {}, &log);
@@ -148,7 +142,7 @@ TEST_CASE("OME's spacing") {
   const TemporaryFolder folder;
   const Truth truth = tiff_truth();
   const auto file = [&](const std::string& attributes) {
-    std::vector<TiffPage> pages = pages_of(truth);
+    std::vector<TiffPage> pages = tiff_pages(truth);
     pages[0].tags[270] = tiff_text("<?xml version=\"1.0\"?><OME><Image><Pixels ID=\"1\" " +
                                    attributes + "><Channel/></Pixels></Image></OME>");
     return folder.write("v.tif", tiff_file({}, pages));
@@ -191,7 +185,7 @@ TEST_CASE("OME's spacing") {
 
 TEST_CASE("a resolution without the distance of pages is noted, and white zeros") {
   const TemporaryFolder folder;
-  std::vector<TiffPage> pages = pages_of(tiff_truth());
+  std::vector<TiffPage> pages = tiff_pages(tiff_truth());
   pages[0].tags[282] = pages[0].tags[283] = tiff_ratio({}, 300, 1);
   ReadLog log;
   CHECK(read_volume(folder.write("v.tif", tiff_file({}, pages)), {}, &log).spacing() ==
@@ -281,7 +275,7 @@ TEST_CASE("each fault of a TIFF file has its message") {
   const Truth truth = tiff_truth();
   // Page 2 of three with another value of a tag.
   const auto with = [&](int tag, std::uint64_t value, const TiffForm& form = {}, int page = 1) {
-    std::vector<TiffPage> pages = pages_of(truth, form);
+    std::vector<TiffPage> pages = tiff_pages(truth, form);
     for (int k = page; k < (page == 0 ? 3 : page + 1); ++k) {
       pages[static_cast<std::size_t>(k)].tags[tag] = tiff_value(form, value);
     }

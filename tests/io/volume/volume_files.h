@@ -788,10 +788,13 @@ inline std::string tiff_file(const TiffForm& form, std::vector<TiffPage> pages) 
   return file;
 }
 
-inline std::string tiff(const Truth& t, const TiffForm& form) {
+inline std::vector<TiffPage> tiff_pages(const Truth& t, const TiffForm& form = {}) {
   std::vector<TiffPage> pages;
   for (int k = 0; k < t.dims.k; ++k) pages.push_back(tiff_page(t, form, k));
-  return tiff_file(form, pages);
+  return pages;
+}
+inline std::string tiff(const Truth& t, const TiffForm& form) {
+  return tiff_file(form, tiff_pages(t, form));
 }
 
 // ---- all of them
@@ -813,6 +816,12 @@ struct StoredVolume {
 inline std::vector<StoredVolume> all_forms(const Truth& t) {
   std::vector<StoredVolume> all;
   const auto name = [](std::endian order) { return order == std::endian::little ? " le" : " be"; };
+  // Formats without a place, which take their spacing from the options.
+  const auto add_bare = [&](const std::string& label, const NamedFile& file,
+                            ReadOptions options = {}) {
+    options.spacing = t.spacing;
+    all.push_back({label, {file}, false, options});
+  };
   for (std::endian order : {std::endian::little, std::endian::big}) {
     for (const char* encoding : {"raw", "gzip", "ascii"}) {
       for (NrrdForm form : {NrrdForm::attached, NrrdForm::detached, NrrdForm::detached_skips})
@@ -848,11 +857,9 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
                        vti(t, {"binary", "", order, header, block})});
       }
     }
-    StoredVolume raw{
-        std::string("raw") + name(order), {{"v.raw", "skip" + t.in_order(order)}}, false, {}};
-    raw.options.raw = RawLayout{t.dims, t.type, order, 4};
-    raw.options.spacing = t.spacing;
-    all.push_back(raw);
+    ReadOptions raw;
+    raw.raw = RawLayout{t.dims, t.type, order, 4};
+    add_bare(std::string("raw") + name(order), {"v.raw", "skip" + t.in_order(order)}, raw);
     for (const bool is_big : {false, true}) {
       for (const int compression : {1, 5, 8, 32946, 32773}) {
         const bool is_real = t.type == SampleType::f32 || t.type == SampleType::f64;
@@ -861,22 +868,14 @@ inline std::vector<StoredVolume> all_forms(const Truth& t) {
           for (const int tile : {0, 4}) {
             if (predictor != 1 && !has_predictor) continue;
             const TiffForm form{order, is_big, tile, 3, compression, predictor};
-            StoredVolume stack{
-                "tiff " + to_text(compression) + " " + to_text(predictor) + name(order),
-                {{"v.tif", tiff(t, form)}},
-                false,
-                {}};
-            stack.options.spacing = t.spacing;
-            all.push_back(stack);
+            add_bare("tiff " + to_text(compression) + " " + to_text(predictor) + name(order),
+                     {"v.tif", tiff(t, form)});
           }
         }
       }
     }
     for (int version : {1, 2, 3}) {
-      StoredVolume array{
-          "npy " + to_text(version) + name(order), {{"v.npy", npy(t, order, version)}}, false, {}};
-      array.options.spacing = t.spacing;
-      all.push_back(array);
+      add_bare("npy " + to_text(version) + name(order), {"v.npy", npy(t, order, version)});
     }
   }
   // DICOM has no left-handed axes.
