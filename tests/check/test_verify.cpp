@@ -263,6 +263,21 @@ TEST_CASE("triangles over a limit are counted as brute force does; too many are 
   const Good good("fuel");
   const VoxelTree tree(good.volume);
   const Isosurface surface(good.volume, tree, good.kappa);
+  struct Measured {
+    double r, l, h;
+  };
+  std::vector<Measured> facets;
+  for (const Face& face : good.mesh.faces) {
+    const Vec3 &a = good.mesh.points[face.v[0]], &b = good.mesh.points[face.v[1]],
+               &c = good.mesh.points[face.v[2]];
+    const Vec3 center = circumcenter(a, b, c), normal = area_normal(a, b, c);
+    const double r = distance(center, a);
+    SearchCounters counters;
+    const auto hit =
+        surface.nearest(center, normal / length(normal), kBallLimitRadii * r, counters);
+    facets.push_back({r, std::min({distance(a, b), distance(b, c), distance(c, a)}),
+                      hit ? std::fabs(hit->t) : std::numeric_limits<double>::infinity()});
+  }
   std::size_t over_some = 0;
   for (const double bound : {0.02, 0.05, 0.2, std::numeric_limits<double>::infinity()}) {
     for (const double h_over_r : {0.05, std::numeric_limits<double>::infinity()}) {
@@ -279,23 +294,13 @@ TEST_CASE("triangles over a limit are counted as brute force does; too many are 
         const Verification v = verify(good.mesh, good.volume, good.kappa, options);
         CHECK_FALSE(v.faults.any());
         std::size_t above = 0, far = 0, steep = 0, needles = 0, any = 0;
-        for (const Face& face : good.mesh.faces) {
-          const Vec3 &a = good.mesh.points[face.v[0]], &b = good.mesh.points[face.v[1]],
-                     &c = good.mesh.points[face.v[2]];
-          const Vec3 center = circumcenter(a, b, c);
-          const double r = distance(center, a);
-          const double l = std::min({distance(a, b), distance(b, c), distance(c, a)});
-          const Vec3 normal = area_normal(a, b, c);
-          SearchCounters counters;
-          const auto hit =
-              surface.nearest(center, normal / length(normal), kBallLimitRadii * r, counters);
-          const double h = hit ? std::fabs(hit->t) : std::numeric_limits<double>::infinity();
-          const bool is_needle = r > lambda * l, is_large = r > 0.8;
+        for (const Measured& facet : facets) {
+          const bool is_needle = facet.r > lambda * facet.l, is_large = facet.r > 0.8;
           needles += is_needle;
           above += is_large;
-          far += is_large && h > bound;
-          steep += is_large && h > h_over_r * r;
-          any += is_needle || (is_large && (h > bound || h > h_over_r * r));
+          far += is_large && facet.h > bound;
+          steep += is_large && facet.h > h_over_r * facet.r;
+          any += is_needle || (is_large && (facet.h > bound || facet.h > h_over_r * facet.r));
         }
         CHECK(v.triangles_above_r_min == above);
         CHECK(v.over[Criterion::distance] == far);
