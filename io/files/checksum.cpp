@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/files/field_reader.h"
+
 namespace deliso {
 namespace {
 
@@ -23,18 +25,13 @@ constexpr CrcTables make_crc_tables() {
 }
 constexpr CrcTables kCrc = make_crc_tables();
 
-std::uint32_t little32(std::span<const std::byte> in) {
-  std::uint32_t value = 0;
-  for (std::size_t n = 0; n < 4; ++n) value |= std::to_integer<std::uint32_t>(in[n]) << (8 * n);
-  return value;
-}
-
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
   std::uint32_t c = ~before;
   while (bytes.size() >= 8) {
-    const std::uint32_t lo = c ^ little32(bytes), hi = little32(bytes.subspan(4));
+    const FieldReader words(bytes, std::endian::little);
+    const std::uint32_t lo = c ^ words.get<std::uint32_t>(0), hi = words.get<std::uint32_t>(4);
     c = kCrc[7][lo & 0xff] ^ kCrc[6][lo >> 8 & 0xff] ^ kCrc[5][lo >> 16 & 0xff] ^
         kCrc[4][lo >> 24] ^ kCrc[3][hi & 0xff] ^ kCrc[2][hi >> 8 & 0xff] ^
         kCrc[1][hi >> 16 & 0xff] ^ kCrc[0][hi >> 24];

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a binary header, by their offset, in either byte order.
+// Numbers and their bytes, in either byte order.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 #include <span>
-#include <utility>
+#include <string_view>
 
 namespace deliso {
 
@@ -14,22 +16,29 @@ namespace deliso {
 inline constexpr std::endian kSwappedOrder =
     std::endian::native == std::endian::little ? std::endian::big : std::endian::little;
 
+// Returns the bytes of a number, the least significant first.
+template <class T>
+std::array<char, sizeof(T)> little_endian(const T& number) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(number);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(bytes);
+  return bytes;
+}
+
+// Reads numbers by their offsets.
 class FieldReader {
  public:
-  FieldReader(std::span<const std::byte> bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
   FieldReader(std::span<const std::byte> bytes, std::endian order)
-      : FieldReader(bytes, order != std::endian::native) {}
+      : bytes_(bytes), swapped_(order != std::endian::native) {}
+  FieldReader(std::string_view bytes, std::endian order)
+      : FieldReader(std::as_bytes(std::span(bytes)), order) {}
 
   // pre: the bytes reach as far.
   template <class T>
   T get(std::size_t offset) const {
-    std::byte raw[sizeof(T)];
-    std::memcpy(raw, bytes_.data() + offset, sizeof(T));
-    if (swapped_)
-      for (std::size_t n = 0; n < sizeof(T) / 2; ++n) std::swap(raw[n], raw[sizeof(T) - 1 - n]);
-    T value;
-    std::memcpy(&value, raw, sizeof(T));
-    return value;
+    std::array<std::byte, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + offset, sizeof(T));
+    if (swapped_) std::ranges::reverse(raw);
+    return std::bit_cast<T>(raw);
   }
 
  private:

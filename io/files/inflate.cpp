@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "io/files/checksum.h"
+#include "io/files/field_reader.h"
 #include "io/files/prefix_code.h"
 
 namespace deliso {
@@ -79,12 +80,10 @@ class Decoder {
   bool stored_block() {
     const std::size_t start = bits_.align();
     if (bits_.overrun() || in_.size() - start < 4) return fail("an early end");
-    const auto half = [&](std::size_t at) {
-      return std::to_integer<std::uint32_t>(in_[at]) | std::to_integer<std::uint32_t>(in_[at + 1])
-                                                           << 8;
-    };
-    const std::uint32_t length = half(start);
-    if (length != (half(start + 2) ^ 0xffffu)) return fail("a damaged stored block");
+    const FieldReader fields(in_, std::endian::little);
+    const std::uint32_t length = fields.get<std::uint16_t>(start);
+    if (length != (fields.get<std::uint16_t>(start + 2) ^ 0xffffu))
+      return fail("a damaged stored block");
     const std::size_t available = in_.size() - start - 4;
     const std::size_t room = out_.size() - written_;
     const std::size_t n = std::min({std::size_t{length}, available, room});
@@ -197,20 +196,6 @@ class Decoder {
   PrefixCode literals_, distances_;
 };
 
-std::uint32_t little32(std::span<const std::byte> in, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t n = 0; n < 4; ++n)
-    value |= std::to_integer<std::uint32_t>(in[at + n]) << (8 * n);
-  return value;
-}
-
-std::uint32_t big32(std::span<const std::byte> in, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t n = 0; n < 4; ++n)
-    value = value << 8 | std::to_integer<std::uint32_t>(in[at + n]);
-  return value;
-}
-
 // Length of the gzip member header at the start of `in`; 0 if there is none.
 std::size_t gzip_header_size(std::span<const std::byte> in) {
   const auto byte = [&](std::size_t n) { return std::to_integer<unsigned>(in[n]); };
@@ -250,10 +235,11 @@ Inflated inflate_gzip(std::span<const std::byte> in, std::span<std::byte> out) {
     result.fault = decoder.fault();
     if (!ended) return result;
     in = in.subspan(decoder.consumed());
+    const FieldReader trailer(in, std::endian::little);
     if (in.size() < 8) {
       result.fault = "an early end";
-    } else if (little32(in, 0) != crc32(member.first(decoder.written())) ||
-               little32(in, 4) != static_cast<std::uint32_t>(decoder.written())) {
+    } else if (trailer.get<std::uint32_t>(0) != crc32(member.first(decoder.written())) ||
+               trailer.get<std::uint32_t>(4) != static_cast<std::uint32_t>(decoder.written())) {
       result.fault = "a wrong checksum";
     }
     if (result.fault) return result;
@@ -278,7 +264,8 @@ Inflated inflate_zlib(std::span<const std::byte> in, std::span<std::byte> out) {
   in = in.subspan(decoder.consumed());
   if (in.size() < 4) {
     result.fault = "an early end";
-  } else if (big32(in, 0) != adler32(out.first(result.size))) {
+  } else if (FieldReader(in, std::endian::big).get<std::uint32_t>(0) !=
+             adler32(out.first(result.size))) {
     result.fault = "a wrong checksum";
   } else {
     result.ended = true;

@@ -11,13 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/check.h"
-
 namespace deliso {
 namespace {
 
 [[noreturn]] void fail_with(const std::string& name, const char* what, int error) {
-  fail(name, std::string(what) + ": " + std::generic_category().message(error));
+  fail(name, what, ": ", std::generic_category().message(error));
 }
 
 // An open file that is closed at destruction.
@@ -100,10 +98,6 @@ Bytes open_file(const std::string& path, NamedBy named_by) {
 
 Bytes read_standard_input() {
   return read_to_end(STDIN_FILENO, "standard input");
-}
-
-void fail(std::string_view name, const std::string& message) {
-  throw InputError(std::string(name) + ": " + message);
 }
 
 }  // namespace deliso

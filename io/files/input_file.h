@@ -16,6 +16,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/check.h"
+#include "base/text.h"
+
 namespace deliso {
 
 // Bytes that `owner` keeps alive. Messages call them `name`.
@@ -51,7 +54,10 @@ enum class NamedBy { user, file };
 Bytes open_file(const std::string& path, NamedBy named_by = NamedBy::user);
 Bytes read_standard_input();
 
-// Throws InputError "name: message".
-[[noreturn]] void fail(std::string_view name, const std::string& message);
+// Throws InputError "name: message", with the message in pieces.
+template <class... Pieces>
+[[noreturn]] void fail(std::string_view name, const Pieces&... message) {
+  throw InputError(text(name, ": ", message...));
+}
 
 }  // namespace deliso

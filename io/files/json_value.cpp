@@ -25,7 +25,7 @@ class JsonParser {
   static constexpr int kMostDepth = 100;  // glTF needs 7
 
   [[noreturn]] void fail(const char* fault) const {
-    deliso::fail(name_, text("its JSON is damaged at byte ", at_, ": ", fault));
+    deliso::fail(name_, "its JSON is damaged at byte ", at_, ": ", fault);
   }
   // Returns what is left.
   std::string_view skip_space() {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <span>
 
+#include "io/files/field_reader.h"
+
 namespace deliso {
 
 // Bits of a deflate stream, least significant first. After the end it gives zeros and counts them,
@@ -18,10 +20,7 @@ class BitReader {
   // Makes at least 56 bits available.
   void refill() {
     if (in_.size() - next_ >= 8) {
-      std::uint64_t word = 0;
-      for (int n = 0; n < 8; ++n)
-        word |= std::to_integer<std::uint64_t>(in_[next_ + static_cast<std::size_t>(n)]) << (8 * n);
-      bits_ |= word << count_;
+      bits_ |= FieldReader(in_, std::endian::little).get<std::uint64_t>(next_) << count_;
       const unsigned bytes = (63 - count_) >> 3;
       next_ += bytes;
       count_ += 8 * bytes;

@@ -40,7 +40,6 @@ constexpr bool is_space(char c) {
 }
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);
-bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::vector<std::string_view> words_of(std::string_view text);
 
 // Returns all of `text` as a number ("+5" too); nullopt if it is no number or does not fit.

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "io/files/base64.h"
+#include "io/files/field_reader.h"
 #include "io/files/inflate.h"
 #include "io/files/text_scan.h"
 
@@ -53,17 +54,17 @@ VtkXml::VtkXml(const Bytes& bytes, std::string_view type, std::string_view use)
     : bytes_(bytes), text_(bytes.text()), tag_(next_tag(text_, 0, &comments_)) {
   if (tag_.name != "VTKFile") fail("is no VTK XML file");
   const std::string_view found = tag_.attribute("type").value_or("");
-  if (found != type) fail(text("is a VTK file of type ", quote(found), ": only ", type, " ", use));
+  if (found != type) fail("is a VTK file of type ", quote(found), ": only ", type, " ", use);
   byte_order_ = tag_.attribute("byte_order").value_or("LittleEndian") == "BigEndian"
                     ? std::endian::big
                     : std::endian::little;
   const std::string_view header = tag_.attribute("header_type").value_or("UInt32");
   if (header != "UInt32" && header != "UInt64")
-    fail(text("header_type ", quote(header), " is not supported"));
+    fail("header_type ", quote(header), " is not supported");
   header_size_ = header == "UInt64" ? 8 : 4;
   const std::string_view compressor = tag_.attribute("compressor").value_or("");
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    fail(text("compressor ", quote(compressor), " is not supported (vtkZLibDataCompressor is)"));
+    fail("compressor ", quote(compressor), " is not supported (vtkZLibDataCompressor is)");
   compressed_ = !compressor.empty();
 }
 
@@ -79,7 +80,7 @@ std::uint64_t VtkXml::count(const XmlTag& tag, std::string_view name, std::uint6
   const std::optional<std::string_view> words = tag.attribute(name);
   if (!words) return missing;
   const auto value = number_in<std::uint64_t>(trimmed(*words));
-  if (!value) fail(text("attribute ", name, " is ", quote(*words)));
+  if (!value) fail("attribute ", name, " is ", quote(*words));
   return *value;
 }
 
@@ -96,8 +97,8 @@ Bytes VtkXml::binary(const XmlTag& array, std::uint64_t size, const std::string&
   const std::string format = lower(array.attribute("format").value_or("ascii"));
   if (format == "binary") return from_base64(inside(array).text(), size, what);
   if (format != "appended")
-    fail(text("a DataArray has format ", quote(format),
-              ": only ascii, binary and appended are supported"));
+    fail("a DataArray has format ", quote(format),
+         ": only ascii, binary and appended are supported");
   if (appended_.name.empty()) fail("has no AppendedData");
   const std::string_view encoding = appended_.attribute("encoding").value_or("base64");
   std::size_t start = appended_.end;
@@ -106,20 +107,16 @@ Bytes VtkXml::binary(const XmlTag& array, std::uint64_t size, const std::string&
   ++start;
   if (!array.attribute("offset")) fail("an appended DataArray has no offset");
   const std::uint64_t offset = count(array, "offset", 0);
-  if (offset > text_.size() - start) fail(text("ends before its array at offset ", offset));
+  if (offset > text_.size() - start) fail("ends before its array at offset ", offset);
   const Bytes data = bytes_.from(start + static_cast<std::size_t>(offset));
   if (encoding == "base64") return from_base64(data.text(), size, what);
-  if (encoding != "raw") fail(text("encoding ", quote(encoding), " is not supported"));
+  if (encoding != "raw") fail("encoding ", quote(encoding), " is not supported");
   return compressed_ ? from_blocks(data, size, what) : from_block(data, size, what);
 }
 
 std::uint64_t VtkXml::header_word(std::span<const std::byte> bytes, std::size_t n) const {
-  std::uint64_t value = 0;
-  for (std::size_t b = 0; b < header_size_; ++b) {
-    const std::size_t from = byte_order_ == std::endian::little ? b : header_size_ - 1 - b;
-    value |= std::to_integer<std::uint64_t>(bytes[n * header_size_ + from]) << (8 * b);
-  }
-  return value;
+  const FieldReader words(bytes, byte_order_);
+  return header_size_ == 8 ? words.get<std::uint64_t>(8 * n) : words.get<std::uint32_t>(4 * n);
 }
 
 // Decodes only the bytes that the array's own header promises.
@@ -145,43 +142,43 @@ Bytes VtkXml::from_base64(std::string_view text, std::uint64_t size,
 
 // Reads a length, then that number of bytes.
 Bytes VtkXml::from_block(const Bytes& data, std::uint64_t size, const std::string& what) const {
-  if (data.size() < header_size_) fail("ends before " + what);
+  if (data.size() < header_size_) fail("ends before ", what);
   const std::uint64_t length = header_word(data.data, 0);
-  if (length != size) fail(text(what, " need ", size, " bytes, the array holds ", length));
+  if (length != size) fail(what, " need ", size, " bytes, the array holds ", length);
   const Bytes rest = data.from(header_size_);
   if (rest.size() < size)
-    fail(text("data is too short: ", what, " need ", size, " bytes, found ", rest.size()));
+    fail("data is too short: ", what, " need ", size, " bytes, found ", rest.size());
   return rest.first(static_cast<std::size_t>(size));
 }
 
 // Reads the number of blocks, the size of each before compression, that of the last if it is
 // smaller (else 0), and the sizes after compression. The blocks follow.
 Bytes VtkXml::from_blocks(const Bytes& data, std::uint64_t size, const std::string& what) const {
-  if (data.size() < header_size_) fail("ends before " + what);
+  if (data.size() < header_size_) fail("ends before ", what);
   const std::uint64_t blocks = header_word(data.data, 0);
   if (blocks == 0 && size == 0) return {bytes_.name, {}, nullptr};
   if (data.size() < 3 * header_size_ || blocks > data.size() / header_size_ - 3)
-    fail("ends before " + what);
+    fail("ends before ", what);
   const std::uint64_t block = header_word(data.data, 1), last = header_word(data.data, 2);
   const std::uint64_t whole = last == 0 ? blocks : blocks - 1;
   if (blocks == 0 || last > block || (block > 0 && whole > size / block) ||
       whole * block + last != size) {
-    fail(text(what, " need ", size, " bytes, ", blocks, " blocks of ", block,
-              " bytes and a rest of ", last, " do not give that"));
+    fail(what, " need ", size, " bytes, ", blocks, " blocks of ", block, " bytes and a rest of ",
+         last, " do not give that");
   }
-  if (size > largest_inflated(data.size())) fail("ends before " + what);
+  if (size > largest_inflated(data.size())) fail("ends before ", what);
   Buffer buffer(static_cast<std::size_t>(size));
   std::size_t from = static_cast<std::size_t>((3 + blocks) * header_size_), to = 0;
   for (std::size_t n = 0; n < blocks; ++n) {
     const std::uint64_t length = header_word(data.data, 3 + n);
     const std::string which = text("block ", n, " of ", blocks);
-    if (length > data.size() - from) fail("ends within " + which);
+    if (length > data.size() - from) fail("ends within ", which);
     const auto expected = static_cast<std::size_t>(n < whole ? block : last);
     const Inflated result = inflate(data.data.subspan(from, static_cast<std::size_t>(length)),
                                     Wrapping::zlib, buffer.span().subspan(to, expected));
-    if (result.fault) fail(text(which, " is damaged: ", result.fault));
+    if (result.fault) fail(which, " is damaged: ", result.fault);
     if (!result.ended || result.size != expected)
-      fail(text(which, " does not hold ", expected, " bytes"));
+      fail(which, " does not hold ", expected, " bytes");
     from += static_cast<std::size_t>(length);
     to += expected;
   }

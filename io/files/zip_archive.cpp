@@ -74,30 +74,30 @@ ZipArchive::Part ZipArchive::read_entry(std::uint64_t& at) const {
 Bytes ZipArchive::part(std::string_view name) const {
   const auto found =
       std::ranges::find(parts_, lower(name), [](const Part& p) { return lower(p.name); });
-  if (found == parts_.end()) fail(text("has no part ", quote(name)));
+  if (found == parts_.end()) fail("has no part ", quote(name));
   const Part& part = *found;
   const std::string in = text("part ", quote(part.name), ": ");
-  if (part.flags & 1) fail(in + "is encrypted");
-  if (get<std::uint32_t>(part.at) != kPartMark) fail(in + "is damaged");
+  if (part.flags & 1) fail(in, "is encrypted");
+  if (get<std::uint32_t>(part.at) != kPartMark) fail(in, "is damaged");
   const std::uint64_t begin =
       part.at + kPartSize + get<std::uint16_t>(part.at + 26) + get<std::uint16_t>(part.at + 28);
-  if (begin > file_.size() || file_.size() - begin < part.packed_size) fail(in + "is cut short");
+  if (begin > file_.size() || file_.size() - begin < part.packed_size) fail(in, "is cut short");
   const Bytes packed =
       file_.from(static_cast<std::size_t>(begin)).first(static_cast<std::size_t>(part.packed_size));
   Bytes bytes = packed;
   const bool is_deflated = part.method == 8;
   if (is_deflated) {
-    if (part.size > largest_inflated(part.packed_size)) fail(in + "is cut short");
+    if (part.size > largest_inflated(part.packed_size)) fail(in, "is cut short");
     Buffer buffer(static_cast<std::size_t>(part.size));
     const Inflated inflated = inflate(packed.data, Wrapping::none, buffer.span());
-    if (inflated.fault) fail(text(in, "its compressed data has ", inflated.fault));
-    if (inflated.size != part.size || !inflated.ended) fail(in + "has another size");
+    if (inflated.fault) fail(in, "its compressed data has ", inflated.fault);
+    if (inflated.size != part.size || !inflated.ended) fail(in, "has another size");
     bytes = bytes_of(std::move(buffer), file_.name);
   } else if (part.method != 0) {
-    fail(text(in, "compression ", part.method, " is not supported"));
+    fail(in, "compression ", part.method, " is not supported");
   }
   if (bytes.size() != part.size || crc32(bytes.data) != part.sum)
-    fail(in + "has another size or checksum");
+    fail(in, "has another size or checksum");
   return bytes;
 }
 

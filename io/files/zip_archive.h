@@ -31,7 +31,10 @@ class ZipArchive {
   Part read_entry(std::uint64_t& at) const;
   template <class T>
   T get(std::uint64_t at) const;
-  [[noreturn]] void fail(const std::string& fault) const { deliso::fail(file_.name, fault); }
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    deliso::fail(file_.name, fault...);
+  }
 
   Bytes file_;
   std::vector<Part> parts_;

@@ -10,10 +10,6 @@
 
 namespace deliso {
 
-bool is_integer(SampleType type) {
-  return type != SampleType::f32 && type != SampleType::f64;
-}
-
 Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins) {
   const double span = range.max - range.min;
   Histogram histogram;

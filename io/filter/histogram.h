@@ -25,8 +25,6 @@ Histogram make_histogram(const Volume& volume, const ValueRange& range, int bins
 // ten-thousandth of the samples at either end.
 Histogram bulk_histogram(const Volume& volume, ValueRange range, int bins);
 
-bool is_integer(SampleType type);
-
 // Returns one line per row of bins: first value, bar on a logarithmic scale, share of samples.
 std::string histogram_text(const Histogram& histogram, int rows);
 

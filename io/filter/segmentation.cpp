@@ -43,8 +43,8 @@ template <class T>
 std::int64_t label_of(T value, Index3 at, std::string_view name) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!(std::fabs(value) <= kLargestLabel) || std::floor(value) != value) {
-      fail(name, text("the sample at (", at.i, ", ", at.j, ", ", at.k, ") is ",
-                      static_cast<double>(value), ", and labels are whole numbers"));
+      fail(name, "the sample at (", at.i, ", ", at.j, ", ", at.k, ") is ",
+           static_cast<double>(value), ", and labels are whole numbers");
     }
   }
   return static_cast<std::int64_t>(value);
@@ -119,8 +119,8 @@ LabelSamples united_labels(std::span<const LabelSamples> found,
       for (std::size_t n = 0; n < std::min(found.size(), kLabelsNamed); ++n) {
         there += text(n == 0 ? "" : ", ", found[n].label);
       }
-      fail(name, text("no sample has label ", label, ": its ", found.size(), " labels are ", there,
-                      found.size() > kLabelsNamed ? ", ..." : ""));
+      fail(name, "no sample has label ", label, ": its ", found.size(), " labels are ", there,
+           found.size() > kLabelsNamed ? ", ..." : "");
     }
     add(all, *at);
   }

@@ -2,16 +2,15 @@
 // The writers of write_mesh, one per format, and their common functions.
 #pragma once
 
-#include <bit>
 #include <charconv>
-#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 #include "io/files/atomic_file.h"
+#include "io/files/field_reader.h"
 #include "io/mesh/write_mesh.h"
 
 namespace deliso {
@@ -55,24 +54,16 @@ class WorldMesh {
 inline constexpr std::size_t kStlHeader = 80;
 inline constexpr std::string_view kStlTitle = "binary STL by DelIso";
 
+// Appends the bytes of a number, the least significant first.
 template <class T>
-concept Number = std::integral<T> || std::floating_point<T>;
-
-// Appends the bytes of `value`, least significant first.
-template <Number T>
 void put_binary(AtomicFile& out, T value) {
-  using Bits = std::conditional_t<
-      sizeof(T) == 8, std::uint64_t,
-      std::conditional_t<sizeof(T) == 4, std::uint32_t,
-                         std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint8_t>>>;
-  const Bits bits = std::bit_cast<Bits>(value);
-  char bytes[sizeof(T)];
-  for (std::size_t i = 0; i < sizeof(T); ++i) bytes[i] = static_cast<char>(bits >> (8 * i) & 0xff);
-  out.write({bytes, sizeof bytes});
+  static_assert(std::is_arithmetic_v<T>);
+  const auto bytes = little_endian(value);
+  out.write({bytes.data(), bytes.size()});
 }
 
 // Appends the shortest text that reads back as `value`, then `after`.
-template <class Out, Number T>
+template <class Out, class T>
 void put_text(Out& out, T value, char after) {
   char text[32];
   char* end = std::to_chars(text, text + sizeof text - 1, value).ptr;
@@ -80,9 +71,10 @@ void put_text(Out& out, T value, char after) {
   out.write({text, static_cast<std::size_t>(end - text)});
 }
 
-// Calls put(coordinate) for x, y, z of every vertex, as float or double.
+// Calls put(coordinate, axis) for x, y, z of every vertex, as float or double.
 template <class Put>
-void for_each_coordinate(const WorldMesh& mesh, bool single_precision, Put put) {
+void for_each_coordinate(const WorldMesh& mesh, Put put) {
+  const bool single_precision = mesh.options().single_precision;
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     const Vec3 p = mesh.point(v);
     for (int axis = 0; axis < 3; ++axis) {
@@ -104,15 +96,15 @@ inline constexpr double kMeters = 0.001;  // of a millimeter
 // Returns the point that coordinates in glTF are relative to: the middle of the mesh, as floats.
 Vec3 glb_origin(const WorldMesh& mesh);
 
-void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options);
-void write_off(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
-void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision);
-void write_stl(AtomicFile& out, const WorldMesh& mesh);
+// pre: one object, unless the format holds_objects().
+void write_ply(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_off(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_obj(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_stl(AtomicFile& out, std::span<const WorldMesh> objects);
 void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects);
 void write_glb(AtomicFile& out, std::span<const WorldMesh> objects);
 void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects);
-// As .poly if `as_poly`, else as .smesh.
-void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options,
-                  bool as_poly);
+void write_smesh(AtomicFile& out, std::span<const WorldMesh> objects);
+void write_poly(AtomicFile& out, std::span<const WorldMesh> objects);
 
 }  // namespace deliso

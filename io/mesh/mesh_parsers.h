@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/check.h"
-#include "base/text.h"
+#include "io/files/input_file.h"
 #include "io/files/text_scan.h"
 #include "mesh/tri_mesh.h"
 
@@ -43,9 +42,13 @@ class Lines {
   std::string_view& line() { return line_; }
   std::string_view rest() const { return rest_; }
   std::size_t number() const { return number_; }
-  [[noreturn]] void fail(const std::string& fault) const { fail_at(number_, fault); }
-  [[noreturn]] void fail_at(std::size_t line, const std::string& fault) const {
-    throw InputError(text("'", name_, "' line ", line, ": ", fault));
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    fail_at(number_, fault...);
+  }
+  template <class... Pieces>
+  [[noreturn]] void fail_at(std::size_t line, const Pieces&... fault) const {
+    throw InputError(text(name_, " line ", line, ": ", fault...));
   }
 
  private:
@@ -59,8 +62,7 @@ inline constexpr std::size_t kMostComments = 100;
 
 // Appends a comment by rule R5. `line`: without the mark of a comment.
 inline void keep_comment(std::string_view line, std::vector<std::string>& comments) {
-  while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
-  while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+  line = trimmed(line);
   if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
 }
 
@@ -87,6 +89,7 @@ inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 // Merges points at one position, by rule R6. Returns the new number of each.
 std::vector<VertexId> merge_points(std::vector<Vec3>& points);
 
+// `name`: in quotes, for messages.
 MeshParts parse_ply(std::string_view bytes, const std::string& name);
 MeshParts parse_off(std::string_view bytes, const std::string& name);
 MeshParts parse_obj(std::string_view bytes, const std::string& name);

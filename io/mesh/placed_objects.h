@@ -36,7 +36,7 @@ class PlacedObjects {
   void add(const MeshParts& object, const AffineMap& to_world) {
     copied_ += object.points.size() + object.triangles.size() + 1;
     if (copied_ > kMostCopied && copied_ / kMostCopies > original_) {
-      throw InputError(text("'", name_, "': places its objects more than ", kMostCopies, " times"));
+      fail(name_, "places its objects more than ", kMostCopies, " times");
     }
     const std::size_t first = mesh.points.size();
     for (const Vec3& p : object.points) mesh.points.push_back(to_world(p));

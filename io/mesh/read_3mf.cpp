@@ -21,9 +21,7 @@ constexpr std::pair<std::string_view, double> kUnits[] = {{"micron", 0.001},  {"
 class ThreeMfParser {
  public:
   ThreeMfParser(std::string_view bytes, const std::string& name)
-      : name_(text("'", name, "'")),
-        archive_({name_, std::as_bytes(std::span(bytes)), nullptr}),
-        placed_(name) {}
+      : name_(name), archive_({name_, std::as_bytes(std::span(bytes)), nullptr}), placed_(name) {}
 
   MeshParts run() {
     const Bytes model = archive_.part(model_name());
@@ -42,7 +40,10 @@ class ThreeMfParser {
     std::vector<Place> components;
   };
 
-  [[noreturn]] void fail(const std::string& fault) const { deliso::fail(name_, fault); }
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    deliso::fail(name_, fault...);
+  }
 
   std::string model_name() const {
     const Bytes relations = archive_.part("_rels/.rels");
@@ -85,7 +86,7 @@ class ThreeMfParser {
         const std::string_view unit = tag.attribute("unit").value_or("millimeter");
         const auto known =
             std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
-        if (known == std::end(kUnits)) fail(text("unit ", quote(unit), " is not known"));
+        if (known == std::end(kUnits)) fail("unit ", quote(unit), " is not known");
         unit_ = known->second;
       } else if (tag.name == "/model") {
         whole = true;
@@ -97,7 +98,7 @@ class ThreeMfParser {
   double real(const XmlTag& tag, std::string_view key) const {
     const std::string_view word = trimmed(tag.attribute(key).value_or(""));
     const auto value = to_double(word);
-    if (!value) fail(text("attribute ", key, " of a ", tag.name, " is ", quote(word)));
+    if (!value) fail("attribute ", key, " of a ", tag.name, " is ", quote(word));
     return *value;
   }
 
@@ -105,8 +106,8 @@ class ThreeMfParser {
     const std::string_view word = trimmed(tag.attribute(key).value_or(""));
     const auto value = number_in<std::uint64_t>(word);
     if (!value || *value >= object.mesh.points.size()) {
-      fail(text("corner ", key, " of a triangle is ", quote(word), ", not one of ",
-                object.mesh.points.size(), " vertices"));
+      fail("corner ", key, " of a triangle is ", quote(word), ", not one of ",
+           object.mesh.points.size(), " vertices");
     }
     return VertexId(*value);
   }
@@ -117,7 +118,7 @@ class ThreeMfParser {
     AffineMap map;
     if (const auto words = tag.attribute("transform")) {
       const auto m = to_doubles(*words);
-      if (!m || m->size() != 12) fail(text("transform ", quote(*words), " is not 12 numbers"));
+      if (!m || m->size() != 12) fail("transform ", quote(*words), " is not 12 numbers");
       for (std::size_t n = 0; n < 4; ++n)
         map.columns[n] = {(*m)[3 * n], (*m)[3 * n + 1], (*m)[3 * n + 2]};
     }
@@ -127,15 +128,15 @@ class ThreeMfParser {
   void place(const std::string& id, const AffineMap& map, int depth) {
     constexpr int kMostDepth = 100;
     const auto object = objects_.find(id);
-    if (object == objects_.end()) fail(text("has no object ", quote(id)));
+    if (object == objects_.end()) fail("has no object ", quote(id));
     if (depth > kMostDepth && !object->second.components.empty())
-      fail(text("object ", quote(id), " is a component of itself"));
+      fail("object ", quote(id), " is a component of itself");
     placed_.add(object->second.mesh, map);
     for (const auto& [component, inner] : object->second.components)
       place(component, map * inner, depth + 1);
   }
 
-  std::string name_;
+  const std::string& name_;
   ZipArchive archive_;
   std::map<std::string, Object> objects_;
   std::vector<Place> build_;

@@ -40,8 +40,7 @@ class GlbParser {
       const auto kind = words.get<std::uint32_t>(at + 4);
       at += kChunkHead;
       if (size > bytes.size() - at) fail("is cut short");
-      if (kind == kGlbJson && json_.is_null())
-        json_ = parse_json(bytes.substr(at, size), text("'", name_, "'"));
+      if (kind == kGlbJson && json_.is_null()) json_ = parse_json(bytes.substr(at, size), name_);
       if (kind == kGlbBinary && buffer_.empty()) buffer_ = data.subspan(at, size);
       at += size;
     }
@@ -53,7 +52,7 @@ class GlbParser {
       if (std::ranges::none_of(kHarmless, [&](std::string_view known) {
             return extension.string.starts_with(known);
           })) {
-        fail(text("needs the extension ", quote(extension.string), ", which is not supported"));
+        fail("needs the extension ", quote(extension.string), ", which is not supported");
       }
     }
     const JsonValue& extras = json_["asset"]["extras"];
@@ -73,15 +72,16 @@ class GlbParser {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& fault) const {
-    deliso::fail(text("'", name_, "'"), fault);
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    deliso::fail(name_, fault...);
   }
 
   std::size_t whole(const JsonValue& value, std::string_view what) const {
     const double number = value.number;
     if (value.kind != JsonValue::Kind::number || !(number >= 0 && number < 0x1p53) ||
         number != std::floor(number)) {
-      fail(text(what, " is no whole number"));
+      fail(what, " is no whole number");
     }
     return static_cast<std::size_t>(number);
   }
@@ -93,7 +93,7 @@ class GlbParser {
   }
   const JsonValue& item(std::string_view list, std::size_t n) const {
     const std::vector<JsonValue>& items = json_[list].items;
-    if (n >= items.size()) fail(text("names number ", n, " of ", items.size(), " ", list));
+    if (n >= items.size()) fail("names number ", n, " of ", items.size(), " ", list);
     return items[n];
   }
 
@@ -104,17 +104,17 @@ class GlbParser {
   Numbers accessor(std::size_t n, bool positions) const {
     const JsonValue& a = item("accessors", n);
     const std::string_view type = positions ? "VEC3" : "SCALAR";
-    if (a["type"].string != type) fail(text("accessor ", n, " is not of type ", type));
-    if (!a["sparse"].is_null()) fail(text("accessor ", n, " is sparse, which is not supported"));
-    if (a["bufferView"].is_null()) fail(text("accessor ", n, " has no data"));
+    if (a["type"].string != type) fail("accessor ", n, " is not of type ", type);
+    if (!a["sparse"].is_null()) fail("accessor ", n, " is sparse, which is not supported");
+    if (a["bufferView"].is_null()) fail("accessor ", n, " has no data");
     const JsonValue& view = item("bufferViews", count(a, "bufferView"));
     const std::size_t buffer = count(view, "buffer");
     if (buffer != 0 || !item("buffers", 0)["uri"].is_null())
       fail("has data in another file, which is not supported");
     const std::size_t kind = count(a, "componentType");
-    if (positions && kind != kFloat32) fail(text("accessor ", n, ": positions are no floats"));
+    if (positions && kind != kFloat32) fail("accessor ", n, ": positions are no floats");
     if (!positions && kind != kByte && kind != kShort && kind != kInt)
-      fail(text("accessor ", n, ": indices are no unsigned numbers"));
+      fail("accessor ", n, ": indices are no unsigned numbers");
     const std::size_t size = positions ? 12 : kind == kByte ? 1 : kind == kShort ? 2 : 4;
     const std::size_t stride = count(view, "byteStride", size),
                       begin = count(view, "byteOffset", 0), length = count(view, "byteLength"),
@@ -123,7 +123,7 @@ class GlbParser {
     const bool fits = is_view && stride >= size && offset <= length &&
                       (numbers == 0 || (length - offset >= size &&
                                         numbers - 1 <= (length - offset - size) / stride));
-    if (!fits) fail(text("accessor ", n, " reaches beyond the data"));
+    if (!fits) fail("accessor ", n, " reaches beyond the data");
     return {begin + offset, numbers, stride, kind};
   }
   template <class T>
@@ -173,8 +173,7 @@ class GlbParser {
                               : indices->kind == kByte  ? number<std::uint8_t>(*indices, n)
                               : indices->kind == kShort ? number<std::uint16_t>(*indices, n)
                                                         : number<std::uint32_t>(*indices, n);
-        if (v >= positions.count)
-          fail(text("a triangle names vertex ", v, " of ", positions.count));
+        if (v >= positions.count) fail("a triangle names vertex ", v, " of ", positions.count);
         t[i] = VertexId(at->second + v);
       }
       mesh.triangles.push_back(t);
@@ -185,7 +184,7 @@ class GlbParser {
   void place(std::size_t n, const AffineMap& above, int depth) {
     constexpr int kMostDepth = 1000;
     const JsonValue& node = item("nodes", n);
-    if (used_[n]++ || depth > kMostDepth) fail(text("node ", n, " is below itself or two others"));
+    if (used_[n]++ || depth > kMostDepth) fail("node ", n, " is below itself or two others");
     const AffineMap map = above * map_of(node);
     if (!node["mesh"].is_null()) {
       const MeshParts& object = mesh(count(node, "mesh"));
@@ -202,7 +201,7 @@ class GlbParser {
                                 std::array<double, N> missing) const {
     const JsonValue& value = node[key];
     if (value.is_null()) return missing;
-    if (value.items.size() != N) fail(text("a node has no ", N, " numbers in its ", key));
+    if (value.items.size() != N) fail("a node has no ", N, " numbers in its ", key);
     for (std::size_t n = 0; n < N; ++n) missing[n] = value.items[n].number;
     return missing;
   }

@@ -30,47 +30,15 @@ void require_in_range(const std::vector<Vec3>& points, const std::string& name, 
     for (int axis = 0; axis < 3 && !in_range(points[v]); ++axis) {
       const double x = points[v][axis];
       if (std::fabs(x) <= kLargestLength) continue;
-      throw InputError(text("'", name, "': coordinate ",
-                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
-                            " of vertex ", first + v, " is ", x, ", not a number up to ",
-                            kLargestLength, " in size"));
+      fail(name, "coordinate ", "xyz"[axis], " of vertex ", first + v, " is ", x,
+           ", not a number up to ", kLargestLength, " in size");
     }
   }
 }
 
-MeshParts parse_parts(std::string_view bytes, MeshFormat format, const std::string& name) {
-  MeshParts parts;
-  switch (format) {
-    case MeshFormat::ply:
-      parts = parse_ply(bytes, name);
-      break;
-    case MeshFormat::off:
-      parts = parse_off(bytes, name);
-      break;
-    case MeshFormat::obj:
-      parts = parse_obj(bytes, name);
-      break;
-    case MeshFormat::stl:
-      parts = parse_stl(bytes, name);
-      break;
-    case MeshFormat::vtp:
-      parts = parse_vtp(bytes, name);
-      break;
-    case MeshFormat::glb:
-      parts = parse_glb(bytes, name);
-      break;
-    case MeshFormat::three_mf:
-      parts = parse_3mf(bytes, name);
-      break;
-    default:
-      DELISO_CHECK(is_read(format));
-  }
-  if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
-    throw InputError(text("'", name, "': more vertices or facets than 32-bit ids can name"));
-  }
-  require_in_range(parts.points, name, format == MeshFormat::obj ? 1 : 0);
-  return parts;
-}
+// In the order of MeshFormat.
+constexpr MeshParts (*kParsers[])(std::string_view bytes, const std::string& name) = {
+    parse_ply, parse_off, parse_obj, parse_stl, parse_vtp, parse_glb, parse_3mf};
 
 }  // namespace
 
@@ -91,7 +59,13 @@ std::vector<VertexId> merge_points(std::vector<Vec3>& points) {
 
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
                    MeshNotes* notes) {
-  MeshParts parts = parse_parts(bytes, format, name);
+  DELISO_CHECK(is_read(format));
+  const std::string quoted = text("'", name, "'");
+  MeshParts parts = kParsers[static_cast<std::size_t>(format)](bytes, quoted);
+  if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
+    fail(quoted, "more vertices or facets than 32-bit ids can name");
+  }
+  require_in_range(parts.points, quoted, format == MeshFormat::obj ? 1 : 0);
   if (notes) *notes = {std::move(parts.comments), parts.rounding};
   return make_tri_mesh(std::move(parts.points), parts.triangles);
 }

@@ -55,16 +55,16 @@ struct Forward {
 VertexId corner_in(std::string_view word, std::uint64_t vertices, const Lines& lines,
                    Forward& forward) {
   const auto index = number_in<std::int64_t>(word.substr(0, word.find('/')));
-  if (!index || *index == 0) lines.fail(text("a facet's corner is ", quote(word)));
+  if (!index || *index == 0) lines.fail("a facet's corner is ", quote(word));
   if (*index < 0) {
     const std::uint64_t back = std::uint64_t{0} - static_cast<std::uint64_t>(*index);
     if (back > vertices) {
-      lines.fail(text("corner ", quote(word), " lies before the first of ", vertices, " vertices"));
+      lines.fail("corner ", quote(word), " lies before the first of ", vertices, " vertices");
     }
     return VertexId(vertices - back);
   }
   const auto v = static_cast<std::uint64_t>(*index) - 1;
-  if (v > kMostVertices) lines.fail(text("a facet's corner is ", quote(word)));
+  if (v > kMostVertices) lines.fail("a facet's corner is ", quote(word));
   if (v >= vertices && v >= forward.index) forward = {v, lines.number()};
   return VertexId(v);
 }
@@ -87,8 +87,8 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
         const std::string_view word = take_word(statement);
         const auto value = number_in<double>(word);
         if (!value) {
-          lines.fail(text("coordinate ", axis, " of vertex ", mesh.points.size() + 1, " is ",
-                          quote(word)));
+          lines.fail("coordinate ", axis, " of vertex ", mesh.points.size() + 1, " is ",
+                     quote(word));
         }
         p[axis] = *value;
       }
@@ -100,16 +100,16 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
            word = take_word(statement)) {
         corners.push_back(corner_in(word, mesh.points.size(), lines, forward));
       }
-      if (corners.size() < 3) lines.fail(text("a facet of ", corners.size(), " corners"));
+      if (corners.size() < 3) lines.fail("a facet of ", corners.size(), " corners");
       mesh.add_polygon(corners);
     } else if (std::find(kSkipped.begin(), kSkipped.end(), keyword) == kSkipped.end()) {
-      lines.fail(text("unknown statement ", quote(keyword)));
+      lines.fail("unknown statement ", quote(keyword));
     }
   }
   if (take_word(bytes).empty()) lines.fail("the file is empty");
   if (forward.line != 0 && forward.index >= mesh.points.size()) {
-    lines.fail_at(forward.line,
-                  text("a facet names vertex ", forward.index + 1, " of ", mesh.points.size()));
+    lines.fail_at(forward.line, "a facet names vertex ", forward.index + 1, " of ",
+                  mesh.points.size());
   }
   return mesh;
 }

@@ -26,7 +26,7 @@ bool next_line_with_words(Lines& lines, std::vector<std::string>* comments = nul
 std::uint64_t take_count(Lines& lines, const char* what) {
   const std::string_view word = take_word(lines.line());
   const auto count = number_in<std::uint64_t>(word);
-  if (!count) lines.fail(text("the number of ", what, " is ", quote(word)));
+  if (!count) lines.fail("the number of ", what, " is ", quote(word));
   return *count;
 }
 
@@ -40,7 +40,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
   // Prefixes: ST texture, C color, N normal; 4 and n change the number of coordinates.
   if (!keyword.ends_with("OFF") ||
       keyword.find_first_not_of("STCN") != keyword.size() - std::string_view("OFF").size()) {
-    lines.fail(text("opens with ", quote(keyword), " instead of OFF, COFF, NOFF or STOFF"));
+    lines.fail("opens with ", quote(keyword), " instead of OFF, COFF, NOFF or STOFF");
   }
   std::string_view behind = lines.line();
   const std::string_view next_word = take_word(behind);
@@ -50,17 +50,17 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
 
   const std::uint64_t vertices = take_count(lines, "vertices");
   const std::uint64_t faces = take_count(lines, "facets");
-  if (vertices > kMostVertices) lines.fail(text(vertices, " vertices are too many"));
+  if (vertices > kMostVertices) lines.fail(vertices, " vertices are too many");
   for (std::uint64_t v = 0; v < vertices; ++v) {
     if (!next_line_with_words(lines)) {
-      lines.fail(text("the file ends after ", v, " of ", vertices, " vertices"));
+      lines.fail("the file ends after ", v, " of ", vertices, " vertices");
     }
     Vec3 p;
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = take_word(lines.line());
       const auto value = number_in<double>(word);
       if (!value) {
-        lines.fail(text("coordinate ", axis, " of vertex ", v, " is ", quote(word)));
+        lines.fail("coordinate ", axis, " of vertex ", v, " is ", quote(word));
       }
       p[axis] = *value;
     }
@@ -70,24 +70,23 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
   std::vector<VertexId> corners;
   for (std::uint64_t f = 0; f < faces; ++f) {
     if (!next_line_with_words(lines)) {
-      lines.fail(text("the file ends after ", f, " of ", faces, " facets"));
+      lines.fail("the file ends after ", f, " of ", faces, " facets");
     }
     const std::uint64_t size = take_count(lines, "corners");
-    if (size < 3) lines.fail(text("facet ", f, " has ", size, " corners"));
+    if (size < 3) lines.fail("facet ", f, " has ", size, " corners");
     corners.clear();
     for (std::uint64_t i = 0; i < size; ++i) {
       const std::string_view word = take_word(lines.line());
       const auto corner = number_in<std::uint64_t>(word);
       if (!corner || *corner >= vertices) {
-        lines.fail(text("corner ", i, " of facet ", f, " is ", quote(word), ", not one of ",
-                        vertices, " vertices"));
+        lines.fail("corner ", i, " of facet ", f, " is ", quote(word), ", not one of ", vertices,
+                   " vertices");
       }
       corners.emplace_back(*corner);
     }
     mesh.add_polygon(corners);
   }
-  if (next_line_with_words(lines))
-    lines.fail(text("something follows the last of ", faces, " facets"));
+  if (next_line_with_words(lines)) lines.fail("something follows the last of ", faces, " facets");
   return mesh;
 }
 

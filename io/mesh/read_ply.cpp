@@ -6,26 +6,22 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "base/sample_type.h"
+#include "io/files/field_reader.h"
 #include "io/mesh/mesh_parsers.h"
 
 namespace deliso {
 namespace {
 
-enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
-
-constexpr bool is_integer(Type type) {
-  return type != Type::f32 && type != Type::f64;
-}
-
 struct Property {
   std::string name;
-  Type type = Type::f32;
+  SampleType type = SampleType::f32;
   bool is_list = false;
-  Type count_type = Type::u8;
+  SampleType count_type = SampleType::u8;
 };
 
 struct Element {
@@ -42,35 +38,28 @@ struct Element {
   }
 };
 
-enum class Encoding : std::uint8_t { ascii, little_endian, big_endian };
-
 struct Header {
-  Encoding encoding = Encoding::ascii;
+  std::optional<std::endian> byte_order;  // of binary data
   std::vector<Element> elements;
   std::vector<std::string> comments;
 };
 
-Type type_in(std::string_view word, const Lines& lines) {
-  struct Name {
-    std::string_view text;
-    Type type;
-  };
-  constexpr Name names[] = {
-      {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
-      {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
-      {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},   {"uint32", Type::u32},
-      {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
-  for (const Name& name : names) {
-    if (name.text == word) return name.type;
+SampleType type_in(std::string_view word, const Lines& lines) {
+  // Each has a second name, that of SampleType.
+  constexpr std::array<std::string_view, 8> kNames = {"uchar", "char", "ushort", "short",
+                                                      "uint",  "int",  "float",  "double"};
+  for (std::size_t n = 0; n < kNames.size(); ++n) {
+    const auto type = static_cast<SampleType>(n);
+    if (word == kNames[n] || word == name_of(type)) return type;
   }
-  lines.fail(text("unknown type ", quote(word)));
+  lines.fail("unknown type ", quote(word));
 }
 
-Encoding encoding_in(std::string_view word, const Lines& lines) {
-  if (word == "ascii") return Encoding::ascii;
-  if (word == "binary_little_endian") return Encoding::little_endian;
-  if (word == "binary_big_endian") return Encoding::big_endian;
-  lines.fail(text("unknown format ", quote(word)));
+std::optional<std::endian> byte_order_in(std::string_view word, const Lines& lines) {
+  if (word == "ascii") return std::nullopt;
+  if (word == "binary_little_endian") return std::endian::little;
+  if (word == "binary_big_endian") return std::endian::big;
+  lines.fail("unknown format ", quote(word));
 }
 
 Property property_in(std::string_view line, const Lines& lines) {
@@ -103,21 +92,21 @@ Header parse_header(Lines& lines) {
     if (keyword == "comment") keep_comment(line, header.comments);
     if (keyword == "comment" || keyword == "obj_info") continue;
     if (keyword == "format") {
-      header.encoding = encoding_in(take_word(line), lines);
+      header.byte_order = byte_order_in(take_word(line), lines);
       has_format = true;
     } else if (keyword == "element") {
       Element element;
       element.name = take_word(line);
       const std::string_view word = take_word(line);
       const auto count = number_in<std::uint64_t>(word);
-      if (!count) lines.fail(text("the number of ", quote(element.name), " is ", quote(word)));
+      if (!count) lines.fail("the number of ", quote(element.name), " is ", quote(word));
       element.count = *count;
       header.elements.push_back(element);
     } else if (keyword == "property") {
       if (header.elements.empty()) lines.fail("a property before the first element");
       header.elements.back().properties.push_back(property_in(line, lines));
     } else {
-      lines.fail(text("unknown header line ", quote(keyword)));
+      lines.fail("unknown header line ", quote(keyword));
     }
   }
   lines.fail("the header has no end");
@@ -129,17 +118,18 @@ class WordSource {
   // `lines` stands on end_header.
   explicit WordSource(Lines lines) : lines_(std::move(lines)) { lines_.line() = {}; }
 
-  double next(Type type) {
+  double next(SampleType type) {
     std::string_view word = take_word(lines_.line());
     while (word.empty()) {
       if (!lines_.next()) fail("the file ends too early");
       word = take_word(lines_.line());
     }
     // The digits of a float are read as a float, so that text and binary agree.
-    const std::optional<double> value =
-        type == Type::f32 ? std::optional<double>(number_in<float>(word)) : number_in<double>(word);
+    const std::optional<double> value = type == SampleType::f32
+                                            ? std::optional<double>(number_in<float>(word))
+                                            : number_in<double>(word);
     if (!value || (is_integer(type) && *value != std::trunc(*value))) {
-      fail(text("there is ", quote(word), " in place of a number"));
+      fail("there is ", quote(word), " in place of a number");
     }
     return *value;
   }
@@ -148,63 +138,44 @@ class WordSource {
       if (!take_word(lines_.line()).empty()) fail("something follows the last element");
     } while (lines_.next());
   }
-  [[noreturn]] void fail(const std::string& fault) const { lines_.fail(fault); }
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    lines_.fail(fault...);
+  }
 
  private:
   Lines lines_;
 };
 
-// The data as binary, in the machine's byte order or the opposite.
-template <std::endian Order>
+// The data as binary.
 class BinarySource {
  public:
-  BinarySource(const Lines& lines, std::string_view bytes, std::string name)
-      : bytes_(bytes), at_(bytes.size() - lines.rest().size()), name_(std::move(name)) {}
+  BinarySource(const Lines& lines, std::string_view bytes, std::endian order, std::string name)
+      : bytes_(bytes),
+        fields_(bytes, order),
+        at_(bytes.size() - lines.rest().size()),
+        name_(std::move(name)) {}
 
-  double next(Type type) {
-    switch (type) {
-      case Type::i8:
-        return take<std::int8_t>();
-      case Type::u8:
-        return take<std::uint8_t>();
-      case Type::i16:
-        return take<std::int16_t>();
-      case Type::u16:
-        return take<std::uint16_t>();
-      case Type::i32:
-        return take<std::int32_t>();
-      case Type::u32:
-        return take<std::uint32_t>();
-      case Type::f32:
-        return static_cast<double>(take<float>());
-      case Type::f64:
-        break;
-    }
-    return take<double>();
+  double next(SampleType type) {
+    return with_type(type, [&]<class T>(T) {
+      if (bytes_.size() - at_ < sizeof(T)) fail("the file ends too early");
+      at_ += sizeof(T);
+      return static_cast<double>(fields_.get<T>(at_ - sizeof(T)));
+    });
   }
   void expect_end() const {
     for (std::size_t i = at_; i < bytes_.size(); ++i) {
-      if (!is_space(bytes_[i])) fail(text(bytes_.size() - at_, " bytes follow the last element"));
+      if (!is_space(bytes_[i])) fail(bytes_.size() - at_, " bytes follow the last element");
     }
   }
-  [[noreturn]] void fail(const std::string& fault) const {
-    throw InputError(text("'", name_, "' byte ", at_, ": ", fault));
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    throw InputError(text(name_, " byte ", at_, ": ", fault...));
   }
 
  private:
-  template <class T>
-  T take() {
-    if (bytes_.size() - at_ < sizeof(T)) fail("the file ends too early");
-    char raw[sizeof(T)];
-    std::memcpy(raw, bytes_.data() + at_, sizeof(T));
-    if constexpr (Order != std::endian::native) std::reverse(raw, raw + sizeof(T));
-    at_ += sizeof(T);
-    T value;
-    std::memcpy(&value, raw, sizeof(T));
-    return value;
-  }
-
   std::string_view bytes_;
+  FieldReader fields_;
   std::size_t at_;
   std::string name_;
 };
@@ -213,7 +184,7 @@ template <class Source>
 std::uint64_t list_length(Source& source, const Property& property) {
   const double length = source.next(property.count_type);
   if (length < 0 || length > std::numeric_limits<std::uint32_t>::max()) {
-    source.fail(text("a list of length ", length));
+    source.fail("a list of length ", length);
   }
   return static_cast<std::uint64_t>(length);
 }
@@ -232,7 +203,7 @@ void read_vertices(Source& source, const Element& element, MeshParts& mesh) {
     const std::string name(1, static_cast<char>('x' + axis));
     const std::size_t i = element.index_of(name);
     if (i == kNoId || element.properties[i].is_list) {
-      source.fail(text("vertices have no coordinate ", name));
+      source.fail("vertices have no coordinate ", name);
     }
     axis_of[i] = axis;
   }
@@ -268,13 +239,13 @@ void read_faces(Source& source, const Element& element, std::uint64_t vertices, 
         continue;
       }
       const std::uint64_t size = list_length(source, property);
-      if (size < 3) source.fail(text("facet ", f, " has ", size, " corners"));
+      if (size < 3) source.fail("facet ", f, " has ", size, " corners");
       corners.clear();
       for (std::uint64_t c = 0; c < size; ++c) {
         const double corner = source.next(property.type);
         if (!(corner >= 0 && corner < static_cast<double>(vertices))) {
-          source.fail(text("corner ", c, " of facet ", f, " is ", corner, ", not one of ", vertices,
-                           " vertices"));
+          source.fail("corner ", c, " of facet ", f, " is ", corner, ", not one of ", vertices,
+                      " vertices");
         }
         corners.emplace_back(static_cast<std::uint32_t>(corner));
       }
@@ -290,7 +261,7 @@ MeshParts read_elements(Source source, const Header& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                    [](const Element& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end()) source.fail("there is no element 'vertex'");
-  if (vertex->count > kMostVertices) source.fail(text(vertex->count, " vertices are too many"));
+  if (vertex->count > kMostVertices) source.fail(vertex->count, " vertices are too many");
   for (const Element& element : header.elements) {
     if (element.name == "tristrips") source.fail("triangle strips are not supported");
     if (&element == &*vertex) {
@@ -312,15 +283,9 @@ MeshParts read_elements(Source source, const Header& header) {
 MeshParts parse_ply(std::string_view bytes, const std::string& name) {
   Lines lines(bytes, name);
   const Header header = parse_header(lines);
-  switch (header.encoding) {
-    case Encoding::ascii:
-      return read_elements(WordSource(lines), header);
-    case Encoding::little_endian:
-      return read_elements(BinarySource<std::endian::little>(lines, bytes, name), header);
-    case Encoding::big_endian:
-      break;
-  }
-  return read_elements(BinarySource<std::endian::big>(lines, bytes, name), header);
+  return header.byte_order
+             ? read_elements(BinarySource(lines, bytes, *header.byte_order, name), header)
+             : read_elements(WordSource(lines), header);
 }
 
 }  // namespace deliso

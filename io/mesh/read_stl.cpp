@@ -3,7 +3,6 @@
 // (write_stl.cpp has the layout), or text: "solid name", for each triangle "facet normal" and three
 // numbers, "outer loop", three times "vertex" and three numbers, "endloop", "endfacet"; "endsolid".
 // A file may have several solids. Binary files can begin with "solid" too; their size decides.
-#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -15,17 +14,8 @@ namespace {
 
 constexpr std::size_t kFacet = 50;  // bytes
 
-// Little endian.
-std::uint32_t bits_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t bits = 0;
-  for (std::size_t b = 0; b < 4; ++b) {
-    bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + b])) << (8 * b);
-  }
-  return bits;
-}
-// -0 and 0 are one position.
-double coordinate_at(std::string_view bytes, std::size_t at) {
-  return static_cast<double>(std::bit_cast<float>(bits_at(bytes, at))) + 0.0;
+std::uint32_t count_in(std::string_view bytes) {
+  return FieldReader(bytes, std::endian::little).get<std::uint32_t>(kStlHeader);
 }
 
 // Merges corners by rule R6. `corners`: three per triangle.
@@ -50,26 +40,27 @@ void keep_header(std::string_view header, std::vector<std::string>& comments) {
 }
 
 MeshParts parse_binary(std::string_view bytes, const std::string& name) {
-  const auto fail = [&](const std::string& fault) {
-    throw InputError(text("'", name, "': ", fault));
-  };
-  if (bytes.size() < kStlHeader + 4) fail("is no STL file: it ends within the header");
-  const std::uint64_t count = bits_at(bytes, kStlHeader);
+  if (bytes.size() < kStlHeader + 4) fail(name, "is no STL file: it ends within the header");
+  const std::uint64_t count = count_in(bytes);
   const std::string_view facets = bytes.substr(kStlHeader + 4);
-  if (count > kMostFaces) fail(text(count, " facets are too many"));
+  if (count > kMostFaces) fail(name, count, " facets are too many");
   if (facets.size() != count * kFacet) {
-    fail(text("binary STL of ", count, " facets needs ", count * kFacet,
-              " bytes behind its header, found ", facets.size()));
+    fail(name, "binary STL of ", count, " facets needs ", count * kFacet,
+         " bytes behind its header, found ", facets.size());
   }
   MeshParts mesh;
   keep_header(bytes.substr(0, kStlHeader), mesh.comments);
+  const FieldReader fields(facets, std::endian::little);
+  // -0 and 0 are one position.
+  const auto coordinate = [&](std::size_t at) {
+    return static_cast<double>(fields.get<float>(at)) + 0.0;
+  };
   std::vector<Vec3> corners;
   corners.reserve(3 * count);
   for (std::size_t f = 0; f < count; ++f) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {  // the first vector is the normal
       const std::size_t at = f * kFacet + 12 * corner;
-      corners.push_back({coordinate_at(facets, at), coordinate_at(facets, at + 4),
-                         coordinate_at(facets, at + 8)});
+      corners.push_back({coordinate(at), coordinate(at + 4), coordinate(at + 8)});
     }
   }
   merge_corners(std::move(corners), mesh);
@@ -85,13 +76,13 @@ class WordReader {
   std::string next() { return lower(raw()); }
   void expect(std::string_view wanted) {
     const std::string word = next();
-    if (word != wanted) lines_.fail(text("there is ", quote(word), " in place of ", quote(wanted)));
+    if (word != wanted) lines_.fail("there is ", quote(word), " in place of ", quote(wanted));
   }
   // Returns a float, as in the binary kind.
   double number() {
     const std::string_view word = raw();
     const auto value = number_in<double>(word);
-    if (!value) lines_.fail(text("there is ", quote(word), " in place of a number"));
+    if (!value) lines_.fail("there is ", quote(word), " in place of a number");
     return static_cast<double>(static_cast<float>(*value)) + 0.0;
   }
   void skip_line() { lines_.line() = {}; }
@@ -118,7 +109,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
     const std::string word = words.next();
     if (!inside) {
       if (word.empty()) break;
-      if (word != "solid") lines.fail(text("there is ", quote(word), " behind 'endsolid'"));
+      if (word != "solid") lines.fail("there is ", quote(word), " behind 'endsolid'");
       words.skip_line();
       inside = true;
     } else if (word == "endsolid") {
@@ -126,7 +117,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
       inside = false;
     } else {
       if (word.empty()) lines.fail("the file ends before 'endsolid'");
-      if (word != "facet") lines.fail(text("there is ", quote(word), " in place of 'facet'"));
+      if (word != "facet") lines.fail("there is ", quote(word), " in place of 'facet'");
       words.expect("normal");
       for (int axis = 0; axis < 3; ++axis) words.next();  // may be nan
       words.expect("outer");
@@ -147,7 +138,7 @@ MeshParts parse_ascii(std::string_view bytes, const std::string& name) {
 
 bool has_binary_size(std::string_view bytes) {
   return bytes.size() >= kStlHeader + 4 &&
-         bytes.size() - kStlHeader - 4 == kFacet * std::uint64_t{bits_at(bytes, kStlHeader)};
+         bytes.size() - kStlHeader - 4 == kFacet * std::uint64_t{count_in(bytes)};
 }
 
 }  // namespace

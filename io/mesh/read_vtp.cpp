@@ -3,10 +3,9 @@
 // has the corners of all polygons in order, `offsets` the end of each. The markup and the arrays
 // are in io/files/vtk_xml.h.
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <type_traits>
 
+#include "io/files/field_reader.h"
 #include "io/files/input_file.h"
 #include "io/files/vtk_xml.h"
 #include "io/mesh/mesh_parsers.h"
@@ -21,7 +20,7 @@ constexpr std::string_view kSections[] = {"Points", "Polys",     "Verts",   "Lin
 class VtpParser {
  public:
   VtpParser(std::string_view bytes, const std::string& name)
-      : bytes_{text("'", name, "'"), std::as_bytes(std::span(bytes)), nullptr},
+      : bytes_{name, std::as_bytes(std::span(bytes)), nullptr},
         xml_(bytes_, "PolyData", "holds a mesh") {}
 
   MeshParts run() {
@@ -34,7 +33,10 @@ class VtpParser {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& fault) const { deliso::fail(bytes_.name, fault); }
+  template <class... Pieces>
+  [[noreturn]] void fail(const Pieces&... fault) const {
+    deliso::fail(bytes_.name, fault...);
+  }
 
   void read_structure() {
     std::string_view inside;  // the section that began last
@@ -47,8 +49,8 @@ class VtpParser {
         polygons_ = xml_.count(tag, "NumberOfPolys", 0);
         if (xml_.count(tag, "NumberOfStrips", 0) != 0)
           fail("has triangle strips, which are not supported");
-        if (points_ > kMostVertices) fail(text(points_, " points are too many"));
-        if (polygons_ > kMostFaces) fail(text(polygons_, " polygons are too many"));
+        if (points_ > kMostVertices) fail(points_, " points are too many");
+        if (polygons_ > kMostFaces) fail(polygons_, " polygons are too many");
       } else if (tag.name == "/PolyData") {
         whole = true;
       } else if (std::ranges::find(kSections, tag.name) != std::end(kSections)) {
@@ -85,24 +87,23 @@ class VtpParser {
                            [&](std::int64_t end) {
                              const auto next = static_cast<std::uint64_t>(end);
                              if (end < 0 || next < last || next - last < 3 || next > kMostCorners)
-                               fail(text("polygon ", ends.size(), " ends at corner ", end,
-                                         ", the one before at ", last));
+                               fail("polygon ", ends.size(), " ends at corner ", end,
+                                    ", the one before at ", last);
                              ends.push_back(last = next);
                            });
     std::vector<VertexId> corners;
     std::size_t polygon = 0;
     std::uint64_t n = 0;
-    for_each<std::int64_t>(connectivity_, last, text("the corners of ", polygons_, " polygons"),
-                           [&](std::int64_t v) {
-                             if (v < 0 || static_cast<std::uint64_t>(v) >= points_)
-                               fail(text("a corner of polygon ", polygon, " is ", v,
-                                         ", not one of ", points_, " points"));
-                             corners.emplace_back(v);
-                             if (++n < ends[polygon]) return;
-                             mesh.add_polygon(corners);
-                             corners.clear();
-                             ++polygon;
-                           });
+    for_each<std::int64_t>(
+        connectivity_, last, text("the corners of ", polygons_, " polygons"), [&](std::int64_t v) {
+          if (v < 0 || static_cast<std::uint64_t>(v) >= points_)
+            fail("a corner of polygon ", polygon, " is ", v, ", not one of ", points_, " points");
+          corners.emplace_back(v);
+          if (++n < ends[polygon]) return;
+          mesh.add_polygon(corners);
+          corners.clear();
+          ++polygon;
+        });
   }
 
   // Calls take(value) for each of an array's `count` values. `what`: their use, for messages.
@@ -128,27 +129,23 @@ class VtpParser {
   void for_each_of(const XmlTag& array, std::uint64_t count, const std::string& what,
                    Take take) const {
     if constexpr (std::is_integral_v<As> && !std::is_integral_v<T>) {
-      fail(what + " are no integers");
+      fail(what, " are no integers");
     } else if (xml_.is_text(array)) {
       const Bytes data = xml_.inside(array);
       TextCursor words(data.text());
       for (std::uint64_t n = 0; n < count; ++n) {
         const std::string_view word = words.word();
-        if (word.empty()) fail(text("data is too short: ", what, " need ", count, " numbers"));
+        if (word.empty()) fail("data is too short: ", what, " need ", count, " numbers");
         const auto value = number_in<T>(word);
-        if (!value) fail(text("there is ", quote(word), " in place of a number"));
+        if (!value) fail("there is ", quote(word), " in place of a number");
         take(static_cast<As>(*value));
       }
-      if (!words.word().empty()) fail(text("more than ", count, " numbers for ", what));
+      if (!words.word().empty()) fail("more than ", count, " numbers for ", what);
     } else {
       const Bytes data = xml_.binary(array, count * sizeof(T), what);
+      const FieldReader values(data.data, xml_.byte_order());
       for (std::size_t at = 0; at < data.size(); at += sizeof(T)) {
-        char raw[sizeof(T)];
-        std::memcpy(raw, data.data.data() + at, sizeof(T));
-        if (xml_.byte_order() != std::endian::native) std::reverse(raw, raw + sizeof(T));
-        T value;
-        std::memcpy(&value, raw, sizeof(T));
-        take(static_cast<As>(value));
+        take(static_cast<As>(values.get<T>(at)));
       }
     }
   }

@@ -139,10 +139,10 @@ class ZipWriter {
 
 constexpr std::string_view kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
-void write_vertices(ZipWriter& zip, const WorldMesh& mesh, bool single_precision) {
+void write_vertices(ZipWriter& zip, const WorldMesh& mesh) {
   constexpr std::string_view kBefore[] = {"<vertex x=\"", "y=\"", "z=\""};
   zip.write("<vertices>\n");
-  for_each_coordinate(mesh, single_precision, [&](auto value, int axis) {
+  for_each_coordinate(mesh, [&](auto value, int axis) {
     zip.write(kBefore[axis]);
     put_text(zip, value, '"');
     zip.write(axis == 2 ? "/>\n" : " ");
@@ -231,7 +231,7 @@ void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects) {
     zip.write(text("<object id=\"", n + 1, "\" type=\"", type, "\"", name_attribute(mesh)));
     if (colored) zip.write(text(" pid=\"", materials, "\" pindex=\"", n, "\""));
     zip.write(">\n<mesh>\n");
-    write_vertices(zip, mesh, mesh.options().single_precision);
+    write_vertices(zip, mesh);
     write_triangles(zip, mesh);
     zip.write("</mesh>\n</object>\n");
     items += text("<item objectid=\"", n + 1, "\"/>\n");

@@ -14,24 +14,15 @@
 namespace deliso {
 namespace {
 
-struct Ending {
-  std::string_view text;
-  MeshFormat format;
+// The formats in the order of MeshFormat.
+struct FormatRow {
+  std::string_view ending;
+  void (*write)(AtomicFile& out, std::span<const WorldMesh> objects);
 };
-constexpr Ending kEndings[] = {
-    {".ply", MeshFormat::ply},      {".off", MeshFormat::off},     {".obj", MeshFormat::obj},
-    {".stl", MeshFormat::stl},      {".vtp", MeshFormat::vtp},     {".glb", MeshFormat::glb},
-    {".3mf", MeshFormat::three_mf}, {".smesh", MeshFormat::smesh}, {".poly", MeshFormat::poly}};
-
-bool ends_with(std::string_view path, std::string_view ending) {
-  if (path.size() <= ending.size()) return false;
-  path.remove_prefix(path.size() - ending.size());
-  for (std::size_t i = 0; i < ending.size(); ++i) {
-    const char c = path[i];
-    if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != ending[i]) return false;
-  }
-  return true;
-}
+constexpr FormatRow kFormats[] = {
+    {".ply", write_ply}, {".off", write_off},     {".obj", write_obj},
+    {".stl", write_stl}, {".vtp", write_vtp},     {".glb", write_glb},
+    {".3mf", write_3mf}, {".smesh", write_smesh}, {".poly", write_poly}};
 
 // Returns a comment that every format allows.
 std::string clean(std::string comment) {
@@ -58,10 +49,12 @@ std::string clean_name(std::string_view name) {
 template <class Accepts>
 MeshFormat format_of(std::string_view path, const char* what, Accepts accepts) {
   std::string known;
-  for (const Ending& ending : kEndings) {
-    if (!accepts(ending.format)) continue;
-    if (ends_with(path, ending.text)) return ending.format;
-    known += text(known.empty() ? "" : ", ", ending.text);
+  for (std::size_t n = 0; n < std::size(kFormats); ++n) {
+    const auto format = static_cast<MeshFormat>(n);
+    const std::string_view ending = kFormats[n].ending;
+    if (!accepts(format)) continue;
+    if (path.size() > ending.size() && lower(path).ends_with(ending)) return format;
+    known += text(known.empty() ? "" : ", ", ending);
   }
   throw InputError(text("'", path, "' has no ", what, " ending (", known, ")"));
 }
@@ -121,40 +114,13 @@ namespace {
 
 // pre: one object, unless the format holds several.
 void write_file(std::span<const WorldMesh> objects, const std::string& path) {
-  const WorldMesh& world = objects.front();
-  const MeshWriteOptions& options = world.options();
+  const MeshWriteOptions& options = objects.front().options();
   const MeshFormat format = options.format ? *options.format
                             : path == "-"  ? MeshFormat::ply
                                            : mesh_format_of(path);
   DELISO_CHECK(objects.size() == 1 || holds_objects(format));
   AtomicFile out(path, options.sync);
-  switch (format) {
-    case MeshFormat::ply:
-      write_ply(out, world, options);
-      break;
-    case MeshFormat::off:
-      write_off(out, world, options.single_precision);
-      break;
-    case MeshFormat::obj:
-      write_obj(out, world, options.single_precision);
-      break;
-    case MeshFormat::stl:
-      write_stl(out, world);
-      break;
-    case MeshFormat::vtp:
-      write_vtp(out, objects);
-      break;
-    case MeshFormat::glb:
-      write_glb(out, objects);
-      break;
-    case MeshFormat::three_mf:
-      write_3mf(out, objects);
-      break;
-    case MeshFormat::smesh:
-    case MeshFormat::poly:
-      write_tetgen(out, world, options, format == MeshFormat::poly);
-      break;
-  }
+  kFormats[static_cast<std::size_t>(format)].write(out, objects);
   out.commit();
 }
 

@@ -4,9 +4,10 @@
 
 namespace deliso {
 
-void write_obj(AtomicFile& out, const WorldMesh& mesh, bool single_precision) {
+void write_obj(AtomicFile& out, std::span<const WorldMesh> objects) {
+  const WorldMesh& mesh = objects.front();
   out.write("# DelIso" + mesh.space_note() + "\n" + mesh.comment_line("# ", "\n"));
-  for_each_coordinate(mesh, single_precision, [&](auto value, int axis) {
+  for_each_coordinate(mesh, [&](auto value, int axis) {
     if (axis == 0) out.write("v ");
     put_text(out, value, axis == 2 ? '\n' : ' ');
   });

@@ -83,8 +83,9 @@ void PlyWriter::facet(std::size_t f, const Triangle& t) {
 
 }  // namespace
 
-void write_ply(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options) {
-  PlyWriter writer(out, options);
+void write_ply(AtomicFile& out, std::span<const WorldMesh> objects) {
+  const WorldMesh& mesh = objects.front();
+  PlyWriter writer(out, mesh.options());
   writer.header(mesh);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) writer.vertex(v, mesh.point(v));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) writer.facet(f, mesh.triangle(f));

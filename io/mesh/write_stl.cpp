@@ -25,7 +25,8 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-void write_stl(AtomicFile& out, const WorldMesh& mesh) {
+void write_stl(AtomicFile& out, std::span<const WorldMesh> objects) {
+  const WorldMesh& mesh = objects.front();
   if (mesh.face_count() > std::numeric_limits<std::uint32_t>::max()) {
     throw InputError(
         text("cannot write '", out.path(), "': STL holds no ", mesh.face_count(), " facets"));

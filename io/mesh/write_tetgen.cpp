@@ -5,16 +5,17 @@
 #include "io/mesh/mesh_formats.h"
 
 namespace deliso {
+namespace {
 
-void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions& options,
-                  bool as_poly) {
+void write_tetgen(AtomicFile& out, const WorldMesh& mesh, bool as_poly) {
+  const std::optional<std::size_t>& first_cap = mesh.options().first_cap;
   // Boundary faces of the tetrahedra get these markers; TetGen gives 0 to faces inside.
   constexpr int kSurface = 1, kCap = 2;
   out.write("# DelIso" + mesh.space_note() + "\n" + mesh.comment_line("# ", "\n"));
   put_text(out, mesh.vertex_count(), ' ');
   out.write("3 0 0\n");  // dimensions, values and markers of vertices
   std::size_t v = 0;
-  for_each_coordinate(mesh, options.single_precision, [&](auto value, int axis) {
+  for_each_coordinate(mesh, [&](auto value, int axis) {
     if (axis == 0) put_text(out, v++, ' ');
     put_text(out, value, axis == 2 ? '\n' : ' ');
   });
@@ -22,7 +23,7 @@ void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions
   out.write("1\n");  // facets have markers
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const Triangle t = mesh.triangle(f);
-    const int marker = options.first_cap && f >= *options.first_cap ? kCap : kSurface;
+    const int marker = first_cap && f >= *first_cap ? kCap : kSurface;
     if (as_poly) {
       out.write("1 0 ");
       put_text(out, marker, '\n');
@@ -32,6 +33,16 @@ void write_tetgen(AtomicFile& out, const WorldMesh& mesh, const MeshWriteOptions
     if (!as_poly) put_text(out, marker, '\n');
   }
   out.write("0\n0\n");
+}
+
+}  // namespace
+
+void write_smesh(AtomicFile& out, std::span<const WorldMesh> objects) {
+  write_tetgen(out, objects.front(), false);
+}
+
+void write_poly(AtomicFile& out, std::span<const WorldMesh> objects) {
+  write_tetgen(out, objects.front(), true);
 }
 
 }  // namespace deliso

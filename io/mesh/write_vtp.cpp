@@ -99,7 +99,7 @@ _)");
   };
   put_binary(out, point_bytes);
   for (const WorldMesh& mesh : objects) {
-    for_each_coordinate(mesh, single_precision, [&](auto value, int) { put_binary(out, value); });
+    for_each_coordinate(mesh, [&](auto value, int) { put_binary(out, value); });
   }
   put_binary(out, corner_bytes);
   std::int64_t first = 0;  // vertex of the object

@@ -6,25 +6,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
+#include "io/files/field_reader.h"
 #include "io/files/input_file.h"
 
 namespace deliso {
-
-// The bytes of a number as the file has them, or from there: the same change both ways.
-template <class N>
-void to_little_endian(unsigned char (&bytes)[sizeof(N)]) {
-  if constexpr (std::endian::native == std::endian::big) {
-    for (std::size_t n = 0; n < sizeof(N) / 2; ++n) {
-      std::swap(bytes[n], bytes[sizeof(N) - 1 - n]);
-    }
-  }
-}
 
 class PartWriter {
  public:
@@ -43,11 +32,8 @@ class PartWriter {
  private:
   template <class N>
   void put(const N& number) {
-    static_assert(std::is_trivially_copyable_v<N>);
-    unsigned char bytes[sizeof(N)];
-    std::memcpy(bytes, &number, sizeof(N));
-    to_little_endian<N>(bytes);
-    bytes_.append(reinterpret_cast<const char*>(bytes), sizeof(N));
+    const auto bytes = little_endian(number);
+    bytes_.append(bytes.data(), bytes.size());
   }
 
   std::string& bytes_;
@@ -80,16 +66,12 @@ class PartReader {
  private:
   template <class N>
   void take(N& number) {
-    static_assert(std::is_trivially_copyable_v<N>);
-    unsigned char bytes[sizeof(N)];
     if (bytes_.size() < sizeof(N)) fail(name_, "is no sound part: it ends too soon");
-    std::memcpy(bytes, bytes_.data(), sizeof(N));
-    bytes_.remove_prefix(sizeof(N));
-    to_little_endian<N>(bytes);
     if constexpr (std::is_same_v<N, bool>) {
-      if (bytes[0] > 1) fail(name_, "is no sound part: a truth value");
+      if (static_cast<unsigned char>(bytes_[0]) > 1) fail(name_, "is no sound part: a truth value");
     }
-    std::memcpy(&number, bytes, sizeof(N));
+    number = FieldReader(bytes_, std::endian::little).get<N>(0);
+    bytes_.remove_prefix(sizeof(N));
   }
 
   std::string_view bytes_;

@@ -134,7 +134,7 @@ bool is_place(const Vec3& p, const Box3& box) {
 }
 
 void require(bool condition, std::string_view name, const char* fault) {
-  if (!condition) fail(name, text("is no sound part: ", fault));
+  if (!condition) fail(name, "is no sound part: ", fault);
 }
 
 bool are_flags(const std::vector<std::uint8_t>& flags) {
@@ -224,7 +224,7 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   if (!all.starts_with(kMagic)) fail(name, "is no part of a mesh, as --part makes them");
   const std::string line = first_line();
   if (!all.starts_with(line)) {
-    fail(name, text("is a part of another version than ", kVersion, ": make it again"));
+    fail(name, "is a part of another version than ", kVersion, ": make it again");
   }
   if (all.size() < line.size() + kChecksumSize) fail(name, "is a part cut short: make it again");
   const std::string_view body = all.substr(0, all.size() - kChecksumSize);
@@ -268,7 +268,7 @@ PartFile part_in(std::span<const std::byte> bytes, std::string_view name) {
   }
   s.mesh = make_tri_mesh(std::move(s.mesh.points), triangles);
   if (const std::string fault = check_mesh(s.mesh); !fault.empty()) {
-    fail(name, text("is no sound part: ", fault));
+    fail(name, "is no sound part: ", fault);
   }
   const std::size_t marked = part.block.is_open.empty() ? 0 : triangles.size();
   require(part.block.is_open.size() == marked && are_flags(part.block.is_open) &&

@@ -33,7 +33,7 @@ const BuiltinField* find_builtin_field(std::string_view input) {
     if (field.name == parts->first) return &field;
     known += (known.empty() ? "" : ", ") + std::string(field.name);
   }
-  fail(input, "no built-in field " + quote(parts->first) + " (there are " + known + ")");
+  fail(input, "no built-in field ", quote(parts->first), " (there are ", known, ")");
 }
 
 Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
@@ -43,7 +43,7 @@ Volume make_builtin_volume(std::string_view input, const ReadOptions& options) {
   if (const auto text = parse(input)->second) {
     const std::optional<std::int64_t> given = to_int(*text);
     if (!given || *given < 16 || *given > 1024)
-      fail(input, "size " + quote(*text) + " is not a number from 16 to 1024");
+      fail(input, "size ", quote(*text), " is not a number from 16 to 1024");
     size = static_cast<int>(*given);
   }
   const auto whole = std::make_shared<const Volume>(sample_builtin_field(*field, size));

@@ -108,7 +108,7 @@ class DicomParser {
   };
 
   [[noreturn]] void fail_damaged(std::size_t at) const {
-    fail(bytes_.name, text("is damaged, or ends too early: the element at byte ", at));
+    fail(bytes_.name, "is damaged, or ends too early: the element at byte ", at);
   }
 
   template <class T>
@@ -167,7 +167,7 @@ class DicomParser {
     for (std::size_t size = 8 * packed.size();; size *= 4) {
       Buffer buffer(size);
       const Inflated result = inflate(packed.data, Wrapping::none, buffer.span());
-      if (result.fault) fail(packed.name, text("its deflated data set is damaged: ", result.fault));
+      if (result.fault) fail(packed.name, "its deflated data set is damaged: ", result.fault);
       if (!result.ended) continue;
       bytes_ = file_.bytes = bytes_of(std::move(buffer), packed.name).first(result.size);
       at_ = 0;
@@ -239,8 +239,8 @@ class DicomParser {
     const auto is_usable = [](double x) { return std::abs(x) <= kLargestLength; };  // and no NaN
     if (!numbers || (count > 0 && numbers->size() != count) ||
         !std::ranges::all_of(*numbers, is_usable)) {
-      fail(bytes_.name, text("its ", name, " is ", quote(string_at(element)), ", not ",
-                             count == 0 ? "" : std::to_string(count) + " ", "numbers"));
+      fail(bytes_.name, "its ", name, " is ", quote(string_at(element)), ", not ",
+           count == 0 ? "" : std::to_string(count) + " ", "numbers");
     }
     return *numbers;
   }
@@ -299,7 +299,7 @@ class DicomParser {
             count && *count >= 1 && *count <= std::numeric_limits<int>::max()) {
           file_.frame_count = *count;
         } else {
-          fail(bytes_.name, "its NumberOfFrames is " + quote(string_at(element)));
+          fail(bytes_.name, "its NumberOfFrames is ", quote(string_at(element)));
         }
         break;
       case kRows:
@@ -387,12 +387,12 @@ class DicomParser {
     const std::size_t frames = static_cast<std::size_t>(file_.frame_count),
                       size = file_.frame_size();
     const auto fail_size = [&](std::size_t found) {
-      fail(name, text("has ", found, " bytes of samples: ", frames, " frames of ", file_.columns,
-                      " x ", file_.rows, " need ", size, " each"));
+      fail(name, "has ", found, " bytes of samples: ", frames, " frames of ", file_.columns, " x ",
+           file_.rows, " need ", size, " each");
     };
     if (file_.coding != DicomCoding::plain) {
       if (file_.fragments.size() != frames) {
-        fail(name, text("has ", file_.fragments.size(), " compressed frames in place of ", frames));
+        fail(name, "has ", file_.fragments.size(), " compressed frames in place of ", frames);
       }
       for (const auto& fragments : file_.fragments) {
         std::size_t packed = 0;
@@ -408,12 +408,11 @@ class DicomParser {
       if (file_.is_swapped_bytes && found % 2 != 0) fail_size(found);
     }
     if (!file_.planes.empty() && file_.planes.size() != frames) {
-      fail(name,
-           text("has the places of ", file_.planes.size(), " frames, and ", frames, " frames"));
+      fail(name, "has the places of ", file_.planes.size(), " frames, and ", frames, " frames");
     }
     for (const std::size_t count : {file_.frame_offsets.size(), file_.frame_slices.size()}) {
       if (count == 0 || count == frames) continue;
-      fail(name, text("has the offsets of ", count, " frames, and ", frames, " frames"));
+      fail(name, "has the offsets of ", count, " frames, and ", frames, " frames");
     }
   }
 
@@ -478,10 +477,9 @@ int unpack_jpeg(const DicomFile& file, std::size_t frame, std::span<std::byte> o
   const char* fault = picture.fault;
   if (!fault && picture.bits > file.bits_allocated) fault = "more bits than there is room for";
   if (fault) {
-    fail(file.name(),
-         text("its JPEG of frame ", frame + 1, " is damaged, or not lossless: ", fault));
+    fail(file.name(), "its JPEG of frame ", frame + 1, " is damaged, or not lossless: ", fault);
   }
-  file.visit_type([&]<class T>(T) {
+  with_type(file.type(), [&]<class T>(T) {
     for (std::size_t n = 0; n < samples.size(); ++n) {
       const T value = static_cast<T>(samples[n]);
       std::memcpy(&out[n * sizeof value], &value, sizeof value);
@@ -533,7 +531,9 @@ void DicomFile::write_frame(std::size_t frame, std::span<std::byte> out) const {
     }
   }
   if (stored == bits_allocated) return;
-  visit_type([&]<class T>(T) { extract_bits<T>(out, stored, high); });
+  with_type(type(), [&]<class T>(T) {
+    if constexpr (std::is_integral_v<T>) extract_bits<T>(out, stored, high);
+  });
 }
 
 bool has_dicom_preamble(const Bytes& bytes) {

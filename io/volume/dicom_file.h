@@ -67,16 +67,6 @@ struct DicomFile {
     return samples_per_pixel == 1 && (photometric.empty() || photometric.starts_with("MONOCHROME"));
   }
   SampleType type() const;
-  // Calls f with a number of that type.
-  template <class F>
-  void visit_type(F f) const {
-    if (type() == SampleType::u8) f(std::uint8_t{});
-    if (type() == SampleType::i8) f(std::int8_t{});
-    if (type() == SampleType::u16) f(std::uint16_t{});
-    if (type() == SampleType::i16) f(std::int16_t{});
-    if (type() == SampleType::u32) f(std::uint32_t{});
-    if (type() == SampleType::i32) f(std::int32_t{});
-  }
   std::size_t frame_size() const {
     return size_of(type()) * static_cast<std::size_t>(rows * columns);
   }

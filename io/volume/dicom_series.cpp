@@ -82,7 +82,7 @@ ChosenSeries choose_series(const VolumeInput& input, std::vector<DicomFile> file
                  "')");
   }
   if (!chosen || (count > 1 && !input.options.series)) {
-    fail(input.name(), text("holds ", count, " series, of which --series N takes one: ", list));
+    fail(input.name(), "holds ", count, " series, of which --series N takes one: ", list);
   }
   ChosenSeries series;
   std::size_t left_out = 0;

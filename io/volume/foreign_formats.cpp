@@ -55,17 +55,12 @@ constexpr Signature kSignatures[] = {
     {0, "\0\0\x01\x5c"sv, "is ANALYZE 7.5", kByNibabel},
 };
 
-bool has_ending(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() &&
-         starts_with_ignoring_case(text.substr(text.size() - end.size()), end);
-}
-
 // Refuses formats whose first bytes are those of others: MINC is HDF5, too.
 void refuse_name(const std::string& name) {
   constexpr std::pair<std::string_view, const char*> kEndings[] = {
       {".mgz", "MGH"}, {".mgh", "MGH"}, {".mnc", "MINC"}};
   for (const auto& [ending, format] : kEndings) {
-    if (has_ending(name, ending)) fail(name, text("is ", format, kByNibabel));
+    if (lower(name).ends_with(ending)) fail(name, "is ", format, kByNibabel);
   }
 }
 
@@ -76,11 +71,11 @@ void refuse_file(const Bytes& bytes) {
   refuse_name(bytes.name);
   for (const Signature& known : kSignatures) {
     if (bytes.size() >= known.offset && bytes.text().substr(known.offset).starts_with(known.bytes))
-      fail(bytes.name, text(known.message, known.rest));
+      fail(bytes.name, known.message, known.rest);
   }
-  if (has_ending(bytes.name, ".raw") || has_ending(bytes.name, ".img"))
+  if (lower(bytes.name).ends_with(".raw") || lower(bytes.name).ends_with(".img"))
     fail(bytes.name, "is read with its header, or as raw data with dimensions and type given");
-  if (has_ending(bytes.name, ".hdr")) fail(bytes.name, "is no NIfTI header");
+  if (lower(bytes.name).ends_with(".hdr")) fail(bytes.name, "is no NIfTI header");
   fail(bytes.name,
        "is in no known format (NRRD, MetaImage, NIfTI, VTK, NumPy, DICOM, TIFF; raw data needs "
        "dimensions and type)");
@@ -101,8 +96,8 @@ std::string conversion_by_vtk(std::string_view reader, std::string_view filter) 
 }
 
 void refuse_cells(const std::string& name, std::string_view reader) {
-  fail(name, "has data of cells, not of points: " +
-                 conversion_by_vtk(reader, "vtkCellDataToPointData()"));
+  fail(name,
+       "has data of cells, not of points: ", conversion_by_vtk(reader, "vtkCellDataToPointData()"));
 }
 
 void refuse_zarr(const std::string& path) {
@@ -126,7 +121,7 @@ void refuse_folder(const std::string& path) {
        !fault && entry != std::filesystem::directory_iterator() && looked_at < 1000;
        entry.increment(fault), ++looked_at) {
     const std::string name = entry->path().filename().string();
-    if (has_ending(name, ".png") || has_ending(name, ".jpg")) fail(path, kPictures);
+    if (lower(name).ends_with(".png") || lower(name).ends_with(".jpg")) fail(path, kPictures);
   }
   fail(path,
        "is a folder without slices, of DICOM or TIFF: give the one that holds them, or a file");

@@ -26,7 +26,7 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
     for (const NamedArray& array : arrays) {
       names += text(names.empty() ? "" : ", ", quote(array.name));
     }
-    fail(input.name(), text("has no array ", quote(*wanted), ", but ", names));
+    fail(input.name(), "has no array ", quote(*wanted), ", but ", names);
   }
   if (chosen == arrays.size()) {
     const auto usable = std::ranges::find_if(arrays, [](const NamedArray& array) {
@@ -35,9 +35,8 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
     chosen = usable == arrays.end() ? 0 : static_cast<std::size_t>(usable - arrays.begin());
   }
   if (arrays[chosen].components != 1) {
-    fail(input.name(),
-         text("array ", quote(arrays[chosen].name), " has ", arrays[chosen].components,
-              " components per point: only scalar volumes can be meshed"));
+    fail(input.name(), "array ", quote(arrays[chosen].name), " has ", arrays[chosen].components,
+         " components per point: only scalar volumes can be meshed");
   }
   if (!wanted && arrays.size() > 1) {
     input.note(one_line(text("array ", quote(arrays[chosen].name), " is read, one of ",

@@ -54,7 +54,7 @@ std::string base_name(const DicomFile& file) {
 void require_same_kind(const DicomFile& file, const DicomFile& first) {
   if (!file.fault.empty()) fail(file.name(), file.fault);
   const auto refuse = [&](const std::string& fault) {
-    fail(file.name(), text(fault, ", unlike '", base_name(first), "'"));
+    fail(file.name(), fault, ", unlike '", base_name(first), "'");
   };
   if (file.type() != first.type()) refuse(text("has samples of type ", name_of(file.type())));
   if (file.photometric != first.photometric) refuse("is " + file.photometric);
@@ -98,11 +98,11 @@ void require_same_plane(const Slice& slice, const DicomPlane& plane, const Dicom
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double spacing = (*plane.spacing)[axis], other = (*wanted.spacing)[axis];
     if (distance((*plane.directions)[axis], (*wanted.directions)[axis]) > kDirectionError) {
-      fail(slice.name(), text("has another orientation than '", base_name(first), "'"));
+      fail(slice.name(), "has another orientation than '", base_name(first), "'");
     }
     if (std::abs(spacing - other) > kSpacingError * other) {
-      fail(slice.name(),
-           text("has PixelSpacing ", spacing, ", unlike '", base_name(first), "' with ", other));
+      fail(slice.name(), "has PixelSpacing ", spacing, ", unlike '", base_name(first), "' with ",
+           other);
     }
   }
 }
@@ -142,7 +142,7 @@ Vec3 step_between(const VolumeInput& input, const std::vector<Slice>& slices) {
     const bool is_same = before.file == here.file;
     const std::string file =
         is_same ? "" : text("'", base_name(*before.file), frame.empty() ? "'" : "', ");
-    fail(here.name(), text(fault, " ", file, frame));
+    fail(here.name(), fault, " ", file, frame);
   };
   for (std::size_t n = 0; n < count; ++n) {
     if (gaps[n] <= 0.01 * mean) refuse(n, "has the same place (ImagePositionPatient) as");
@@ -161,14 +161,14 @@ Vec3 step_between(const VolumeInput& input, const std::vector<Slice>& slices) {
     const Vec3 even = begin + static_cast<double>(n + 1) * step;
     const double error = distance(slices[n + 1].position, even);
     if (error > kUnevenSteps * length(step)) {
-      fail(slices[n + 1].name(), text("lies ", rounded(error), " from its place in even steps of ",
-                                      rounded(length(step)), ": resample the series"));
+      fail(slices[n + 1].name(), "lies ", rounded(error), " from its place in even steps of ",
+           rounded(length(step)), ": resample the series");
     }
     worst = std::max(worst, error);
   }
   if (worst > kNotedSteps * length(step)) {
-    input.note(text("slices lie up to ", rounded(worst), " from the even steps of ",
-                    rounded(length(step)), " with which they are read"));
+    input.note("slices lie up to ", rounded(worst), " from the even steps of ",
+               rounded(length(step)), " with which they are read");
   }
   return step;
 }
@@ -199,7 +199,7 @@ Volume volume_of_slices(const VolumeInput& input, const std::vector<DicomFile>& 
   const auto write = [&](std::size_t k, std::span<std::byte> out) {
     const double slope = slices[k].slope(), intercept = slices[k].intercept();
     slices[k].file->write_frame(slices[k].frame, stored.span());
-    first.visit_type([&]<class T>(T) {
+    with_type(first.type(), [&]<class T>(T) {
       const T* samples = reinterpret_cast<const T*>(stored.data.get());
       if (is_small) write_scaled<float>(samples, count, slope, intercept, out.data());
       if (!is_small) write_scaled<double>(samples, count, slope, intercept, out.data());
@@ -211,8 +211,7 @@ Volume volume_of_slices(const VolumeInput& input, const std::vector<DicomFile>& 
   const std::string how =
       is_even ? text(" (", slices[0].slope(), " * sample + ", slices[0].intercept(), ")")
               : ", slice by slice,";
-  input.note(
-      text("samples are rescaled as the files ask", how, " and held as ", name_of(grid.type)));
+  input.note("samples are rescaled as the files ask", how, " and held as ", name_of(grid.type));
   return volume_from_slices(grid, write);
 }
 
@@ -239,7 +238,7 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
     const char* missing = given.position     ? "orientation"
                           : given.directions ? "position"
                                              : "position and orientation";
-    input.note(text("does not tell its ", missing, ": world coordinates are not the patient's"));
+    input.note("does not tell its ", missing, ": world coordinates are not the patient's");
   }
   if (first.photometric == "MONOCHROME1") {
     input.note("is MONOCHROME1: small samples are shown bright; they are kept as stored");

@@ -29,7 +29,7 @@ std::vector<std::string> files_in(const std::string& folder) {
     std::error_code ignored;
     if (entry->is_regular_file(ignored)) paths.push_back(entry->path().string());
   }
-  if (fault) fail(folder, "cannot list the folder: " + fault.message());
+  if (fault) fail(folder, "cannot list the folder: ", fault.message());
   std::ranges::sort(paths);
   return paths;
 }
@@ -80,8 +80,8 @@ Volume read_folder(const VolumeInput& input) {
   if (!others.empty()) {
     const std::string first = std::filesystem::path(others[0]).filename().string();
     const std::size_t more = others.size() - 1;
-    input.note(text("passed over '", first, more > 0 ? text("' and ", more, " more") : "'", ": no ",
-                    dicom.empty() ? "TIFF" : "DICOM", " images"));
+    input.note("passed over '", first, more > 0 ? text("' and ", more, " more") : "'", ": no ",
+               dicom.empty() ? "TIFF" : "DICOM", " images");
   }
   if (dicom.empty()) {
     refuse_series(input.name(), input.options);

@@ -2,12 +2,12 @@
 // MetaImage (MetaIO): lines "Key = Value". The last one, ElementDataFile, has the place of the
 // data: LOCAL (after the line) or a file.
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/files/text_scan.h"
+#include "io/volume/header_fields.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
@@ -15,66 +15,27 @@
 namespace deliso {
 namespace {
 
-class MetaHeader {
- public:
-  explicit MetaHeader(const VolumeInput& input) : input_(input) {
-    TextCursor text(input.bytes.text());
-    while (!text.at_end()) {
+struct MetaHeader : HeaderFields {
+  explicit MetaHeader(const Bytes& bytes) : HeaderFields(bytes.name, "key") {
+    TextCursor text(bytes.text());
+    while (!text.at_end() && !has("ElementDataFile")) {
       const std::string_view line = text.line();
       const std::size_t equals = line.find('=');
-      if (equals == std::string_view::npos) {
-        if (trimmed(line).empty()) continue;
-        fail(input.name(), "header line " + quote(line) + " is no 'Key = Value'");
+      if (equals != std::string_view::npos) {
+        set(line.substr(0, equals), line.substr(equals + 1));
+      } else if (!trimmed(line).empty()) {
+        fail(bytes.name, "header line ", quote(line), " is no 'Key = Value'");
       }
-      const std::string key = lower(trimmed(line.substr(0, equals)));
-      keys_[key] = trimmed(line.substr(equals + 1));
-      if (key == "elementdatafile") break;
     }
-    data_offset_ = text.position();
+    data_offset = text.position();
   }
 
-  bool has(const std::string& key) const { return keys_.contains(key); }
-  // Returns the value of the first of these spellings that the header has.
-  std::optional<std::string_view> find(std::initializer_list<const char*> spellings) const {
-    for (const char* key : spellings)
-      if (const auto found = keys_.find(lower(key)); found != keys_.end()) return found->second;
-    return std::nullopt;
+  bool is_true(std::initializer_list<std::string_view> spellings, bool fallback) const {
+    const std::string_view value = find(spellings).value_or("");
+    return value.empty() ? fallback : value[0] == 'T' || value[0] == 't' || value[0] == '1';
   }
-  std::string_view get(const char* key) const {
-    const std::optional<std::string_view> value = find({key});
-    if (!value) fail(input_.name(), std::string("the header has no key '") + key + "'");
-    return *value;
-  }
-  bool is_true(std::initializer_list<const char*> spellings, bool fallback) const {
-    const std::optional<std::string_view> value = find(spellings);
-    if (!value || value->empty()) return fallback;
-    return (*value)[0] == 'T' || (*value)[0] == 't' || (*value)[0] == '1';
-  }
-  std::int64_t integer(const char* key) const {
-    const std::optional<std::int64_t> value = to_int(get(key));
-    if (!value) fail_key(key, get(key), "not an integer");
-    return *value;
-  }
-  // Returns `count` numbers; nullopt if the header has no such key.
-  std::optional<std::vector<double>> numbers(std::initializer_list<const char*> spellings,
-                                             std::size_t count) const {
-    const std::optional<std::string_view> text = find(spellings);
-    if (!text) return std::nullopt;
-    std::optional<std::vector<double>> values = to_doubles(*text);
-    if (!values || values->size() != count)
-      fail_key(*spellings.begin(), *text, "not " + std::to_string(count) + " numbers");
-    return values;
-  }
-  [[noreturn]] void fail_key(const char* key, std::string_view value,
-                             const std::string& fault) const {
-    fail(input_.name(), std::string("key '") + key + "' is " + quote(value) + ": " + fault);
-  }
-  std::size_t data_offset() const { return data_offset_; }
 
- private:
-  const VolumeInput& input_;
-  std::map<std::string, std::string_view> keys_;
-  std::size_t data_offset_ = 0;
+  std::size_t data_offset = 0;
 };
 
 // MetaIO's long types have four bytes on every machine.
@@ -112,15 +73,13 @@ SampleGrid read_grid(const VolumeInput& input, const MetaHeader& header) {
   const std::int64_t dimension = header.integer("NDims");
   const std::optional<std::vector<std::int64_t>> sizes = to_ints(header.get("DimSize"));
   if (!sizes || static_cast<std::int64_t>(sizes->size()) != dimension)
-    header.fail_key("DimSize", header.get("DimSize"),
-                    "not " + std::to_string(dimension) + " integers as NDims says");
+    header.fail_field("DimSize", "not ", dimension, " integers as NDims says");
   bool is_known = sizes->size() >= 3;
   for (std::size_t n = 4; n < sizes->size(); ++n) is_known &= (*sizes)[n] == 1;
   if (!is_known)
-    header.fail_key("DimSize", header.get("DimSize"),
-                    "only three-dimensional volumes, at one time or several, can be meshed");
-  const std::int64_t channels =
-      header.has("elementnumberofchannels") ? header.integer("ElementNumberOfChannels") : 1;
+    header.fail_field("DimSize",
+                      "only three-dimensional volumes, at one time or several, can be meshed");
+  const std::int64_t channels = header.integer("ElementNumberOfChannels", 1);
   using Kind = DataAxis::Kind;
   set_axes(grid, std::array{DataAxis{Kind::channel, channels}, DataAxis{Kind::x, (*sizes)[0]},
                             DataAxis{Kind::y, (*sizes)[1]}, DataAxis{Kind::z, (*sizes)[2]},
@@ -144,28 +103,19 @@ bool looks_like_metaimage(const Bytes& bytes) {
 }
 
 Volume read_metaimage(const VolumeInput& input) {
-  const MetaHeader header(input);
+  const MetaHeader header(input.bytes);
   const SampleGrid grid = read_grid(input, header);
   const std::string_view file = header.get("ElementDataFile");
   if (file == "LIST" || file.find('%') != std::string_view::npos)
-    header.fail_key("ElementDataFile", file, "data spread over several files is not supported");
+    header.fail_field("ElementDataFile", "data spread over several files is not supported");
   const bool local = file == "LOCAL" || file == "Local" || file == "local";
-  Bytes data = local ? input.bytes.from(header.data_offset()) : open_data_file(input, file);
+  Bytes data = local ? input.bytes.from(header.data_offset) : open_data_file(input, file);
 
-  const std::int64_t skip = header.has("headersize") ? header.integer("HeaderSize") : 0;
-  const std::uint64_t size = data_size(grid);
+  const std::int64_t skip = header.integer("HeaderSize", 0);
   const bool compressed = header.is_true({"CompressedData"}, false);
   if (skip < -1 || (skip == -1 && compressed))
-    header.fail_key("HeaderSize", header.get("HeaderSize"), "cannot be followed");
-  if (skip == -1) {  // the data is at the end
-    if (data.size() > size) data = data.from(data.size() - static_cast<std::size_t>(size));
-  } else if (skip > 0) {
-    if (static_cast<std::uint64_t>(skip) > data.size())
-      fail(data.name, "has " + std::to_string(data.size()) + " bytes, fewer than the " +
-                          std::to_string(skip) + " of its header");
-    data = data.from(static_cast<std::size_t>(skip));
-  }
-
+    header.fail_field("HeaderSize", "cannot be followed");
+  data = data_behind(grid, data, skip, "of its header");
   if (compressed) {
     const bool gzip = data.text().starts_with("\x1f\x8b");
     return volume_from_compressed(grid, data, gzip ? Wrapping::gzip : Wrapping::zlib, 0);

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "io/files/field_reader.h"
 #include "io/files/inflate.h"
@@ -20,6 +22,8 @@
 namespace deliso {
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 
 bool is_gzip(const Bytes& bytes) {
@@ -28,7 +32,7 @@ bool is_gzip(const Bytes& bytes) {
 
 // The fields that both versions of the header have.
 struct NiftiHeader {
-  bool swapped = false;
+  std::endian order = std::endian::native;
   bool in_one_file = true;
   std::int64_t dim[8]{};
   int datatype = 0;
@@ -46,9 +50,8 @@ void read_reals(const FieldReader& fields, std::size_t offset, double* to, std::
     to[n] = static_cast<double>(fields.get<Real>(offset + n * sizeof(Real)));
 }
 
-NiftiHeader parse_version_1(const FieldReader& fields, bool swapped) {
+NiftiHeader parse_version_1(const FieldReader& fields) {
   NiftiHeader h;
-  h.swapped = swapped;
   for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int16_t>(40 + 2 * n);
   h.datatype = fields.get<std::int16_t>(70);
   read_reals<float>(fields, 76, h.pixdim, 8);
@@ -65,9 +68,8 @@ NiftiHeader parse_version_1(const FieldReader& fields, bool swapped) {
   return h;
 }
 
-NiftiHeader parse_version_2(const FieldReader& fields, bool swapped) {
+NiftiHeader parse_version_2(const FieldReader& fields) {
   NiftiHeader h;
-  h.swapped = swapped;
   for (std::size_t n = 0; n < 8; ++n) h.dim[n] = fields.get<std::int64_t>(16 + 8 * n);
   h.datatype = fields.get<std::int16_t>(12);
   read_reals<double>(fields, 104, h.pixdim, 8);
@@ -87,49 +89,30 @@ NiftiHeader parse_version_2(const FieldReader& fields, bool swapped) {
 // Returns the header at the start of `bytes`; nullopt if there is none.
 std::optional<NiftiHeader> parse_header(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeader1) return std::nullopt;
-  for (bool swapped : {false, true}) {
-    const FieldReader fields(bytes, swapped);
-    const std::int32_t size = fields.get<std::int32_t>(0);
-    const auto magic_at = [&](std::size_t offset) {
-      return std::string_view(reinterpret_cast<const char*>(bytes.data()) + offset, 4);
-    };
-    if (size == static_cast<std::int32_t>(kHeader1)) {
-      const std::string_view magic = magic_at(344);
-      NiftiHeader h = parse_version_1(fields, swapped);
-      h.in_one_file = magic == std::string_view("n+1\0", 4);
-      if (h.in_one_file || magic == std::string_view("ni1\0", 4)) return h;
-    } else if (size == static_cast<std::int32_t>(kHeader2) && bytes.size() >= kHeader2) {
-      const std::string_view magic = magic_at(4);
-      NiftiHeader h = parse_version_2(fields, swapped);
-      h.in_one_file = magic == std::string_view("n+2\0", 4);
-      if (h.in_one_file || magic == std::string_view("ni2\0", 4)) return h;
-    }
+  for (const std::endian order : {std::endian::native, kSwappedOrder}) {
+    const FieldReader fields(bytes, order);
+    const auto size = fields.get<std::uint32_t>(0);
+    if (size != kHeader1 && (size != kHeader2 || bytes.size() < kHeader2)) continue;
+    const bool is_first = size == kHeader1;
+    NiftiHeader h = is_first ? parse_version_1(fields) : parse_version_2(fields);
+    h.order = order;
+    const std::string_view magic(reinterpret_cast<const char*>(bytes.data()) + (is_first ? 344 : 4),
+                                 4);
+    h.in_one_file = magic == (is_first ? "n+1\0"sv : "n+2\0"sv);
+    if (h.in_one_file || magic == (is_first ? "ni1\0"sv : "ni2\0"sv)) return h;
   }
   return std::nullopt;
 }
 
 SampleType sample_type(const VolumeInput& input, int datatype) {
-  switch (datatype) {
-    case 2:
-      return SampleType::u8;
-    case 4:
-      return SampleType::i16;
-    case 8:
-      return SampleType::i32;
-    case 16:
-      return SampleType::f32;
-    case 64:
-      return SampleType::f64;
-    case 256:
-      return SampleType::i8;
-    case 512:
-      return SampleType::u16;
-    case 768:
-      return SampleType::u32;
-    default:
-      fail(input.name(), "NIfTI datatype " + std::to_string(datatype) +
-                             " is not supported (integers of up to 32 bits, float32, float64 are)");
+  constexpr std::pair<int, SampleType> kTypes[] = {
+      {2, SampleType::u8},   {4, SampleType::i16},  {8, SampleType::i32},   {16, SampleType::f32},
+      {64, SampleType::f64}, {256, SampleType::i8}, {512, SampleType::u16}, {768, SampleType::u32}};
+  for (const auto& [number, type] : kTypes) {
+    if (number == datatype) return type;
   }
+  fail(input.name(), "NIfTI datatype ", datatype,
+       " is not supported (integers of up to 32 bits, float32, float64 are)");
 }
 
 // nifti1.h, "Orientation and location in space": method 3 (sform) if given, else method 2 (qform),
@@ -174,21 +157,21 @@ void to_millimeters(const VolumeInput& input, const NiftiHeader& h, SampleGrid& 
   const auto convert = [&](Vec3& v) { v = unit == kMeter ? 1000 * v : v / 1000; };
   convert(grid.origin);
   for (Vec3& step : grid.steps) convert(step);
-  input.note(std::string("lengths are in millimeters, the header's in ") +
-             (unit == kMeter ? "meters" : "micrometers"));
+  input.note("lengths are in millimeters, the header's in ",
+             unit == kMeter ? "meters" : "micrometers");
 }
 
 SampleGrid read_grid(const VolumeInput& input, const NiftiHeader& h) {
   SampleGrid grid = grid_of(input);
   grid.type = sample_type(input, h.datatype);
-  if (h.swapped) grid.byte_order = kSwappedOrder;
+  grid.byte_order = h.order;
   if (h.dim[0] < 3 || h.dim[0] > 7)
-    fail(input.name(), "has " + std::to_string(h.dim[0]) +
-                           " dimensions: only three-dimensional volumes can be meshed");
+    fail(input.name(), "has ", h.dim[0],
+         " dimensions: only three-dimensional volumes can be meshed");
   for (std::int64_t n = 6; n <= h.dim[0]; ++n) {
     if (h.dim[n] == 1) continue;
-    fail(input.name(), "dimension " + std::to_string(n) + " has size " + std::to_string(h.dim[n]) +
-                           ": only channels (5) and times (4) can be told apart");
+    fail(input.name(), "dimension ", n, " has size ", h.dim[n],
+         ": only channels (5) and times (4) can be told apart");
   }
   const auto size = [&](std::int64_t n) { return n <= h.dim[0] ? h.dim[n] : 1; };
   using Kind = DataAxis::Kind;
@@ -233,8 +216,7 @@ Volume read_nifti(const VolumeInput& input) {
   std::span<const std::byte> head = input.bytes.data;
   if (is_gzip(input.bytes)) {
     const Inflated inflated = inflate(input.bytes.data, Wrapping::gzip, start.span());
-    if (inflated.fault)
-      fail(input.name(), std::string("compressed data is damaged: ") + inflated.fault);
+    if (inflated.fault) fail(input.name(), "compressed data is damaged: ", inflated.fault);
     head = start.span().first(inflated.size);
   }
   const std::optional<NiftiHeader> header = parse_header(head);
@@ -245,13 +227,12 @@ Volume read_nifti(const VolumeInput& input) {
   const double offset = header->data_offset;
   const double smallest = header->in_one_file ? static_cast<double>(kHeader1) : 0;
   if (!(offset >= smallest && offset <= 0x1p52) || offset != std::floor(offset))
-    fail(input.name(), "vox_offset " + std::to_string(offset) + " is not valid");
+    fail(input.name(), "vox_offset ", std::to_string(offset), " is not valid");
   const std::uint64_t skip = static_cast<std::uint64_t>(offset);
   if (is_gzip(data))
     return apply_scaling(input, *header, volume_from_compressed(grid, data, Wrapping::gzip, skip));
   if (skip > data.size())
-    fail(data.name, "has " + std::to_string(data.size()) + " bytes, its samples begin at " +
-                        std::to_string(skip));
+    fail(data.name, "has ", data.size(), " bytes, its samples begin at ", skip);
   return apply_scaling(input, *header,
                        volume_from_raw(grid, data.from(static_cast<std::size_t>(skip))));
 }

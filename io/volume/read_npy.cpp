@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/volume_formats.h"
@@ -29,7 +30,7 @@ constexpr std::size_t kMostAxes = 64;  // of NumPy 2; NumPy 1 has 32
 // Returns the text behind 'key': in the header, without leading blanks.
 std::string_view value_of(const VolumeInput& input, std::string_view header, std::string_view key) {
   const std::size_t at = header.find(text("'", key, "':"));
-  if (at == std::string_view::npos) fail(input.name(), "the header has no key " + quote(key));
+  if (at == std::string_view::npos) fail(input.name(), "the header has no key ", quote(key));
   return trimmed(header.substr(at + key.size() + 3));
 }
 
@@ -38,8 +39,7 @@ std::string_view between(const VolumeInput& input, std::string_view text, char o
                          const char* wanted) {
   const std::size_t end = text.find(close, 1);
   if (!text.starts_with(open) || end == std::string_view::npos) {
-    fail(input.name(),
-         std::string("the header has ") + quote(text.substr(0, 20)) + " in place of " + wanted);
+    fail(input.name(), "the header has ", quote(text.substr(0, 20)), " in place of ", wanted);
   }
   return text.substr(1, end - 1);
 }
@@ -50,15 +50,15 @@ std::vector<std::int64_t> shape_of(const VolumeInput& input, std::string_view he
   std::string lengths(between(input, value_of(input, header, "shape"), '(', ')', "a shape"));
   std::ranges::replace(lengths, ',', ' ');
   std::optional<std::vector<std::int64_t>> shape = to_ints(lengths);
-  if (!shape) fail(input.name(), text("the shape (", lengths, ") is not of integers"));
+  if (!shape) fail(input.name(), "the shape (", lengths, ") is not of integers");
   if (shape->size() <= kMostAxes) {  // each removal costs the length of the shape
     for (std::size_t n = shape->size(); n-- > 0 && shape->size() > 3;) {
       if ((*shape)[n] == 1) shape->erase(shape->begin() + static_cast<std::ptrdiff_t>(n));
     }
   }
   if (shape->size() != 3) {
-    fail(input.name(), "is an array of " + std::to_string(shape->size()) +
-                           " dimensions: only three-dimensional ones can be meshed");
+    fail(input.name(), "is an array of ", shape->size(),
+         " dimensions: only three-dimensional ones can be meshed");
   }
   return *shape;
 }
@@ -87,23 +87,19 @@ NpySamples samples_of(const VolumeInput& input, std::string_view header) {
     if (kind == "i8" || kind == "u8") samples.wide = kind[0];
     return samples;
   }
-  fail(input.name(), "samples of type " + quote(descr) +
-                         " are not supported: write the array with astype('float32')");
+  fail(input.name(), "samples of type ", quote(descr),
+       " are not supported: write the array with astype('float32')");
 }
 
 // Returns the 64-bit integers of `data` as float64, in native order.
 Bytes widened(const Bytes& data, const NpySamples& samples) {
   const std::size_t count = data.size() / 8;
   Buffer buffer(8 * count);
+  const FieldReader integers(data.data, samples.byte_order);
   for (std::size_t n = 0; n < count; ++n) {
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::size_t at = samples.byte_order == std::endian::big ? k : 7 - k;
-      bits = bits << 8 | std::to_integer<std::uint64_t>(data.data[8 * n + at]);
-    }
     const double value = samples.wide == 'i'
-                             ? static_cast<double>(std::bit_cast<std::int64_t>(bits))
-                             : static_cast<double>(bits);
+                             ? static_cast<double>(integers.get<std::int64_t>(8 * n))
+                             : static_cast<double>(integers.get<std::uint64_t>(8 * n));
     std::memcpy(buffer.span().data() + 8 * n, &value, 8);
   }
   return bytes_of(std::move(buffer), data.name);
@@ -117,15 +113,17 @@ bool looks_like_npy(const Bytes& bytes) {
 
 Volume read_npy(const VolumeInput& input) {
   const Bytes& bytes = input.bytes;
-  const auto byte = [&](std::size_t n) { return std::to_integer<std::size_t>(bytes.data[n]); };
-  const std::size_t major = bytes.size() > kMagic.size() ? byte(kMagic.size()) : 0;
+  const FieldReader fields(bytes.data, std::endian::little);
+  const std::size_t major =
+      bytes.size() > kMagic.size() ? fields.get<std::uint8_t>(kMagic.size()) : 0;
   const std::size_t length_size = major == 1 ? 2 : 4;
   if (major < 1 || major > 3) {
-    fail(input.name(), "has version " + std::to_string(major) + " of .npy: 1, 2 and 3 are known");
+    fail(input.name(), "has version ", major, " of .npy: 1, 2 and 3 are known");
   }
-  std::size_t length = 0, begin = kVersionEnd + length_size;
+  const std::size_t begin = kVersionEnd + length_size;
   if (bytes.size() < begin) fail(input.name(), "ends in the header");
-  for (std::size_t n = length_size; n-- > 0;) length = length << 8 | byte(kVersionEnd + n);
+  const std::size_t length =
+      major == 1 ? fields.get<std::uint16_t>(kVersionEnd) : fields.get<std::uint32_t>(kVersionEnd);
   if (bytes.size() - begin < length) fail(input.name(), "ends in the header");
   const std::string_view header = bytes.text().substr(begin, length);
 

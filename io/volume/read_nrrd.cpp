@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/files/text_scan.h"
+#include "io/volume/header_fields.h"
 #include "io/volume/sample_grid.h"
 #include "io/volume/several_volumes.h"
 #include "io/volume/volume_formats.h"
@@ -17,9 +18,8 @@
 namespace deliso {
 namespace {
 
-class NrrdHeader {
- public:
-  explicit NrrdHeader(const Bytes& bytes) : name_(bytes.name) {
+struct NrrdHeader : HeaderFields {
+  explicit NrrdHeader(const Bytes& bytes) : HeaderFields(bytes.name, "field") {
     TextCursor text(bytes.text());
     text.line();  // the magic
     while (!text.at_end()) {
@@ -28,60 +28,29 @@ class NrrdHeader {
       if (line[0] == '#') continue;
       const std::size_t colon = line.find(':');
       if (colon == std::string_view::npos)
-        fail(name_, "header line " + quote(line) + " is no 'field: value'");
-      if (line.substr(colon).starts_with(":=")) {  // a key of the user's
-        keys_[std::string(line.substr(0, colon))] = line.substr(colon + 2);
+        fail(bytes.name, "header line ", quote(line), " is no 'field: value'");
+      if (line.substr(colon).starts_with(":=")) {
+        keys[std::string(line.substr(0, colon))] = trimmed(line.substr(colon + 2));
         continue;
       }
-      std::string field = lower(trimmed(line.substr(0, colon)));
+      std::string field(line.substr(0, colon));
       std::erase(field, ' ');
-      fields_[field] = trimmed(line.substr(colon + 1));
-      if (field == "datafile" && fields_[field].starts_with("LIST")) break;  // file names follow
+      set(field, line.substr(colon + 1));
+      // The names of files follow.
+      if (lower(trimmed(field)) == "datafile" && get(field).starts_with("LIST")) break;
     }
-    data_offset_ = text.position();
+    data_offset = text.position();
   }
 
-  bool has(const std::string& field) const { return fields_.contains(field); }
-  // Returns the field's value, or `fallback` if it is missing; null: that is an error.
-  std::string_view get(const std::string& field, const char* fallback = nullptr) const {
-    const auto found = fields_.find(field);
-    if (found != fields_.end()) return found->second;
-    if (!fallback) fail(name_, "the header has no field '" + field + "'");
-    return fallback;
-  }
-  [[noreturn]] void fail_field(const std::string& field, const std::string& fault) const {
-    fail(name_, "field '" + field + "' is " + quote(get(field, "")) + ": " + fault);
-  }
-  std::int64_t integer(const std::string& field, const char* fallback = nullptr) const {
-    const std::optional<std::int64_t> value = to_int(get(field, fallback));
-    if (!value) fail_field(field, "not an integer");
-    return *value;
-  }
-  // One number per axis.
-  std::vector<double> per_axis(const std::string& field, std::size_t axes) const {
-    const std::optional<std::vector<double>> values = to_doubles(get(field));
-    if (!values || values->size() != axes)
-      fail_field(field, "not " + std::to_string(axes) + " numbers");
-    return *values;
-  }
-  // Returns the value of a user's key; nullopt if it is missing.
-  std::optional<std::string_view> key(const std::string& name) const {
-    const auto found = keys_.find(name);
-    return found == keys_.end() ? std::nullopt : std::optional(trimmed(found->second));
-  }
-  std::size_t data_offset() const { return data_offset_; }
-
- private:
-  const std::string& name_;
-  std::map<std::string, std::string_view> fields_, keys_;
-  std::size_t data_offset_ = 0;
+  std::map<std::string, std::string_view> keys;  // of the user's
+  std::size_t data_offset = 0;
 };
 
 // Parses "(1,0,0) none (0,1,0)" as vectors; nullopt where the axis is not spatial.
 std::optional<std::vector<std::optional<Vec3>>> parse_vectors(std::string_view text) {
   std::vector<std::optional<Vec3>> vectors;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-    if (starts_with_ignoring_case(text, "none")) {
+    if (lower(text.substr(0, 4)) == "none") {
       vectors.emplace_back(std::nullopt);
       text.remove_prefix(4);
       continue;
@@ -147,9 +116,8 @@ NrrdAxes axes_of(const VolumeInput& input, const NrrdHeader& header,
   };
   if (sizes.size() < 3 || sizes.size() > kMostNrrdAxes || has_several(Kind::time) > 1 ||
       has_several(Kind::channel) > 1) {
-    fail(input.name(), "sizes " + quote(header.get("sizes")) + " are " +
-                           std::to_string(sizes.size()) +
-                           "-dimensional: only three-dimensional scalar volumes can be meshed");
+    fail(input.name(), "sizes ", quote(header.get("sizes")), " are ", sizes.size(),
+         "-dimensional: only three-dimensional scalar volumes can be meshed");
   }
   for (const Kind kind : {Kind::x, Kind::y, Kind::z}) {
     axes.all[axes.of_space[static_cast<std::size_t>(kind)]].kind = kind;
@@ -178,8 +146,7 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
   if (header.has("spacedirections")) {
     const auto vectors = parse_vectors(header.get("spacedirections"));
     if (!vectors || vectors->size() != dimension)
-      header.fail_field("spacedirections",
-                        "not " + std::to_string(dimension) + " vectors of three numbers");
+      header.fail_field("spacedirections", "not ", dimension, " vectors of three numbers");
     for (std::size_t n = 0; n < 3; ++n) {
       if (!(*vectors)[axes[n]]) header.fail_field("spacedirections", "an axis is not spatial");
       grid.steps[n] = *(*vectors)[axes[n]];
@@ -199,11 +166,11 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
     return axis < centers.size() && lower(centers[axis]) == "cell";
   };
   if (header.has("spacings")) {
-    const std::vector<double> values = header.per_axis("spacings", dimension);
+    const std::vector<double> values = *header.numbers({"spacings"}, dimension);
     for (int n = 0; n < 3; ++n) spacing[n] = values[axes[static_cast<std::size_t>(n)]];
   } else if (header.has("axismins") && header.has("axismaxs")) {
-    const std::vector<double> mins = header.per_axis("axismins", dimension);
-    const std::vector<double> maxs = header.per_axis("axismaxs", dimension);
+    const std::vector<double> mins = *header.numbers({"axismins"}, dimension);
+    const std::vector<double> maxs = *header.numbers({"axismaxs"}, dimension);
     for (int n = 0; n < 3; ++n) {
       const std::size_t axis = axes[static_cast<std::size_t>(n)];
       const std::int64_t steps = grid.dims[static_cast<std::size_t>(n)] - (is_cell(axis) ? 0 : 1);
@@ -212,7 +179,7 @@ void read_geometry(const VolumeInput& input, const NrrdHeader& header,
   }
   grid.set_spacing(spacing);
   if (!header.has("axismins")) return;
-  const std::vector<double> mins = header.per_axis("axismins", dimension);
+  const std::vector<double> mins = *header.numbers({"axismins"}, dimension);
   for (int n = 0; n < 3; ++n) {
     const std::size_t axis = axes[static_cast<std::size_t>(n)];
     grid.origin[n] = mins[axis] + (is_cell(axis) ? spacing[n] / 2 : 0);
@@ -225,12 +192,14 @@ std::vector<NamedSegment> segments_of(const NrrdHeader& header) {
   std::vector<NamedSegment> segments;
   for (std::int64_t n = 0;; ++n) {
     const std::string start = "Segment" + std::to_string(n) + "_";
-    const auto name = header.key(start + "Name");
-    if (!name) return segments;
+    const auto name = header.keys.find(start + "Name");
+    if (name == header.keys.end()) return segments;
     const auto number = [&](const char* key, std::int64_t fallback) {
-      return to_int(header.key(start + key).value_or("")).value_or(fallback);
+      const auto found = header.keys.find(start + key);
+      return found == header.keys.end() ? fallback : to_int(found->second).value_or(fallback);
     };
-    segments.push_back({std::string(*name), number("LabelValue", 1), number("Layer", n) + 1});
+    segments.push_back(
+        {std::string(name->second), number("LabelValue", 1), number("Layer", n) + 1});
   }
 }
 
@@ -249,12 +218,12 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   const std::optional<std::vector<std::int64_t>> sizes = to_ints(header.get("sizes"));
   if (!sizes) header.fail_field("sizes", "not a list of integers");
   if (static_cast<std::int64_t>(sizes->size()) != dimension)
-    header.fail_field("sizes", "not " + std::to_string(dimension) + " numbers as 'dimension' says");
+    header.fail_field("sizes", "not ", dimension, " numbers as 'dimension' says");
   const NrrdAxes axes = axes_of(input, header, *sizes);
   const std::vector<NamedSegment> named = segments_of(header);
   const std::string segments = list_of(named);
   set_axes(grid, axes.all, segments.empty() ? "" : "; --label NAME chooses one of " + segments);
-  if (!segments.empty()) input.note("names segments, which --label takes: " + segments);
+  if (!segments.empty()) input.note("names segments, which --label takes: ", segments);
   std::ranges::copy_if(named, std::back_inserter(input.log.segments), [&](const NamedSegment& s) {
     return input.options.channel.value_or(s.channel) == s.channel;
   });
@@ -263,7 +232,7 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
 }
 
 Bytes find_data(const VolumeInput& input, const NrrdHeader& header) {
-  if (!header.has("datafile")) return input.bytes.from(header.data_offset());
+  if (!header.has("datafile")) return input.bytes.from(header.data_offset);
   const std::string_view file = header.get("datafile");
   if (file.starts_with("LIST") || file.find('%') != std::string_view::npos)
     header.fail_field("datafile", "data spread over several files is not supported");
@@ -297,29 +266,20 @@ Volume read_nrrd(const VolumeInput& input) {
   }
 
   Bytes data = find_data(input, header);
-  const std::int64_t lines = header.integer("lineskip", "0");
+  const std::int64_t lines = header.integer("lineskip", 0);
   if (lines < 0) header.fail_field("lineskip", "negative");
   TextCursor cursor(data.text());
   for (std::int64_t n = 0; n < lines; ++n) {
-    if (cursor.at_end())
-      fail(data.name, "has fewer than " + std::to_string(lines) + " lines to skip");
+    if (cursor.at_end()) fail(data.name, "has fewer than ", lines, " lines to skip");
     cursor.line();
   }
   data = data.from(cursor.position());
 
-  const std::int64_t skip = header.integer("byteskip", "0");
+  const std::int64_t skip = header.integer("byteskip", 0);
   if (skip < -1 || (skip == -1 && !raw)) header.fail_field("byteskip", "cannot be followed");
   if (gzip)
     return volume_from_compressed(grid, data, Wrapping::gzip, static_cast<std::uint64_t>(skip));
-  const std::uint64_t size = data_size(grid);
-  if (skip == -1) {  // the data is at the end
-    if (data.size() > size) data = data.from(data.size() - static_cast<std::size_t>(size));
-  } else {
-    if (static_cast<std::uint64_t>(skip) > data.size())
-      fail(data.name, "has " + std::to_string(data.size()) + " bytes, fewer than the " +
-                          std::to_string(skip) + " to skip");
-    data = data.from(static_cast<std::size_t>(skip));
-  }
+  data = data_behind(grid, data, skip, "to skip");
   return text ? volume_from_text(grid, data, false) : volume_from_raw(grid, data);
 }
 

@@ -13,8 +13,8 @@ Volume read_raw(const VolumeInput& input) {
   grid.type = layout.type;
   grid.byte_order = layout.byte_order;
   if (layout.skip > input.bytes.size())
-    fail(input.name(), "has " + std::to_string(input.bytes.size()) + " bytes, fewer than the " +
-                           std::to_string(layout.skip) + " to skip");
+    fail(input.name(), "has ", input.bytes.size(), " bytes, fewer than the ", layout.skip,
+         " to skip");
   return volume_from_raw(grid, input.bytes.from(static_cast<std::size_t>(layout.skip)));
 }
 

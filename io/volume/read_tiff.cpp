@@ -41,12 +41,11 @@ constexpr std::pair<std::uint64_t, std::string_view> kColors[] = {
 SampleType sample_type(const VolumeInput& input, const TiffPage& page) {
   for (const auto& [code, name] : kColors) {
     if (page.photometric == code) {
-      fail(input.name(), text("is in color (", name, "): only grayscale can be meshed"));
+      fail(input.name(), "is in color (", name, "): only grayscale can be meshed");
     }
   }
   if (page.samples != 1) {
-    fail(input.name(),
-         text("has ", page.samples, " samples per pixel: only grayscale can be meshed"));
+    fail(input.name(), "has ", page.samples, " samples per pixel: only grayscale can be meshed");
   }
   // Format 4 is "undefined", and used like 1.
   constexpr std::tuple<std::uint64_t, std::uint64_t, SampleType> kTypes[] = {
@@ -62,9 +61,8 @@ SampleType sample_type(const VolumeInput& input, const TiffPage& page) {
                                 : page.sample_format == 2 ? "signed integers"
                                 : page.sample_format == 3 ? "floating point numbers"
                                                           : "complex numbers";
-  fail(input.name(),
-       text("its samples are ", kind, " of ", page.bits,
-            " bits (integers of 8, 16 and 32, floating point of 32 and 64 are read)"));
+  fail(input.name(), "its samples are ", kind, " of ", page.bits,
+       " bits (integers of 8, 16 and 32, floating point of 32 and 64 are read)");
 }
 
 // Refuses a page that cannot be read, or does not go with the first. Messages call them `name` and
@@ -72,12 +70,12 @@ SampleType sample_type(const VolumeInput& input, const TiffPage& page) {
 void check_page(const TiffFile& tiff, const TiffPage& page, const std::string& name,
                 const TiffPage& first, const std::string& first_name) {
   if (page.width != first.width || page.height != first.height) {
-    fail(tiff.bytes().name, text(name, " has ", page.width, " x ", page.height, " samples, and ",
-                                 first_name, " ", first.width, " x ", first.height));
+    fail(tiff.bytes().name, name, " has ", page.width, " x ", page.height, " samples, and ",
+         first_name, " ", first.width, " x ", first.height);
   }
   if (page.bits != first.bits || page.sample_format != first.sample_format ||
       page.samples != first.samples || page.photometric != first.photometric) {
-    fail(tiff.bytes().name, text(name, " has samples of another type than ", first_name));
+    fail(tiff.bytes().name, name, " has samples of another type than ", first_name);
   }
   tiff.check_encoding(page, name);
 }
@@ -139,8 +137,8 @@ Vec3 in_unit_of_x(const VolumeInput& input, Vec3 lengths,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto known = std::ranges::find(kUnits, units[axis], &Unit::name);
     if (known == std::end(kUnits)) {
-      fail(input.name(), text("its axes have different units, and ", names[axis], " is ",
-                              quote(units[axis]), ": --spacing X,Y,Z gives the distances"));
+      fail(input.name(), "its axes have different units, and ", names[axis], " is ",
+           quote(units[axis]), ": --spacing X,Y,Z gives the distances");
     }
     powers[axis] = known->power;
   }
@@ -172,7 +170,7 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
       if (units[axis].empty()) units[axis] = "\u00b5m";
     }
     const Vec3 spacing = in_unit_of_x(input, sizes, units, kNames);
-    input.note(text("the spacing is in ", quote(units[0]), ", as OME has it"));
+    input.note("the spacing is in ", quote(units[0]), ", as OME has it");
     return spacing;
   }
   if (description.is_imagej()) {
@@ -188,7 +186,7 @@ Vec3 spacing_of(const VolumeInput& input, const TiffFile& tiff, const Descriptio
     std::array units{unit, description("yunit"), description("zunit")};  // if they are unlike x's
     for (std::string_view& own : units) own = own.empty() ? unit : own;
     spacing = in_unit_of_x(input, spacing, units, kNames);
-    input.note(text("the spacing is in ", quote(unit), ", as ImageJ has it"));
+    input.note("the spacing is in ", quote(unit), ", as ImageJ has it");
     return spacing;
   }
   if (has_resolution && page.resolution_unit != 1) {
@@ -206,7 +204,7 @@ std::vector<DataAxis> axes_of(const VolumeInput& input, const Description& descr
   std::string_view order = description.is_ome() ? description("DimensionOrder") : "XYCZT";
   if (order.empty()) order = "XYZCT";
   if (!order.starts_with("XY") || !std::ranges::is_permutation(order.substr(2), "ZCT"sv)) {
-    fail(input.name(), text("its DimensionOrder is ", quote(order), ", not XY and Z, C, T"));
+    fail(input.name(), "its DimensionOrder is ", quote(order), ", not XY and Z, C, T");
   }
   const VolumeCounts counts = description.counts();
   const bool is_one = counts.channels == 1 && counts.times == 1;
@@ -328,7 +326,7 @@ Volume read_tiff(const VolumeInput& input) {
   const auto area = static_cast<std::uint64_t>(grid.dims[0] * grid.dims[1]);
   if (const std::uint64_t count = data_size(grid) / size_of(grid.type) / area;
       count != static_cast<std::uint64_t>(planes)) {
-    fail(input.name(), text("has ", planes, " pages, and a description of ", count));
+    fail(input.name(), "has ", planes, " pages, and a description of ", count);
   }
   for (std::size_t n = 0; n < pages; ++n) {
     check_page(tiff, tiff.pages()[n], text("page ", n + 1), first, "page 1");
@@ -364,8 +362,8 @@ Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files) {
   for (const Bytes& file : files) {
     const TiffFile& slice = slices.emplace_back(file);
     if (slice.pages().size() == 1) continue;
-    fail(file.name,
-         text("has ", slice.pages().size(), " pages: in a folder of slices each file has one"));
+    fail(file.name, "has ", slice.pages().size(),
+         " pages: in a folder of slices each file has one");
   }
   if (files.size() == 1) fail(input.name(), "has one slice only");
   const VolumeInput first{files[0], input.directory, input.options, input.log};
@@ -386,8 +384,8 @@ Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files) {
     input.log.files.push_back(slice.bytes().name);
   }
   set_spacing(grid, first, slices[0], description);
-  input.note(text(files.size(), " slices, from '", file_name(0), "' to '",
-                  file_name(files.size() - 1), "'"));
+  input.note(files.size(), " slices, from '", file_name(0), "' to '", file_name(files.size() - 1),
+             "'");
   return calibrated(first, description,
                     volume_from_slices(grid, [&](std::size_t k, std::span<std::byte> out) {
                       slices[k].read_page(slices[k].pages()[0], out);

@@ -34,7 +34,7 @@ constexpr Format kFormats[] = {{looks_like_nrrd, read_nrrd, false, true},
 
 void refuse_array(const std::string& name, const ReadOptions& options) {
   if (options.array)
-    fail(name, "has no named arrays to take " + quote(*options.array) + " of, as VTK files have");
+    fail(name, "has no named arrays to take ", quote(*options.array), " of, as VTK files have");
 }
 
 Volume read_recognized(const VolumeInput& input) {
@@ -140,14 +140,14 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
   try {
     return open_file(path, NamedBy::file);
   } catch (const InputError& error) {
-    fail(input.name(), std::string("its data file ") + error.what());
+    fail(input.name(), "its data file ", error.what());
   }
 }
 
 SampleType supported_type(const VolumeInput& input, std::string_view name) {
   if (const std::optional<SampleType> type = sample_type_named(name)) return *type;
-  fail(input.name(), "sample type " + quote(name) +
-                         " is not supported (integers of up to 32 bits, float32, float64 are)");
+  fail(input.name(), "sample type ", quote(name),
+       " is not supported (integers of up to 32 bits, float32, float64 are)");
 }
 
 std::optional<SampleType> sample_type_named(std::string_view name) {

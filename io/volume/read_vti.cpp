@@ -34,8 +34,7 @@ class VtiParser {
     const std::string_view words = tag.attribute(name).value_or("");
     const std::optional<std::vector<double>> values = to_doubles(words);
     if (!values || values->size() != count)
-      fail(input_.name(),
-           text("attribute ", name, " is ", quote(words), ", not ", count, " numbers"));
+      fail(input_.name(), "attribute ", name, " is ", quote(words), ", not ", count, " numbers");
     return *values;
   }
 
@@ -62,7 +61,7 @@ class VtiParser {
     constexpr std::int64_t limit = std::int64_t{1} << 40;
     bool valid = e && e->size() == 6;
     for (std::size_t n = 0; valid && n < 6; ++n) valid = (*e)[n] > -limit && (*e)[n] < limit;
-    if (!valid) fail(input_.name(), text(name, " is ", quote(words), ", not six integers"));
+    if (!valid) fail(input_.name(), name, " is ", quote(words), ", not six integers");
     for (std::size_t a = 0; a < 3; ++a) {
       grid_.dims[a] = (*e)[2 * a + 1] - (*e)[2 * a] + 1;
       start_[a] = static_cast<double>((*e)[2 * a]);
@@ -83,7 +82,7 @@ class VtiParser {
         read_extent(tag, "WholeExtent");
       } else if (tag.name == "Piece") {
         if (++pieces > 1)
-          fail(input_.name(), "has several pieces: " + conversion_by_vtk(kVtkXmlReader));
+          fail(input_.name(), "has several pieces: ", conversion_by_vtk(kVtkXmlReader));
         if (tag.attribute("Extent")) read_extent(tag, "Extent");
       } else if (tag.name.ends_with("Data") && !tag.name.starts_with('/')) {
         section = tag.name;
@@ -121,15 +120,15 @@ Volume read_vti(const VolumeInput& input) {
   const std::string_view type = file.attribute("type").value_or("");
   const std::string_view compressor = file.attribute("compressor").value_or("");
   if (type.ends_with("Grid")) {
-    fail(input.name(), text("is a VTK file of type ", quote(type), ": ",
-                            conversion_by_vtk(kVtkXmlReader, kVtkResample)));
+    fail(input.name(), "is a VTK file of type ", quote(type), ": ",
+         conversion_by_vtk(kVtkXmlReader, kVtkResample));
   }
   if (type == "PImageData") {
-    fail(input.name(), "lists pieces: " + conversion_by_vtk(kVtkXmlReader));
+    fail(input.name(), "lists pieces: ", conversion_by_vtk(kVtkXmlReader));
   }
   if (type == "ImageData" && !compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    fail(input.name(),
-         text("is compressed by ", quote(compressor), ": ", conversion_by_vtk(kVtkXmlReader)));
+    fail(input.name(), "is compressed by ", quote(compressor), ": ",
+         conversion_by_vtk(kVtkXmlReader));
   }
   return VtiParser(input).run();
 }

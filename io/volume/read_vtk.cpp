@@ -48,7 +48,7 @@ class VtkParser {
     text_.line();  // a title
     const std::string storage = lower(text_.word());
     if (storage != "ascii" && storage != "binary")
-      fail(input_.name(), "is neither ASCII nor BINARY but " + quote(storage));
+      fail(input_.name(), "is neither ASCII nor BINARY but ", quote(storage));
     binary_ = storage == "binary";
     grid_.byte_order = std::endian::big;
     read_structure();
@@ -75,23 +75,23 @@ class VtkParser {
   void expect(const char* wanted) {
     const std::string word = keyword();
     if (word != wanted)
-      fail(input_.name(), "has " + quote(word) + " where " + quote(wanted) + " is expected");
+      fail(input_.name(), "has ", quote(word), " where ", quote(wanted), " is expected");
   }
   std::int64_t integer(const char* what) {
     const std::string_view word = text_.word();
     const std::optional<std::int64_t> value = to_int(word);
-    if (!value) fail(input_.name(), std::string(what) + " is " + quote(word) + ", not an integer");
+    if (!value) fail(input_.name(), what, " is ", quote(word), ", not an integer");
     return *value;
   }
   std::uint64_t count(const char* what) {
     const std::int64_t value = integer(what);
-    if (value < 0) fail(input_.name(), text(what, " is ", value));
+    if (value < 0) fail(input_.name(), what, " is ", value);
     return static_cast<std::uint64_t>(value);
   }
   double real(const char* what) {
     const std::string_view word = text_.word();
     const std::optional<double> value = to_double(word);
-    if (!value) fail(input_.name(), std::string(what) + " is " + quote(word) + ", not a number");
+    if (!value) fail(input_.name(), what, " is ", quote(word), ", not a number");
     return *value;
   }
   Vec3 vector(const char* what) {
@@ -104,8 +104,8 @@ class VtkParser {
     expect("dataset");
     const std::string kind = keyword();
     if (kind != "structured_points")
-      fail(input_.name(), "holds a data set of kind " + quote(kind) + ", not STRUCTURED_POINTS: " +
-                              conversion_by_vtk(kVtkReader, kVtkResample));
+      fail(input_.name(), "holds a data set of kind ", quote(kind),
+           ", not STRUCTURED_POINTS: ", conversion_by_vtk(kVtkReader, kVtkResample));
     Vec3 spacing{1, 1, 1};
     std::uint64_t cells = 0;
     for (std::string word = keyword(); word != "point_data"; word = keyword()) {
@@ -127,8 +127,7 @@ class VtkParser {
     const std::int64_t points = integer("POINT_DATA"),
                        n = grid_.dims[0] * grid_.dims[1] * grid_.dims[2];
     if (points != n)
-      fail(input_.name(), "POINT_DATA is " + std::to_string(points) + ", but DIMENSIONS give " +
-                              std::to_string(n) + " points");
+      fail(input_.name(), "POINT_DATA is ", points, ", but DIMENSIONS give ", n, " points");
   }
 
   // Finds the beginnings of the arrays of POINT_DATA.
@@ -182,7 +181,7 @@ class VtkParser {
       text_.word();  // the field's name
       read_field(count("the number of arrays"), tuples, of_points);
     } else {
-      fail(input_.name(), "keyword " + quote(word) + " is not supported");
+      fail(input_.name(), "keyword ", quote(word), " is not supported");
     }
   }
 
@@ -194,7 +193,7 @@ class VtkParser {
         read_attribute("metadata", 0, false);
         name = text_.word();
       }
-      if (name.empty()) fail(input_.name(), text("ends after ", n, " of ", arrays, " arrays"));
+      if (name.empty()) fail(input_.name(), "ends after ", n, " of ", arrays, " arrays");
       if (name == "NULL_ARRAY") continue;
       const std::uint64_t components = count("the number of components");
       const std::uint64_t own = count("the number of tuples");
@@ -210,14 +209,12 @@ class VtkParser {
       arrays_.push_back(array);
       starts_.push_back(text_.position());
     }
-    const auto ends = [&] {
-      fail(input_.name(), text("ends within its array ", quote(array.name)));
-    };
+    const auto ends = [&] { fail(input_.name(), "ends within its array ", quote(array.name)); };
     const std::optional<std::size_t> size =
         array.type == "COLOR_SCALARS in ASCII" ? 1 : size_of_type(array.type);
     if (!size)
-      fail(input_.name(), text("array ", quote(array.name), " is of type ", quote(array.type),
-                               ", which is not supported"));
+      fail(input_.name(), "array ", quote(array.name), " is of type ", quote(array.type),
+           ", which is not supported");
     // A value has a byte at least.
     const std::uint64_t rest = text_.rest().size();
     if (array.components != 0 && tuples > rest / array.components) ends();

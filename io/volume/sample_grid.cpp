@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "io/files/field_reader.h"
 #include "io/files/text_scan.h"
 
 namespace deliso {
@@ -24,8 +25,7 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 step = grid.steps[static_cast<std::size_t>(axis)];
     const double own = length(step), s = grid.read.spacing ? (*grid.read.spacing)[axis] : own;
-    if (!(own > 0 && s > 0))
-      fail(grid.name, std::string("spacing along ") + "xyz"[axis] + " is not positive");
+    if (!(own > 0 && s > 0)) fail(grid.name, "spacing along ", "xyz"[axis], " is not positive");
     spacing[axis] = s;
     frame.axes[static_cast<std::size_t>(axis)] = step / own;
   }
@@ -37,9 +37,8 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
       const double cosine = dot(frame.axes[a], frame.axes[b]);
       if (std::abs(cosine) <= kShearTolerance) continue;
       const double degrees = std::acos(std::min(1.0, std::abs(cosine))) * (180 / 3.14159265358979);
-      fail(grid.name, std::string("sheared grid: its axes ") + "xyz"[a] + " and " + "xyz"[b] +
-                          " enclose " + std::to_string(degrees) +
-                          " degrees; only rectangular grids can be meshed (resample it)");
+      fail(grid.name, "sheared grid: its axes ", "xyz"[a], " and ", "xyz"[b], " enclose ",
+           std::to_string(degrees), " degrees; only rectangular grids can be meshed (resample it)");
     }
   }
   return {spacing, frame};
@@ -61,22 +60,18 @@ Roi region(const SampleGrid& grid, const Vec3& spacing) {
   for (int axis = 0; axis < 3; ++axis) {
     const int lo = grid.read.roi->begin[axis], hi = grid.read.roi->end[axis];
     if (lo >= 0 && hi <= whole.end[axis] && hi - lo >= 2) continue;
-    fail(grid.name, std::string("region ") + std::to_string(lo) + ":" + std::to_string(hi) +
-                        " along " + "xyz"[axis] +
-                        " is not two or more of the samples 0:" + std::to_string(whole.end[axis]));
+    fail(grid.name, "region ", lo, ":", hi, " along ", "xyz"[axis],
+         " is not two or more of the samples 0:", whole.end[axis]);
   }
   return *grid.read.roi;
 }
 
 template <class Word>
 void swap_words(std::span<std::byte> bytes) {
+  const FieldReader words(bytes, kSwappedOrder);
   for (std::size_t n = 0; n + sizeof(Word) <= bytes.size(); n += sizeof(Word)) {
-    Word word, swapped = 0;
-    std::memcpy(&word, &bytes[n], sizeof word);
-    for (std::size_t b = 0; b < sizeof(Word); ++b)
-      swapped =
-          static_cast<Word>(swapped | ((word >> (8 * b)) & 0xff) << (8 * (sizeof(Word) - 1 - b)));
-    std::memcpy(&bytes[n], &swapped, sizeof word);
+    const Word swapped = words.get<Word>(n);
+    std::memcpy(&bytes[n], &swapped, sizeof swapped);
   }
 }
 
@@ -115,9 +110,8 @@ Buffer copy_region(const SampleGrid& grid, const Roi& roi, std::span<const std::
 }
 
 std::string size_fault(const SampleGrid& grid, std::uint64_t expected, std::uint64_t found) {
-  return std::string(found < expected ? "data is too short" : "data is too long") + ": " +
-         describe(grid) + " need " + std::to_string(expected) + " bytes, found " +
-         std::to_string(found);
+  return text(found < expected ? "data is too short" : "data is too long", ": ", describe(grid),
+              " need ", expected, " bytes, found ", found);
 }
 
 template <class T>
@@ -128,19 +122,18 @@ void parse_samples(const SampleGrid& grid, const Bytes& data, bool more_may_foll
   for (std::size_t n = 0; n < count; ++n) {
     const std::string_view word = text.word();
     if (word.empty())
-      fail(data.name, "data is too short: " + describe(grid) + " need " + std::to_string(count) +
-                          " numbers, found " + std::to_string(n));
+      fail(data.name, "data is too short: ", describe(grid), " need ", count, " numbers, found ",
+           n);
     T value{};
     const char* begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size())
-      fail(data.name, "sample " + std::to_string(n) + " is " + quote(word) +
-                          ", not a number of type " + std::string(name_of(grid.type)));
+      fail(data.name, "sample ", n, " is ", quote(word), ", not a number of type ",
+           name_of(grid.type));
     std::memcpy(&out[n * sizeof(T)], &value, sizeof value);
   }
   if (!more_may_follow && !text.word().empty())
-    fail(data.name, "data is too long: more than the " + std::to_string(count) + " numbers of " +
-                        describe(grid));
+    fail(data.name, "data is too long: more than the ", count, " numbers of ", describe(grid));
 }
 
 }  // namespace
@@ -162,25 +155,32 @@ void SampleGrid::set_spacing(const Vec3& spacing) {
 }
 
 std::string describe(const SampleGrid& grid) {
-  return std::to_string(grid.dims[0]) + " x " + std::to_string(grid.dims[1]) + " x " +
-         std::to_string(grid.dims[2]) + " " + std::string(name_of(grid.type)) + " samples" +
-         (grid.among ? " of several volumes" : "");
+  return text(grid.dims[0], " x ", grid.dims[1], " x ", grid.dims[2], " ", name_of(grid.type),
+              " samples", grid.among ? " of several volumes" : "");
 }
 
 std::uint64_t data_size(const SampleGrid& grid) {
   std::uint64_t bytes = size_of(grid.type);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int64_t n = grid.dims[axis];
-    const auto text = [&] { return std::to_string(n) + " samples along " + "xyz"[axis]; };
-    if (n < 1) fail(grid.name, text() + ": dimensions must be positive");
-    if (n < 2) fail(grid.name, text() + ": a volume needs two or more along each axis");
-    if (n > std::numeric_limits<int>::max()) fail(grid.name, text() + " are too many");
+    const std::string samples = text(n, " samples along ", "xyz"[axis]);
+    if (n < 1) fail(grid.name, samples, ": dimensions must be positive");
+    if (n < 2) fail(grid.name, samples, ": a volume needs two or more along each axis");
+    if (n > std::numeric_limits<int>::max()) fail(grid.name, samples, " are too many");
     const std::uint64_t limit = std::numeric_limits<std::ptrdiff_t>::max();
     if (bytes > limit / static_cast<std::uint64_t>(n))
-      fail(grid.name, describe(grid) + " are too many");
+      fail(grid.name, describe(grid), " are too many");
     bytes *= static_cast<std::uint64_t>(n);
   }
   return grid.among ? grid.among->count * size_of(grid.type) : bytes;
+}
+
+Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, const char* which) {
+  const std::uint64_t needed = data_size(grid), found = data.size();
+  if (skip == -1) return data.from(static_cast<std::size_t>(found - std::min(found, needed)));
+  if (static_cast<std::uint64_t>(skip) > found)
+    fail(data.name, "has ", found, " bytes, fewer than the ", skip, " ", which);
+  return data.from(static_cast<std::size_t>(skip));
 }
 
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
@@ -221,38 +221,11 @@ Volume volume_from_text(const SampleGrid& grid, const Bytes& data, bool more_may
   const std::uint64_t count = expected / size_of(grid.type);
   // n numbers have 2n - 1 characters at least.
   if (count > data.size() / 2 + 1)
-    fail(data.name, "data is too short: " + describe(grid) + " do not fit in " +
-                        std::to_string(data.size()) + " characters");
+    fail(data.name, "data is too short: ", describe(grid), " do not fit in ", data.size(),
+         " characters");
   Buffer buffer(static_cast<std::size_t>(expected));
-  const auto parse = [&]<class T>(T) {
-    parse_samples<T>(grid, data, more_may_follow, buffer.span());
-  };
-  switch (grid.type) {
-    case SampleType::u8:
-      parse(std::uint8_t{});
-      break;
-    case SampleType::i8:
-      parse(std::int8_t{});
-      break;
-    case SampleType::u16:
-      parse(std::uint16_t{});
-      break;
-    case SampleType::i16:
-      parse(std::int16_t{});
-      break;
-    case SampleType::u32:
-      parse(std::uint32_t{});
-      break;
-    case SampleType::i32:
-      parse(std::int32_t{});
-      break;
-    case SampleType::f32:
-      parse(float{});
-      break;
-    case SampleType::f64:
-      parse(double{});
-      break;
-  }
+  with_type(grid.type,
+            [&]<class T>(T) { parse_samples<T>(grid, data, more_may_follow, buffer.span()); });
   SampleGrid native = grid;
   native.byte_order = std::endian::native;
   return volume_from_raw(native, bytes_of(std::move(buffer), data.name));
@@ -263,19 +236,18 @@ Volume volume_from_compressed(const SampleGrid& grid, const Bytes& data, Wrappin
   const std::uint64_t expected = data_size(grid);
   const std::uint64_t possible = largest_inflated(data.size());
   if (skip > possible || expected > possible - skip)
-    fail(data.name, size_fault(grid, expected, data.size()) + " compressed");
+    fail(data.name, size_fault(grid, expected, data.size()), " compressed");
   Buffer buffer(static_cast<std::size_t>(skip + expected));
   const Inflated result = inflate(data.data, wrapping, buffer.span());
   if (result.fault) {
-    fail(data.name, std::string("compressed data is damaged: ") + result.fault + " after " +
-                        std::to_string(result.size) + " of " + std::to_string(buffer.size) +
-                        " bytes");
+    fail(data.name, "compressed data is damaged: ", result.fault, " after ", result.size, " of ",
+         buffer.size, " bytes");
   }
   if (result.size != buffer.size)
     fail(data.name, size_fault(grid, expected, result.size > skip ? result.size - skip : 0));
   if (!result.ended)
-    fail(data.name, "data is too long: " + describe(grid) + " need " + std::to_string(expected) +
-                        " bytes, the compressed data holds more");
+    fail(data.name, "data is too long: ", describe(grid), " need ", expected,
+         " bytes, the compressed data holds more");
   const Bytes bytes = bytes_of(std::move(buffer), data.name);
   return volume_from_raw(grid, bytes.from(static_cast<std::size_t>(skip)));
 }

@@ -64,6 +64,10 @@ std::uint64_t data_size(const SampleGrid& grid);
 // Returns "64 x 64 x 32 uint16 samples" or the like, for messages.
 std::string describe(const SampleGrid& grid);
 
+// Returns the data behind `skip` bytes, or if that is -1 the samples at its end. `which`: these
+// bytes, for a message.
+Bytes data_behind(const SampleGrid& grid, const Bytes& data, std::int64_t skip, const char* which);
+
 // Returns the volume. `data` has exactly the samples, with those that the grid is among.
 Volume volume_from_raw(const SampleGrid& grid, const Bytes& data);
 // Returns the volume. `data` has the samples as numbers in text, and nothing after them unless

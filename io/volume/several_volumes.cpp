@@ -28,8 +28,7 @@ VolumeChoice choose_volume(const std::string& name, const ReadOptions& options,
   std::string several, switches;
   for (const auto& axis : axes) {
     if (axis.chosen && (*axis.chosen < 1 || *axis.chosen > axis.count)) {
-      fail(name,
-           text("has ", counted(axis.count, axis.noun), ", and no ", axis.noun, " ", *axis.chosen));
+      fail(name, "has ", counted(axis.count, axis.noun), ", and no ", axis.noun, " ", *axis.chosen);
     }
     if (!axis.is_open()) continue;
     several += text(several.empty() ? "" : " and ", counted(axis.count, axis.noun));
@@ -37,8 +36,8 @@ VolumeChoice choose_volume(const std::string& name, const ReadOptions& options,
   }
   if (!several.empty()) {
     const bool is_one = axes[0].is_open() != axes[1].is_open();
-    fail(name, text("has ", several, ": ", switches, is_one ? " chooses" : " choose",
-                    " one, counted from 1", hint));
+    fail(name, "has ", several, ": ", switches, is_one ? " chooses" : " choose",
+         " one, counted from 1", hint);
   }
   return {options.channel.value_or(1) - 1, options.time.value_or(1) - 1};
 }
@@ -65,8 +64,8 @@ void set_axes(SampleGrid& grid, std::span<const DataAxis> axes, const std::strin
       among.first += among.count * static_cast<std::uint64_t>(chosen.time);
     const auto size = static_cast<std::uint64_t>(axis.size);
     if (among.count > kMost / size) {
-      fail(grid.name, text(describe(grid), " in ", counted(counts.channels, "channel"), " and ",
-                           counted(counts.times, "time"), " are too many"));
+      fail(grid.name, describe(grid), " in ", counted(counts.channels, "channel"), " and ",
+           counted(counts.times, "time"), " are too many");
     }
     among.count *= size;
   }

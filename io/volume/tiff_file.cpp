@@ -135,7 +135,7 @@ void TiffFile::for_each_block(const TiffPage& page, F f) const {
 }
 
 void TiffFile::fail_damaged(std::uint64_t at) const {
-  fail(bytes_.name, text("is damaged, or ends too early: see byte ", at));
+  fail(bytes_.name, "is damaged, or ends too early: see byte ", at);
 }
 
 // Returns the integer of `size` bytes at `at`.
@@ -167,9 +167,9 @@ std::uint64_t TiffFile::parse_page(std::uint64_t at) {
     keep(page, number(entry, 2), field);
   }
   if (page.depth > 1) {
-    fail(bytes_.name,
-         text("its pages have a depth of ", page.depth, " samples: convert it with python3 -c ",
-              "\"import tifffile; tifffile.imwrite('volume.tif', tifffile.imread('FILE'))\""));
+    fail(bytes_.name, "its pages have a depth of ", page.depth,
+         " samples: convert it with python3 -c ",
+         "\"import tifffile; tifffile.imwrite('volume.tif', tifffile.imread('FILE'))\"");
   }
   pages_.push_back(page);
   return number(at + count_size + count * entry_size, value_size);
@@ -187,21 +187,21 @@ void TiffFile::keep(TiffPage& page, std::uint64_t tag, const TiffField& field) c
 void TiffFile::check_encoding(const TiffPage& page, std::string_view page_name) const {
   for (const auto& [code, name] : kOtherCompressions) {
     if (page.compression != code) continue;
-    fail(bytes_.name, text("is compressed (", name, "): convert it with 'tiffcp -c zip IN OUT'"));
+    fail(bytes_.name, "is compressed (", name, "): convert it with 'tiffcp -c zip IN OUT'");
   }
   if (page.compression != kPlain && page.compression != kLzw && page.compression != kDeflate &&
       page.compression != kOldDeflate && page.compression != kPackBits) {
-    fail(bytes_.name, text("is compressed in a way that is not read (", page.compression,
-                           "): convert it with 'tiffcp -c zip IN OUT'"));
+    fail(bytes_.name, "is compressed in a way that is not read (", page.compression,
+         "): convert it with 'tiffcp -c zip IN OUT'");
   }
   const bool is_float = page.sample_format == 3;
   if (page.predictor < 1 || page.predictor > 3 || (page.predictor == 3 && !is_float)) {
-    fail(bytes_.name, text("predictor ", page.predictor, " is not known for its samples"));
+    fail(bytes_.name, "predictor ", page.predictor, " is not known for its samples");
   }
   if (page.fill_order != 1) fail(bytes_.name, "its bits are stored in reverse (FillOrder 2)");
   if (page.rows_per_strip == 0 || (page.tile_width == 0) != (page.tile_height == 0) ||
       page.tile_width > kLargestTiffSize || page.tile_height > kLargestTiffSize) {
-    fail(bytes_.name, text(page_name, " has strips or tiles of an impossible size"));
+    fail(bytes_.name, page_name, " has strips or tiles of an impossible size");
   }
 }
 
@@ -242,14 +242,13 @@ void TiffFile::read_block(const TiffPage& page, const Block& block,
   } else {
     const Inflated inflated = inflate(stored, Wrapping::zlib, out);
     if (inflated.fault) {
-      fail(bytes_.name,
-           text("compressed data is damaged: ", inflated.fault, " behind byte ", block.at));
+      fail(bytes_.name, "compressed data is damaged: ", inflated.fault, " behind byte ", block.at);
     }
     found = inflated.size;
   }
   if (found != out.size()) {
-    fail(bytes_.name, text("compressed data is damaged: ", found, " of ", out.size(),
-                           " bytes behind byte ", block.at));
+    fail(bytes_.name, "compressed data is damaged: ", found, " of ", out.size(),
+         " bytes behind byte ", block.at);
   }
   const bool has_predictor = page.compression != kPlain && page.compression != kPackBits;
   const std::size_t word = page.bits / 8, row_size = block.width * word;

@@ -82,10 +82,10 @@ Volume resampled_upright(const VolumeInput& input, const SampleGrid& grid, const
   upright.type = is_small ? SampleType::f32 : SampleType::f64;
   const double least = value_range(slices, input.name()).min;
   const double cosine = length(upright.steps[2]) / length(grid.steps[2]);
-  input.note(text("slices are shifted against each other, as by a gantry that is tilted by ",
-                  std::round(std::acos(std::min(1.0, cosine)) * 1800 / 3.14159265358979) / 10,
-                  " degrees: they are resampled upright, as ", name_of(upright.type), ", with ",
-                  least, " beyond their edges"));
+  input.note("slices are shifted against each other, as by a gantry that is tilted by ",
+             std::round(std::acos(std::min(1.0, cosine)) * 1800 / 3.14159265358979) / 10,
+             " degrees: they are resampled upright, as ", name_of(upright.type), ", with ", least,
+             " beyond their edges");
   const Index3 dims{static_cast<int>(upright.dims[0]), static_cast<int>(upright.dims[1]), from.k};
   return volume_from_slices(upright, [&](std::size_t k, std::span<std::byte> out) {
     const std::size_t begin =

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/check.h"
 #include "io/files/input_file.h"
 #include "io/volume/read_volume.h"
 #include "io/volume/sample_grid.h"
@@ -24,7 +23,10 @@ struct VolumeInput {
   ReadLog& log;
 
   const std::string& name() const { return bytes.name; }
-  void note(const std::string& text) const { log.notes.push_back(one_line(name() + ": " + text)); }
+  template <class... Pieces>
+  void note(const Pieces&... note) const {
+    log.notes.push_back(one_line(text(name(), ": ", note...)));
+  }
 };
 
 // With its name and options filled in.

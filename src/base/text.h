@@ -15,6 +15,9 @@ namespace deliso {
 inline void append_text(std::string& text, std::string_view part) {
   text.append(part);
 }
+inline void append_text(std::string& text, char letter) {
+  text += letter;
+}
 
 template <class T>
 requires std::integral<T> || std::floating_point<T>

@@ -27,17 +27,6 @@ Local localize(const Volume& volume, const Vec3& p) {
 
 }  // namespace
 
-std::size_t size_of(SampleType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-
-std::string_view name_of(SampleType type) {
-  constexpr std::string_view names[] = {"uint8",  "int8",  "uint16",  "int16",
-                                        "uint32", "int32", "float32", "float64"};
-  return names[static_cast<std::size_t>(type)];
-}
-
 void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name) {
   for (int axis = 0; axis < 3; ++axis) {
     const double s = spacing[axis];

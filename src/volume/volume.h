@@ -28,15 +28,11 @@
 #include "base/box3.h"
 #include "base/check.h"
 #include "base/frame.h"
+#include "base/sample_type.h"
 #include "base/text.h"
 #include "base/vec3.h"
 
 namespace deliso {
-
-enum class SampleType : std::uint8_t { u8, i8, u16, i16, u32, i32, f32, f64 };
-
-std::size_t size_of(SampleType type);
-std::string_view name_of(SampleType type);  // "uint8", "float32", ...
 
 struct Index3 {
   int i = 0, j = 0, k = 0;
@@ -165,25 +161,8 @@ class Volume {
   // Calls f with a pointer to the samples in their own type, so that inner loops are monomorphic.
   template <class F>
   decltype(auto) visit(F&& f) const {
-    switch (type_) {
-      case SampleType::u8:
-        return f(reinterpret_cast<const std::uint8_t*>(bytes_));
-      case SampleType::i8:
-        return f(reinterpret_cast<const std::int8_t*>(bytes_));
-      case SampleType::u16:
-        return f(reinterpret_cast<const std::uint16_t*>(bytes_));
-      case SampleType::i16:
-        return f(reinterpret_cast<const std::int16_t*>(bytes_));
-      case SampleType::u32:
-        return f(reinterpret_cast<const std::uint32_t*>(bytes_));
-      case SampleType::i32:
-        return f(reinterpret_cast<const std::int32_t*>(bytes_));
-      case SampleType::f32:
-        return f(reinterpret_cast<const float*>(bytes_));
-      case SampleType::f64:
-        break;
-    }
-    return f(reinterpret_cast<const double*>(bytes_));
+    return with_type(
+        type_, [&]<class T>(T) -> decltype(auto) { return f(reinterpret_cast<const T*>(bytes_)); });
   }
 
   double sample(int i, int j, int k) const {
@@ -242,13 +221,6 @@ std::optional<T> inside_threshold(double kappa) {
 //   - float64: the isovalue. A sample or a saddle may equal it; crossings stay off samples all the
 //     same (contour/piece_mesher.h).
 double geometric_isovalue(SampleType type, double isovalue);
-
-template <class T>
-constexpr SampleType sample_type_of() {
-  if (std::is_floating_point_v<T>) return sizeof(T) == 4 ? SampleType::f32 : SampleType::f64;
-  // In the order of SampleType: by size, unsigned first.
-  return static_cast<SampleType>(2 * (std::bit_width(sizeof(T)) - 1) + std::is_signed_v<T>);
-}
 
 template <class T>
 Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& samples, Frame frame) {
