@@ -46,10 +46,10 @@ std::string distances_text(const char* name, const Distances& d, double bound, d
     line += "\n";
   }
   if (d.given_up > 0) {
-    line += "          " + counted(d.given_up, "point", "points") + " given up\n";
+    line += "          " + counted(d.given_up, "point") + " given up\n";
   }
   if (d.not_found > 0) {
-    line += "          " + counted(d.not_found, "point", "points") + " with no surface near by\n";
+    line += "          " + counted(d.not_found, "point") + " with no surface near by\n";
   }
   return line;
 }
@@ -205,14 +205,12 @@ void add_verification(ReportWriter& out, const Verification& v, const Volume& vo
     add_solid(out, solid.cap_vertices, solid.cap_triangles,
               world_volume(solid.volume, volume.frame()), solid.quality);
   }
-  if (out.if_any(v.solid.has_value())) {
-    out.add("caps_off_box_voxels", solid.off_box / voxel,
-            "the largest distance of a cap's corner from the box; voxels");
-  }
-  if (out.if_any(v.solid.has_value())) {
-    out.add("cap_self_intersections", solid.self_intersections,
-            "pairs of crossing triangles, one or both of the caps");
-  }
+  out.optional(v.solid.has_value())
+      .add("caps_off_box_voxels", solid.off_box / voxel,
+           "the largest distance of a cap's corner from the box; voxels");
+  out.optional(v.solid.has_value())
+      .add("cap_self_intersections", solid.self_intersections,
+           "pairs of crossing triangles, one or both of the caps");
   out.open("restricted_delaunay", "how many triangles are restricted Delaunay facets");
   out.add("triangles", d.triangles, "of the surface");
   out.add("measured", d.measured,

@@ -69,8 +69,8 @@ const OptionSpec& find_option(std::string_view name) {
       guess = text(spec.name, spec.argument.empty() ? "" : " ", spec.argument, " (", meaning, ")");
     }
   }
-  throw InputError("unknown option " + quote(name) +
-                   (guess.empty() ? "; --help lists them" : "; did you mean " + guess + "?"));
+  throw InputError("unknown option ", quote(name),
+                   guess.empty() ? "; --help lists them" : "; did you mean " + guess + "?");
 }
 
 // Returns the command that the first argument names; nullopt if it names none.
@@ -139,7 +139,7 @@ void check_labels(const CommandLine& line) {
     const std::size_t place = name.find("%d");
     if (name.empty() || (&name == &line.output && in_one_file(line))) continue;
     if (place == std::string::npos || name.find('%') != place || name.rfind('%') != place) {
-      throw InputError(std::string("--label all wants one %d in the name of ") + option +
+      throw InputError("--label all wants one %d in the name of ", option,
                        ", for the label: part-%d.ply; or all in one .glb, .3mf or .vtp");
     }
   }
@@ -158,18 +158,18 @@ void check_colors(CommandLine& line) {
                                            : "--color-by distance";
   if (line.section && line.clips.empty()) throw InputError("--section needs --clip PLANE");
   if (line.input.empty()) {
-    throw InputError(colors + " needs --volume INPUT" + (of_gradient ? "" : " --iso K"));
+    throw InputError(colors, " needs --volume INPUT", of_gradient ? "" : " --iso K");
   }
-  if (of_gradient && line.isovalue) throw InputError(colors + " takes no --iso");
+  if (of_gradient && line.isovalue) throw InputError(colors, " takes no --iso");
   take_builtin_isovalue(line);
-  if (!of_gradient && !has_level(line)) throw InputError(colors + " needs --iso K");
+  if (!of_gradient && !has_level(line)) throw InputError(colors, " needs --iso K");
 }
 
 void check_picture_name(const CommandLine& line) {
   if (line.output.empty()) throw InputError("no picture named: -o FILE.png, or -o -");
   if (line.output != "-" && !line.output.ends_with(".png") && !line.render.keep_strokes) {
-    throw InputError("cannot write '" + line.output + "': pictures are .png" +
-                     (line.command == Command::render ? " or .svg" : ""));
+    throw InputError("cannot write '", line.output, "': pictures are .png",
+                     line.command == Command::render ? " or .svg" : "");
   }
 }
 
@@ -190,7 +190,7 @@ void check_streams(const CommandLine& line) {
 void check_page_name(const CommandLine& line) {
   if (line.output.empty()) throw InputError("no page named: -o FILE.html, or -o -");
   if (line.output != "-" && !line.output.ends_with(".html")) {
-    throw InputError("cannot write '" + line.output + "': pages are .html");
+    throw InputError("cannot write '", line.output, "': pages are .html");
   }
 }
 
@@ -224,7 +224,7 @@ void check_picture(CommandLine& line) {
   }
   const double largest = largest_zoom(line.render.size);
   if (line.render.aim.zoom > largest) {
-    throw InputError("--zoom wants at most " + std::to_string(static_cast<int>(largest)) +
+    throw InputError("--zoom wants at most ", static_cast<int>(largest),
                      " in a picture of that --size");
   }
   check_colors(line);
@@ -301,7 +301,7 @@ constexpr Exclusion kExclusions[] = {
 template <class Given>
 void check_exclusions(const CommandLine& line, const Given& given) {
   const auto refuse = [](std::string_view option, std::string_view other, std::string_view hint) {
-    throw InputError(text(option, " and ", other, " exclude each other", hint));
+    throw InputError(option, " and ", other, " exclude each other", hint);
   };
   for (const Exclusion& row : kExclusions) {
     if (!given(row.option)) continue;
@@ -372,7 +372,7 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
       }
       if (!line.input.empty()) {
         if (command == Command::mesh && !named) refuse_unknown_command(line.input, true);
-        throw InputError("more than one input: " + quote(line.input) + " and " + quote(argument));
+        throw InputError("more than one input: ", quote(line.input), " and ", quote(argument));
       }
       line.input = argument;
       continue;
@@ -386,28 +386,25 @@ CommandLine parse_command_line(std::span<const std::string_view> arguments) {
     const std::size_t equals = argument.starts_with("--") ? argument.find('=') : argument.npos;
     const OptionSpec& spec = find_option(argument.substr(0, equals));
     const auto number = static_cast<std::size_t>(&spec - option_table().data());
-    if (seen[number]) throw InputError(std::string(spec.name) + " is given twice");
+    if (seen[number]) throw InputError(spec.name, " is given twice");
     seen[number] = true;
     if (!has_option(command, spec)) {
-      throw InputError(std::string(spec.name) + " has no meaning for deliso " +
-                       std::string(command_table()[static_cast<std::size_t>(command)].name));
+      throw InputError(spec.name, " has no meaning for deliso ",
+                       command_table()[static_cast<std::size_t>(command)].name);
     }
+    const bool is_switch = spec.argument.empty();
     std::string_view value;
-    if (spec.argument.empty()) {
-      if (equals != argument.npos) throw InputError(std::string(spec.name) + " takes no value");
-    } else if (equals != argument.npos) {
+    if (equals != argument.npos) {
+      if (is_switch) throw InputError(spec.name, " takes no value");
       value = argument.substr(equals + 1);
-    } else if (++at < arguments.size()) {
+    } else if (!is_switch && ++at < arguments.size()) {
       value = arguments[at];
-    } else {
-      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
     }
-    if (!spec.argument.empty() && value.empty()) {
-      throw InputError(std::string(spec.name) + " needs a value: " + std::string(spec.argument));
+    if (!is_switch && value.empty()) {
+      throw InputError(spec.name, " needs a value: ", spec.argument);
     }
     spec.apply(line, spec.name, value);
-    line.words.push_back(spec.argument.empty() ? std::string(spec.name)
-                                               : text(spec.name, "=", value));
+    line.words.push_back(text(spec.name, is_switch ? "" : "=", value));
     if (named) line.help_of = arguments[0];
     if (line.command == Command::help || line.command == Command::version) return line;
   }

@@ -74,7 +74,7 @@ std::string components_text(const ContourSummary& surface) {
   if (rows < sorted.size()) {
     append_format(text, "   rest   %7.3f %%  %s\n",
                   100 * share(crossings_of(std::span(sorted).subspan(rows)), whole),
-                  counted(sorted.size() - rows, "component", "components").c_str());
+                  counted(sorted.size() - rows, "component").c_str());
   }
   text += "sizes     longest side in voxels   components   share\n";
   for (const SizeClass& c : size_classes(surface)) {

@@ -33,11 +33,11 @@ Count count_of(const MeshRun& run) {
 std::string features_text(const TopologyCounts& mesh) {
   const auto loops = static_cast<std::int64_t>(mesh.boundary_loops);
   const auto handles = static_cast<std::int64_t>(mesh.components) - (mesh.euler + loops) / 2;
-  std::string words = counted(mesh.components, "component", "components");
+  std::string words = counted(mesh.components, "component");
   if (handles > 0) {
-    words += ", " + counted(static_cast<std::uint64_t>(handles), "handle", "handles");
+    words += ", " + counted(static_cast<std::uint64_t>(handles), "handle");
   }
-  if (loops > 0) words += ", " + counted(mesh.boundary_loops, "boundary loop", "boundary loops");
+  if (loops > 0) words += ", " + counted(mesh.boundary_loops, "boundary loop");
   return words;
 }
 
@@ -65,7 +65,7 @@ std::string count_text(const MeshRun& run) {
   if (stop == CountStop::none) return {};
   const Count count = count_of(run);
   const std::string words =
-      text(count.of_triangles ? counted(count.now, "triangle", "triangles")
+      text(count.of_triangles ? counted(count.now, "triangle")
                               : counted(count.now, "vertex", "vertices"),
            run.line.options.cap ? " without caps, " : ", ", grouped(count.wanted), " asked for: ");
   switch (stop) {

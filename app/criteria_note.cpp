@@ -2,27 +2,20 @@
 #include "app/criteria_note.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
-#include <system_error>
+#include <vector>
 
 #include "app/field.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "io/files/text_scan.h"
 
 namespace deliso {
 namespace {
 
 constexpr std::string_view kRMin = "r-min";
 constexpr std::string_view kProgram = "deliso";
-
-std::string_view take_word(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  const std::string_view word = line.substr(0, line.find(' '));
-  line.remove_prefix(word.size());
-  return word;
-}
 
 // Returns the number in `criteria` that a word of that name sets; null if the name is unknown.
 double* place_of(Criteria& criteria, std::string_view name) {
@@ -33,18 +26,16 @@ double* place_of(Criteria& criteria, std::string_view name) {
 }
 
 std::optional<Criteria> criteria_in(std::string_view line) {
-  if (take_word(line) != kProgram) return std::nullopt;
-  take_word(line);  // the version
+  const std::vector<std::string_view> words = words_of(line);  // the second is the version
+  if (words.empty() || words[0] != kProgram) return std::nullopt;
   Criteria criteria;
   criteria.limits.values.fill(kNotAsked);
-  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-    const std::size_t equals = word.find('=');
-    double* const place = place_of(criteria, word.substr(0, equals));
+  for (std::size_t n = 2; n < words.size(); ++n) {
+    const std::size_t equals = words[n].find('=');
+    double* const place = place_of(criteria, words[n].substr(0, equals));
     if (!place || equals == std::string_view::npos) continue;
-    const std::string_view digits = word.substr(equals + 1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), *place);
-    const bool whole = error == std::errc() && end == digits.data() + digits.size();
-    if (!whole || !std::isfinite(*place) || *place <= 0) return std::nullopt;
+    *place = to_double(words[n].substr(equals + 1)).value_or(0);
+    if (!std::isfinite(*place) || *place <= 0) return std::nullopt;
   }
   if (!(criteria.r_min > 0) || !criteria.asks(Criterion::r_over_l)) return std::nullopt;
   for (std::size_t n = 0; n < kCriteria; ++n) {

@@ -21,14 +21,6 @@ double in_voxels(const Length& length, const Volume& volume) {
   return length.unit == Length::Unit::voxel ? length.value : length.in(volume) / volume.voxel();
 }
 
-std::string list_of(std::span<const std::int64_t> labels, std::string_view separator) {
-  std::string list;
-  for (const std::int64_t label : labels) {
-    list += text(list.empty() ? std::string_view() : separator, label);
-  }
-  return list;
-}
-
 // The facts of the field that was made of a label.
 LabelFacts facts_of(const Field& field, const Volume& whole, const FieldOptions& options,
                     const LabelSamples& label, int threads) {
@@ -65,9 +57,8 @@ Vec3 sigma_of(const Length& smooth, const Volume& volume) {
     sigma[axis] = in_voxels(smooth, volume) * volume.voxel() / volume.spacing()[axis];
     // Written so that what overflows is refused.
     if (!(sigma[axis] <= kLargestSigma)) {
-      throw InputError(text("--smooth is ", rounded(sigma[axis]), " samples along ",
-                            std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1),
-                            ", and must be at most ", kLargestSigma));
+      throw InputError("--smooth is ", rounded(sigma[axis]), " samples along ", "xyz"[axis],
+                       ", and must be at most ", kLargestSigma);
     }
     widest = std::max(widest, gaussian_radius(sigma[axis]));
   }
@@ -106,7 +97,7 @@ std::string field_note(const FieldOptions& options, const Volume& volume) {
   std::string words;
   if (options.median > 0) words += text(" median=", options.median);
   if (options.smooth) words += text(" smooth=", in_voxels(*options.smooth, volume));
-  if (!options.labels.empty()) words += " label=" + list_of(options.labels, ",");
+  if (!options.labels.empty()) words += " label=" + joined(options.labels, ",");
   return words;
 }
 
@@ -142,9 +133,9 @@ std::string field_text(const Field& field) {
   std::string lines;
   if (field.label) {
     const LabelFacts& label = *field.label;
-    lines += text("label     ", list_of(label.labels, ", "), " of ", label.whole.i, " x ",
+    lines += text("label     ", joined(label.labels, ", "), " of ", label.whole.i, " x ",
                   label.whole.j, " x ", label.whole.k, ": ") +
-             counted(label.samples, "voxel", "voxels") +
+             counted(label.samples, "voxel") +
              text(", volume ", volume_text(label.volume), "\n          weight ",
                   rounded(label.weight), ", the volume in its surface ");
     append_format(lines, "%+.2f %% off\n", 100 * label.off);
@@ -160,13 +151,13 @@ void add_field(ReportWriter& out, const Field& field) {
     out.open("filter",
              "with --median, --smooth or --label: what the samples went through before all else; "
              "type and range are those after it");
-    if (out.if_any(field.median > 0))
-      out.add("median_radius", field.median, "with --median; samples", Rule::positive);
-    if (out.if_any(field.sigma_voxels > 0))
-      out.add("sigma_voxels", field.sigma_voxels, "of the Gaussian; voxels (of the shortest side)",
-              Rule::not_negative);
-    if (out.if_any(field.sigma_voxels > 0))
-      out.add("sigma_samples", field.sigma, "the same along x, y and z; samples");
+    out.optional(field.median > 0)
+        .add("median_radius", field.median, "with --median; samples", Rule::positive);
+    out.optional(field.sigma_voxels > 0)
+        .add("sigma_voxels", field.sigma_voxels, "of the Gaussian; voxels (of the shortest side)",
+             Rule::not_negative);
+    out.optional(field.sigma_voxels > 0)
+        .add("sigma_samples", field.sigma, "the same along x, y and z; samples");
     out.close();
   }
   if (!out.if_any(field.label.has_value())) return;

@@ -47,7 +47,7 @@ std::string labels_text(const std::vector<LabelSamples>& labels) {
   std::string text = "samples   look like a segmentation: " + grouped(labels.size()) +
                      " whole numbers in flat pieces\n";
   append_format(text, "try       --label %-8s  %s\n", std::to_string(largest->label).c_str(),
-                counted(largest->samples, "sample", "samples").c_str());
+                counted(largest->samples, "sample").c_str());
   if (labels.size() > 2) {
     append_format(
         text, "          --label %-8s  a mesh for each label but 0, with -o part-%%d.ply\n", "all");
@@ -61,29 +61,29 @@ std::string size_text(const Suggestion& s) {
   const double digit = std::pow(10, std::floor(std::log10(std::max(s.vertices, 10.0))) - 1);
   const double about = std::round(s.vertices / digit) * digit;
   std::string text = "about " + grouped(static_cast<std::uint64_t>(about)) + " vertices";
-  if (s.components) text += ", " + counted(*s.components, "component", "components");
+  if (s.components) text += ", " + counted(*s.components, "component");
   if (s.cost.is_long()) text += ", " + cost_text(s.cost.seconds, s.cost.bytes);
   return text;
 }
 
 std::string suggestions_text(const Info& info) {
-  std::string text;
+  std::string lines;
   for (const Padding& p : info.padding) {
-    text += (text.empty() ? "padding   " : "          ") + number_text(p.value) + ", " +
-            percent(p.share) + " of the samples: left out of what follows\n";
+    lines += text(lines.empty() ? "padding   " : "          ", p.value, ", ", percent(p.share),
+                  " of the samples: left out of what follows\n");
   }
-  text += labels_text(info.labels);
+  lines += labels_text(info.labels);
   const char* heading = info.labels.empty() ? "try     " : "or      ";
   for (const Suggestion& s : info.suggestions) {
     const Threshold& v = s.threshold;
-    append_format(text, "%s  --iso %-10s  %s\n", heading, number_text(v.isovalue).c_str(),
+    append_format(lines, "%s  --iso %-10s  %s\n", heading, text(v.isovalue).c_str(),
                   size_text(s).c_str());
-    text += "                            " + percent(v.below) + " of the samples below, " +
-            percent(1 - v.below) + " above, between means of " + rounded(v.mean_below) + " and " +
-            rounded(v.mean_above) + "\n";
+    lines += text("                            ", percent(v.below), " of the samples below, ",
+                  percent(1 - v.below), " above, between means of ", rounded(v.mean_below), " and ",
+                  rounded(v.mean_above), "\n");
     heading = "        ";
   }
-  return text;
+  return lines;
 }
 
 }  // namespace
@@ -161,10 +161,9 @@ void add_info(ReportWriter& out, const Info& info) {
                             "of wall clock for that run, within a factor of 2 on a usual machine");
                     out.add("expected_bytes", static_cast<std::uint64_t>(std::round(s.cost.bytes)),
                             "of memory, with the pages of a mapped file");
-                    if (out.if_any(s.components.has_value())) {
-                      out.add("components", s.components.value_or(0),
-                              "of the exact surface; left out where the volume is large");
-                    }
+                    out.optional(s.components.has_value())
+                        .add("components", s.components.value_or(0),
+                             "of the exact surface; left out where the volume is large");
                   });
   out.add_seconds("seconds_read", info.input.seconds, "reading, and looking at every sample once");
   out.add_seconds("seconds_suggestions", info.seconds_suggestions, "finding the suggestions");

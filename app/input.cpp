@@ -24,7 +24,7 @@ namespace deliso {
 namespace {
 
 std::string text_of(const Vec3& v) {
-  return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
+  return text(v.x, " ", v.y, " ", v.z);
 }
 
 // Returns a warning if the user wants labels of a volume that looks like a gray image.
@@ -33,8 +33,8 @@ std::string gray_image_warning(const CommandLine& line, const Volume& volume,
   if (!line.field.of_labels() || looks_like_labels(volume)) return "";
   const std::vector<Threshold> levels = find_thresholds(volume, range).levels;
   if (levels.empty()) return "";  // all samples are equal
-  return one_line(line.input + " looks like a gray image, not like labels: try --iso " +
-                  number_text(levels[0].isovalue));
+  return one_line(text(line.input, " looks like a gray image, not like labels: try --iso ",
+                       levels[0].isovalue));
 }
 
 }  // namespace
@@ -66,12 +66,12 @@ void find_segments(CommandLine& line) {
   for (const std::string& name : std::exchange(line.field.segments, {})) {
     const auto found = std::ranges::find(known, name, &NamedSegment::name);
     if (found == known.end()) {
-      throw InputError(text(line.input, ": has no segment ", quote(name),
-                            names.empty() ? ": --label takes whole numbers, or all" : names));
+      throw InputError(line.input, ": has no segment ", quote(name),
+                       names.empty() ? ": --label takes whole numbers, or all" : names);
     }
     if (line.read.channel.value_or(found->channel) != found->channel) {
-      throw InputError(text(line.input, ": segment ", quote(name), " is in channel ",
-                            found->channel, ", not in ", *line.read.channel));
+      throw InputError(line.input, ": segment ", quote(name), " is in channel ", found->channel,
+                       ", not in ", *line.read.channel);
     }
     line.read.channel = found->channel;
     line.field.labels.push_back(found->label);
@@ -89,9 +89,8 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   if (line.field.nan) {
     std::uint64_t count = 0;
     volume = without_nan(volume, *line.field.nan, count);
-    log.notes.push_back(
-        counted(count, "sample is NaN, and taken as ", "samples are NaN, and taken as ") +
-        number_text(*line.field.nan));
+    log.notes.push_back(text(counted(count, "sample is NaN", "samples are NaN"), ", and taken as ",
+                             *line.field.nan));
   }
   const ValueRange range = value_range(volume, line.input);
   std::vector<LabelSamples> labels;
@@ -117,38 +116,37 @@ Input read_input(const CommandLine& line, std::vector<std::string> others) {
 }
 
 std::string no_surface_text(double isovalue, const ValueRange& range) {
-  return "no surface at isovalue " + number_text(isovalue) + ": the samples are " +
-         number_text(range.min) + " to " + number_text(range.max);
+  return text("no surface at isovalue ", isovalue, ": the samples are ", range.min, " to ",
+              range.max);
 }
 
 std::string input_text(const Input& input) {
   const Volume& volume = input.volume();
   const Index3 dims = volume.dims();
   const auto sample_text = [&](double sample) {
-    return is_integer(volume.type()) ? number_text(sample) : rounded(sample, 7);
+    return is_integer(volume.type()) ? text(sample) : rounded(sample, 7);
   };
-  std::string text = "volume    " + one_line(input.name) + "\n          " + std::to_string(dims.i) +
-                     " x " + std::to_string(dims.j) + " x " + std::to_string(dims.k) + " " +
-                     std::string(name_of(volume.type())) + ", spacing " + text_of(volume.spacing());
+  std::string lines =
+      text("volume    ", one_line(input.name), "\n          ", dims.i, " x ", dims.j, " x ", dims.k,
+           " ", name_of(volume.type()), ", spacing ", text_of(volume.spacing()));
   if (input.range) {
-    text += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
+    lines += ", samples " + sample_text(input.range->min) + " to " + sample_text(input.range->max);
   }
-  text += "\n";
+  lines += "\n";
 
   const Frame& at = volume.frame();
   if (at != Frame{}) {
-    text += "          origin " + text_of(at.origin) + ", axes " + text_of(at.axes[0]) + " / " +
-            text_of(at.axes[1]) + " / " + text_of(at.axes[2]) +
-            (at.left_handed() ? ", left-handed" : "") + ", space " +
-            std::string(name_of(at.space)) + "\n";
+    lines +=
+        text("          origin ", text_of(at.origin), ", axes ", joined(at.axes, " / ", text_of),
+             at.left_handed() ? ", left-handed" : "", ", space ", name_of(at.space), "\n");
   }
   for (const NamedArray& array : input.log.arrays) {
     std::string of = array.name + ": " + array.type;
-    if (array.components != 1) of += " x " + std::to_string(array.components);
-    text += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
+    if (array.components != 1) of += text(" x ", array.components);
+    lines += "          array " + one_line(of + (array.read ? ", read" : "")) + "\n";
   }
-  for (const std::string& note : input.log.notes) text += "          " + note + "\n";
-  return text + field_text(input.field);
+  for (const std::string& note : input.log.notes) lines += "          " + note + "\n";
+  return lines + field_text(input.field);
 }
 
 void add_input(ReportWriter& out, const Input& input) {

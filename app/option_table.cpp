@@ -14,6 +14,7 @@
 #include "app/parse_value.h"
 #include "base/check.h"
 #include "base/text.h"
+#include "io/files/text_scan.h"
 #include "io/filter/median.h"
 
 namespace deliso {
@@ -22,13 +23,10 @@ namespace {
 // Returns the choice at the place of `value` in the option's argument, as in "certified|paper".
 template <class T>
 T choose(std::string_view option, std::string_view value) {
-  std::string names;
-  int place = 0;
-  for (const std::string_view name : choices_of(option_named(option))) {
-    if (name == value) return static_cast<T>(place);
-    names.append(place++ == 0 ? "" : ", ").append(name);
-  }
-  throw InputError(text(option, " wants one of ", names, ", not '", value, "'"));
+  const std::vector<std::string_view> names = choices_of(option_named(option));
+  const auto place = std::ranges::find(names, value) - names.begin();
+  if (place < std::ssize(names)) return static_cast<T>(place);
+  throw InputError(option, " wants one of ", joined(names, ", "), ", not '", value, "'");
 }
 
 // Adds the option to the faults of the volume layer's parsers.
@@ -37,7 +35,7 @@ auto in_option(std::string_view option, std::string_view text, Parse parse) {
   try {
     return parse(text);
   } catch (const InputError& error) {
-    throw InputError(std::string(option) + ": " + error.what());
+    throw InputError(option, ": ", error.what());
   }
 }
 
@@ -48,15 +46,14 @@ RawLayout& raw_layout(CommandLine& line) {
 
 double parse_share(std::string_view option, std::string_view text) {
   const double share = parse_positive(option, text);
-  if (share > 1) throw InputError(std::string(option) + " must be at most 1");
+  if (share > 1) throw InputError(option, " must be at most 1");
   return share;
 }
 
 int parse_radius(std::string_view option, std::string_view text) {
   const std::uint64_t radius = parse_count(option, text, 1);
   if (radius > static_cast<std::uint64_t>(kLargestMedianRadius)) {
-    throw InputError(std::string(option) + " must be at most " +
-                     std::to_string(kLargestMedianRadius));
+    throw InputError(option, " must be at most ", kLargestMedianRadius);
   }
   return static_cast<int>(radius);
 }
@@ -67,8 +64,7 @@ std::int64_t parse_place(std::string_view option, std::string_view text) {
 
 void require(std::string_view option, std::string_view text, std::string_view only) {
   if (text == only) return;
-  throw InputError(std::string(option) + " " + std::string(text) + " is not in this version: use " +
-                   std::string(only));
+  throw InputError(option, " ", text, " is not in this version: use ", only);
 }
 
 using Line = CommandLine;
@@ -82,8 +78,7 @@ void set_limit(Line& line, Text option, Text value) {
   limit = row.is_length ? parse_length(option, value, Length::Unit::world)
                         : Length{parse_positive(option, value)};
   if (limit.value < row.least) {
-    throw InputError(
-        text(option, " must be at least ", row.least, ", or refinement would not end"));
+    throw InputError(option, " must be at least ", row.least, ", or refinement would not end");
   }
 }
 
@@ -471,14 +466,6 @@ LibraryUse library_use(std::string_view name) {
 
 const OptionSpec& option_named(std::string_view name) {
   return *std::ranges::find(option_table(), name, &OptionSpec::name);
-}
-
-std::vector<std::string_view> split(std::string_view words, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= words.size(); at += parts.back().size() + 1) {
-    parts.push_back(words.substr(at, words.find(separator, at) - at));
-  }
-  return parts;
 }
 
 std::vector<std::string_view> choices_of(const OptionSpec& spec) {

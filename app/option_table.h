@@ -84,8 +84,6 @@ std::span<const OptionSpec> option_table();
 std::span<const OtherNames> other_names();
 std::vector<OptionGroup> option_groups();
 const OptionSpec& option_named(std::string_view name);  // of the table
-// Returns what stands between the separators: one part more than there are.
-std::vector<std::string_view> split(std::string_view words, char separator);
 // The values of an argument that lists them, else none.
 std::vector<std::string_view> choices_of(const OptionSpec& spec);
 

@@ -23,12 +23,6 @@ std::string escaped(std::string_view words, std::string_view characters) {
   return result;
 }
 
-std::string joined(const std::vector<std::string_view>& words, std::string_view between) {
-  std::string all;
-  for (const std::string_view word : words) all.append(all.empty() ? "" : between).append(word);
-  return all;
-}
-
 // Returns the names of the commands for which `is_listed` is true.
 template <class IsListed>
 std::string commands(IsListed is_listed, std::string_view between) {

@@ -64,8 +64,8 @@ void require_outputs(std::span<const std::string> outputs, std::span<const std::
     const std::optional<FileName> output = file_named(outputs[n], STDOUT_FILENO);
     if (!output) continue;
     const auto refuse = [&](const char* what, const std::string& other) {
-      throw InputError("cannot write " + quote(outputs[n]) + ": this run " + what +
-                       " that file as " + quote(other));
+      throw InputError("cannot write ", quote(outputs[n]), ": this run ", what, " that file as ",
+                       quote(other));
     };
     for (const std::string& input : inputs) {
       if (file_named(input, STDIN_FILENO) == output) refuse("reads", input);

@@ -9,17 +9,16 @@
 #include <string>
 #include <system_error>
 
-#include "app/option_table.h"
 #include "base/check.h"
 #include "base/sorted_list.h"
+#include "io/files/text_scan.h"
 #include "view/render/font.h"
 
 namespace deliso {
 namespace {
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view wanted) {
-  throw InputError(std::string(option) + " wants " + std::string(wanted) + ", not '" +
-                   std::string(text) + "'");
+  throw InputError(option, " wants ", wanted, ", not '", text, "'");
 }
 
 template <class Number>

@@ -109,8 +109,7 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
   std::vector<std::string_view> words{"mesh", input};
   for (const std::string& word : part.words) {
     if (!word.starts_with("--") || !is_noted(word)) {
-      throw InputError(
-          text(quote(part.name), " is no sound part: it notes the option ", quote(word)));
+      throw InputError(quote(part.name), " is no sound part: it notes the option ", quote(word));
     }
     words.push_back(word);
   }
@@ -120,7 +119,7 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
     find_segments(line);
     return line;
   } catch (const InputError& error) {
-    throw InputError(text(quote(part.name), " is no sound part: ", error.what()));
+    throw InputError(quote(part.name), " is no sound part: ", error.what());
   }
 }
 
@@ -145,7 +144,7 @@ void require_field(std::span<const PartFile> parts, const FieldSource& field,
   for (const PartFile& part : parts) {
     const bool same = part.is_of(shape, field.isovalue) &&
                       part.samples_at_seams == checksum_at_seams(field.source, grid, part.choice);
-    if (!same) throw InputError(text(quote(part.name), " is no part of ", quote(volume)));
+    if (!same) throw InputError(quote(part.name), " is no part of ", quote(volume));
   }
 }
 

@@ -49,30 +49,29 @@ std::string time_text(double seconds) {
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
   const bool certified = options.recover == RecoverWay::certified;
-  std::vector<StageCost> stages{{"reading", 1}};
-  const auto add = [&](bool is_run, std::string_view stage, double cost) {
-    if (is_run) stages.push_back({stage, cost});
-  };
-  const auto add_in_block = [&](bool is_run, std::string_view stage, double cost) {
-    if (is_run) stages.push_back({stage, cost, "blocks"});
-  };
-  add_in_block(true, "contour", 4);
-  add_in_block(certified, "cutting", 4);
-  add_in_block(true, "initial", 3);
-  add_in_block(certified, "labels", 4);
-  add_in_block(certified, "recover", 20);
-  add(!certified, "topology", 4);
-  add(!certified && std::isfinite(options.epsilon), "geometry", 28);
-  add(options.limits[Criterion::r_over_pole].value < Options::kNone, "poles", 2);
   const bool refines = !options.stop_after_recover;
-  add_in_block(refines, "refine", 45);
-  add(certified, "weld", 1);
-  add(refines && certified, "seams", 6);
-  add(refines && by_count(options), "coarsen", 20);
-  add(options.cap, "cap", 3);
   const bool examined = !line.quiet || line.check || !line.json.empty();
-  add(examined, "check", line.check ? 150 : 18);
-  add(!line.output.empty(), "writing", 1);
+  const std::pair<bool, StageCost> all[] = {
+      {true, {"reading", 1}},
+      {true, {"contour", 4, "blocks"}},
+      {certified, {"cutting", 4, "blocks"}},
+      {true, {"initial", 3, "blocks"}},
+      {certified, {"labels", 4, "blocks"}},
+      {certified, {"recover", 20, "blocks"}},
+      {!certified, {"topology", 4}},
+      {!certified && std::isfinite(options.epsilon), {"geometry", 28}},
+      {options.limits[Criterion::r_over_pole].value < Options::kNone, {"poles", 2}},
+      {refines, {"refine", 45, "blocks"}},
+      {certified, {"weld", 1}},
+      {refines && certified, {"seams", 6}},
+      {refines && by_count(options), {"coarsen", 20}},
+      {options.cap, {"cap", 3}},
+      {examined, {"check", line.check ? 150.0 : 18.0}},
+      {!line.output.empty(), {"writing", 1}}};
+  std::vector<StageCost> stages;
+  for (const auto& [is_run, stage] : all) {
+    if (is_run) stages.push_back(stage);
+  }
   return stages;
 }
 

@@ -62,13 +62,11 @@ void add_options(ReportWriter& out, const CommandLine& line) {
   }
   add_length(out, "rmin", options.r_min,
              "triangles of a smaller circumradius are not refined for distance");
-  if (out.if_any(options.target_vertices != Options::kNoTarget)) {
-    out.add("vertices", options.target_vertices, "with --vertices: how many are wanted");
-  }
-  if (out.if_any(options.target_triangles != Options::kNoTarget)) {
-    out.add("triangles", options.target_triangles,
-            "with --triangles: how many are wanted, caps left out");
-  }
+  out.optional(options.target_vertices != Options::kNoTarget)
+      .add("vertices", options.target_vertices, "with --vertices: how many are wanted");
+  out.optional(options.target_triangles != Options::kNoTarget)
+      .add("triangles", options.target_triangles,
+           "with --triangles: how many are wanted, caps left out");
   out.add("seed", options.seed, "of what is random");
   out.add("samples", options.samples, "random points to begin with");
   out.add("min_component", options.components.min_voxels,
@@ -117,7 +115,7 @@ void add_quality(ReportWriter& out, const MeshQuality& quality) {
           "the largest r/l; null where a triangle has no area", Rule::nullable);
   out.open("r_over_l_quantiles", "r/l that a share of the triangles keeps to");
   for (std::size_t n = 0; n < MeshQuality::kQuantiles.size(); ++n) {
-    out.add(number_text(MeshQuality::kQuantiles[n]), quality.r_over_l_quantiles[n], "this share",
+    out.add(text(MeshQuality::kQuantiles[n]), quality.r_over_l_quantiles[n], "this share",
             Rule::nullable);
   }
   out.close();
@@ -155,17 +153,15 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
   out.add("output", run.line.output, "its file; empty: none was written");
   out.add("vertices", run.vertices, "caps included");
   out.add("triangles", run.triangles, "caps included");
-  if (out.if_any(by_count(run.line.options))) {
-    out.add_choice("count_stop", static_cast<std::size_t>(count_stop(run)),
-                   names_up_to(CountStop::refinement),
-                   "with --vertices or --triangles: what stopped the number, caps left out; none: "
-                   "at most as many, and at most 2 % or one fewer");
-  }
-  if (out.if_any(report[Counter::cap_lifts_off_surface] > 0)) {
-    out.add(
-        "max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel(),
-        "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
-  }
+  out.optional(by_count(run.line.options))
+      .add_choice("count_stop", static_cast<std::size_t>(count_stop(run)),
+                  names_up_to(CountStop::refinement),
+                  "with --vertices or --triangles: what stopped the number, caps left out; none: "
+                  "at most as many, and at most 2 % or one fewer");
+  out.optional(report[Counter::cap_lifts_off_surface] > 0)
+      .add(
+          "max_off_surface_voxels", run.max_off_surface / run.input.volume().voxel(),
+          "with --cap: the largest distance of a vertex from the surface, if some had to leave it");
   out.add("fault", run.fault, "the first rule of a mesh that it breaks; empty: none");
   add_topology(out, "topology", run.mesh, "of the mesh, without caps");
   add_topology(out, "exact_topology", report.exact, "of the surface");
@@ -175,19 +171,16 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
     add_solid(out, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);
   }
-  if (out.if_any(run.line.options.cap)) {
-    out.add("cap_failure", report.cap.failure,
-            "with --cap: why the mesh stayed open; empty: it is closed");
-  }
-  if (out.if_any(run.line.options.cap)) {
-    out.add("cap_crossings", run.has_solid() ? run.written.crossings : 0,
-            "with --cap: pairs of crossing triangles, caps and surface, of the mesh as it is in "
-            "the file, when it is closed");
-  }
-  if (out.if_any(run.input.field.label && run.has_volume())) {
-    out.add("volume", run.volume,
-            "with --label: enclosed by the mesh, if it is closed; world units, cubed");
-  }
+  out.optional(run.line.options.cap)
+      .add("cap_failure", report.cap.failure,
+           "with --cap: why the mesh stayed open; empty: it is closed");
+  out.optional(run.line.options.cap)
+      .add("cap_crossings", run.has_solid() ? run.written.crossings : 0,
+           "with --cap: pairs of crossing triangles, caps and surface, of the mesh as it is in "
+           "the file, when it is closed");
+  out.optional(run.input.field.label && run.has_volume())
+      .add("volume", run.volume,
+           "with --label: enclosed by the mesh, if it is closed; world units, cubed");
   const PlaceFaults by_rounding = run.by_rounding();
   out.add("crossings_by_rounding", by_rounding.crossings,
           "pairs of triangles that cross since coordinates are written in single precision");

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstdio>
-#include <utility>
-
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/mesh_run.h"
@@ -16,11 +12,9 @@ namespace deliso {
 namespace {
 
 // Returns a share; the whole may be 0.
-std::string ratio(double a, double b, int digits) {
-  if (b == 0) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, a / b);
-  return text;
+template <class A, class B>
+std::string ratio(A a, B b, int digits) {
+  return b == 0 ? "-" : fixed(static_cast<double>(a) / static_cast<double>(b), digits);
 }
 
 void append_step(std::string& text, const char* name, double seconds) {
@@ -29,31 +23,25 @@ void append_step(std::string& text, const char* name, double seconds) {
 
 void append_stage(std::string& text, const char* name, double seconds, std::uint64_t points,
                   const SearchCounters& searches) {
-  const auto inserted = static_cast<double>(points);
-  const auto asked = static_cast<double>(searches.searches);
   append_format(text, "  %-14s %9.3f %11s %10s %10s %7s %7s\n", name, seconds,
-                grouped(points).c_str(), ratio(1e6 * seconds, inserted, 2).c_str(),
-                ratio(asked, inserted, 1).c_str(),
-                ratio(static_cast<double>(searches.computations), asked, 2).c_str(),
-                ratio(static_cast<double>(searches.computations_with_hit),
-                      static_cast<double>(searches.searches_with_hit), 2)
-                    .c_str());
+                grouped(points).c_str(), ratio(1e6 * seconds, points, 2).c_str(),
+                ratio(searches.searches, points, 1).c_str(),
+                ratio(searches.computations, searches.searches, 2).c_str(),
+                ratio(searches.computations_with_hit, searches.searches_with_hit, 2).c_str());
 }
 
-void append_quality(std::string& text, const MeshQuality& quality, double lambda, double r_min,
-                    bool verbose) {
-  append_format(text, "quality   smallest angle %.2f degrees, largest %.2f\n", quality.min_angle,
-                quality.max_angle);
-  if (!verbose) return;
-  append_format(text, "          largest r/l %.3f, above r_min = %s it is %.3f\n",
-                quality.max_r_over_l, number_text(r_min).c_str(), quality.max_r_over_l_above_r_min);
-  append_format(text, "          %s with r/l > %s, %s of them above r_min\n",
-                counted(quality.over_lambda, "triangle", "triangles").c_str(),
-                number_text(lambda).c_str(), grouped(quality.over_lambda_above_r_min).c_str());
+std::string quality_text(const MeshQuality& quality, double lambda, double r_min, bool verbose) {
+  std::string lines = text("quality   smallest angle ", fixed(quality.min_angle, 2),
+                           " degrees, largest ", fixed(quality.max_angle, 2), "\n");
+  if (!verbose) return lines;
+  lines += text("          largest r/l ", fixed(quality.max_r_over_l, 3), ", above r_min = ", r_min,
+                " it is ", fixed(quality.max_r_over_l_above_r_min, 3), "\n          ",
+                counted(quality.over_lambda, "triangle"), " with r/l > ", lambda, ", ",
+                grouped(quality.over_lambda_above_r_min), " of them above r_min\n");
   if (quality.degenerate_faces > 0) {
-    append_format(text, "          %s without area\n",
-                  counted(quality.degenerate_faces, "triangle", "triangles").c_str());
+    lines += text("          ", counted(quality.degenerate_faces, "triangle"), " without area\n");
   }
+  return lines;
 }
 
 // Returns the distance to the surface that Stage 2 reached.
@@ -93,37 +81,33 @@ void append_stages(std::string& text, const MeshRun& run) {
   append_format(text, "  %-14s %9.3f\n\n", "total", run.seconds_total);
 }
 
+// Returns the counters that are not 0.
+std::string counters_text(const Report& report) {
+  std::string lines;
+  for (std::size_t n = 0; n < kCounterCount; ++n) {
+    if (report.counters[n] == 0) continue;
+    lines += text(lines.empty() ? "counters  " : "          ", name_of(static_cast<Counter>(n)),
+                  ": ", grouped(report.counters[n]), "\n");
+  }
+  return lines;
+}
+
 // Returns the operations of Stage 2, and the numbers refused by each test.
-void append_operations(std::string& text, const Report& report) {
-  const char* heading = "done";
+std::string operations_text(const Report& report) {
+  std::string lines;
   for (std::size_t r = 0; r < kOperations; ++r) {
     const OperationCounts& counts = report.operations[r];
     std::string refused;
     for (std::size_t n = 0; n < kRefusals; ++n) {
       if (counts.refused[n] == 0) continue;
-      refused.append(refused.empty() ? "; refused: " : ", ");
-      refused.append(name_of(static_cast<Refusal>(n)))
-          .append(" ")
-          .append(grouped(counts.refused[n]));
+      refused += text(refused.empty() ? "; refused: " : ", ", name_of(static_cast<Refusal>(n)), " ",
+                      grouped(counts.refused[n]));
     }
     if (counts.done == 0 && refused.empty()) continue;
-    append_format(text, "%-9s %s: %s%s\n", std::exchange(heading, ""),
-                  std::string(name_of(static_cast<Operation>(r))).c_str(),
-                  grouped(counts.done).c_str(), refused.c_str());
+    lines += text(lines.empty() ? "done      " : "          ", name_of(static_cast<Operation>(r)),
+                  ": ", grouped(counts.done), refused, "\n");
   }
-}
-
-// Appends the counters that are not 0, and the operations of Stage 2.
-void append_counters(std::string& text, const Report& report) {
-  const std::size_t before = text.size();
-  for (std::size_t n = 0; n < kCounterCount; ++n) {
-    if (report.counters[n] == 0) continue;
-    append_format(text, "%-9s %s: %s\n", text.size() == before ? "counters" : "",
-                  std::string(name_of(static_cast<Counter>(n))).c_str(),
-                  grouped(report.counters[n]).c_str());
-  }
-  append_operations(text, report);
-  if (text.size() == before) text += "counters  nothing refused or unresolved\n";
+  return lines;
 }
 
 // Returns what holds of the mesh, and a line for each counter of what does not (the README's "What
@@ -131,105 +115,103 @@ void append_counters(std::string& text, const Report& report) {
 std::string verdict_text(const MeshRun& run) {
   const Report& report = run.report;
   const Options& options = run.line.options;
-  std::string text = "verdict   ";
-  if (!run.fault.empty() || (options.components.is_all() && run.mesh != report.exact)) {
-    text += "another topology than the surface's";
-  } else {
-    text += options.components.is_all() ? "exact topology" : "only the components asked for";
-  }
+  const bool is_all = options.components.is_all();
+  const bool is_other = !run.fault.empty() || (is_all && run.mesh != report.exact);
   const std::uint64_t crossings = run.written.crossings + report[Counter::crossings_handed_over];
-  if (crossings > 0) {
-    text += "; " + counted(crossings, "crossing pair", "crossing pairs") + " of triangles";
-  } else {
-    text += options.recover == RecoverWay::certified ? ", no crossings"
-                                                     : "; crossings are not looked for";
-  }
-  text += "\n";
+  std::string lines =
+      text("verdict   ",
+           is_other ? "another topology than the surface's"
+           : is_all ? "exact topology"
+                    : "only the components asked for",
+           crossings > 0 ? "; " + counted(crossings, "crossing pair") + " of triangles"
+           : options.recover == RecoverWay::certified ? ", no crossings"
+                                                      : "; crossings are not looked for",
+           "\n");
   const auto add = [&](Counter counter, const std::string& what) {
-    if (report[counter] == 0) return;
-    text.append("          ").append(what).append(" (").append(name_of(counter)).append(")\n");
+    if (report[counter] > 0) lines += text("          ", what, " (", name_of(counter), ")\n");
   };
-  const std::uint64_t over = report[Counter::unrefined_facets], far = report[Counter::points_far];
-  add(Counter::unrefined_facets,
-      grouped(over) + " of " + counted(run.triangles, "triangle", "triangles") + " over a limit");
-  add(Counter::points_far, counted(far, "point", "points") + " of the surface further than 2 D");
-  add(Counter::uncertified_sites, counted(report[Counter::uncertified_sites], "place", "places") +
+  add(Counter::unrefined_facets, text(grouped(report[Counter::unrefined_facets]), " of ",
+                                      counted(run.triangles, "triangle"), " over a limit"));
+  add(Counter::points_far,
+      counted(report[Counter::points_far], "point") + " of the surface further than 2 D");
+  add(Counter::uncertified_sites, counted(report[Counter::uncertified_sites], "place") +
                                       " where the proof of the topology fails");
-  return text;
+  return lines;
 }
 
 }  // namespace
 
 std::string place_faults_text(const PlaceFaults& faults) {
-  std::string text;
+  std::string words;
   const auto add = [&](std::size_t n, const char* one, const char* many, const char* what) {
-    if (n > 0) text.append(text.empty() ? "" : ", ").append(counted(n, one, many)).append(what);
+    if (n > 0) words += text(words.empty() ? "" : ", ", counted(n, one, many), what);
   };
   add(faults.crossings, "pair", "pairs", " of triangles cross");
   add(faults.flat, "triangle", "triangles", " flat");
   add(faults.coincident, "vertex", "vertices", " coincide with others");
-  return text;
+  return words;
 }
 
 std::string report_text(const MeshRun& run) {
   const Report& report = run.report;
-  std::string text = input_text(run.input);
-  text += "isovalue  " + isovalue_text(*run.input.isovalue, report.kappa_effective) + "\n";
+  const Options& options = run.line.options;
   const bool verbose = run.line.verbose;
-  if (verbose) append_stages(text, run);
+  std::string lines = text(input_text(run.input), "isovalue  ",
+                           isovalue_text(*run.input.isovalue, report.kappa_effective), "\n");
+  if (verbose) append_stages(lines, run);
 
-  text += "mesh      " + counted(run.vertices, "vertex", "vertices") + ", " +
-          counted(run.triangles, "triangle", "triangles");
-  if (!run.line.output.empty()) text += " -> " + one_line(run.line.output);
-  text += "\n          " + topology_text(run.mesh) + "\n";
-  if (count_stop(run) != CountStop::none) text += "count     " + count_text(run) + "\n";
-  text +=
-      "exact     " +
-      (run.mesh == run.report.exact ? std::string("the same") : topology_text(run.report.exact)) +
-      "\n";
-  if (!run.fault.empty()) text += "fault     " + run.fault + "\n";
+  lines += text("mesh      ", counted(run.vertices, "vertex", "vertices"), ", ",
+                counted(run.triangles, "triangle"));
+  if (!run.line.output.empty()) lines += " -> " + one_line(run.line.output);
+  lines += text("\n          ", topology_text(run.mesh), "\n");
+  if (count_stop(run) != CountStop::none) lines += text("count     ", count_text(run), "\n");
+  lines +=
+      text("exact     ", run.mesh == report.exact ? "the same" : topology_text(report.exact), "\n");
+  if (!run.fault.empty()) lines += text("fault     ", run.fault, "\n");
   if (run.has_solid()) {
-    text += "solid     " +
-            solid_text(run.vertices - report.cap.surface_vertices,
-                       run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality) +
-            "\n          " + (run.written.crossings > 0 ? "FAULT: " : "") +
-            counted(run.written.crossings, "crossing pair", "crossing pairs") + " of triangles\n";
-  } else if (run.line.options.cap) {
-    text += "solid     FAULT: not closed on the box: " + report.cap.failure + "\n";
+    lines +=
+        text("solid     ",
+             solid_text(run.vertices - report.cap.surface_vertices,
+                        run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality),
+             "\n          ", run.written.crossings > 0 ? "FAULT: " : "",
+             counted(run.written.crossings, "crossing pair"), " of triangles\n");
+  } else if (options.cap) {
+    lines += text("solid     FAULT: not closed on the box: ", report.cap.failure, "\n");
   }
   const std::uint64_t off_surface = report[Counter::cap_lifts_off_surface];
   if (off_surface > 0) {
-    text += "off       " + counted(off_surface, "vertex", "vertices") + " up to " +
-            rounded(run.max_off_surface / run.input.volume().voxel()) +
-            " voxels off the surface, to keep edges out of the faces of the box\n";
+    lines += text("off       ", counted(off_surface, "vertex", "vertices"), " up to ",
+                  rounded(run.max_off_surface / run.input.volume().voxel()),
+                  " voxels off the surface, to keep edges out of the faces of the box\n");
   }
   if (run.input.field.label && run.has_volume()) {
-    append_format(text, "volume    %s in the mesh, %.2f %% off that of the voxels\n",
-                  volume_text(run.volume).c_str(), 100 * run.volume_difference());
+    lines += text("volume    ", volume_text(run.volume), " in the mesh, ",
+                  fixed(100 * run.volume_difference(), 2), " % off that of the voxels\n");
   }
   if (run.mended > 0) {
-    text += "rounding  " + counted(run.mended, "vertex", "vertices") +
-            " not at the nearest float, so that triangles keep apart\n";
+    lines += text("rounding  ", counted(run.mended, "vertex", "vertices"),
+                  " not at the nearest float, so that triangles keep apart\n");
   }
   if (run.by_rounding().count() > 0) {
-    text += "rounding  FAULT: single precision makes " + place_faults_text(run.by_rounding()) +
-            "; " + kKeepDoubles + "\n";
+    lines += text("rounding  FAULT: single precision makes ", place_faults_text(run.by_rounding()),
+                  "; ", kKeepDoubles, "\n");
   }
-  if (run.triangles > 0)
-    append_quality(text, run.quality, run.line.options.limits[Criterion::r_over_l].value,
-                   report.r_min, verbose);
-
-  const Options& options = run.line.options;
+  if (run.triangles > 0) {
+    const double lambda = options.limits[Criterion::r_over_l].value;
+    lines += quality_text(run.quality, lambda, report.r_min, verbose);
+  }
   const bool refined = !options.stop_after_recover && !options.single_stage;
   if (run.triangles > 0 && refined) {
-    text += distance_text(options, report, run.input.volume().voxel(), verbose);
+    lines += distance_text(options, report, run.input.volume().voxel(), verbose);
   }
-  if (run.verification) text += verification_text(*run.verification, run.input.volume());
-  if (verbose) append_counters(text, report);
-  if (run.triangles > 0) text += verdict_text(run);
-  append_format(text, "cost      %.2f seconds, %.1f MiB at most\n", run.seconds_total,
-                static_cast<double>(run.peak_bytes) / 0x1p20);
-  return text;
+  if (run.verification) lines += verification_text(*run.verification, run.input.volume());
+  if (verbose) {
+    const std::string counts = counters_text(report) + operations_text(report);
+    lines += counts.empty() ? "counters  nothing refused or unresolved\n" : counts;
+  }
+  if (run.triangles > 0) lines += verdict_text(run);
+  return lines + text("cost      ", fixed(run.seconds_total, 2), " seconds, ",
+                      fixed(static_cast<double>(run.peak_bytes) / 0x1p20, 1), " MiB at most\n");
 }
 
 }  // namespace deliso

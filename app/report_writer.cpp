@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/report_writer.h"
 
+#include <utility>
+
 #include "base/version.h"
 
 namespace deliso {
@@ -66,7 +68,7 @@ std::string ReportWriter::finish() {
 
 bool ReportWriter::describes(std::string_view key, std::string_view type, std::string_view words,
                              Rule rule, bool is_list, std::span<const std::string> choices) {
-  if (required_.empty()) return false;
+  if (required_.empty()) return std::exchange(is_left_out_, false);
   open_member(key);
   if (is_list) {
     json_.add("type", "array");

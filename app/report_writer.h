@@ -81,6 +81,11 @@ class ReportWriter {
     is_optional_ = true;
     return is_present || !required_.empty();
   }
+  // Leaves out the next member, which is no object, unless it is to be added.
+  ReportWriter& optional(bool is_present) {
+    is_left_out_ = !if_any(is_present);
+    return *this;
+  }
 
   // Adds a list of objects; `fill` adds the members of one.
   template <class T, class Fill>
@@ -101,7 +106,8 @@ class ReportWriter {
   std::string finish();  // the report, or the schema
 
  private:
-  // If the writer describes: describes a member of this type, and returns true.
+  // If the writer describes: describes a member of this type, and returns true. Also true of one
+  // that is left out.
   bool describes(std::string_view key, std::string_view type, std::string_view words,
                  Rule rule = Rule::none, bool is_list = false,
                  std::span<const std::string> choices = {});
@@ -112,7 +118,7 @@ class ReportWriter {
 
   JsonWriter json_;
   std::vector<std::vector<std::string>> required_;  // of open objects; empty: the writer writes
-  bool is_optional_ = false;
+  bool is_optional_ = false, is_left_out_ = false;  // the next member
 };
 
 }  // namespace deliso

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The check command: a mesh file and a volume in, a proof or a list of faults out.
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "app/output.h"
 #include "app/run.h"
 #include "base/check.h"
+#include "base/text.h"
 #include "check/bring_home.h"
 #include "check/verify.h"
 #include "contour/contour.h"
@@ -40,12 +40,11 @@ int run_check(const CommandLine& line) {
   const Input input = read_input(line, line.meshes);
   const std::string asked = field_note(line.field, input.volume());
   const auto made = noted_field(notes.comments);
-  if (made && *made != asked && !line.quiet) {
-    const std::string warning =
-        one_line(line.meshes.front() + " is of another field: its file says" +
-                 (made->empty() ? " no filter" : *made) + ", this check" +
-                 (asked.empty() ? " has no filter" : " says" + asked));
-    std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
+  if (made && *made != asked) {
+    print_warning(one_line(text(line.meshes.front(), " is of another field: its file says",
+                                made->empty() ? " no filter" : *made, ", this check",
+                                asked.empty() ? " has no filter" : " says" + asked)),
+                  line);
   }
   const CheckRun run = check_mesh_in_world(std::move(mesh), notes, line, input);
   const Verification& result = run.verification;

@@ -51,10 +51,10 @@ std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& 
     require_outputs(std::vector{one.output, one.json}, files);
     lines.push_back(std::move(one));
   }
-  if (lines.empty()) throw InputError(line.input + ": has no label but 0");
+  if (lines.empty()) throw InputError(line.input, ": has no label but 0");
   if (lines.size() > kMostLabels) {
-    throw InputError(text(line.input, ": has ", lines.size(), " labels, more than ", kMostLabels,
-                          ": --label L,L names the ones to mesh"));
+    throw InputError(line.input, ": has ", lines.size(), " labels, more than ", kMostLabels,
+                     ": --label L,L names the ones to mesh");
   }
   return lines;
 }

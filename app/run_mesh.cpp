@@ -45,9 +45,8 @@ using Warn = std::function<void(const std::string&)>;
 // Throws InputError if no sample can be on one of the two sides.
 void require_isovalue_in_range(double isovalue, const ValueRange& range) {
   if (range.min < isovalue && isovalue <= range.max) return;
-  throw InputError(no_surface_text(isovalue, range) + ", everything is " +
-                   (isovalue <= range.min ? "inside" : "outside") +
-                   " (--allow-empty accepts that)");
+  throw InputError(no_surface_text(isovalue, range), ", everything is ",
+                   isovalue <= range.min ? "inside" : "outside", " (--allow-empty accepts that)");
 }
 
 // Warns in one line before a run that may need much time and memory. Throws an InputError before an
@@ -58,15 +57,14 @@ void warn_of_size(double vertices, const ExpectedCost& cost, const Warn& warn) {
                                  cost_text(cost.seconds, cost.bytes),
                                  " are to be expected; a larger --max-distance or --rmin, or "
                                  "--vertices N, gives fewer");
-  if (vertices > kMaxVertices) throw InputError("too large: " + words);
+  if (vertices > kMaxVertices) throw InputError("too large: ", words);
   warn(words);
 }
 
 // Returns the facets from `begin` to `end`, with the same vertices.
 TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
-  std::vector<Triangle> triangles;
-  for (FaceId f(begin); f < end; ++f) triangles.push_back(mesh.faces[f].v);
-  return make_tri_mesh(mesh.points, triangles);
+  const std::vector<Triangle> all = mesh.triangles();
+  return make_tri_mesh(mesh.points, std::span(all).subspan(begin, end - begin));
 }
 
 // Returns the largest distance from the surface of a vertex that is not only in caps. Four voxels
@@ -122,13 +120,6 @@ void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, M
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }
 
-std::vector<Triangle> triangles_of(const TriMesh& mesh) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
-  return triangles;
-}
-
 // Returns the mesh in the world, with the vertices where the file should have them so that rounding
 // makes no faults.
 TriMesh rounded_mesh(const TriMesh& mesh, const CommandLine& line) {
@@ -150,7 +141,7 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
   const bool is_written = !line.output.empty();
   const bool is_single = is_written && writes_single_precision(line.write);
   if (!run.has_solid() && !is_single) return std::nullopt;
-  const std::vector<Triangle> triangles = triangles_of(mesh);
+  const std::vector<Triangle> triangles = mesh.triangles();
   const auto find = [&](const std::vector<Vec3>& points) {
     return find_place_faults(points, triangles, line.options.threads);
   };
@@ -218,8 +209,7 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
   options.observer = &progress;
   TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
   if (mesh.faces.empty() && !line.allow_empty) {
-    throw InputError("the mesh at isovalue " + number_text(isovalue) +
-                     " is empty (--allow-empty accepts that)");
+    throw InputError("the mesh at isovalue ", isovalue, " is empty (--allow-empty accepts that)");
   }
 
   examine_mesh(run, mesh, progress, warn);
@@ -228,9 +218,8 @@ TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
 
 std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line) {
   return [&](const std::string& warning) {
-    if (line.quiet) return;
     progress.clear();
-    std::fprintf(stderr, "deliso: warning: %s\n", warning.c_str());
+    print_warning(warning, line);
   };
 }
 

@@ -43,8 +43,7 @@ int run_part(const CommandLine& line) {
   if (!line.quiet && line.output != "-") {
     print(text("part      ", line.part->number, " of ", line.part->of, " -> ",
                one_line(line.output), "\nmesh      ") +
-          counted(vertices, "vertex", "vertices") + ", " +
-          counted(triangles, "triangle", "triangles") + "\n");
+          counted(vertices, "vertex", "vertices") + ", " + counted(triangles, "triangle") + "\n");
   }
   return kExitSuccess;
 }

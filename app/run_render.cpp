@@ -102,8 +102,6 @@ std::string caption_of(const std::string& label, const std::string& file, const 
 }  // namespace
 
 std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
-  std::string names;
-  for (const std::string& name : line.meshes) names += (names.empty() ? "'" : ", '") + name + "'";
   std::optional<Input> input;
   if (!line.input.empty()) input = read_input(line);
   FacetColors colors = color_facets(meshes, line, input ? &*input : nullptr);
@@ -137,9 +135,9 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
       if (clip) subjects.back().clip = plane_of(*clip, box);
       subjects.back().section = section;
     }
-    std::string size = counted(meshes[n].faces.size(), "triangle", "triangles");
+    std::string size = counted(meshes[n].faces.size(), "triangle");
     if (!colors.components.empty()) {
-      size += ", " + counted(colors.components[n], "component", "components");
+      size += ", " + counted(colors.components[n], "component");
     }
     if (!line.labels.empty()) {
       const std::string& label = line.labels[line.labels.size() == 1 ? 0 : n];
@@ -156,14 +154,14 @@ std::string draw(std::span<const TriMesh> meshes, const CommandLine& line) {
     options.view->up = line.up.value_or(Up{});
     image = render(subjects, options);
   } catch (const InputError& error) {
-    throw InputError("cannot draw " + names + ": " + error.what());
+    throw InputError("cannot draw '", joined(line.meshes, "', '"), "': ", error.what());
   }
   {
     const DeferSignals defer;
     options.keep_strokes ? write_svg(image, line.output) : write_png(image, line.output);
   }
-  return sizes + " drawn from --view " + number_text(options.view->azimuth) + "," +
-         number_text(options.view->elevation) + "\n";
+  return text(sizes, " drawn from --view ", options.view->azimuth, ",", options.view->elevation,
+              "\n");
 }
 
 int run_render(const CommandLine& line) {

@@ -63,9 +63,8 @@ int run_trace(const CommandLine& line) {
         line.quiet);
   }
   if (!line.quiet && line.output != "-") {
-    print(counted(trace.size(), "event", "events") + ", " +
-          counted(mesh.faces.size(), "triangle", "triangles") + " in the end, in " +
-          one_line(line.output) + "\n");
+    print(counted(trace.size(), "event") + ", " + counted(mesh.faces.size(), "triangle") +
+          " in the end, in " + one_line(line.output) + "\n");
   }
   return kExitSuccess;
 }

@@ -93,7 +93,7 @@ int run_view(const CommandLine& line) {
     header.add("space", short_name_of(mesh.frame.space));
     header.close();
     title += (n == 0 ? "" : " | ") + name;
-    sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle", "triangles");
+    sizes += (n == 0 ? "" : " | ") + counted(mesh.faces.size(), "triangle");
     add_mesh(data, mesh, middle, n);
     if (input) {
       bring_home(mesh, input->volume().frame());

@@ -119,8 +119,7 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   ProgressBar progress(mesh_stages(line), !line.quiet);
   for (const LabelSamples& l : source.labels) {
     if (l.label != static_cast<std::int32_t>(l.label)) {
-      throw InputError(
-          text(line.input, ": label ", l.label, " has more than 32 bits for --shared"));
+      throw InputError(line.input, ": label ", l.label, " has more than 32 bits for --shared");
     }
   }
   // The labels end in a margin of background, so that their meshes are closed.

@@ -23,7 +23,7 @@ std::string volume_text(double volume) {
 std::string solid_text(std::size_t cap_vertices, std::size_t cap_triangles, double volume,
                        const MeshQuality& caps) {
   std::string line = text("volume ", rounded(volume, 6), "; caps of ") +
-                     counted(cap_triangles, "triangle", "triangles") + ", " +
+                     counted(cap_triangles, "triangle") + ", " +
                      counted(cap_vertices, "new vertex", "new vertices");
   if (cap_triangles > 0) {
     line += text(",\n          their smallest angle ", rounded(caps.min_angle),

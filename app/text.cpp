@@ -5,19 +5,22 @@
 #include <cmath>
 #include <filesystem>
 
-namespace deliso {
+#include "base/text.h"
+#include "io/files/append_format.h"
 
-std::string number_text(double value) {
-  char digits[32];  // the longest double, -2.2250738585072014e-308, takes 24
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  return std::string(digits, end);
-}
+namespace deliso {
 
 std::string rounded(double value, int digits) {
   char text[48];
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
   return std::string(text, end);
+}
+
+std::string fixed(double value, int decimals) {
+  std::string digits;
+  append_format(digits, "%.*f", decimals, value);
+  return digits;
 }
 
 std::string about(double value) {
@@ -37,22 +40,22 @@ std::string short_name(const std::string& file) {
 std::string isovalue_text(double isovalue, double effective) {
   // Half-way between integers no sample of an integer type lies.
   const bool by_saddles = isovalue - std::floor(isovalue) == 0.5;
-  if (effective == isovalue || by_saddles) return number_text(isovalue);
-  return number_text(isovalue) + ", lowered to " + number_text(effective) +
-         " as samples may equal it";
+  if (effective == isovalue || by_saddles) return text(isovalue);
+  return text(isovalue, ", lowered to ", effective, " as samples may equal it");
 }
 
 std::string cost_text(double seconds, double bytes) {
   const double minutes = seconds / 60, hours = minutes / 60, mebibytes = bytes / (1 << 20);
-  return (minutes < 2 ? about(seconds) + " seconds"
-          : hours < 2 ? about(minutes) + " minutes"
-                      : about(hours) + " hours") +
-         " and " +
-         (mebibytes < 1000 ? about(mebibytes) + " MiB" : about(mebibytes / 1024) + " GiB");
+  return text(minutes < 2 ? about(seconds) + " seconds"
+              : hours < 2 ? about(minutes) + " minutes"
+                          : about(hours) + " hours",
+              " and ",
+              mebibytes < 1000 ? about(mebibytes) + " MiB" : about(mebibytes / 1024) + " GiB");
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {
-  return grouped(n) + " " + std::string(n == 1 ? one : many);
+  return text(grouped(n), " ", n == 1 || many.empty() ? one : many,
+              n == 1 || !many.empty() ? "" : "s");
 }
 
 }  // namespace deliso

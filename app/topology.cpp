@@ -6,9 +6,8 @@
 namespace deliso {
 
 std::string topology_text(const TopologyCounts& topology) {
-  return counted(topology.components, "component", "components") + ", Euler number " +
-         std::to_string(topology.euler) + ", " +
-         counted(topology.boundary_loops, "boundary loop", "boundary loops");
+  return counted(topology.components, "component") + ", Euler number " +
+         std::to_string(topology.euler) + ", " + counted(topology.boundary_loops, "boundary loop");
 }
 
 void add_topology(ReportWriter& out, std::string_view key, const TopologyCounts& topology,

@@ -33,7 +33,7 @@ deliso_status failed(deliso_status status, const char* message) noexcept {
 }
 
 void require(const void* pointer, const char* name) {
-  if (!pointer) throw InputError(text(name, " is null"));
+  if (!pointer) throw InputError(name, " is null");
 }
 
 AnatomicalSpace space_of(const char* name) {
@@ -42,7 +42,7 @@ AnatomicalSpace space_of(const char* name) {
        {AnatomicalSpace::unknown, AnatomicalSpace::ras, AnatomicalSpace::lps}) {
     if (wanted == short_name_of(space)) return space;
   }
-  throw InputError(text("space is RAS or LPS, not ", quote(wanted)));
+  throw InputError("space is RAS or LPS, not ", quote(wanted));
 }
 
 SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_place* place) {
@@ -63,8 +63,7 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_plac
       for (std::size_t n = 0; n < 3; ++n) {
         const Vec3 direction{d[n], d[3 + n], d[6 + n]};
         if (std::abs(length(direction) - 1) > kUnitLength)
-          throw InputError(
-              text("direction: column ", n, " has length ", length(direction), ", not 1"));
+          throw InputError("direction: column ", n, " has length ", length(direction), ", not 1");
         grid.steps[n] = s[n] * direction;
       }
     }
@@ -80,7 +79,7 @@ CommandLine parse(std::vector<std::string> words, const char* const* options, Re
     const std::string option = text("--", *options), name = option.substr(0, option.find('='));
     const LibraryUse use = library_use(name);
     if (use == LibraryUse::none || (use == LibraryUse::of_files && reads != Reads::now)) {
-      throw InputError(text(name, " has no meaning for an array"));
+      throw InputError(name, " has no meaning for an array");
     }
     words.push_back(option);
   }
@@ -95,7 +94,7 @@ CommandLine parse(std::vector<std::string> words, const char* const* options, Re
 
 CommandLine parse(std::vector<std::string> words, double isovalue, const char* const* options,
                   Reads reads) {
-  if (!std::isnan(isovalue)) words.push_back("--iso=" + number_text(isovalue));
+  if (!std::isnan(isovalue)) words.push_back(text("--iso=", isovalue));
   return parse(std::move(words), options, reads);
 }
 

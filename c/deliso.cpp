@@ -221,13 +221,13 @@ deliso_status deliso_mesh_from_data(const deliso_mesh_data* data, deliso_mesh** 
     made->mesh.points = read_vectors(data->vertices, data->vertex_count);
     const auto beyond = std::ranges::find_if_not(made->mesh.points, in_range);
     if (beyond != made->mesh.points.end()) {
-      throw InputError(
-          text("vertex ", beyond - made->mesh.points.begin(), " is not finite, or too far away"));
+      throw InputError("vertex ", beyond - made->mesh.points.begin(),
+                       " is not finite, or too far away");
     }
     for (std::size_t n = 0; n < data->triangle_count; ++n) {
       const uint32_t* const t = data->triangles + 3 * n;
       if (std::max({t[0], t[1], t[2]}) >= data->vertex_count) {
-        throw InputError(text("triangle ", n, " has a vertex beyond the last"));
+        throw InputError("triangle ", n, " has a vertex beyond the last");
       }
       made->mesh.triangles.push_back(triangle_of(t[0], t[1], t[2]));
     }

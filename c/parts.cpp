@@ -46,8 +46,8 @@ VolumeSource volume_of(const deliso_source* given) {
     {
       const std::lock_guard lock(*mutex);
       if (source.read(source.context, begin, end, samples->data()) != 0) {
-        throw InputError(text("the samples [", begin[0], ":", end[0], ", ", begin[1], ":", end[1],
-                              ", ", begin[2], ":", end[2], "] of the array cannot be read"));
+        throw InputError("the samples [", begin[0], ":", end[0], ", ", begin[1], ":", end[1], ", ",
+                         begin[2], ":", end[2], "] of the array cannot be read");
       }
     }
     const Volume volume(dims, shape.spacing(), shape.type(), samples->data(), samples,

@@ -68,7 +68,7 @@ void require_no_whole(const Options& options, const Parameters& parameters) {
       : parameters.asks_for_poles()        ? "--eps2 needs poles of all of the mesh"
       : parameters.has_target() ? "a number of vertices or triangles is that of all of the mesh"
                                 : nullptr;
-  if (what) throw InputError(text("not in parts: ", what));
+  if (what) throw InputError("not in parts: ", what);
 }
 
 }  // namespace

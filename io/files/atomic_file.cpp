@@ -169,7 +169,7 @@ void AtomicFile::fail(int error) {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   if (!temporary_.empty()) unlink(std::exchange(temporary_, {}).c_str());
   const std::string name = path_ == "-" ? "standard output" : text("'", path_, "'");
-  throw InputError(text("cannot write ", name, ": ", std::generic_category().message(error)));
+  throw InputError("cannot write ", name, ": ", std::generic_category().message(error));
 }
 
 }  // namespace deliso

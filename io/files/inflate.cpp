@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "io/files/checksum.h"
 #include "io/files/field_reader.h"
@@ -196,6 +197,14 @@ class Decoder {
   PrefixCode literals_, distances_;
 };
 
+// Decodes a stream. If it ends, moves the beginning of `in` behind it.
+Inflated decode(std::span<const std::byte>& in, std::span<std::byte> out) {
+  Decoder decoder(in, out);
+  const bool ended = decoder.run();
+  if (ended) in = in.subspan(decoder.consumed());
+  return {decoder.written(), ended, decoder.fault()};
+}
+
 // Length of the gzip member header at the start of `in`; 0 if there is none.
 std::size_t gzip_header_size(std::span<const std::byte> in) {
   const auto byte = [&](std::size_t n) { return std::to_integer<unsigned>(in[n]); };
@@ -228,18 +237,16 @@ Inflated inflate_gzip(std::span<const std::byte> in, std::span<std::byte> out) {
       return result;
     }
     in = in.subspan(header);
-    const std::span<std::byte> member = out.subspan(result.size);
-    Decoder decoder(in, member);
-    const bool ended = decoder.run();
-    result.size += decoder.written();
-    result.fault = decoder.fault();
-    if (!ended) return result;
-    in = in.subspan(decoder.consumed());
+    const std::span<std::byte> rest = out.subspan(result.size);
+    const Inflated member = decode(in, rest);
+    result.size += member.size;
+    result.fault = member.fault;
+    if (!member.ended) return result;
     const FieldReader trailer(in, std::endian::little);
     if (in.size() < 8) {
       result.fault = "an early end";
-    } else if (trailer.get<std::uint32_t>(0) != crc32(member.first(decoder.written())) ||
-               trailer.get<std::uint32_t>(4) != static_cast<std::uint32_t>(decoder.written())) {
+    } else if (trailer.get<std::uint32_t>(0) != crc32(rest.first(member.size)) ||
+               trailer.get<std::uint32_t>(4) != static_cast<std::uint32_t>(member.size)) {
       result.fault = "a wrong checksum";
     }
     if (result.fault) return result;
@@ -248,20 +255,14 @@ Inflated inflate_gzip(std::span<const std::byte> in, std::span<std::byte> out) {
 }
 
 Inflated inflate_zlib(std::span<const std::byte> in, std::span<std::byte> out) {
-  Inflated result;
   const unsigned method = in.size() < 2 ? 0 : std::to_integer<unsigned>(in[0]);
   const unsigned flags = in.size() < 2 ? 0 : std::to_integer<unsigned>(in[1]);
   if (method % 16 != 8 || (256 * method + flags) % 31 != 0 || (flags & 32)) {
-    result.fault = "no zlib header";
-    return result;
+    return {.fault = "no zlib header"};
   }
   in = in.subspan(2);
-  Decoder decoder(in, out);
-  const bool ended = decoder.run();
-  result.size = decoder.written();
-  result.fault = decoder.fault();
-  if (!ended) return result;
-  in = in.subspan(decoder.consumed());
+  Inflated result = decode(in, out);
+  if (!std::exchange(result.ended, false)) return result;
   if (in.size() < 4) {
     result.fault = "an early end";
   } else if (FieldReader(in, std::endian::big).get<std::uint32_t>(0) !=
@@ -278,9 +279,7 @@ Inflated inflate_zlib(std::span<const std::byte> in, std::span<std::byte> out) {
 Inflated inflate(std::span<const std::byte> in, Wrapping wrapping, std::span<std::byte> out) {
   if (wrapping == Wrapping::gzip) return inflate_gzip(in, out);
   if (wrapping == Wrapping::zlib) return inflate_zlib(in, out);
-  Decoder decoder(in, out);
-  const bool ended = decoder.run();
-  return {decoder.written(), ended, decoder.fault()};
+  return decode(in, out);
 }
 
 }  // namespace deliso

@@ -57,7 +57,7 @@ Bytes read_standard_input();
 // Throws InputError "name: message", with the message in pieces.
 template <class... Pieces>
 [[noreturn]] void fail(std::string_view name, const Pieces&... message) {
-  throw InputError(text(name, ": ", message...));
+  throw InputError(name, ": ", message...);
 }
 
 }  // namespace deliso

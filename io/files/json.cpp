@@ -43,36 +43,20 @@ void JsonWriter::close() {
 
 void JsonWriter::add(std::string_view key, std::string_view value) {
   begin_member(key);
-  append_string(value);
+  append(value);
 }
 
 void JsonWriter::add(std::string_view key, double value) {
   begin_member(key);
-  append_number(value);
+  append(value);
 }
 
 void JsonWriter::add(std::string_view key, std::span<const double> values) {
-  begin_member(key);
-  text_ += '[';
-  bool first = true;
-  for (const double value : values) {
-    if (!first) text_ += ", ";
-    append_number(value);
-    first = false;
-  }
-  text_ += ']';
+  add_list(key, values);
 }
 
 void JsonWriter::add(std::string_view key, std::span<const std::string> values) {
-  begin_member(key);
-  text_ += '[';
-  bool first = true;
-  for (const std::string& value : values) {
-    if (!first) text_ += ", ";
-    append_string(value);
-    first = false;
-  }
-  text_ += ']';
+  add_list(key, values);
 }
 
 void JsonWriter::add(std::string_view key, bool value) {
@@ -101,15 +85,27 @@ void JsonWriter::begin_line() {
 void JsonWriter::begin_member(std::string_view key) {
   DELISO_CHECK(open_.ends_with('{'));
   begin_line();
-  append_string(key);
+  append(key);
   text_ += ": ";
 }
 
-void JsonWriter::append_number(double value) {
+template <class T>
+void JsonWriter::add_list(std::string_view key, std::span<const T> values) {
+  begin_member(key);
+  text_ += '[';
+  const char* before = "";
+  for (const T& value : values) {
+    text_ += std::exchange(before, ", ");
+    append(value);
+  }
+  text_ += ']';
+}
+
+void JsonWriter::append(double value) {
   text_ += std::isfinite(value) ? text(value) : "null";
 }
 
-void JsonWriter::append_string(std::string_view s) {
+void JsonWriter::append(std::string_view s) {
   constexpr std::string_view kHex = "0123456789abcdef";
   text_ += '"';
   while (!s.empty()) {

@@ -44,8 +44,10 @@ class JsonWriter {
   void open_bracket(char bracket);
   void begin_line();
   void begin_member(std::string_view key);
-  void append_number(double value);
-  void append_string(std::string_view s);
+  template <class T>
+  void add_list(std::string_view key, std::span<const T> values);
+  void append(double value);
+  void append(std::string_view s);
 
   std::string text_;
   std::string open_;  // brackets not closed yet

@@ -56,6 +56,14 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= text.size(); at += parts.back().size() + 1) {
+    parts.push_back(text.substr(at, text.find(separator, at) - at));
+  }
+  return parts;
+}
+
 std::optional<std::vector<std::int64_t>> to_ints(std::string_view text) {
   return to_numbers<std::int64_t>(text);
 }

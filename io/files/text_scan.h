@@ -41,6 +41,8 @@ constexpr bool is_space(char c) {
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);
 std::vector<std::string_view> words_of(std::string_view text);
+// Returns what stands between the separators: one part more than there are.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 // Returns all of `text` as a number ("+5" too); nullopt if it is no number or does not fit.
 template <class T>

@@ -15,32 +15,27 @@ namespace deliso {
 
 // Removes the first word of `text` and returns it; empty if only blanks are left.
 inline std::string_view take_word(std::string_view& text) {
-  std::size_t begin = 0;
-  while (begin < text.size() && is_space(text[begin])) ++begin;
-  std::size_t end = begin;
-  while (end < text.size() && !is_space(text[end])) ++end;
-  const std::string_view word = text.substr(begin, end - begin);
-  text.remove_prefix(end);
+  TextCursor cursor(text);
+  const std::string_view word = cursor.word();
+  text = cursor.rest();
   return word;
 }
 
 // The lines of a text file, counted from 1.
 class Lines {
  public:
-  Lines(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
+  Lines(std::string_view bytes, const std::string& name) : text_(bytes), name_(name) {}
 
   // Moves to the next line. Returns false at the end of the file.
   bool next() {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (text_.at_end()) return false;
+    line_ = text_.line();
     ++number_;
     return true;
   }
   // Returns the rest of the line, without the words that were removed.
   std::string_view& line() { return line_; }
-  std::string_view rest() const { return rest_; }
+  std::string_view rest() const { return text_.rest(); }
   std::size_t number() const { return number_; }
   template <class... Pieces>
   [[noreturn]] void fail(const Pieces&... fault) const {
@@ -48,14 +43,28 @@ class Lines {
   }
   template <class... Pieces>
   [[noreturn]] void fail_at(std::size_t line, const Pieces&... fault) const {
-    throw InputError(text(name_, " line ", line, ": ", fault...));
+    throw InputError(name_, " line ", line, ": ", fault...);
   }
 
  private:
-  std::string_view rest_, line_;
+  TextCursor text_;
+  std::string_view line_;
   std::string name_;
   std::size_t number_ = 0;
 };
+
+// Removes the coordinates of a vertex from the rest of the line, and returns them. `number`: the
+// vertex's, for a message.
+inline Vec3 take_point(std::string_view& rest, std::size_t number, const Lines& lines) {
+  Vec3 p;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view word = take_word(rest);
+    const auto value = number_in<double>(word);
+    if (!value) lines.fail("coordinate ", axis, " of vertex ", number, " is ", quote(word));
+    p[axis] = *value;
+  }
+  return p;
+}
 
 // Most comments that are kept of a file.
 inline constexpr std::size_t kMostComments = 100;

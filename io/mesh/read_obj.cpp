@@ -20,17 +20,13 @@ constexpr std::array<std::string_view, 12> kSkipped{"vt", "vn",     "vp",     "g
 bool next_statement(Lines& lines, std::string& joined, std::string_view& statement,
                     std::vector<std::string>* comments) {
   while (lines.next()) {
-    const auto continues = [](std::string_view line) {
-      return line.ends_with('\\') || line.ends_with("\\\r");
-    };
     statement = lines.line();
-    if (continues(statement)) {
+    if (statement.ends_with('\\')) {
       joined.clear();
-      bool more = true;
-      while (more) {
-        more = continues(lines.line());
-        joined += lines.line().substr(0, more ? lines.line().rfind('\\') : std::string_view::npos);
-        joined += ' ';
+      for (bool more = true; more;) {
+        const std::string_view line = lines.line();
+        more = line.ends_with('\\');
+        joined.append(line.substr(0, line.size() - (more ? 1 : 0))) += ' ';
         more = more && lines.next();
       }
       statement = joined;
@@ -82,17 +78,7 @@ MeshParts parse_obj(std::string_view bytes, const std::string& name) {
   for (; next_statement(lines, joined, statement, head); head = nullptr) {
     const std::string_view keyword = take_word(statement);
     if (keyword == "v") {
-      Vec3 p;
-      for (int axis = 0; axis < 3; ++axis) {
-        const std::string_view word = take_word(statement);
-        const auto value = number_in<double>(word);
-        if (!value) {
-          lines.fail("coordinate ", axis, " of vertex ", mesh.points.size() + 1, " is ",
-                     quote(word));
-        }
-        p[axis] = *value;
-      }
-      mesh.points.push_back(p);
+      mesh.points.push_back(take_point(statement, mesh.points.size() + 1, lines));
       if (mesh.points.size() > kMostVertices) lines.fail("too many vertices");
     } else if (keyword == "f") {
       corners.clear();

@@ -55,16 +55,7 @@ MeshParts parse_off(std::string_view bytes, const std::string& name) {
     if (!next_line_with_words(lines)) {
       lines.fail("the file ends after ", v, " of ", vertices, " vertices");
     }
-    Vec3 p;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view word = take_word(lines.line());
-      const auto value = number_in<double>(word);
-      if (!value) {
-        lines.fail("coordinate ", axis, " of vertex ", v, " is ", quote(word));
-      }
-      p[axis] = *value;
-    }
-    mesh.points.push_back(p);
+    mesh.points.push_back(take_point(lines.line(), v, lines));
   }
 
   std::vector<VertexId> corners;

@@ -170,7 +170,7 @@ class BinarySource {
   }
   template <class... Pieces>
   [[noreturn]] void fail(const Pieces&... fault) const {
-    throw InputError(text(name_, " byte ", at_, ": ", fault...));
+    throw InputError(name_, " byte ", at_, ": ", fault...);
   }
 
  private:

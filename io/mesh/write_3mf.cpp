@@ -43,8 +43,7 @@ class ZipWriter {
     Part& part = parts_.back();
     part.packed_size = position_ - data_begins_;
     if (part.size > kMost || position_ > kMost) {
-      throw InputError(
-          text("cannot write '", out_.path(), "': more than the 4 GiB that 3MF holds here"));
+      throw InputError("cannot write '", out_.path(), "': more than the 4 GiB that 3MF holds here");
     }
     put32(0x08074b50);
     put_sums(part);

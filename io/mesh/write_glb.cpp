@@ -211,7 +211,7 @@ void write_glb(AtomicFile& out, std::span<const WorldMesh> objects) {
   const std::uint64_t all =
       kHead + kChunkHead + json.size() + (empty ? 0 : kChunkHead + binary_bytes);
   if (all > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError(text("cannot write '", out.path(), "': glTF holds no more than 4 GiB"));
+    throw InputError("cannot write '", out.path(), "': glTF holds no more than 4 GiB");
   }
   const auto put_number = [&](std::uint64_t n) { put_binary(out, static_cast<std::uint32_t>(n)); };
   put_number(kGlbMagic);

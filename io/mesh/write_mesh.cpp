@@ -56,7 +56,7 @@ MeshFormat format_of(std::string_view path, const char* what, Accepts accepts) {
     if (path.size() > ending.size() && lower(path).ends_with(ending)) return format;
     known += text(known.empty() ? "" : ", ", ending);
   }
-  throw InputError(text("'", path, "' has no ", what, " ending (", known, ")"));
+  throw InputError("'", path, "' has no ", what, " ending (", known, ")");
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 void write_stl(AtomicFile& out, std::span<const WorldMesh> objects) {
   const WorldMesh& mesh = objects.front();
   if (mesh.face_count() > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError(
-        text("cannot write '", out.path(), "': STL holds no ", mesh.face_count(), " facets"));
+    throw InputError("cannot write '", out.path(), "': STL holds no ", mesh.face_count(),
+                     " facets");
   }
   // Readers expect the ASCII kind in a file that begins with "solid".
   std::string header = std::string(kStlTitle) + mesh.space_note();

@@ -202,8 +202,7 @@ bool PartFile::is_of(const Volume& field, double level) const {
 }
 
 std::string part_bytes(PartFile part) {
-  std::vector<Triangle> triangles;
-  for (const Face& face : part.block.mesh.mesh.faces) triangles.push_back(face.v);
+  std::vector<Triangle> triangles = part.block.mesh.mesh.triangles();
   std::vector<Place> places;
   const BoundaryChain& chain = part.block.mesh.chain;
   for (VertexId v = 0; v < chain.vertex_capacity(); ++v) {
@@ -291,8 +290,8 @@ void sort_parts(std::vector<PartFile>& parts) {
   for (std::size_t n = 1; n < parts.size(); ++n) {
     const PartFile& part = parts[n];
     const auto refuse = [&](std::string_view difference) {
-      throw InputError(text(quote(part.name), " is no part of the same mesh as ", quote(first.name),
-                            ": ", difference));
+      throw InputError(quote(part.name), " is no part of the same mesh as ", quote(first.name),
+                       ": ", difference);
     };
     if (part.choice.of != first.choice.of) {
       refuse(text("one of ", part.choice.of, ", and one of ", first.choice.of));
@@ -304,15 +303,15 @@ void sort_parts(std::vector<PartFile>& parts) {
     }
     if (!part.is_of(first.shape(), first.isovalue)) refuse("another volume or isovalue");
     if (part.choice.number == parts[n - 1].choice.number) {
-      throw InputError(text(quote(part.name), " and ", quote(parts[n - 1].name), " are both part ",
-                            part.choice.number, " of ", part.choice.of));
+      throw InputError(quote(part.name), " and ", quote(parts[n - 1].name), " are both part ",
+                       part.choice.number, " of ", part.choice.of);
     }
   }
   for (int number = 1; number <= first.choice.of; ++number) {
     const auto n = static_cast<std::size_t>(number - 1);
     if (n < parts.size() && parts[n].choice.number == number) continue;
-    throw InputError(
-        text("part ", number, " of ", first.choice.of, " is missing beside ", quote(first.name)));
+    throw InputError("part ", number, " of ", first.choice.of, " is missing beside ",
+                     quote(first.name));
   }
 }
 

@@ -46,6 +46,20 @@ constexpr std::uint32_t kTransferSyntax = 0x00020010, kDescription = 0x0008103e,
 // Measures, Pixel Value Transformation.
 constexpr std::uint32_t kPlaneSequences[] = {0x00209113, 0x00209116, 0x00289110, 0x00289145};
 
+// The elements of an image that are texts, and those that are numbers of 16 bits.
+constexpr std::pair<std::uint32_t, std::string DicomFile::*> kStrings[] = {
+    {kSeries, &DicomFile::series},
+    {kDescription, &DicomFile::description},
+    {kPhotometric, &DicomFile::photometric}};
+constexpr std::pair<std::uint32_t, int DicomFile::*> kShorts[] = {
+    {kSamplesPerPixel, &DicomFile::samples_per_pixel},
+    {kRows, &DicomFile::rows},
+    {kColumns, &DicomFile::columns},
+    {kBitsAllocated, &DicomFile::bits_allocated},
+    {kBitsStored, &DicomFile::bits_stored},
+    {kHighBit, &DicomFile::high_bit},
+    {kSigned, &DicomFile::is_signed}};
+
 constexpr std::string_view kExplicitLittle = "1.2.840.10008.1.2.1",
                            kImplicitLittle = "1.2.840.10008.1.2",
                            kExplicitBig = "1.2.840.10008.1.2.2",
@@ -266,67 +280,33 @@ class DicomParser {
     }
   }
 
-  int short_at(const Element& element) const {
-    if (element.length < 2) fail_damaged(element.at);
-    return number<std::uint16_t>(at_);
-  }
-
   void read_image(const Element& element) {
-    switch (element.tag) {
-      case kSeries:
-        file_.series = string_at(element);
-        break;
-      case kDescription:
-        file_.description = string_at(element);
-        break;
-      case kSeriesNumber:
-        file_.series_number = to_int(string_at(element)).value_or(file_.series_number);
-        break;
-      case kSlices:
-        file_.frame_slices.clear();
-        for (std::size_t n = 0; n + 1 < element.length; n += 2) {
-          file_.frame_slices.push_back(number<std::uint16_t>(at_ + n));
-        }
-        break;
-      case kSamplesPerPixel:
-        file_.samples_per_pixel = short_at(element);
-        break;
-      case kPhotometric:
-        file_.photometric = string_at(element);
-        break;
-      case kFrames:
-        if (const auto count = to_int(string_at(element));
-            count && *count >= 1 && *count <= std::numeric_limits<int>::max()) {
-          file_.frame_count = *count;
-        } else {
-          fail(bytes_.name, "its NumberOfFrames is ", quote(string_at(element)));
-        }
-        break;
-      case kRows:
-        file_.rows = short_at(element);
-        break;
-      case kColumns:
-        file_.columns = short_at(element);
-        break;
-      case kBitsAllocated:
-        file_.bits_allocated = file_.bits_stored = short_at(element);
-        file_.high_bit = file_.bits_stored - 1;
-        break;
-      case kBitsStored:
-        file_.bits_stored = short_at(element);
-        file_.high_bit = file_.bits_stored - 1;
-        break;
-      case kHighBit:
-        file_.high_bit = short_at(element);
-        break;
-      case kSigned:
-        file_.is_signed = short_at(element) != 0;
-        break;
-      case kFrameOffsets:
-        file_.frame_offsets = numbers_at(element, "GridFrameOffsetVector", 0);
-        break;
-      default:
-        break;
+    for (const auto& [tag, member] : kStrings) {
+      if (element.tag == tag) file_.*member = string_at(element);
+    }
+    for (const auto& [tag, member] : kShorts) {
+      if (element.tag != tag) continue;
+      if (element.length < 2) fail_damaged(element.at);
+      file_.*member = number<std::uint16_t>(at_);
+    }
+    if (element.tag == kBitsAllocated) file_.bits_stored = file_.bits_allocated;
+    if (element.tag == kBitsAllocated || element.tag == kBitsStored) {
+      file_.high_bit = file_.bits_stored - 1;
+    }
+    if (element.tag == kSeriesNumber) {
+      file_.series_number = to_int(string_at(element)).value_or(file_.series_number);
+    } else if (element.tag == kFrames) {
+      file_.frame_count = to_int(string_at(element)).value_or(0);
+      if (file_.frame_count < 1 || file_.frame_count > std::numeric_limits<int>::max()) {
+        fail(bytes_.name, "its NumberOfFrames is ", quote(string_at(element)));
+      }
+    } else if (element.tag == kSlices) {
+      file_.frame_slices.clear();
+      for (std::size_t n = 0; n + 1 < element.length; n += 2) {
+        file_.frame_slices.push_back(number<std::uint16_t>(at_ + n));
+      }
+    } else if (element.tag == kFrameOffsets) {
+      file_.frame_offsets = numbers_at(element, "GridFrameOffsetVector", 0);
     }
   }
 

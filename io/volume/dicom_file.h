@@ -44,10 +44,11 @@ struct DicomFile {
   std::string description;
   std::int64_t series_number = std::numeric_limits<std::int64_t>::max();  // without one it is last
   std::string photometric;
-  std::int64_t columns = 0, rows = 0, frame_count = 1;
+  int columns = 0, rows = 0;
+  std::int64_t frame_count = 1;
   int samples_per_pixel = 1;
   int bits_allocated = 0, bits_stored = 0, high_bit = 0;
-  bool is_signed = false;
+  int is_signed = 0;  // or 1
   DicomCoding coding = DicomCoding::plain;
   bool is_big_endian = false;
   bool is_swapped_bytes = false;  // 8-bit samples in big-endian words of 16 bits
@@ -68,7 +69,7 @@ struct DicomFile {
   }
   SampleType type() const;
   std::size_t frame_size() const {
-    return size_of(type()) * static_cast<std::size_t>(rows * columns);
+    return size_of(type()) * static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   }
   // Returns the frame's plane, with what all frames have in common.
   DicomPlane plane(std::size_t frame) const;

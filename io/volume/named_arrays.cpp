@@ -22,10 +22,8 @@ std::size_t choose_array(const VolumeInput& input, std::vector<NamedArray> array
   const std::optional<std::string>& wanted = input.options.array;
   std::size_t chosen = index_of(wanted ? *wanted : active);
   if (chosen == arrays.size() && wanted) {
-    std::string names;
-    for (const NamedArray& array : arrays) {
-      names += text(names.empty() ? "" : ", ", quote(array.name));
-    }
+    const std::string names =
+        joined(arrays, ", ", [](const NamedArray& array) { return quote(array.name); });
     fail(input.name(), "has no array ", quote(*wanted), ", but ", names);
   }
   if (chosen == arrays.size()) {

@@ -194,7 +194,7 @@ Volume volume_of_slices(const VolumeInput& input, const std::vector<DicomFile>& 
   }
   const bool is_small = first.bits_allocated <= 16;
   grid.type = is_small ? SampleType::f32 : SampleType::f64;
-  const std::size_t count = static_cast<std::size_t>(first.columns * first.rows);
+  const std::size_t count = first.frame_size() / size_of(first.type());
   Buffer stored(first.frame_size());
   const auto write = [&](std::size_t k, std::span<std::byte> out) {
     const double slope = slices[k].slope(), intercept = slices[k].intercept();
@@ -259,7 +259,7 @@ Volume read_dicom_series(const VolumeInput& input, std::vector<DicomFile> files)
   try {
     return read_slices(input, series.files);
   } catch (const InputError& error) {
-    throw InputError(text(error.what(), " (", series.left_out, ")"));
+    throw InputError(error.what(), " (", series.left_out, ")");
   }
 }
 

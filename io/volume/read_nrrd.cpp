@@ -203,14 +203,6 @@ std::vector<NamedSegment> segments_of(const NrrdHeader& header) {
   }
 }
 
-std::string list_of(const std::vector<NamedSegment>& segments) {
-  std::string list;
-  for (const NamedSegment& segment : segments) {
-    list += (list.empty() ? "" : ", ") + quote(segment.name);
-  }
-  return list;
-}
-
 SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
   SampleGrid grid = grid_of(input);
   grid.type = supported_type(input, header.get("type"));
@@ -221,7 +213,8 @@ SampleGrid read_grid(const VolumeInput& input, const NrrdHeader& header) {
     header.fail_field("sizes", "not ", dimension, " numbers as 'dimension' says");
   const NrrdAxes axes = axes_of(input, header, *sizes);
   const std::vector<NamedSegment> named = segments_of(header);
-  const std::string segments = list_of(named);
+  const std::string segments =
+      joined(named, ", ", [](const NamedSegment& segment) { return quote(segment.name); });
   set_axes(grid, axes.all, segments.empty() ? "" : "; --label NAME chooses one of " + segments);
   if (!segments.empty()) input.note("names segments, which --label takes: ", segments);
   std::ranges::copy_if(named, std::back_inserter(input.log.segments), [&](const NamedSegment& s) {

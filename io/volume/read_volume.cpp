@@ -56,21 +56,7 @@ Volume read_recognized(const VolumeInput& input) {
 }
 
 [[noreturn]] void fail_option(std::string_view text, const char* wanted) {
-  throw InputError(quote(text) + " is not " + wanted);
-}
-
-// Splits "a<separator>b<separator>c"; nullopt unless it has `count` parts.
-std::optional<std::vector<std::string_view>> split(std::string_view text, char separator,
-                                                   std::size_t count) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + 1);
-  }
-  if (parts.size() != count) return std::nullopt;
-  return parts;
+  throw InputError(quote(text), " is not ", wanted);
 }
 
 std::optional<int> to_index(std::string_view text) {
@@ -194,14 +180,13 @@ std::optional<SampleType> sample_type_named(std::string_view name) {
 
 Roi parse_roi(std::string_view text) {
   constexpr const char* wanted = "a region like 0:64,0:64,10:32";
-  const auto axes = split(text, ',', 3);
-  if (!axes) fail_option(text, wanted);
+  const std::vector<std::string_view> axes = split(text, ',');
+  if (axes.size() != 3) fail_option(text, wanted);
   Roi roi;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto ends = split((*axes)[static_cast<std::size_t>(axis)], ':', 2);
-    const std::optional<int> begin = ends ? to_index((*ends)[0]) : std::nullopt;
-    const std::optional<int> end = ends ? to_index((*ends)[1]) : std::nullopt;
-    if (!begin || !end || *begin >= *end) fail_option(text, wanted);
+    const std::vector<std::string_view> ends = split(axes[static_cast<std::size_t>(axis)], ':');
+    const std::optional<int> begin = to_index(ends.front()), end = to_index(ends.back());
+    if (ends.size() != 2 || !begin || !end || *begin >= *end) fail_option(text, wanted);
     roi.begin[axis] = *begin;
     roi.end[axis] = *end;
   }
@@ -210,11 +195,11 @@ Roi parse_roi(std::string_view text) {
 
 Index3 parse_dims(std::string_view text) {
   constexpr const char* wanted = "dimensions like 256x256x128";
-  const auto parts = split(text, 'x', 3);
-  if (!parts) fail_option(text, wanted);
+  const std::vector<std::string_view> parts = split(text, 'x');
+  if (parts.size() != 3) fail_option(text, wanted);
   Index3 dims;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::optional<int> n = to_index((*parts)[static_cast<std::size_t>(axis)]);
+    const std::optional<int> n = to_index(parts[static_cast<std::size_t>(axis)]);
     if (!n) fail_option(text, wanted);
     dims[axis] = *n;
   }

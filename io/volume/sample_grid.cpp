@@ -29,9 +29,7 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
     spacing[axis] = s;
     frame.axes[static_cast<std::size_t>(axis)] = step / own;
   }
-  const Index3 dims{static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
-                    static_cast<int>(grid.dims[2])};
-  require_in_range(dims, spacing, frame, grid.name);
+  require_in_range(grid.size(), spacing, frame, grid.name);
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = a + 1; b < 3; ++b) {
       const double cosine = dot(frame.axes[a], frame.axes[b]);
@@ -46,9 +44,7 @@ std::pair<Vec3, Frame> place(const SampleGrid& grid) {
 
 // Returns the region of the grid to keep, as checked index ranges.
 Roi region(const SampleGrid& grid, const Vec3& spacing) {
-  Roi whole{{0, 0, 0},
-            {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
-             static_cast<int>(grid.dims[2])}};
+  const Roi whole{{0, 0, 0}, grid.size()};
   if (grid.read.region) {
     try {
       return grid.read.region(whole.end, spacing);
@@ -195,10 +191,7 @@ Volume volume_from_raw(const SampleGrid& grid, const Bytes& data) {
   const Index3 dims{roi.end.i - roi.begin.i, roi.end.j - roi.begin.j, roi.end.k - roi.begin.k};
 
   const auto placed = [&](const Volume& volume) {
-    if (!grid.read.region) return volume;
-    return volume.as_block(roi.begin,
-                           {static_cast<int>(grid.dims[0]), static_cast<int>(grid.dims[1]),
-                            static_cast<int>(grid.dims[2])});
+    return grid.read.region ? volume.as_block(roi.begin, grid.size()) : volume;
   };
   const SampleGrid::Among alone = places_alone(grid), at = grid.among.value_or(alone);
   const bool whole_slices =

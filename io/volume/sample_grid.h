@@ -48,6 +48,10 @@ struct SampleGrid {
   };
   std::optional<Among> among{};
 
+  // Returns the dimensions. pre: data_size() has accepted them.
+  Index3 size() const {
+    return {static_cast<int>(dims[0]), static_cast<int>(dims[1]), static_cast<int>(dims[2])};
+  }
   // Steps along the world's axes. Spacings are checked later, with the steps.
   void set_spacing(const Vec3& spacing);
 };

@@ -86,7 +86,7 @@ Volume resampled_upright(const VolumeInput& input, const SampleGrid& grid, const
              std::round(std::acos(std::min(1.0, cosine)) * 1800 / 3.14159265358979) / 10,
              " degrees: they are resampled upright, as ", name_of(upright.type), ", with ", least,
              " beyond their edges");
-  const Index3 dims{static_cast<int>(upright.dims[0]), static_cast<int>(upright.dims[1]), from.k};
+  const Index3 dims = upright.size();
   return volume_from_slices(upright, [&](std::size_t k, std::span<std::byte> out) {
     const std::size_t begin =
         k * static_cast<std::size_t>(from.i) * static_cast<std::size_t>(from.j);

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/text.h"
+
 #ifdef __FAST_MATH__
 #error "DelIso's predicates need IEEE arithmetic: build without -ffast-math"
 #endif
@@ -27,9 +29,11 @@ inline std::string one_line(std::string message) {
   return message;
 }
 
-// Thrown for unusable input. what() is one line that names the file and the fault.
+// Thrown for unusable input. what() is one line that names the file and the fault. It is made of
+// pieces, as by text().
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
+  template <class... Pieces>
+  explicit InputError(const Pieces&... message) : std::runtime_error(one_line(text(message...))) {}
 };
 
 [[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {

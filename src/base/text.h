@@ -39,4 +39,19 @@ std::string text(const Parts&... parts) {
   return all;
 }
 
+// Returns piece(item) for all items, with `between` between one and the next.
+template <class Items, class Piece>
+std::string joined(const Items& items, std::string_view between, Piece piece) {
+  std::string all;
+  for (const auto& item : items) {
+    append_text(all, all.empty() ? std::string_view() : between);
+    append_text(all, piece(item));
+  }
+  return all;
+}
+template <class Items>
+std::string joined(const Items& items, std::string_view between) {
+  return joined(items, between, [](const auto& item) { return item; });
+}
+
 }  // namespace deliso

@@ -62,7 +62,7 @@ Parameters in_block(const Parameters& given, bool is_divided) {
 
 void require_room(const Block& block, const Parameters& given) {
   if (given.has_target() || block.mesh.mesh.points.size() <= given.max_vertices) return;
-  throw InputError(text("more than --max-vertices ", given.max_vertices, " vertices needed"));
+  throw InputError("more than --max-vertices ", given.max_vertices, " vertices needed");
 }
 
 // Throws unless the mesh ends only where its chain runs, on the box, and the chain never comes back
@@ -238,8 +238,8 @@ class BlockMesher {
   void require_own(const SampleBox& box) const {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
       if (own_.holds(cell) || !is_in(cells_[cell], box)) continue;
-      throw InputError(text("the surface is too fine for the seam between part ", part_.number,
-                            " of ", part_.of, " and another: try another --block-side"));
+      throw InputError("the surface is too fine for the seam between part ", part_.number, " of ",
+                       part_.of, " and another: try another --block-side");
     }
   }
 

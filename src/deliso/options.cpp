@@ -37,19 +37,18 @@ void require_limits(const Options& o, const Volume& volume) {
   }
   const double r_min_voxels = o.r_min.in(volume) / volume.voxel();
   if (!(r_min_voxels >= kSmallestRMin)) {
-    throw InputError(text("r_min (--rmin) is ", r_min_voxels, " voxels, and must be at least ",
-                          kSmallestRMin, ": at creases refinement would hardly end"));
+    throw InputError("r_min (--rmin) is ", r_min_voxels, " voxels, and must be at least ",
+                     kSmallestRMin, ": at creases refinement would hardly end");
   }
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const CriterionRow& row = kCriterionTable[n];
     if (!(o.limits.values[n].value >= row.least)) {
-      throw InputError(text("the limit ", row.name, " must be at least ", row.least,
-                            ", or refinement would not end"));
+      throw InputError("the limit ", row.name, " must be at least ", row.least,
+                       ", or refinement would not end");
     }
   }
   if (o.samples > kMostSamples) {
-    throw InputError(
-        text("samples (--samples) is ", o.samples, ", and must be at most ", kMostSamples));
+    throw InputError("samples (--samples) is ", o.samples, ", and must be at most ", kMostSamples);
   }
 }
 

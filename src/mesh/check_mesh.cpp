@@ -109,7 +109,7 @@ std::string check_geometry(const TriMesh& mesh) {
 std::string check_mesh(const TriMesh& mesh) {
   std::string fault = check_corners(mesh);
   if (fault.empty()) {
-    const std::vector<Triangle> triangles = corners_of(mesh);
+    const std::vector<Triangle> triangles = mesh.triangles();
     fault = check_edges(mesh, edge_uses(mesh.points.size(), triangles));
     if (fault.empty()) fault = check_vertices(mesh, triangles);
   }
@@ -152,11 +152,11 @@ std::vector<std::uint32_t> vertex_components(std::size_t vertices,
 }
 
 std::vector<std::uint32_t> vertex_components(const TriMesh& mesh) {
-  return vertex_components(mesh.points.size(), corners_of(mesh));
+  return vertex_components(mesh.points.size(), mesh.triangles());
 }
 
 MeshTopology mesh_topology(const TriMesh& mesh) {
-  const std::vector<Triangle> triangles = corners_of(mesh);
+  const std::vector<Triangle> triangles = mesh.triangles();
   const std::size_t vertices = mesh.points.size();
   return mesh_topology(mesh.points, triangles, edge_uses(vertices, triangles),
                        vertex_components(vertices, triangles));

@@ -110,10 +110,10 @@ std::vector<Vec3> TriMesh::world_points() const {
   return world;
 }
 
-std::vector<Triangle> corners_of(const TriMesh& mesh) {
+std::vector<Triangle> TriMesh::triangles() const {
   std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  for (const Face& face : mesh.faces) triangles.push_back(face.v);
+  triangles.reserve(faces.size());
+  for (const Face& face : faces) triangles.push_back(face.v);
   return triangles;
 }
 

@@ -49,6 +49,7 @@ struct TriMesh {
 
   // Returns the points in the world, as mesh files have them.
   std::vector<Vec3> world_points() const;
+  std::vector<Triangle> triangles() const;
 };
 
 // Returns the index of the corner of f opposite its neighbor g: f.n[i] == g. pre: they are
@@ -99,9 +100,6 @@ struct LinkResult {
   std::size_t boundary_edges = 0;
 };
 LinkResult link_faces(TriMesh& mesh);
-
-// Returns the corners of all facets, in their order.
-std::vector<Triangle> corners_of(const TriMesh& mesh);
 
 // Returns a linked mesh of `triangles` over `points`. Unused vertices are kept.
 TriMesh make_tri_mesh(std::vector<Vec3> points, std::span<const Triangle> triangles);

@@ -38,7 +38,7 @@ std::vector<std::array<Across, 3>> across_edges(std::size_t vertices,
 }  // namespace
 
 void orient(SurfaceMesh& s, const Isosurface& surface) {
-  std::vector<Triangle> facets = corners_of(s.mesh);
+  std::vector<Triangle> facets = s.mesh.triangles();
   const auto across = across_edges(s.mesh.points.size(), facets);
   enum class State : std::uint8_t { unknown, kept, reversed };
   std::vector<State> state(facets.size(), State::unknown);

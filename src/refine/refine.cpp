@@ -307,7 +307,7 @@ void RefineGeom::make_delaunay() {
 void RefineGeom::require_room() const {
   const std::size_t most = r_.parameters.max_vertices;
   if (mesh_.points.size() < most) return;
-  throw InputError("more than --max-vertices " + std::to_string(most) + " vertices needed");
+  throw InputError("more than --max-vertices ", most, " vertices needed");
 }
 
 }  // namespace

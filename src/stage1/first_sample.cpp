@@ -40,8 +40,8 @@ bool is_auxiliary(const Vec3& p, const Box3& box) {
 
 void require_room(const Triangulation& triangulation, const Parameters& parameters) {
   if (triangulation.vertex_capacity() <= parameters.max_vertices) return;
-  throw InputError(text("more than --max-vertices ", parameters.max_vertices,
-                        " vertices needed before the surface is recovered"));
+  throw InputError("more than --max-vertices ", parameters.max_vertices,
+                   " vertices needed before the surface is recovered");
 }
 
 BoundaryLoops boundary_loops(const ContourMesh& contour) {

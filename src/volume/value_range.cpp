@@ -54,10 +54,10 @@ template <class T>
     return std::to_string(index + static_cast<std::size_t>(first));
   };
   const Index3 first = volume.first();
-  throw InputError(std::string(name) + ": " + (std::isnan(samples[n]) ? "NaN" : "infinite") +
-                   " sample at (" + place(n % nx, first.i) + ", " + place(n / nx % ny, first.j) +
-                   ", " + place(n / nx / ny, first.k) + ")" +
-                   (std::isnan(samples[n]) ? ": --nan VALUE gives such samples a value" : ""));
+  throw InputError(name, ": ", std::isnan(samples[n]) ? "NaN" : "infinite", " sample at (",
+                   place(n % nx, first.i), ", ", place(n / nx % ny, first.j), ", ",
+                   place(n / nx / ny, first.k), ")",
+                   std::isnan(samples[n]) ? ": --nan VALUE gives such samples a value" : "");
 }
 
 }  // namespace

@@ -33,20 +33,20 @@ void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std:
     const std::string_view along =
         std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
     if (dims[axis] < 1) {
-      throw InputError(text(name, ": has ", dims[axis], " samples along ", along));
+      throw InputError(name, ": has ", dims[axis], " samples along ", along);
     }
     if (!(s >= kSmallestSpacing && s * dims[axis] <= kLargestLength)) {
-      throw InputError(text(name, ": spacing ", s, " along ", along, " is out of range (from ",
-                            kSmallestSpacing, ", and to a box of ", kLargestLength, ")"));
+      throw InputError(name, ": spacing ", s, " along ", along, " is out of range (from ",
+                       kSmallestSpacing, ", and to a box of ", kLargestLength, ")");
     }
   }
   if (!in_range(frame.origin)) {
-    throw InputError(text(name, ": its origin is further than ", kLargestLength, " away"));
+    throw InputError(name, ": its origin is further than ", kLargestLength, " away");
   }
   for (const Vec3& axis : frame.axes) {
     constexpr double kTolerance = 1e-6;
     if (!(std::fabs(length(axis) - 1) <= kTolerance)) {
-      throw InputError(text(name, ": an axis of its frame is no unit vector"));
+      throw InputError(name, ": an axis of its frame is no unit vector");
     }
   }
 }

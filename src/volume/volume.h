@@ -228,8 +228,8 @@ Volume Volume::from_samples(Index3 dims, Vec3 spacing, const std::vector<T>& sam
   Volume volume(dims, spacing, sample_type_of<T>(),
                 reinterpret_cast<const std::byte*>(owner->data()), owner, frame);
   if (samples.size() != volume.sample_count()) {
-    throw InputError(text("a volume of ", dims.i, " x ", dims.j, " x ", dims.k,
-                          " samples is given ", samples.size()));
+    throw InputError("a volume of ", dims.i, " x ", dims.j, " x ", dims.k, " samples is given ",
+                     samples.size());
   }
   return volume;
 }

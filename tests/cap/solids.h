@@ -39,7 +39,7 @@ inline Solid solid_of(const Volume& volume, double kappa, Options options = {},
   options.cap = true;
   solid.mesh = make(volume, kappa, options, solid.report);
   if (solid.report.cap.failure.empty()) {
-    solid.crossings = find_place_faults(solid.mesh.points, corners_of(solid.mesh)).crossings;
+    solid.crossings = find_place_faults(solid.mesh.points, solid.mesh.triangles()).crossings;
   }
   return solid;
 }

@@ -147,8 +147,7 @@ Image draw_slices(const Volume& volume, const SliceOptions& wanted) {
   Layout layout = lay_out(options.size, slices.size(), true, false);
   const int strip = static_cast<int>(std::lround(kBarStrip * layout.text));
   if (layout.panel.height <= strip) {
-    throw InputError(
-        text("a picture ", options.size.height, " pixels high has no room for slices"));
+    throw InputError("a picture ", options.size.height, " pixels high has no room for slices");
   }
   const double scale = std::min(layout.panel.width / right, (layout.panel.height - strip) / up);
   const auto pixels = [&](double length) {

@@ -35,13 +35,13 @@ Layout lay_out(PictureSize picture, std::size_t panels, bool captions, bool bar)
   const auto width = static_cast<std::size_t>(picture.width);
   const std::size_t rules = (panels - 1) * static_cast<std::size_t>(layout.rule);
   if (width < rules + panels) {
-    throw InputError(text("a picture ", width, " pixels wide has no room for ", panels, " panels"));
+    throw InputError("a picture ", width, " pixels wide has no room for ", panels, " panels");
   }
   layout.panel.width = static_cast<int>((width - rules) / panels);
   layout.panel.height = picture.height - layout.captions - layout.bar;
   if (layout.panel.height < 1) {
-    throw InputError(text("a picture ", picture.height, " pixels high has no room for ",
-                          captions ? "labels" : "a color bar"));
+    throw InputError("a picture ", picture.height, " pixels high has no room for ",
+                     captions ? "labels" : "a color bar");
   }
   return layout;
 }
