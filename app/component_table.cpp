@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/text.h"
+#include "base/text.h"
 #include "io/files/append_format.h"
 
 namespace deliso {
@@ -60,31 +61,29 @@ std::string components_text(const ContourSummary& surface) {
   if (surface.components.size() < 2) return {};
   const std::vector<ContourComponent> sorted = largest_first(surface);
   const std::uint64_t whole = crossings_of(sorted);
-  std::string text = "largest   share      voxels             Euler number  boundary loops\n";
+  std::string table = "largest   share      voxels             Euler number  boundary loops\n";
   const std::size_t rows = std::min(kClassesShown, sorted.size());
   for (std::size_t n = 0; n < rows; ++n) {
     const ContourComponent& c = sorted[n];
     const Index3 e = extent(c);
-    const std::string voxels =
-        std::to_string(e.i) + " x " + std::to_string(e.j) + " x " + std::to_string(e.k);
-    append_format(text, "%7zu   %7.3f %%  %-18s %12lld  %14llu\n", n + 1,
+    const std::string voxels = text(e.i, " x ", e.j, " x ", e.k);
+    append_format(table, "%7zu   %7.3f %%  %-18s %12lld  %14llu\n", n + 1,
                   100 * share(c.crossings, whole), voxels.c_str(), static_cast<long long>(c.euler),
                   static_cast<unsigned long long>(c.boundary_loops));
   }
   if (rows < sorted.size()) {
-    append_format(text, "   rest   %7.3f %%  %s\n",
+    append_format(table, "   rest   %7.3f %%  %s\n",
                   100 * share(crossings_of(std::span(sorted).subspan(rows)), whole),
                   counted(sorted.size() - rows, "component").c_str());
   }
-  text += "sizes     longest side in voxels   components   share\n";
+  table += "sizes     longest side in voxels   components   share\n";
   for (const SizeClass& c : size_classes(surface)) {
     if (c.count == 0) continue;
-    const std::string side =
-        c.lo == 1 ? "1" : std::to_string(c.lo) + " to " + std::to_string(2 * c.lo - 1);
-    append_format(text, "          %-22s   %10llu   %7.3f %%\n", side.c_str(),
+    const std::string side = c.lo == 1 ? "1" : text(c.lo, " to ", 2 * c.lo - 1);
+    append_format(table, "          %-22s   %10llu   %7.3f %%\n", side.c_str(),
                   static_cast<unsigned long long>(c.count), 100 * share(c.crossings, whole));
   }
-  return text;
+  return table;
 }
 
 void add_components(ReportWriter& out, const ContourSummary& surface) {

@@ -119,22 +119,18 @@ Info find_info(const Input& input, const CommandLine& line, Progress& progress) 
 }
 
 std::string info_text(const Info& info) {
-  std::string text = input_text(info.input);
-  text += '\n';
-  if (info.input.field.is_filtered()) text += "samples of the filtered field:\n";
-  text += histogram_text(info.histogram, kRows);
-  text += '\n';
-  text += suggestions_text(info);
-  append_format(text, "read      %.3f s, isovalues to try %.3f s\n", info.input.seconds,
-                info.seconds_suggestions);
+  std::string lines = text(input_text(info.input), "\n",
+                           info.input.field.is_filtered() ? "samples of the filtered field:\n" : "",
+                           histogram_text(info.histogram, kRows), "\n", suggestions_text(info),
+                           "read      ", fixed(info.input.seconds, 3), " s, isovalues to try ",
+                           fixed(info.seconds_suggestions, 3), " s\n");
   if (info.isovalue) {
-    text += "\nisovalue  " + isovalue_text(*info.isovalue, info.effective);
-    text += "\nsurface   " + topology_text(info.contour.topology()) + "\n          in " +
-            std::to_string(info.contour.active_voxels) + " voxels";
-    append_format(text, ", found in %.3f s\n", info.seconds_contour);
-    text += components_text(info.contour);
+    lines += text("\nisovalue  ", isovalue_text(*info.isovalue, info.effective), "\nsurface   ",
+                  topology_text(info.contour.topology()), "\n          in ",
+                  info.contour.active_voxels, " voxels, found in ", fixed(info.seconds_contour, 3),
+                  " s\n", components_text(info.contour));
   }
-  return text;
+  return lines;
 }
 
 void add_info(ReportWriter& out, const Info& info) {

@@ -73,7 +73,7 @@ std::string follow_links(std::string path) {
   return path;
 }
 
-AtomicFile::AtomicFile(std::string path, bool sync) : path_(std::move(path)), sync_(sync) {
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
   buffer_.reserve(kBufferSize);
   target_ = follow_links(path_);
   if (const std::optional<int> descriptor = descriptor_named(target_)) {
@@ -156,7 +156,6 @@ void AtomicFile::flush() {
 
 void AtomicFile::commit() {
   flush();
-  if (sync_ && (unnamed_ || !temporary_.empty()) && fsync(descriptor_) != 0) fail(errno);
   if (unnamed_) name_temporary();
   // Some file systems report a full disk only here.
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);

@@ -25,8 +25,7 @@ std::string follow_links(std::string path);
 
 class AtomicFile {
  public:
-  // Opens for writing. With `sync`, commit() also waits until the bytes are on the medium.
-  explicit AtomicFile(std::string path, bool sync = false);
+  explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -52,7 +51,6 @@ class AtomicFile {
   bool unnamed_ = false;   // a temporary without a name is open
   std::string buffer_;
   int descriptor_ = -1;
-  bool sync_;
 };
 
 }  // namespace deliso

@@ -238,7 +238,7 @@ void put_block(BitWriter& out, std::span<const Token> tokens, bool last) {
 
 }  // namespace
 
-void ZlibStream::compress(bool last) {
+void DeflateStream::compress(bool last) {
   const std::vector<Token> tokens = find_repetitions(piece_);
   BitWriter writer(data_, bits_, bit_count_);
   std::span<const Token> rest = tokens;
@@ -252,7 +252,7 @@ void ZlibStream::compress(bool last) {
   piece_.clear();
 }
 
-std::string ZlibStream::add(std::string_view bytes) {
+std::string DeflateStream::add(std::string_view bytes) {
   bool ready = false;
   while (!bytes.empty()) {
     if (piece_.size() == kPiece) {
@@ -266,14 +266,16 @@ std::string ZlibStream::add(std::string_view bytes) {
   return ready ? std::exchange(data_, {}) : std::string();
 }
 
-std::string ZlibStream::finish() {
+std::string DeflateStream::finish() {
   compress(true);
-  for (int shift = 24; shift >= 0; shift -= 8) data_ += static_cast<char>(sum_ >> shift & 0xff);
+  for (int shift = 24; shift >= 0 && wrapping_ == Wrapping::zlib; shift -= 8) {
+    data_ += static_cast<char>(sum_ >> shift & 0xff);
+  }
   return std::exchange(data_, {});
 }
 
 std::string deflate_zlib(std::string_view bytes) {
-  ZlibStream stream;
+  DeflateStream stream;
   std::string data = stream.add(bytes);
   return data + stream.finish();
 }

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <numeric>
 #include <type_traits>
+
+#include "io/files/append_format.h"
 
 namespace deliso {
 
@@ -73,18 +74,16 @@ std::string histogram_text(const Histogram& histogram, int rows) {
   const auto total = static_cast<double>(std::accumulate(sums.begin(), sums.end(), 0.0));
   const auto largest = static_cast<double>(*std::max_element(sums.begin(), sums.end()));
 
-  char line[128];
-  std::snprintf(line, sizeof line, "%12s |%-*s %10s\n", "from", kWidth,
-                "bars grow with the count's logarithm", "share");
-  std::string text = line;
+  std::string text;
+  append_format(text, "%12s |%-*s %10s\n", "from", kWidth, "bars grow with the count's logarithm",
+                "share");
   for (std::size_t row = 0; row < sums.size(); ++row) {
     const auto count = static_cast<double>(sums[row]);
     const double height = kWidth * std::log1p(count) / std::log1p(largest);
     const std::string bar(static_cast<std::size_t>(std::ceil(height)), '#');
-    std::snprintf(line, sizeof line, "%12.6g |%-*s %8.4f %%\n",
+    append_format(text, "%12.6g |%-*s %8.4f %%\n",
                   histogram.range.min + histogram.width * static_cast<double>(row * per_row),
                   kWidth, bar.c_str(), 100 * count / total);
-    text += line;
   }
   return text;
 }

@@ -97,14 +97,8 @@ inline constexpr double kMeters = 0.001;  // of a millimeter
 Vec3 glb_origin(const WorldMesh& mesh);
 
 // pre: one object, unless the format holds_objects().
-void write_ply(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_off(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_obj(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_stl(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_vtp(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_glb(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_3mf(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_smesh(AtomicFile& out, std::span<const WorldMesh> objects);
-void write_poly(AtomicFile& out, std::span<const WorldMesh> objects);
+using MeshWriter = void(AtomicFile& out, std::span<const WorldMesh> objects);
+MeshWriter write_ply, write_off, write_obj, write_stl, write_vtp, write_glb, write_3mf, write_smesh,
+    write_poly;
 
 }  // namespace deliso

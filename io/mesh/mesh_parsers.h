@@ -75,6 +75,13 @@ inline void keep_comment(std::string_view line, std::vector<std::string>& commen
   if (!line.empty() && comments.size() < kMostComments) comments.emplace_back(line);
 }
 
+// Returns the line without its comment from # on, which is kept if `comments` is given.
+inline std::string_view without_comment(std::string_view line, std::vector<std::string>* comments) {
+  const std::size_t mark = line.find('#');
+  if (comments && mark != std::string_view::npos) keep_comment(line.substr(mark + 1), *comments);
+  return line.substr(0, mark);
+}
+
 // The result of a parser. The parser checks corners, since it knows the line; parse_mesh checks
 // that points are finite.
 struct MeshParts {
@@ -99,13 +106,8 @@ inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 std::vector<VertexId> merge_points(std::vector<Vec3>& points);
 
 // `name`: in quotes, for messages.
-MeshParts parse_ply(std::string_view bytes, const std::string& name);
-MeshParts parse_off(std::string_view bytes, const std::string& name);
-MeshParts parse_obj(std::string_view bytes, const std::string& name);
-MeshParts parse_stl(std::string_view bytes, const std::string& name);
-MeshParts parse_vtp(std::string_view bytes, const std::string& name);
-MeshParts parse_glb(std::string_view bytes, const std::string& name);
-MeshParts parse_3mf(std::string_view bytes, const std::string& name);
+using MeshParser = MeshParts(std::string_view bytes, const std::string& name);
+MeshParser parse_ply, parse_off, parse_obj, parse_stl, parse_vtp, parse_glb, parse_3mf;
 
 // True if the bytes can be binary STL and are no text.
 bool looks_like_binary_stl(std::string_view bytes);

@@ -37,8 +37,8 @@ void require_in_range(const std::vector<Vec3>& points, const std::string& name, 
 }
 
 // In the order of MeshFormat.
-constexpr MeshParts (*kParsers[])(std::string_view bytes, const std::string& name) = {
-    parse_ply, parse_off, parse_obj, parse_stl, parse_vtp, parse_glb, parse_3mf};
+constexpr MeshParser* kParsers[] = {parse_ply, parse_off, parse_obj, parse_stl,
+                                    parse_vtp, parse_glb, parse_3mf};
 
 }  // namespace
 

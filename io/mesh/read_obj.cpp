@@ -31,12 +31,7 @@ bool next_statement(Lines& lines, std::string& joined, std::string_view& stateme
       }
       statement = joined;
     }
-    const std::size_t mark = statement.find('#');
-    if (comments != nullptr && mark != std::string_view::npos) {
-      keep_comment(statement.substr(mark + 1), *comments);
-    }
-    statement = statement.substr(0, mark);
-    std::string_view probe = statement;
+    std::string_view probe = statement = without_comment(statement, comments);
     if (!take_word(probe).empty()) return true;
   }
   return false;

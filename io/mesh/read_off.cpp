@@ -11,13 +11,7 @@ namespace {
 // Moves to the next line with a word. Cuts off its comment and appends it to `comments`.
 bool next_line_with_words(Lines& lines, std::vector<std::string>* comments = nullptr) {
   while (lines.next()) {
-    std::string_view& line = lines.line();
-    const std::size_t mark = line.find('#');
-    if (comments != nullptr && mark != std::string_view::npos) {
-      keep_comment(line.substr(mark + 1), *comments);
-    }
-    line = line.substr(0, mark);
-    std::string_view probe = line;
+    std::string_view probe = lines.line() = without_comment(lines.line(), comments);
     if (!take_word(probe).empty()) return true;
   }
   return false;

@@ -35,11 +35,8 @@ class ZipWriter {
   }
   void end() {
     deflate_text();
-    std::string rest = stream_.finish();
-    rest.resize(rest.size() - kAdlerSize);
-    put_deflated(rest);
-    stream_ = {};
-    begun_ = false;
+    put(stream_.finish());
+    stream_ = DeflateStream(Wrapping::none);
     Part& part = parts_.back();
     part.packed_size = position_ - data_begins_;
     if (part.size > kMost || position_ > kMost) {
@@ -79,8 +76,6 @@ class ZipWriter {
     std::uint32_t sum = 0;
   };
   static constexpr std::size_t kPiece = std::size_t{1} << 16;
-  // Of the zlib stream around deflated data.
-  static constexpr std::size_t kHeadSize = 2, kAdlerSize = 4;
   static constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::uint16_t kVersion = 20, kSizesFollow = 8, kDeflated = 8, kDay = 0x21;
 
@@ -113,26 +108,18 @@ class ZipWriter {
     put16(static_cast<std::uint16_t>(part.name.size()));
     put16(0);  // size of the extra field
   }
-  void put_deflated(std::string_view data) {
-    if (!begun_ && !data.empty()) {
-      data.remove_prefix(kHeadSize);
-      begun_ = true;
-    }
-    put(data);
-  }
   void deflate_text() {
     Part& part = parts_.back();
     part.sum = crc32(std::as_bytes(std::span(text_)), part.sum);
     part.size += text_.size();
-    put_deflated(stream_.add(text_));
+    put(stream_.add(text_));
     text_.clear();
   }
 
   AtomicFile& out_;
   std::vector<Part> parts_;
-  ZlibStream stream_;
-  std::string text_;    // of the part, not yet deflated
-  bool begun_ = false;  // data of the part was written
+  DeflateStream stream_{Wrapping::none};
+  std::string text_;  // of the part, not yet deflated
   std::uint64_t position_ = 0, data_begins_ = 0;
 };
 

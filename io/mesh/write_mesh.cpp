@@ -17,7 +17,7 @@ namespace {
 // The formats in the order of MeshFormat.
 struct FormatRow {
   std::string_view ending;
-  void (*write)(AtomicFile& out, std::span<const WorldMesh> objects);
+  MeshWriter* write;
 };
 constexpr FormatRow kFormats[] = {
     {".ply", write_ply}, {".off", write_off},     {".obj", write_obj},
@@ -119,7 +119,7 @@ void write_file(std::span<const WorldMesh> objects, const std::string& path) {
                             : path == "-"  ? MeshFormat::ply
                                            : mesh_format_of(path);
   DELISO_CHECK(objects.size() == 1 || holds_objects(format));
-  AtomicFile out(path, options.sync);
+  AtomicFile out(path);
   kFormats[static_cast<std::size_t>(format)].write(out, objects);
   out.commit();
 }

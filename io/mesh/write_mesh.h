@@ -78,7 +78,6 @@ struct MeshWriteOptions {
   std::optional<MeshFormat> format{};  // absent: by the path's ending, PLY on standard output
   bool single_precision = false;       // coordinates as float instead of double (STL, glTF: always)
   bool ascii = false;                  // PLY only
-  bool sync = false;                   // wait until the bytes are on the medium
   std::string comment{};               // empty: none
   // Facets from this one on are caps. TetGen's formats mark them 2, others 1; PLY, VTP and glTF
   // mark them if there are attributes. Absent: no caps were asked for.

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
 #include "base/random.h"
+#include "io/files/input_file.h"
 
 namespace deliso {
 namespace {
@@ -113,14 +114,10 @@ double machine(const Vec3& p, double width) {
   return 0.5 + inside / (3 * width);
 }
 
-// Samples of one type in native order.
-struct Samples {
-  Samples(SampleType of, std::size_t size)
-      : type(of), bytes(std::make_unique_for_overwrite<std::byte[]>(size)) {}
-
-  SampleType type;
-  std::shared_ptr<std::byte[]> bytes;
-};
+Volume volume_of(int size, SampleType type, Buffer samples) {
+  const Bytes bytes = bytes_of(std::move(samples), {});
+  return {{size, size, size}, {1, 1, 1}, type, bytes.data.data(), bytes.owner};
+}
 
 template <class T>
 T quantised(double value) {
@@ -133,10 +130,10 @@ T quantised(double value) {
 }
 
 template <class T, double (*field)(const Vec3&, double)>
-Samples sampled(int size) {
+Volume sampled(int size) {
   const std::size_t n = static_cast<std::size_t>(size);
-  Samples samples(sample_type_of<T>(), n * n * n * sizeof(T));
-  std::byte* to = samples.bytes.get();
+  Buffer samples(n * n * n * sizeof(T));
+  std::byte* to = samples.data.get();
   const auto coordinate = [size](int i) { return (2.0 * i - (size - 1)) / (size - 1); };
   const double width = 2.0 / (size - 1);
   for (int k = 0; k < size; ++k) {
@@ -147,11 +144,11 @@ Samples sampled(int size) {
       }
     }
   }
-  return samples;
+  return volume_of(size, sample_type_of<T>(), std::move(samples));
 }
 
 // White noise, smoothed with 1-2-1 along each axis: ambiguous faces and tubes everywhere.
-Samples noise(int size) {
+Volume noise(int size) {
   const std::size_t n = static_cast<std::size_t>(size), m = n + 2;
   std::vector<std::uint16_t> values(m * m * m);
   Random random(1);
@@ -161,13 +158,13 @@ Samples noise(int size) {
     for (std::size_t at = 0; at + 2 * step < values.size(); ++at)
       values[at] =
           static_cast<std::uint16_t>(values[at] + 2 * values[at + step] + values[at + 2 * step]);
-  Samples samples(SampleType::u8, n * n * n);
-  std::byte* to = samples.bytes.get();
+  Buffer samples(n * n * n);
+  std::byte* to = samples.data.get();
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         *to++ = static_cast<std::byte>(values[i + m * (j + m * k)] / 64);
-  return samples;
+  return volume_of(size, SampleType::u8, std::move(samples));
 }
 
 constexpr BuiltinField kFields[] = {
@@ -186,7 +183,7 @@ constexpr BuiltinField kFields[] = {
      SurfaceTopology{2, -8, 0}},
     {"noise", "smoothed white noise, cut by the box", 127.5, 32, std::nullopt},
 };
-constexpr Samples (*kMakers[])(int) = {
+constexpr Volume (*kMakers[])(int size) = {
     sampled<float, sphere>,         sampled<float, torus>,
     sampled<float, linked_tori>,    sampled<float, five_spheres>,
     sampled<float, gyroid>,         sampled<std::uint16_t, orbital>,
@@ -201,8 +198,7 @@ std::span<const BuiltinField> builtin_fields() {
 }
 
 Volume sample_builtin_field(const BuiltinField& field, int size) {
-  const Samples samples = kMakers[&field - kFields](size);
-  return {{size, size, size}, {1, 1, 1}, samples.type, samples.bytes.get(), samples.bytes};
+  return kMakers[&field - kFields](size);
 }
 
 }  // namespace deliso

@@ -71,7 +71,7 @@ void write_data(AtomicFile& out, std::string_view header, const PageData& data) 
   out.write(text(kJson, "header\">", without_tags(header, "\\u003c"), kEnd));
   out.write(text(kJson, "arrays\">", without_tags(data.directory(), "\\u003c"), kEnd));
   out.write(R"(<script type="text/plain" id="bytes">)");
-  ZlibStream stream;
+  DeflateStream stream;
   std::string waiting;  // less than a group of three, so that no padding is within
   const auto encode = [&](std::string_view compressed, bool last) {
     waiting += compressed;

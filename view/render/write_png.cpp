@@ -98,7 +98,7 @@ void encode(const Image& image, Put put) {
   const auto put_data = [&](const std::string& data) {
     if (!data.empty()) put(chunk("IDAT", data));
   };
-  ZlibStream stream;
+  DeflateStream stream;
   std::string above(kPixel * static_cast<std::size_t>(image.width), '\0');
   for (int y = 0; y < image.height; ++y) {
     std::string row = row_bytes(image, y);

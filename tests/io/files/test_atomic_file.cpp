@@ -19,8 +19,8 @@ using namespace deliso::test;
 
 namespace {
 
-void put(const std::string& path, const std::string& bytes, bool sync = false) {
-  AtomicFile file(path, sync);
+void put(const std::string& path, const std::string& bytes) {
+  AtomicFile file(path);
   file.write(bytes);
   file.commit();
 }
@@ -65,7 +65,7 @@ TEST_CASE("bytes written in pieces of every size are in the file") {
     Random random(seed);
     std::string all;
     {
-      AtomicFile file(folder / "out", seed % 2);
+      AtomicFile file(folder / "out");
       for (int i = 0; i < 40; ++i) {
         std::string piece(random.below(seed % 5 == 0 ? 300000 : 3000), ' ');
         for (char& c : piece) c = static_cast<char>(random.next());
@@ -138,7 +138,7 @@ TEST_CASE("pipes are written to, not replaced") {
   std::string read;
   std::thread reader([&] { read = file_bytes(pipe); });
   const std::string bytes(1 << 20, 'p');
-  put(pipe, bytes, true);
+  put(pipe, bytes);
   reader.join();
   CHECK(read == bytes);
   CHECK(std::filesystem::is_fifo(pipe));

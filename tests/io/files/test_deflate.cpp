@@ -86,7 +86,7 @@ TEST_CASE("repetitions become small, and random bytes hardly grow") {
 TEST_CASE("pieces given one by one make one stream") {
   Random random(7);
   const std::string content = random_content(random, 9000000);
-  ZlibStream stream;
+  DeflateStream stream;
   std::string data;
   std::size_t held = 0;
   for (std::string_view rest = content; !rest.empty();) {
