@@ -11,7 +11,7 @@
 
 #include "base/triangle.h"
 #include "cases.h"
-#include "check/self_intersections.h"
+#include "check/place_faults.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
 #include "mesh/check_mesh.h"
@@ -327,7 +327,7 @@ TEST_CASE("defaults: every built-in field gets the exact topology, embedded, on 
     check_topology(out.mesh, summarize_contour(scene.volume, out.report.kappa_effective));
     CHECK(out.report[Counter::uncertified_sites] == 0);
     CHECK(out.report[Counter::crossings_handed_over] == 0);
-    CHECK(count_crossings(out.mesh.points, out.mesh.faces) == 0);
+    CHECK(find_place_faults(out.mesh.points, out.mesh.triangles()).crossings == 0);
     CHECK(out.mesh.faces.size() > 100);
   }
 }
@@ -344,7 +344,7 @@ TEST_CASE("target_vertices below what the topology needs: as few as can be, and 
     options.target_vertices = 10;
     const Run out = run(volume, 1.5, options);
     check_sound(out, volume);
-    CHECK(count_crossings(out.mesh.points, out.mesh.faces) == 0);
+    CHECK(find_place_faults(out.mesh.points, out.mesh.triangles()).crossings == 0);
     CHECK(out.mesh.points.size() < 500);
     CHECK(out.report.max_distance > 0.1);
     CHECK(out.report.max_distance < 8);
@@ -380,7 +380,7 @@ TEST_CASE("target_vertices gives a mesh of that many, nearer to the surface the 
     const Run out = run(scene.volume, scene.surface.kappa(), options);
     check_sound(out, scene.volume);
     check_topology(out.mesh, scene.contour.summary);
-    CHECK(count_crossings(out.mesh.points, out.mesh.faces) == 0);
+    CHECK(find_place_faults(out.mesh.points, out.mesh.triangles()).crossings == 0);
     CHECK(out.mesh.points.size() == target);
     CHECK(out.report.max_distance < before);
     before = out.report.max_distance;
