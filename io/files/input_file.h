@@ -55,8 +55,7 @@ Bytes open_file(const std::string& path, NamedBy named_by = NamedBy::user);
 Bytes read_standard_input();
 
 // Throws InputError "name: message", with the message in pieces.
-template <class... Pieces>
-[[noreturn]] void fail(std::string_view name, const Pieces&... message) {
+[[noreturn]] void fail(std::string_view name, const auto&... message) {
   throw InputError(name, ": ", message...);
 }
 

@@ -64,10 +64,7 @@ class VtkXml {
   Bytes from_block(const Bytes& data, std::uint64_t size, const std::string& what) const;
   Bytes from_blocks(const Bytes& data, std::uint64_t size, const std::string& what) const;
   std::uint64_t header_word(std::span<const std::byte> bytes, std::size_t n) const;
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    deliso::fail(bytes_.name, fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { deliso::fail(bytes_.name, fault...); }
 
   const Bytes& bytes_;
   std::string_view text_;

@@ -31,10 +31,7 @@ class ZipArchive {
   Part read_entry(std::uint64_t& at) const;
   template <class T>
   T get(std::uint64_t at) const;
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    deliso::fail(file_.name, fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { deliso::fail(file_.name, fault...); }
 
   Bytes file_;
   std::vector<Part> parts_;

@@ -37,12 +37,8 @@ class Lines {
   std::string_view& line() { return line_; }
   std::string_view rest() const { return text_.rest(); }
   std::size_t number() const { return number_; }
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    fail_at(number_, fault...);
-  }
-  template <class... Pieces>
-  [[noreturn]] void fail_at(std::size_t line, const Pieces&... fault) const {
+  [[noreturn]] void fail(const auto&... fault) const { fail_at(number_, fault...); }
+  [[noreturn]] void fail_at(std::size_t line, const auto&... fault) const {
     throw InputError(name_, " line ", line, ": ", fault...);
   }
 

@@ -40,10 +40,7 @@ class ThreeMfParser {
     std::vector<Place> components;
   };
 
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    deliso::fail(name_, fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { deliso::fail(name_, fault...); }
 
   std::string model_name() const {
     const Bytes relations = archive_.part("_rels/.rels");

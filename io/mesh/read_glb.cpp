@@ -72,10 +72,7 @@ class GlbParser {
   }
 
  private:
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    deliso::fail(name_, fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { deliso::fail(name_, fault...); }
 
   std::size_t whole(const JsonValue& value, std::string_view what) const {
     const double number = value.number;

@@ -138,10 +138,7 @@ class WordSource {
       if (!take_word(lines_.line()).empty()) fail("something follows the last element");
     } while (lines_.next());
   }
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    lines_.fail(fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { lines_.fail(fault...); }
 
  private:
   Lines lines_;
@@ -168,8 +165,7 @@ class BinarySource {
       if (!is_space(bytes_[i])) fail(bytes_.size() - at_, " bytes follow the last element");
     }
   }
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
+  [[noreturn]] void fail(const auto&... fault) const {
     throw InputError(name_, " byte ", at_, ": ", fault...);
   }
 

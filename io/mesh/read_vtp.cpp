@@ -33,10 +33,7 @@ class VtpParser {
   }
 
  private:
-  template <class... Pieces>
-  [[noreturn]] void fail(const Pieces&... fault) const {
-    deliso::fail(bytes_.name, fault...);
-  }
+  [[noreturn]] void fail(const auto&... fault) const { deliso::fail(bytes_.name, fault...); }
 
   void read_structure() {
     std::string_view inside;  // the section that began last

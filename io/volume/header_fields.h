@@ -59,15 +59,13 @@ class HeaderFields {
       fail_value(*spellings.begin(), *value, "not ", count, " numbers");
     return numbers;
   }
-  template <class... Pieces>
-  [[noreturn]] void fail_field(std::string_view field, const Pieces&... fault) const {
+  [[noreturn]] void fail_field(std::string_view field, const auto&... fault) const {
     fail_value(field, get(field, ""), fault...);
   }
 
  private:
-  template <class... Pieces>
   [[noreturn]] void fail_value(std::string_view field, std::string_view value,
-                               const Pieces&... fault) const {
+                               const auto&... fault) const {
     fail(file_, noun_, " '", field, "' is ", quote(value), ": ", fault...);
   }
 

@@ -23,8 +23,7 @@ struct VolumeInput {
   ReadLog& log;
 
   const std::string& name() const { return bytes.name; }
-  template <class... Pieces>
-  void note(const Pieces&... note) const {
+  void note(const auto&... note) const {
     log.notes.push_back(one_line(text(name(), ": ", note...)));
   }
 };

@@ -32,8 +32,7 @@ inline std::string one_line(std::string message) {
 // Thrown for unusable input. what() is one line that names the file and the fault. It is made of
 // pieces, as by text().
 struct InputError : std::runtime_error {
-  template <class... Pieces>
-  explicit InputError(const Pieces&... message) : std::runtime_error(one_line(text(message...))) {}
+  explicit InputError(const auto&... message) : std::runtime_error(one_line(text(message...))) {}
 };
 
 [[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
