@@ -197,7 +197,7 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
     {"--min-component", 0, "N", kAllMeshing,
      "leave out components shorter than N voxels in x, in y and in z (default 0); with --cap "
-     "dissolve the regions of inside and outside that they bound",
+     "dissolve the bodies and cavities that they bound",
      [](Line& l, Text o, Text v) {
        l.options.components.min_voxels = v == "0" ? 0 : parse_positive(o, v);
      },

@@ -51,7 +51,7 @@ void grow(Array& array, std::size_t size) {
 }  // namespace
 
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places) {
-  const auto holds = [&](VertexId v) { return patch.region.holds(whole.mesh.points[v]); };
+  const auto holds = [&](VertexId v) { return patch.free_box.holds(whole.mesh.points[v]); };
   std::vector<VertexId>& vertices = patch.vertices;
   std::vector<VertexId> held;
   for (const FaceId f : patch.facets) {
@@ -94,21 +94,21 @@ void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places
   // A frozen facet has a vertex outside, so those come first.
   std::vector<FaceId> facets;
   SurfaceMesh& s = patch.mesh;
-  patch.region.first_free = 0;
+  patch.free_box.first_free = 0;
   for (const FaceId n : facet_order(faces, vertices.size())) {
     const FaceId f = patch.facets[n.number()], own(facets.size());
     facets.push_back(f);
     s.mesh.faces.push_back(faces[n]);
     s.duals.push_back(whole.duals[f]);
     if (faces[n].v[0] < first_held) {
-      ++patch.region.first_free;
+      ++patch.free_box.first_free;
     } else {
       places.facet[f] = own;
     }
   }
   patch.facets = std::move(facets);
   const std::map<FaceId, FaceId> frozen =
-      places_in(std::span<const FaceId>(patch.facets).first(patch.region.first_free.number()));
+      places_in(std::span<const FaceId>(patch.facets).first(patch.free_box.first_free.number()));
   const auto is_free = [&](FaceId f) { return std::ranges::all_of(whole.mesh.faces[f].v, holds); };
   for (const VertexId v : vertices) s.mesh.points.push_back(whole.mesh.points[v]);
   for (Face& face : s.mesh.faces) {
@@ -134,7 +134,7 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
   const BoundaryChain& chain = patch.mesh.chain;
   const std::size_t old_vertices = patch.vertices.size();
   const auto is_held = [&](VertexId v) {
-    return v >= old_vertices || patch.region.holds(whole.mesh.points[patch.vertices[v]]);
+    return v >= old_vertices || patch.free_box.holds(whole.mesh.points[patch.vertices[v]]);
   };
   std::vector<std::uint8_t> is_used(part.points.size(), 0);
   for (const Face& face : part.faces) {
@@ -160,21 +160,21 @@ std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch) {
   }
   for (VertexId v = 0; v < vertex.size(); ++v) {
     if (is_used[v] == 0) continue;
-    // Chain vertices outside the region are corners of frozen facets: their edges are as before.
+    // Chain vertices outside the free box are corners of frozen facets: their edges are as before.
     const bool may_change = is_held(v);
     whole.mesh.points[vertex[v]] = part.points[v];
     if (may_change && chain.is_boundary(v)) {
       whole.chain.set(vertex[v], vertex[chain.previous(v)], vertex[chain.next(v)], chain.place(v));
     }
   }
-  for (FaceId f = patch.region.first_free; f < patch.facets.size(); ++f) {
+  for (FaceId f = patch.free_box.first_free; f < patch.facets.size(); ++f) {
     if (is_dead(part.faces[f])) whole.mesh.faces[facet[f]] = part.faces[f];
   }
   for (FaceId f = 0; f < facet.size(); ++f) {
     const Face& own = part.faces[f];
     if (is_dead(own)) continue;
     Face& face = whole.mesh.faces[facet[f]];
-    if (f >= patch.region.first_free) {
+    if (f >= patch.free_box.first_free) {
       face = own;
       whole.duals[facet[f]] = patch.mesh.duals[f];
       for (VertexId& v : face.v) v = vertex[v];

@@ -13,10 +13,10 @@
 namespace deliso {
 
 struct MeshPatch {
-  Region region;
-  // In the whole mesh: the frozen facets, then those in the region; the vertices outside the
-  // region, then those in it. Each in the order of their places, so that what is done to the patch
-  // does not depend on the whole's ids.
+  FreeBox free_box;
+  // In the whole mesh: the frozen facets, then those in the free box; the vertices outside the
+  // free box, then those in it. Each in the order of their places, so that what is done to the
+  // patch does not depend on the whole's ids.
   std::vector<FaceId> facets;
   std::vector<VertexId> vertices;
   // Its own mesh, by extract(). The chain may be open: then its ends are their own neighbors.
@@ -28,18 +28,18 @@ struct MeshPatch {
   Report report;
 };
 
-// The numbers of facets and vertices in the one patch whose region holds them.
+// The numbers of facets and vertices in the one patch whose free box holds them.
 struct PlacesInPatches {
   IdArray<FaceId, FaceId> facet;
   IdArray<VertexId, VertexId> vertex;
 };
 
-// Puts patch.facets in order, and sets the region's first_free, patch.vertices and patch.mesh;
+// Puts patch.facets in order, and sets the free box's first_free, patch.vertices and patch.mesh;
 // facets begin with their first vertex in that order. Writes only the places of what the patch's
-// region holds, so several patches may be extracted at once.
+// free box holds, so several patches may be extracted at once.
 void extract(const SurfaceMesh& whole, MeshPatch& patch, PlacesInPatches& places);
 
-// Copies the patch's facets in its region back. New vertices and facets get the ids of removed
+// Copies the patch's facets in its free box back. New vertices and facets get the ids of removed
 // ones; when those are used up, they are appended. Dead facets stay. Returns the ids of the patch's
 // facets in the whole mesh; kNoId for new ones that died.
 std::vector<FaceId> put_back(SurfaceMesh& whole, const MeshPatch& patch);

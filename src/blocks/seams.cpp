@@ -31,14 +31,14 @@ class RoundBoxes {
       const std::vector<int>& planes = grid_.planes[axis];
       const double spacing = run.source.shape.spacing()[axis];
       std::vector<double>& ends = ends_[axis];
-      ends.push_back(-Region::kFar);
+      ends.push_back(-FreeBox::kFar);
       for (std::size_t n = 1; n + 1 < planes.size(); ++n) {
         const int side = std::min(planes[n] - planes[n - 1], planes[n + 1] - planes[n]);
         const double half = std::min(kHalfSamples[round], kMaxShares[round] * side);
         ends.push_back((planes[n] - half) * spacing);
         ends.push_back((planes[n] + half) * spacing);
       }
-      ends.push_back(Region::kFar);
+      ends.push_back(FreeBox::kFar);
     }
   }
 
@@ -88,7 +88,7 @@ class RoundBoxes {
     return cells;
   }
 
-  Region region(std::size_t number) const {
+  FreeBox free_box(std::size_t number) const {
     const auto [i, j, k] = intervals(number);
     const auto& [x, y, z] = ends_;
     return {0, {x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}};
@@ -115,16 +115,16 @@ class RoundBoxes {
   std::array<std::vector<double>, 3> ends_;  // of the intervals
 };
 
-// Returns the samples in the region and some around it.
-SampleBox samples_around(const BlockRun& run, const Region& region) {
+// Returns the samples in the free box and some around it.
+SampleBox samples_around(const BlockRun& run, const FreeBox& free_box) {
   SampleBox box;
   const Index3 last = run.source.shape.voxels();
   const Vec3 spacing = run.source.shape.spacing();
   for (int axis = 0; axis < 3; ++axis) {
     const double high = last[axis];
     const auto clamped = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, high)); };
-    box.begin[axis] = clamped(std::floor(region.lo[axis] / spacing[axis]) - kSeamMarginSamples);
-    box.end[axis] = clamped(std::ceil(region.hi[axis] / spacing[axis]) + kSeamMarginSamples);
+    box.begin[axis] = clamped(std::floor(free_box.lo[axis] / spacing[axis]) - kSeamMarginSamples);
+    box.end[axis] = clamped(std::ceil(free_box.hi[axis] / spacing[axis]) + kSeamMarginSamples);
   }
   return box;
 }
@@ -195,7 +195,7 @@ class SeamWork {
       if (number[box] != kNoId && !is_due_(boxes.cells(box))) number[box] = kNoId;
       if (number[box] == kNoId) continue;
       number[box] = static_cast<std::uint32_t>(patches.size());
-      patches.emplace_back().region = boxes.region(box);
+      patches.emplace_back().free_box = boxes.free_box(box);
     }
     for (FaceId f = 0; f < faces.size(); ++f) {
       if (is_dead(faces[f])) continue;
@@ -209,7 +209,7 @@ class SeamWork {
       const std::size_t box = boxes.at(p);
       if (number[box] == kNoId) return false;
       MeshPatch& patch = patches[number[box]];
-      if (!patch.region.holds(p, margin)) return false;
+      if (!patch.free_box.holds(p, margin)) return false;
       patch.samples.push_back(p);
       return true;
     });
@@ -221,32 +221,33 @@ class SeamWork {
     for (const FaceId f : patch.facets) patch.is_done.push_back(is_open_[f] == 0);
     for (VertexId v = 0; v < patch.vertices.size(); ++v) {
       const VertexId in_whole = patch.vertices[v];
-      if (may_thin_[in_whole] != 0 && patch.region.holds(whole_.mesh.mesh.points[in_whole])) {
+      if (may_thin_[in_whole] != 0 && patch.free_box.holds(whole_.mesh.mesh.points[in_whole])) {
         patch.thin.push_back(v);
       }
     }
-    const BoxSurface at(run_.source.read(samples_around(run_, patch.region)), run_.kappa,
+    const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa,
                         run_.options.cubic);
     patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
                                 run_.parameters, patch.report,
-                                {patch.region, std::move(patch.is_done), std::move(patch.thin)});
+                                {patch.free_box, std::move(patch.is_done), std::move(patch.thin)});
   }
 
   void take(MeshPatch patch) {
     const std::size_t old = patch.facets.size();
     for (const VertexId v : patch.vertices) {
-      if (patch.region.holds(whole_.mesh.mesh.points[v])) may_thin_[v] = 0;
+      if (patch.free_box.holds(whole_.mesh.mesh.points[v])) may_thin_[v] = 0;
     }
     const std::vector<FaceId> facets = put_back(whole_.mesh, patch);
     is_open_.resize(whole_.mesh.mesh.faces.size(), 0);
     may_thin_.resize(whole_.mesh.mesh.points.size(), 0);
-    for (FaceId f = patch.region.first_free; f < facets.size(); ++f) {
+    for (FaceId f = patch.free_box.first_free; f < facets.size(); ++f) {
       if (is_dead(patch.mesh.mesh.faces[f])) continue;
       // A facet whose surface ball leaves the box may not be Delaunay: it is asked again.
       const Dual& dual = patch.mesh.duals[f];
       const bool was_open = f >= old || is_open_[facets[f]] != 0;
-      is_open_[facets[f]] = !patch.is_done[f] ||
-                            (was_open && !patch.region.holds(dual.center, std::sqrt(dual.radius2)));
+      is_open_[facets[f]] =
+          !patch.is_done[f] ||
+          (was_open && !patch.free_box.holds(dual.center, std::sqrt(dual.radius2)));
     }
     whole_.report.add(patch.report);
   }

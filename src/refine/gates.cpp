@@ -148,7 +148,7 @@ bool Refinement::reverses(Proposal& c) {
   }
   for (std::size_t n = 0; n < rest_.size();) {
     const FaceId f = rest_[n++];
-    // A component with a frozen facet may continue outside the region.
+    // A component with a frozen facet may continue outside the free box.
     if (is_frozen(f)) return false;
     const Face& face = mesh.faces[f];
     for (int i = 0; i < 3; ++i) visit(face.n[i], face.v[(i + 1) % 3], face.v[(i + 2) % 3]);

@@ -319,7 +319,7 @@ std::vector<std::uint8_t> refine_part(SurfaceMesh& mesh, const Isosurface& surfa
   const StepTimer timer(report.seconds_refine);
   std::vector<std::uint32_t> far(samples.size());
   std::iota(far.begin(), far.end(), 0);
-  Refinement refinement(mesh, surface, curves, parameters, report, scope.region);
+  Refinement refinement(mesh, surface, curves, parameters, report, scope.free_box);
   return RefineGeom(refinement, samples, far).run(std::move(scope.is_done), scope.thin);
 }
 

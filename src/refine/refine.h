@@ -29,7 +29,7 @@ void refine(SurfaceMesh& mesh, const Isosurface& surface, const BoundaryCurves& 
 
 // The part of a mesh that is refined; by default all of it.
 struct RefineScope {
-  Region region;                      // the frozen facets, and the box of the others
+  FreeBox free_box;                   // the frozen facets, and the box of the others
   std::vector<std::uint8_t> is_done;  // per facet; those after the last are not done
   // Vertices that are removed where the criteria do not need them (refine/thin.h); if there are
   // any, inserted ones are too.

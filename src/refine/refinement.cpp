@@ -45,7 +45,7 @@ bool has(std::span<const VertexId> list, VertexId v) {
 
 Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
                        const BoundaryCurves& boundary_curves, const Parameters& given,
-                       Report& counts, const Region& where)
+                       Report& counts, const FreeBox& where)
     : s(surface_mesh),
       mesh(surface_mesh.mesh),
       surface(isosurface),
@@ -53,7 +53,7 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       parameters(given),
       report(counts),
       observer(follower(given.observer)),
-      region(where),
+      free_box(where),
       inserted(surface_mesh.mesh.points.size()),
       finder(isosurface),
       facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
@@ -145,9 +145,9 @@ Proposal* Refinement::propose(std::span<const FaceId> cavity, double least_cosin
   return c.was.link() ? &c : nullptr;
 }
 
-bool Refinement::leaves_region(const Proposal& c) const {
+bool Refinement::leaves_free_box(const Proposal& c) const {
   return std::ranges::any_of(c.cavity, [&](FaceId f) { return is_frozen(f); }) ||
-         (c.what != Proposal::Vertex::none && !region.holds(c.place));
+         (c.what != Proposal::Vertex::none && !free_box.holds(c.place));
 }
 
 void Refinement::put_in_place(const Proposal& c) {

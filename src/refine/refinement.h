@@ -6,8 +6,8 @@
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
 // Every replacement keeps that, because it passes these tests, from cheap to expensive:
-//   G0  No frozen facet is removed, and the new disk stays in the region. Where a part of a mesh is
-//       refined (blocks/seams.h), facets outside the part are frozen.
+//   G0  No frozen facet is removed, and the new disk stays in the free box. Where a part of a mesh
+//       is refined (blocks/seams.h), facets outside the part are frozen.
 //   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition). So
 //       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
 //       at most one run of the mesh's boundary edges; the operation must ensure that
@@ -47,7 +47,7 @@ struct EdgeRef {
 
 // Facets before `first_free` are frozen. The others may be replaced, by facets in the box from `lo`
 // (included) to `hi` (excluded).
-struct Region {
+struct FreeBox {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   FaceId first_free = 0;
   Vec3 lo{-kFar, -kFar, -kFar}, hi{kFar, kFar, kFar};
@@ -110,9 +110,9 @@ struct Proposal {
 
 class Refinement {
  public:
-  // Copies `parameters` and `region`; keeps references to the rest.
+  // Copies `parameters` and `free_box`; keeps references to the rest.
   Refinement(SurfaceMesh& surface_mesh, const Isosurface& surface, const BoundaryCurves& curves,
-             const Parameters& parameters, Report& report, const Region& region = {});
+             const Parameters& parameters, Report& report, const FreeBox& free_box = {});
 
   SurfaceMesh& s;
   TriMesh& mesh;
@@ -121,7 +121,7 @@ class Refinement {
   Parameters parameters;  // the bound on the distance gives way to target_vertices
   Report& report;
   Observer* const observer;  // null unless it follows insertions
-  const Region region;
+  const FreeBox free_box;
   // Vertices from this one on were inserted by this refinement; collapses leave them.
   const std::size_t inserted;
   SurfacePointFinder finder;
@@ -143,7 +143,7 @@ class Refinement {
   template <class Accept>
   std::optional<Refusal> replace(Accept&& accept) {
     Proposal& c = proposal;
-    if (leaves_region(c)) return Refusal::frozen;
+    if (leaves_free_box(c)) return Refusal::frozen;
     put_in_place(c);
     if (!c.knows_duals) c.duals.clear();
     std::optional<Refusal> refusal = test_shape(c);
@@ -178,7 +178,7 @@ class Refinement {
   // `ignored`: a vertex that may be there.
   bool is_delaunay(const Triangle& v, const Dual& dual, VertexId ignored = kNoId) const;
   bool is_delaunay(FaceId f) const { return is_delaunay(mesh.faces[f].v, s.duals[f]); }
-  bool is_frozen(FaceId f) const { return f < region.first_free; }
+  bool is_frozen(FaceId f) const { return f < free_box.first_free; }
   const BoxGrid& facets() const { return facets_; }
   const Vec3& point(VertexId v) const { return mesh.points[v]; }
   Vec3 normal(const Triangle& v) const {
@@ -186,7 +186,7 @@ class Refinement {
   }
 
  private:
-  bool leaves_region(const Proposal& c) const;
+  bool leaves_free_box(const Proposal& c) const;
   void put_in_place(const Proposal& c);
   void undo(const Proposal& c);
   void commit(Proposal& c);

@@ -20,7 +20,7 @@ namespace deliso {
 enum class Counter : std::uint8_t {
   // Stage 1
   components_skipped,       // by --min-component
-  boundary_splits_recover,  // boundary edges split because a point encroached upon them
+  boundary_splits_recover,  // boundary edges split in Stage 1
   cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
   bogus_hits,               // hits whose ball holds a vertex: the Voronoi edge was garbage
   capped_insertions,        // insertions refused since the ball is too small
