@@ -277,7 +277,7 @@ inline std::uint32_t slow_adler32(const std::string& bytes) {
 
 inline std::string little(std::uint64_t value, int bytes) {
   std::string out;
-  for (int n = 0; n < bytes; ++n) out += static_cast<char>(value >> (8 * n) & 0xff);
+  for (; bytes > 0; --bytes, value >>= 8) out += static_cast<char>(value & 0xff);
   return out;
 }
 inline std::string big(std::uint64_t value, int bytes) {
