@@ -63,4 +63,9 @@ inline bool is_finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
+// Returns the cosine of the angle between u and v; NaN if one has no length.
+inline double cosine_between(const Vec3& u, const Vec3& v) {
+  return dot(u, v) / std::sqrt(length2(u) * length2(v));
+}
+
 }  // namespace deliso

@@ -12,6 +12,10 @@ namespace {
 // Facets with a smaller circumradius are not refined, not even for shape.
 constexpr double kShapeFloorVoxels = 0.05;
 
+// The least distance between facets that face each other, in the largest side of the box. Programs
+// that fill surfaces with tetrahedra take nearer ones for one.
+constexpr double kGapOfBox = 1e-5;
+
 }  // namespace
 
 double Length::in(const Volume& volume) const {
@@ -77,6 +81,10 @@ Parameters resolve(const Options& o, const Volume& volume) {
   static_cast<RunSettings&>(p) = o;
   p.voxel = voxel;
   p.r_min = r_min;
+  const Vec3 whole = volume.spacing();
+  for (int axis = 0; axis < 3; ++axis) {
+    p.gap = std::max(p.gap, kGapOfBox * whole[axis] * (volume.whole_dims()[axis] - 1));
+  }
   p.fingers = o.fingers.in(volume);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     p.refinement.limits.values[n] = o.limits.values[n].in(volume);

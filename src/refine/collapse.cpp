@@ -37,7 +37,7 @@ bool joins_on_box(const Refinement& r, VertexId v, VertexId w) {
 std::optional<Refusal> propose_merge(Refinement& r, FaceId f, VertexId from, VertexId to,
                                      double least_cosine) {
   const bool on_boundary = r.s.chain.is_boundary(from);
-  if (from >= r.inserted || !may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
+  if (!may_remove(r, from) || (on_boundary && !r.s.chain.is_edge(from, to))) {
     return Refusal::boundary;
   }
   Proposal* c = r.propose(r.star(f, from), least_cosine);
@@ -69,7 +69,7 @@ std::optional<Refusal> collapse_short_edge(Refinement& r, FaceId f) {
   if (r.s.chain.is_boundary(a)) std::swap(a, b);
   std::optional<Refusal> refusal;
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    refusal = propose_merge(r, f, from, to);
+    refusal = from >= r.inserted ? std::optional(Refusal::boundary) : propose_merge(r, f, from, to);
     if (!refusal) refusal = r.replace(is_better);
     if (!r.done(Operation::collapse, refusal)) break;
   }

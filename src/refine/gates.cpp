@@ -19,9 +19,8 @@ constexpr std::size_t kMaxSmallComponent = 12;
 // lies within 0.25 voxel of the mesh, without the test within 0.7.
 constexpr double kMaxRemovedDistances = 2;
 
-double cosine(const Vec3& u, const Vec3& v) {
-  return dot(u, v) / std::sqrt(length2(u) * length2(v));
-}
+// G5: least height of a facet, in its longest edge. So no angle is below about .01 degree.
+constexpr double kLeastHeight = 2e-4;
 
 }  // namespace
 
@@ -101,13 +100,14 @@ double Refinement::sharpest_edge(const Disk& disk, std::span<const Vec3> normals
   double least = 1;
   for (std::uint32_t f = 0; f < disk.facets.size(); ++f) {
     for (const std::uint32_t g : disk.across[f]) {
-      if (g != Disk::kNone && g > f) least = std::min(least, cosine(normals[f], normals[g]));
+      if (g != Disk::kNone && g > f)
+        least = std::min(least, cosine_between(normals[f], normals[g]));
     }
   }
   for (std::size_t k = 0; k < across.size(); ++k) {
     if (across[k] == kNoId) continue;
     const Vec3 outside = normal(mesh.faces[across[k]].v);
-    least = std::min(least, cosine(normals[disk.boundary[k].facet], outside));
+    least = std::min(least, cosine_between(normals[disk.boundary[k].facet], outside));
   }
   return least;
 }
@@ -211,10 +211,30 @@ bool Refinement::uncovers(const Proposal& c) const {
   });
 }
 
+// G5: true if a new facet is too thin, and none was as thin before. Where vertices near one point
+// are moved apart one by one, facets are needles in between.
+bool Refinement::is_needle(const Proposal& c) const {
+  if (c.what == Proposal::Vertex::moves && c.in.facets.size() == c.was.facets.size()) return false;
+  const auto height2 = [](const Vec3& a, const Vec3& b, const Vec3& d) {
+    const double longest2 = longest_edge2(a, b, d);
+    return length2(area_normal(a, b, d)) / (longest2 * longest2);
+  };
+  double after = 1, before = 1;
+  for (std::size_t f = 0; f < c.in.facets.size(); ++f) {
+    const auto& [a, b, d] = c.in.facets[f];
+    after = std::min(after, height2(point(a), point(b), point(d)));
+  }
+  if (after >= kLeastHeight * kLeastHeight) return false;
+  for (const auto& [a, b, d] : c.was.facets) {
+    before = std::min(before, height2(point_before(c, a), point_before(c, b), point_before(c, d)));
+  }
+  return after < before;
+}
+
 // G5.
 bool Refinement::crosses(const Proposal& c) {
   if (parameters.as_published) return false;
-  if (!crossing_.begin(mesh.points, c.in, normals_, facets_)) return true;
+  if (is_needle(c) || !crossing_.begin(mesh.points, c.in, normals_, facets_)) return true;
   const bool is_cone = c.what == Proposal::Vertex::comes && c.in.inner_vertices() == 1;
   return crossing_.crosses_itself(is_cone ? c.vertex : kNoId) ||
          facets_.any(crossing_.box(), [&](FaceId f, const BoxGrid::Box& box) {

@@ -16,22 +16,23 @@
 namespace deliso {
 namespace {
 
-// The distance off a face starts at the perturbation, and shrinks by this factor after each
-// refusal. A small enough move keeps an embedded mesh embedded.
+// The distance off a face starts at the perturbation, or under a cap at the least distance between
+// facets. It shrinks by this factor after each refusal. A small enough move keeps an embedded mesh
+// embedded.
 constexpr double kOffsetFactor = 0x1p-4;
 // A share of the largest coordinate, here or in the world: the least distance off a face. A nearer
 // vertex may be on the face after conversion to the world and back.
 constexpr double kMinOffset = 0x1p-46;
 
-// Returns the distances to try, from the perturbation down to the least.
-std::vector<double> distances_off(const Volume& volume, double voxel) {
+// Returns the distances to try, from the first down to the least.
+std::vector<double> distances_off(const Volume& volume, double first) {
   std::vector<double> off;
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     largest = std::max({largest, volume.box().hi[axis], std::fabs(volume.frame().origin[axis])});
   }
   const double least = kMinOffset * largest;
-  for (double d = kPerturbationVoxels * voxel; off.empty() || d > least; d *= kOffsetFactor) {
+  for (double d = first; off.empty() || d > least; d *= kOffsetFactor) {
     off.push_back(std::max(d, 2 * least));
   }
   return off;
@@ -55,12 +56,12 @@ enum class Effort : std::uint8_t { as_stage2, on_surface, next_to_it };
 class LiftOff {
  public:
   LiftOff(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves, unsigned faces,
-          const Parameters& parameters, Report& report)
+          double first_distance, const Parameters& parameters, Report& report)
       : s_(s),
         mesh_(s.mesh),
         box_(surface.volume().box()),
         faces_(faces),
-        off_(distances_off(surface.volume(), parameters.voxel)),
+        off_(distances_off(surface.volume(), first_distance)),
         surface_(surface),
         curves_(curves),
         parameters_(parameters),
@@ -268,7 +269,10 @@ bool LiftOff::lift(FaceId f, int i, Effort effort) {
 std::size_t lift_off(SurfaceMesh& s, const Isosurface& surface, const BoundaryCurves& curves,
                      unsigned faces, OffSurface off_surface, const Parameters& parameters,
                      Report& report) {
-  return LiftOff(s, surface, curves, faces, parameters, report).run(off_surface);
+  const double perturbation = kPerturbationVoxels * parameters.voxel;
+  const double first =
+      off_surface == OffSurface::allowed ? std::max(parameters.gap, perturbation) : perturbation;
+  return LiftOff(s, surface, curves, faces, first, parameters, report).run(off_surface);
 }
 
 }  // namespace deliso

@@ -95,7 +95,8 @@ std::optional<Refusal> move_vertex(Refinement& r, FaceId f, VertexId v) {
     there = c->duals.empty() ? cost_across()
                              : there + cost(r, c->in.facets[c->duals.size() - 1], c->duals.back());
     return there < (1 - kMinCostFall) * here &&
-           (!c->has_duals() || r.finder.on_one_sheet(from, c->place, normal, searches));
+           (!c->has_duals() || (r.finder.on_one_sheet(from, c->place, normal, searches) &&
+                                r.finder.leads_to(from, c->place, normal, searches)));
   };
   for (const double step : kStepRMins) {
     const double reach = step * r.parameters.r_min;

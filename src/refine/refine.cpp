@@ -16,6 +16,7 @@
 #include "refine/coverage.h"
 #include "refine/facet_queue.h"
 #include "refine/operations.h"
+#include "refine/separate.h"
 #include "refine/thin.h"
 
 namespace deliso {
@@ -73,8 +74,8 @@ class RefineGeom {
   void enqueue(FaceId f, double at_least = 0);
   // True if f is left to blocks/seams.h.
   bool is_left(FaceId f) const;
-  // Returns why f must be refined; nullopt if it need not.
-  std::optional<Reason> fault(FaceId f) const;
+  // Returns why f must be refined; nullopt if it need not. `is_alone`: no other vertex is near it.
+  std::optional<Reason> fault(FaceId f, bool is_alone = false) const;
   // Returns the violation that f was queued with, or measures it.
   double violation_of(FaceId f) const {
     const bool is_known = f < violation_.size() && violation_[f] >= 0;
@@ -85,6 +86,10 @@ class RefineGeom {
   void flip_to_delaunay();
   bool insert_far_samples();
   void make_delaunay();
+  // Marks vertices that may be within the gap of f. Returns true if there are any.
+  bool crowds(FaceId f);
+  // Moves facets apart (refine/separate.h).
+  void keep_apart();
   void require_room() const;  // throws InputError at max_vertices
   // Reports f to the observer, with the violation of the criterion, else f's circumradius.
   void ask(FaceId f, Reason reason) const {
@@ -103,9 +108,12 @@ class RefineGeom {
   Steps steps_;
   // Per facet: no operation is tried until a facet near it changes.
   std::vector<std::uint8_t> is_done_;
-  IdArray<FaceId, double> violation_;  // of facets that were queued; of others less than 0
-  std::vector<FaceId> refused_;        // in this pass of refine_worst_first()
-  std::vector<FaceId> changed_;        // to be tested for flips
+  // Per facet: it came, or every operation was refused, since moves are allowed.
+  std::vector<std::uint8_t> is_unsettled_;
+  IdArray<VertexId, std::uint8_t> is_crowded_;  // for separate()
+  IdArray<FaceId, double> violation_;           // of facets that were queued; of others less than 0
+  std::vector<FaceId> refused_;                 // in this pass of refine_worst_first()
+  std::vector<FaceId> changed_;                 // to be tested for flips
   // Per facet: its edges are Delaunay, and neither it nor a neighbor has changed since.
   std::vector<std::uint8_t> has_delaunay_edges_;
   bool met_frozen_ = false;  // a frozen facet refused the last operation
@@ -128,8 +136,10 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
   if (!r_.parameters.as_published) {
     if (!vertices.empty()) thin(vertices);
     while (insert_far_samples()) refine_worst_first(Moves::no);
+    is_unsettled_.clear();
     refine_worst_first(Moves::yes);
     for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
+    keep_apart();
   }
   return std::move(is_done_);
 }
@@ -153,6 +163,8 @@ void RefineGeom::refine_worst_first(Moves moves) {
       } else if (!is_left(f)) {
         refused_.push_back(f);
         is_done_[f] = moves == Moves::yes && !met_frozen_;
+        is_unsettled_.resize(mesh_.faces.size(), 0);
+        is_unsettled_[f] = 1;
       }
       steps_.step(queue_.size());
     }
@@ -202,12 +214,19 @@ bool RefineGeom::insert_other_point(FaceId f, bool is_near) {
       std::max({0u, 1u, 2u}, [&](unsigned a, unsigned b) { return length2(a) < length2(b); });
   const Vec3 normal = r_.normal(v), center = circumcenter(p[0], p[1], p[2]);
   const Vec3 middle = 0.5 * (p[(i + 1) % 3] + p[(i + 2) % 3]);
+  // The foot may lie on another component.
+  const auto is_own = [&](const Vec3& foot) {
+    const Vec3& nearest = *std::ranges::min_element(
+        p, {}, [&](const Vec3& corner) { return distance2(corner, foot); });
+    return r_.finder.leads_to(nearest, foot, normal, r_.report.searches_refine);
+  };
   const auto insert_foot = [&](const Vec3& from, double limit) {
     const auto foot = r_.finder.foot(from, normal, limit, r_.report.searches_refine);
-    return foot && accept(insert_point(r_, Operation::foot, f, *foot));
+    return foot && is_own(*foot) && accept(insert_point(r_, Operation::foot, f, *foot));
   };
-  return (is_near && insert_foot(center, distance(center, p[0]))) ||
-         insert_foot(middle, 0.5 * std::sqrt(length2(i)));
+  const double longest = std::sqrt(length2(i));
+  return (is_near && insert_foot(center, std::min(distance(center, p[0]), longest))) ||
+         insert_foot(middle, 0.5 * longest);
 }
 
 bool RefineGeom::accept(const std::optional<Refusal>& refusal) {
@@ -215,10 +234,12 @@ bool RefineGeom::accept(const std::optional<Refusal>& refusal) {
   if (refusal) return false;
   is_done_.resize(mesh_.faces.size(), 0);
   has_delaunay_edges_.resize(mesh_.faces.size(), 0);
+  is_unsettled_.resize(mesh_.faces.size(), 0);
   for (const FaceId f : r_.created()) {
     enqueue(f);
     changed_.push_back(f);
     is_done_[f] = has_delaunay_edges_[f] = 0;
+    is_unsettled_[f] = 1;
     for (const FaceId g : mesh_.faces[f].n) {
       if (g != kNoId) is_done_[g] = has_delaunay_edges_[g] = 0;
     }
@@ -240,13 +261,13 @@ void RefineGeom::enqueue(FaceId f, double at_least) {
   queue_.set(f, side_off_curve(f) < 3 ? kNotAsked : std::max(at_least, violation_[f]));
 }
 
-std::optional<Reason> RefineGeom::fault(FaceId f) const {
+std::optional<Reason> RefineGeom::fault(FaceId f, bool is_alone) const {
   if (side_off_curve(f) < 3) return Reason::off_curve;
   if (violation_of(f) > 1) {
     return reason_of(worst_criterion(r_.shape(f), r_.parameters.refinement));
   }
   if (!r_.s.duals[f].on_surface) return Reason::no_surface_point;
-  return r_.is_delaunay(f) ? std::nullopt : std::optional(Reason::not_delaunay);
+  return is_alone || r_.is_delaunay(f) ? std::nullopt : std::optional(Reason::not_delaunay);
 }
 
 int RefineGeom::side_off_curve(FaceId f) const {
@@ -295,13 +316,38 @@ bool RefineGeom::insert_far_samples() {
 void RefineGeom::make_delaunay() {
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
     if (!is_live(f) || is_done_[f] || is_left(f)) continue;
-    if (fault(f)) {
+    const bool is_alone = !crowds(f);
+    if (fault(f, is_alone)) {
       enqueue(f, kLastInQueue);
     } else {
       is_done_[f] = 1;
     }
   }
   refine_worst_first(Moves::yes);
+}
+
+bool RefineGeom::crowds(FaceId f) {
+  bool any = false;
+  r_.for_each_vertex_near(f, [&](VertexId v) {
+    is_crowded_.resize(mesh_.points.size(), 0);
+    is_crowded_[v] = 1;
+    any = true;
+  });
+  return any;
+}
+
+void RefineGeom::keep_apart() {
+  is_unsettled_.resize(mesh_.faces.size(), 0);
+  is_crowded_.resize(mesh_.points.size(), 0);
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    if (!is_live(f) || !is_unsettled_[f]) continue;
+    crowds(f);
+    for (const VertexId v : mesh_.faces[f].v) is_crowded_[v] = 1;
+  }
+  for (const FaceId f : separate(r_, is_crowded_)) {
+    is_done_.resize(mesh_.faces.size(), 0);
+    is_done_[f] = 1;
+  }
 }
 
 void RefineGeom::require_room() const {

@@ -18,10 +18,12 @@
 //       of the others, no more than before.
 //   G4  A removed vertex is within twice the bound on the distance of the new facets. The operation
 //       lowers its quantity, so Stage 2 ends.
-//   G5  No new facet crosses another, by exact predicates. So the mesh stays embedded.
+//   G5  No new facet crosses another, by exact predicates. So the mesh stays embedded. None is a
+//       needle without an area but for rounding, unless one was.
 // With Parameters::as_published there is no G5, and no test of small components in G2.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -178,6 +180,20 @@ class Refinement {
   // `ignored`: a vertex that may be there.
   bool is_delaunay(const Triangle& v, const Dual& dual, VertexId ignored = kNoId) const;
   bool is_delaunay(FaceId f) const { return is_delaunay(mesh.faces[f].v, s.duals[f]); }
+  // Calls visit(v) for the vertices that are no corner of f and may be within the gap of it: those
+  // within the gap of its ball, which holds it.
+  template <class Visit>
+  void for_each_vertex_near(FaceId f, Visit&& visit) const {
+    const Dual& dual = s.duals[f];
+    const double radius = std::sqrt(dual.radius2) + parameters.gap;
+    vertices_.any<VertexId>(vertices_.box_around(dual.center, radius), [&](VertexId v,
+                                                                           const BoxGrid::Box&) {
+      if (distance2(point(v), dual.center) < radius * radius && !has_corner(mesh.faces[f].v, v)) {
+        visit(v);
+      }
+      return false;
+    });
+  }
   bool is_frozen(FaceId f) const { return f < free_box.first_free; }
   const BoxGrid& facets() const { return facets_; }
   const Vec3& point(VertexId v) const { return mesh.points[v]; }
@@ -206,6 +222,7 @@ class Refinement {
   bool reverses(Proposal& c);
   bool uncovers(const Proposal& c) const;  // G4
   bool faces_out(const Triangle& v, const Vec3& normal) const;
+  bool is_needle(const Proposal& c) const;
   bool crosses(const Proposal& c);
   Vec3 point_before(const Proposal& c, VertexId v) const {
     return c.what == Proposal::Vertex::moves && v == c.vertex ? moved_from_ : point(v);

@@ -37,6 +37,7 @@ struct Parameters : RunSettings {
   double voxel;  // Volume::voxel()
   double r_min;
   double fingers;     // Stage 1, certified: largest distance from a vertex of T to K
+  double gap;         // facets that face each other are moved apart by so much, at least
   Criteria recovery;  // ApproximateGeom, paper §3.1
   Criteria refinement;
   // Stage 2 as published: only the paper's operations, and no crossing is refused.

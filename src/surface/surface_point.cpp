@@ -16,6 +16,12 @@ constexpr double kMaxTrustedHOverR = 0.3;
 // Hits within this share of a chord's length from its end count as the end.
 constexpr double kChordEndShare = 0.02;
 
+// leads_to(): the distance of points on the chord, in the shortest spacing of samples, and the
+// largest distance of their feet, in that distance. A chord as short as one such distance is not
+// tested: no sheet comes between.
+constexpr double kStepSpacings = 0.125;
+constexpr double kMaxFootSteps = 3;
+
 }  // namespace
 
 std::optional<Vec3> SurfacePointFinder::find(const Vec3& a, const Vec3& b, const Vec3& c,
@@ -41,6 +47,21 @@ bool SurfacePointFinder::on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& 
     return hit.t >= kChordEndShare && hit.t <= 1 - kChordEndShare &&
            !faces_along(hit.point, normal);
   });
+}
+
+bool SurfacePointFinder::leads_to(const Vec3& p, const Vec3& q, const Vec3& normal,
+                                  SearchCounters& counters) {
+  const Vec3 spacing = surface_.volume().spacing();
+  const double shortest = std::min({spacing.x, spacing.y, spacing.z}), chord = distance(p, q);
+  const double steps = std::ceil(chord / (kStepSpacings * shortest));
+  const double farthest = kMaxFootSteps * chord / steps;
+  Vec3 last = p;
+  for (double n = 1; n < steps; ++n) {
+    const auto foot = this->foot(p + n / steps * (q - p), normal, chord, counters);
+    if (!foot || distance(last, *foot) > farthest) return false;
+    last = *foot;
+  }
+  return distance(last, q) <= farthest;
 }
 
 std::optional<Vec3> SurfacePointFinder::nearest(const Vec3& center, const Vec3& normal,

@@ -38,6 +38,10 @@ class SurfacePointFinder {
   std::optional<Vec3> foot(const Vec3& from, const Vec3& normal, double limit,
                            SearchCounters& counters);
 
+  // True if Sigma leads from its point p to its point q along their chord: the feet of points on
+  // the chord follow each other closely. Another component that faces as p's does is not led to.
+  bool leads_to(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
+
   // True if no sheet that faces away from `normal` lies between the points p and q of Sigma.
   bool on_one_sheet(const Vec3& p, const Vec3& q, const Vec3& normal, SearchCounters& counters);
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "refine/separate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/box3.h"
+#include "base/sorted_list.h"
+#include "base/triangle.h"
+#include "mesh/tri_mesh.h"
+#include "refine/operations.h"
+
+namespace deliso {
+namespace {
+
+// Voxels. Shorter edges are collapsed.
+constexpr double kShortestEdgeVoxels = 1e-3;
+
+// Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
+constexpr double kMoveGaps = 0.7;
+
+// Between the normals of facets that count as one sheet. Where sheets touch at a point, both may
+// bend there, and facets near it stand at right angles.
+constexpr double kSameSheetCosine = 0.7;
+
+// Rounds of moves. One is enough for two sheets; vertices around one point need two.
+constexpr int kMaxRounds = 16;
+
+class Separation {
+ public:
+  explicit Separation(Refinement& r) : r_(r), gap_(r.parameters.gap) {}
+
+  std::vector<FaceId> run(const IdArray<VertexId, std::uint8_t>& is_crowded) {
+    for (FaceId f = r_.free_box.first_free; f < r_.mesh.faces.size(); ++f) {
+      if (!is_dead(r_.mesh.faces[f])) mend_edges(f);
+    }
+    for (std::size_t n = 0; n < facets_.size(); ++n) {
+      if (!is_dead(r_.mesh.faces[facets_[n]])) mend_edges(facets_[n]);
+    }
+    for (FaceId f = r_.free_box.first_free; f < r_.mesh.faces.size(); ++f) {
+      if (is_dead(r_.mesh.faces[f])) continue;
+      const auto is_asked = [&](VertexId v) { return v < is_crowded.size() && is_crowded[v]; };
+      if (std::ranges::any_of(r_.mesh.faces[f].v, is_asked)) facets_.push_back(f);
+    }
+    for (int round = 0; round < kMaxRounds && push_apart(); ++round) {
+    }
+    std::erase_if(replaced_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
+    sort_unique(replaced_);
+    return std::move(replaced_);
+  }
+
+ private:
+  bool accept(Operation operation, std::optional<Refusal> refusal) {
+    if (r_.done(operation, refusal)) return false;
+    for (const FaceId f : r_.created()) {
+      facets_.push_back(f);
+      replaced_.push_back(f);
+    }
+    return true;
+  }
+  void mend_edges(FaceId f) {
+    for (int i = 0; i < 3; ++i) {
+      if (unfold(f, i) || collapse_if_short(f, i)) return;  // what came is looked at later
+    }
+  }
+  double fold_cosine(FaceId f, FaceId g) const {
+    return cosine_between(r_.normal(r_.mesh.faces[f].v), r_.normal(r_.mesh.faces[g].v));
+  }
+  bool unfold(FaceId f, int i);
+  bool merge_across(FaceId f, int i);
+  bool collapse_if_short(FaceId f, int i);
+
+  bool push_apart();
+  void find_pushes(VertexId v, FaceId f);
+  void find_edge_pushes(FaceId f);
+  void push(VertexId v, FaceId f, const Vec3& along) {
+    Push& p = pushes_[v];
+    p.facet = f;
+    p.along = p.along + along;
+  }
+  bool move(VertexId v, FaceId f, Vec3 along);
+
+  struct Push {
+    FaceId facet;  // one at the vertex
+    Vec3 along;
+  };
+
+  Refinement& r_;
+  std::vector<FaceId> facets_;  // to be looked at; grows
+  std::vector<FaceId> replaced_;
+  const double gap_;
+  std::map<VertexId, Push> pushes_;  // of this round
+  IdArray<VertexId, std::uint8_t> is_seen_;
+  std::vector<FaceId> near_;
+};
+
+// Every success removes the sharpest edge of the disk, and makes none as sharp, or removes a
+// vertex.
+bool Separation::unfold(FaceId f, int i) {
+  const FaceId g = r_.mesh.faces[f].n[i];
+  if (g == kNoId) return false;
+  const double fold = fold_cosine(f, g);
+  if (!(fold < kSharpestFold)) return false;
+  const Quad q = quad_at(r_.mesh, f, i);
+  if (Proposal* c = r_.propose(std::array{f, g})) {
+    c->facets(q.flipped());
+    const auto is_less_sharp = [&] {
+      const auto& [s, t] = q.flipped();
+      return cosine_between(r_.normal(s), r_.normal(t)) > fold;
+    };
+    if (accept(Operation::flip, r_.replace(is_less_sharp))) return true;
+  }
+  const int j = neighbor_index(r_.mesh.faces[g], f);
+  return merge_across(f, i) || merge_across(g, j);
+}
+
+// Merges the corner i of f into the corner of the facet across the opposite edge. The two facets at
+// the edge go.
+bool Separation::merge_across(FaceId f, int i) {
+  const Quad q = quad_at(r_.mesh, f, i);
+  if (r_.s.chain.is_boundary(q.a)) return false;
+  std::vector<FaceId> cavity(r_.star(f, q.a).begin(), r_.star(f, q.a).end());
+  std::vector<Triangle> facets;
+  for (const FaceId h : cavity) {
+    if (h == f) continue;
+    Triangle v = r_.mesh.faces[h].v;
+    if (has_corner(v, q.d)) return false;
+    std::ranges::replace(v, q.a, q.d);
+    facets.push_back(v);
+  }
+  cavity.push_back(q.g);
+  Proposal* c = r_.propose(cavity);
+  if (!c) return false;
+  c->facets(facets);
+  return accept(Operation::collapse, r_.replace());
+}
+
+bool Separation::collapse_if_short(FaceId f, int i) {
+  const Triangle v = r_.mesh.faces[f].v;
+  const std::array ends{v[(i + 1) % 3], v[(i + 2) % 3]};
+  const double shortest = kShortestEdgeVoxels * r_.parameters.voxel;
+  if (!(distance2(r_.point(ends[0]), r_.point(ends[1])) < shortest * shortest)) return false;
+  for (const auto& [from, to] : {std::pair{ends[0], ends[1]}, std::pair{ends[1], ends[0]}}) {
+    if (r_.s.chain.is_boundary(from)) continue;  // a facet might come to lie on the box
+    auto refusal = propose_merge(r_, f, from, to, kAnyFold);
+    r_.proposal.asks_surface = false;
+    if (!refusal) refusal = r_.replace();
+    if (accept(Operation::collapse, refusal)) return true;
+  }
+  return false;
+}
+
+// Returns true if a vertex was moved.
+bool Separation::push_apart() {
+  std::erase_if(facets_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
+  sort_unique(facets_);
+  pushes_.clear();
+  is_seen_.assign(r_.mesh.points.size(), 0);
+  for (const FaceId f : facets_) {
+    find_edge_pushes(f);
+    for (const VertexId v : r_.mesh.faces[f].v) {
+      if (!std::exchange(is_seen_[v], 1)) find_pushes(v, f);
+    }
+  }
+  facets_.clear();
+  bool any = false;
+  for (const auto& [v, push] : std::exchange(pushes_, {})) any |= move(v, push.facet, push.along);
+  return any;
+}
+
+// Pushes v off facets of other sheets: a solid or a gap between them is thin.
+void Separation::find_pushes(VertexId v, FaceId f) {
+  const Vec3& p = r_.point(v);
+  near_.clear();
+  r_.facets().any(r_.facets().box_around(p, gap_), [&](FaceId g, const BoxGrid::Box&) {
+    if (!has_corner(r_.mesh.faces[g].v, v)) near_.push_back(g);
+    return false;
+  });
+  if (near_.empty()) return;
+  sort_unique(near_);  // the hash may show a facet twice
+  std::vector<Vec3> own;
+  std::vector<VertexId> beside;
+  for (const FaceId h : r_.star(f, v)) {
+    own.push_back(r_.normal(r_.mesh.faces[h].v));
+    for (const VertexId w : r_.mesh.faces[h].v) beside.push_back(w);
+  }
+  for (const FaceId g : near_) {
+    const Triangle& t = r_.mesh.faces[g].v;
+    const Vec3 &a = r_.point(t[0]), &b = r_.point(t[1]), &c = r_.point(t[2]);
+    if (!(distance2_to_triangle(p, a, b, c) < gap_ * gap_)) continue;
+    for (const VertexId w : t) {
+      const Vec3 off = p - r_.point(w);
+      const bool is_near = length2(off) < gap_ * gap_ && length2(off) > 0;
+      if (is_near && std::ranges::find(beside, w) == beside.end()) push(v, f, off / length(off));
+    }
+    const Vec3 normal = area_normal(a, b, c);
+    const auto is_same_sheet = [&](const Vec3& n) {
+      return cosine_between(n, normal) > kSameSheetCosine;
+    };
+    if (std::ranges::any_of(own, is_same_sheet)) continue;
+    push(v, f, (dot(p - a, normal) > 0 ? 1 : -1) / length(normal) * normal);
+  }
+}
+
+// Pushes the ends of a short edge apart, which could not be collapsed.
+void Separation::find_edge_pushes(FaceId f) {
+  const Triangle& t = r_.mesh.faces[f].v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexId v = t[i], w = t[(i + 1) % 3];
+    const Vec3 edge = r_.point(w) - r_.point(v);
+    const double size = length(edge);
+    if (!(size < gap_)) continue;
+    push(v, f, -edge / size);
+    push(w, f, edge / size);
+  }
+}
+
+// Moves v in the direction `along`. A vertex on the box stays in its faces, and one on a fixed arc
+// where it is.
+bool Separation::move(VertexId v, FaceId f, Vec3 along) {
+  const BoundaryChain& chain = r_.s.chain;
+  if (chain.is_boundary(v) && r_.curves.is_on_fixed(chain.place(v))) return false;
+  const Box3 box = r_.surface.volume().box();
+  const unsigned faces = chain.is_boundary(v) ? box_faces_at(r_.point(v), box) : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((faces >> (2 * axis) & 3) != 0) along[axis] = 0;
+  }
+  const double size = length(along);
+  Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
+  if (!c) return false;
+  c->asks_surface = false;
+  c->move(v, r_.point(v) + kMoveGaps * gap_ / size * along);
+  return accept(Operation::move, r_.replace());
+}
+
+}  // namespace
+
+std::vector<FaceId> separate(Refinement& r, const IdArray<VertexId, std::uint8_t>& is_crowded) {
+  return Separation(r).run(is_crowded);
+}
+
+}  // namespace deliso
