@@ -112,10 +112,11 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   }
 }
 
-// Verifies the mesh against the volume, independently of the stages.
+// Verifies the mesh against the volume, independently of the stages, as the check command verifies
+// its file.
 void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
-  VerifyOptions options = verify_options(run.line, volume);
-  if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
+  const std::vector<std::string> comments{criteria_note(run.line, volume)};
+  VerifyOptions options = verify_options(run.line, volume, noted_criteria(comments));
   options.progress = [&](double share) { progress.show("check", share); };
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }

@@ -189,6 +189,12 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
                  text(name, " is missing: ", topology_text(x.euler, loops)), box.middle());
       continue;
     }
+    if (!result.kept[e]) {
+      faults.add(FaultKind::extra_components,
+                 text(name, " is in the mesh (of vertex ", vertices[m][0],
+                      "), but not among the components asked for"),
+                 box.middle());
+    }
     result.kept[e] = 1;
     if (mesh.broken[m]) continue;
     const ComponentTopology& c = topology.components[m];
