@@ -94,6 +94,11 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       run.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
     });
+    looks.emplace_back([&] {
+      const std::vector<Triangle> triangles = surface.triangles();
+      const TriangleTree tree(surface.points, triangles, options.threads);
+      run.close = find_close_places(surface.points, triangles, tree, volume, options.threads);
+    });
   }
   if (reported && options.cap) {
     looks.emplace_back([&] {

@@ -8,7 +8,7 @@
 
 #include "app/parsed_line.h"
 #include "app/run.h"
-#include "io/files/json.h"
+#include "io/files/json_value.h"
 #include "io/files/temporary_folder.h"
 
 using namespace deliso;
@@ -16,16 +16,16 @@ using namespace deliso::test;
 
 namespace {
 
-struct Outcome {
+struct CheckOutcome {
   int status = 0;
   std::vector<std::string> kinds;
   std::vector<double> counts;
 };
 
-Outcome outcome_of(const TemporaryFolder& folder, const std::string& arguments) {
+CheckOutcome outcome_of(const TemporaryFolder& folder, const std::string& arguments) {
   const std::string file = folder / "report.json";
   const CommandLine line = parsed(arguments + " --quiet --json " + file);
-  Outcome outcome;
+  CheckOutcome outcome;
   outcome.status = line.command == Command::check ? run_check(line) : run_mesh(line);
   const JsonValue report = parse_json(file_bytes(file), file);
   const JsonValue& faults = report["check"]["faults"];
@@ -50,8 +50,8 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
                         // Of so few triangles most are over a limit.
                         {"builtin:marschner_lobb:32", " --vertices 100", ""}}) {
     CAPTURE(c.volume);
-    const Outcome made = outcome_of(folder, c.volume + c.options + " --check -o " + file);
-    const Outcome checked = outcome_of(folder, "check " + file + " " + c.volume + c.of_check);
+    const CheckOutcome made = outcome_of(folder, c.volume + c.options + " --check -o " + file);
+    const CheckOutcome checked = outcome_of(folder, "check " + file + " " + c.volume + c.of_check);
     CHECK(made.status == checked.status);
     CHECK(made.kinds == checked.kinds);
     CHECK(made.counts == checked.counts);
