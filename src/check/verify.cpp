@@ -224,7 +224,7 @@ OfContour compare_topology(const CleanMesh& mesh, const std::vector<double>& off
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
   const ComparedComponents compared =
-      compare_components(mesh, contour, voxels, volume, options.position_error, options.components,
+      compare_components(mesh, contour, voxels, surface, options.position_error, options.components,
                          options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
