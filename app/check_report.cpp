@@ -123,7 +123,6 @@ std::string counts_text(const TopologyCounts& t) {
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
                              const std::optional<Criteria>& noted) {
   const Options& asked = line.options;
-  const CommandLine::Given& given = line.given;
   VerifyOptions options;
   options.threads = asked.threads;
   options.components = asked.components;
@@ -131,11 +130,15 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
   options.solid = asked.cap;
   options.limits = resolve(asked, volume).refinement;
   options.limits.shape_floor = 0;
-  options.require_distance = line.command == Command::check && given.limits[Criterion::distance];
-  const bool by_file = line.command == Command::check && noted && !line.paper;
-  if (by_file) options.most_over_limit = kMostOverLimit;
+  // What the check command was given goes before the note. The mesh command notes what it was
+  // given.
+  const CommandLine::Given given =
+      line.command == Command::check ? line.given : CommandLine::Given{};
+  options.require_distance = given.limits[Criterion::distance];
+  const bool by_note = noted && !(line.command == Command::check && line.paper);
+  if (by_note) options.most_over_limit = kMostOverLimit;
   const double voxel = volume.voxel();
-  if (by_file && !given.r_min) options.limits.r_min = noted->r_min * voxel;
+  if (by_note && !given.r_min) options.limits.r_min = noted->r_min * voxel;
   for (std::size_t n = 0; n < kCriteria; ++n) {
     const auto c = static_cast<Criterion>(n);
     // As when a mesh is made, a limit of h/r turns the distance off.
@@ -143,7 +146,7 @@ VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
         given.limits[c] || (c == Criterion::distance && given.limits[Criterion::h_over_r]);
     if (kCriterionWords[n].check_help.empty()) {
       options.limits[c] = kNotAsked;
-    } else if (by_file && !is_given) {
+    } else if (by_note && !is_given) {
       options.limits[c] = (*noted)[c] * (kCriterionTable[n].is_length ? voxel : 1);
     }
   }

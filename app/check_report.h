@@ -19,12 +19,12 @@ namespace deliso {
 inline constexpr const char* kKeepDoubles =
     ".ply, .off, .obj, .vtp, .3mf, .smesh and .poly keep doubles, without --float";
 
-// Returns the options of a verification, with lengths in the scaled frame and position_error 0. The
-// limits come from the command line; the check command prefers `noted`, the criteria in the mesh's
-// file, to defaults. It alone requires that few triangles are over a limit, if the file notes
-// criteria, and distances, if one was given.
+// Returns the options of a verification, with lengths in the scaled frame and position_error 0.
+// Both the check command and --check judge by `noted`, the criteria in the mesh's file, and require
+// that few triangles are over a limit if there are any. Limits given to the check command go before
+// these, and it requires a distance given.
 VerifyOptions verify_options(const CommandLine& line, const Volume& volume,
-                             const std::optional<Criteria>& noted = std::nullopt);
+                             const std::optional<Criteria>& noted);
 
 // The check command without its files: a mesh in the world, with the comments of its file.
 struct CheckRun {

@@ -15,6 +15,7 @@
 #include "app/progress.h"
 #include "app/topology.h"
 #include "base/stopwatch.h"
+#include "check/close_places.h"
 #include "check/place_faults.h"
 #include "check/verify.h"
 #include "io/mesh/write_mesh.h"
@@ -36,6 +37,7 @@ struct MeshRun {
   std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty
   MeshQuality quality;         // of the surface
   MeshQuality cap_quality;     // with --cap
+  ClosePlaces close;           // of the surface
   double max_off_surface = 0;  // of vertices that --cap needs off the surface; scaled frame
   double volume = 0;           // if has_volume(): inside mesh and caps, in world units
   // Of the mesh as it is in the file, and as it would be in double precision. Counted with --cap,

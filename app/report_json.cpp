@@ -167,6 +167,13 @@ void add_mesh(ReportWriter& out, const MeshRun& run) {
   add_topology(out, "exact_topology", report.exact, "of the surface");
   out.add("topology_exact", run.mesh == report.exact, "the two are equal");
   add_quality(out, run.quality);
+  out.add("needle_triangles", run.close.needles.size(),
+          text("of the surface, with an angle below ", kLeastAngle, " degrees"));
+  out.add("folds", run.close.folds.size(),
+          text("pairs of triangles at an edge, with less than ", kLeastFold,
+               " degree between them where the surface has no such fold"));
+  out.add("near_vertices", run.close.near.size(),
+          text("nearer to a triangle of others than ", kNearShare, " of the box's largest side"));
   if (out.if_any(run.line.options.cap)) {
     add_solid(out, run.vertices - report.cap.surface_vertices,
               run.triangles - report.cap.surface_triangles, run.volume, run.cap_quality);

@@ -127,8 +127,11 @@ std::string verdict_text(const MeshRun& run) {
            : options.recover == RecoverWay::certified ? ", no crossings"
                                                       : "; crossings are not looked for",
            "\n");
+  const auto add_line = [&](std::size_t count, const std::string& what, std::string_view name) {
+    if (count > 0) lines += text("          ", what, " (", name, ")\n");
+  };
   const auto add = [&](Counter counter, const std::string& what) {
-    if (report[counter] > 0) lines += text("          ", what, " (", name_of(counter), ")\n");
+    add_line(report[counter], what, name_of(counter));
   };
   add(Counter::unrefined_facets, text(grouped(report[Counter::unrefined_facets]), " of ",
                                       counted(run.triangles, "triangle"), " over a limit"));
@@ -136,6 +139,14 @@ std::string verdict_text(const MeshRun& run) {
       counted(report[Counter::points_far], "point") + " of the surface further than 2 D");
   add(Counter::uncertified_sites, counted(report[Counter::uncertified_sites], "place") +
                                       " where the proof of the topology fails");
+  const std::size_t needles = run.close.needles.size(), folds = run.close.folds.size(),
+                    near = run.close.near.size();
+  add_line(needles,
+           text(counted(needles, "triangle"), " with an angle below ", kLeastAngle, " degrees"),
+           "needle_triangles");
+  add_line(folds, counted(folds, "pair") + " of triangles folded on each other", "folds");
+  add_line(near, counted(near, "vertex", "vertices") + " nearly on a triangle of others",
+           "near_vertices");
   return lines;
 }
 

@@ -94,6 +94,11 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       run.quality =
           measure_quality(surface, options.limits[Criterion::r_over_l].value, run.report.r_min);
     });
+    looks.emplace_back([&] {
+      const std::vector<Triangle> triangles = surface.triangles();
+      const TriangleTree tree(surface.points, triangles, options.threads);
+      run.close = find_close_places(surface.points, triangles, tree, volume, options.threads);
+    });
   }
   if (reported && options.cap) {
     looks.emplace_back([&] {
@@ -112,10 +117,11 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
   }
 }
 
-// Verifies the mesh against the volume, independently of the stages.
+// Verifies the mesh against the volume, independently of the stages, as the check command verifies
+// its file.
 void verify_run(const Volume& volume, const TriMesh& mesh, Progress& progress, MeshRun& run) {
-  VerifyOptions options = verify_options(run.line, volume);
-  if (by_count(run.line.options)) options.limits[Criterion::distance] = run.report.max_distance;
+  const std::vector<std::string> comments{criteria_note(run.line, volume)};
+  VerifyOptions options = verify_options(run.line, volume, noted_criteria(comments));
   options.progress = [&](double share) { progress.show("check", share); };
   run.verification = verify(mesh, volume, run.report.kappa_effective, options);
 }

@@ -6,7 +6,6 @@
 
 #include "base/check.h"
 #include "base/text.h"
-#include "io/files/text_scan.h"
 
 namespace deliso {
 JsonWriter::JsonWriter() {

@@ -72,20 +72,6 @@ std::optional<std::vector<double>> to_doubles(std::string_view text) {
   return to_numbers<double>(text);
 }
 
-std::size_t utf8_length(std::string_view s) {
-  const auto lead = static_cast<unsigned char>(s[0]);
-  const std::size_t length = lead < 0x80              ? 1
-                             : (lead & 0xe0u) == 0xc0 ? 2
-                             : (lead & 0xf0u) == 0xe0 ? 3
-                             : (lead & 0xf8u) == 0xf0 ? 4
-                                                      : 0;
-  if (length > s.size()) return 0;
-  for (std::size_t n = 1; n < length; ++n) {
-    if ((static_cast<unsigned char>(s[n]) & 0xc0u) != 0x80) return 0;
-  }
-  return length;
-}
-
 std::string quote(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string quoted = "'";

@@ -64,10 +64,6 @@ inline std::optional<double> to_double(std::string_view text) {
 std::optional<std::vector<std::int64_t>> to_ints(std::string_view text);
 std::optional<std::vector<double>> to_doubles(std::string_view text);
 
-// Returns the length of the UTF-8 sequence at the beginning of s; 0 if there is none. Overlong
-// forms and surrogates pass, so a path with them reads back as the same bytes. pre: not empty.
-std::size_t utf8_length(std::string_view s);
-
 // Returns 'text' shortened for a message. (InputError replaces control characters.)
 std::string quote(std::string_view text);
 

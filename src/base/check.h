@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "base/text.h"
 
@@ -17,16 +18,24 @@
 namespace deliso {
 
 // Returns `message` as one line of bounded length, because files may hold any name or word. Control
-// characters become '?'; the middle of a very long message is left out.
+// characters, and bytes that are no UTF-8, become '?': a terminal would obey the former. The middle
+// of a very long message is left out.
 inline std::string one_line(std::string message) {
   constexpr std::size_t kBegin = 200, kEnd = 300;
   if (message.size() > kBegin + kEnd) {
     message.replace(kBegin, message.size() - kBegin - kEnd, "[...]");
   }
-  for (char& c : message) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  std::string line;
+  for (std::string_view rest = message; !rest.empty();) {
+    const std::size_t length = utf8_length(rest);
+    if (length == 0 || is_control(rest.substr(0, length))) {
+      line += '?';
+    } else {
+      line += rest.substr(0, length);
+    }
+    rest.remove_prefix(length == 0 ? 1 : length);
   }
-  return message;
+  return line;
 }
 
 // Thrown for unusable input. what() is one line that names the file and the fault. It is made of

@@ -5,6 +5,8 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -52,6 +54,32 @@ std::string joined(const Items& items, std::string_view between, Piece piece) {
 template <class Items>
 std::string joined(const Items& items, std::string_view between) {
   return joined(items, between, [](const auto& item) { return item; });
+}
+
+// Returns the length of the UTF-8 sequence at the beginning of s; 0 if there is none. Overlong
+// forms and surrogates pass, so a path with them reads back as the same bytes. pre: not empty.
+inline std::size_t utf8_length(std::string_view s) {
+  const auto lead = static_cast<unsigned char>(s[0]);
+  const std::size_t length = lead < 0x80              ? 1
+                             : (lead & 0xe0u) == 0xc0 ? 2
+                             : (lead & 0xf0u) == 0xe0 ? 3
+                             : (lead & 0xf8u) == 0xf0 ? 4
+                                                      : 0;
+  if (length > s.size()) return 0;
+  for (std::size_t n = 1; n < length; ++n) {
+    if ((static_cast<unsigned char>(s[n]) & 0xc0u) != 0x80) return 0;
+  }
+  return length;
+}
+
+// True if the UTF-8 sequence is a control character, one of two bytes or overlong included.
+inline bool is_control(std::string_view sequence) {
+  const std::size_t length = sequence.size();
+  std::uint32_t code =
+      static_cast<unsigned char>(sequence[0]) & (length == 1 ? 0x7fu : 0x7fu >> length);
+  for (const char c : sequence.substr(1))
+    code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (length > 1 && code < 0x80);
 }
 
 }  // namespace deliso

@@ -54,25 +54,40 @@ int edge_axis(const Vec3& p, const Volume& volume, double tolerance) {
   return std::fabs(u - std::round(u)) * volume.spacing()[axis] > tolerance ? axis : -1;
 }
 
+// Returns 1 if the curve passes the edge of the box between the samples around p, and the inside
+// follows along the axis; -1 if it goes before, 0 if the curve does not pass there. A vertex may
+// lie on an edge along which all samples equal kappa.
+int growth_along(int axis, const Vec3& p, const Isosurface& surface) {
+  const Volume& volume = surface.volume();
+  Index3 low = volume.voxel_at(p);
+  for (int n = 0; n < 3; ++n) low[n] += n != axis && volume.in_samples(p, n) - low[n] > 0.5;
+  Index3 high = low;
+  ++high[axis];
+  const auto is_inside = [&](const Index3& at) {
+    return volume.sample(at.i, at.j, at.k) >= surface.kappa();
+  };
+  return is_inside(high) - is_inside(low);
+}
+
 // Returns 1 if the inside of g lies to the right of the boundary edge at its end p, seen from
-// outside of the face; -1 if to the left, 0 if p is not on an edge of the box.
-int side_at(const Vec3& p, const Vec3& direction, int face, const Volume& volume,
+// outside of the face; -1 if to the left, 0 if the curve passes no edge of the box at p.
+int side_at(const Vec3& p, const Vec3& direction, int face, const Isosurface& surface,
             double tolerance) {
-  const int axis = edge_axis(p, volume, tolerance);
+  const int axis = edge_axis(p, surface.volume(), tolerance);
   if (axis < 0) return 0;
   Vec3 outwards;
   outwards[face >> 1] = (face & 1) != 0 ? 1 : -1;
-  const double right = cross(direction, outwards)[axis], growth = volume.gradient(p)[axis];
-  return (right > 0) - (right < 0) == (growth > 0) - (growth < 0) ? 1 : -1;
+  const double right = cross(direction, outwards)[axis];
+  return (right > 0 ? 1 : -1) * growth_along(axis, p, surface);
 }
 
 }  // namespace
 
 std::vector<double> boundary_orientations(const CleanMesh& mesh,
                                           const std::vector<std::uint32_t>& stands_for,
-                                          const ContourMesh& contour, const Volume& volume,
+                                          const ContourMesh& contour, const Isosurface& surface,
                                           double tolerance) {
-  const Box3 box = volume.box();
+  const Box3 box = surface.volume().box();
   std::vector<double> orientations(stands_for.size(), 0);
   std::vector<FaceAreas> areas(stands_for.size());
   for (const CleanMesh::End& end : mesh.ends) {
@@ -83,7 +98,7 @@ std::vector<double> boundary_orientations(const CleanMesh& mesh,
     const int face = std::countr_zero(faces);
     areas[m].add(face, from, to);
     for (const Vec3& p : {from, to}) {
-      orientations[m] += side_at(p, to - from, face, volume, tolerance);
+      orientations[m] += side_at(p, to - from, face, surface, tolerance);
     }
   }
   const std::vector<FaceAreas> exact = areas_of(contour);

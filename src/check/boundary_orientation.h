@@ -7,7 +7,7 @@
 
 #include "check/validity.h"
 #include "contour/contour.h"
-#include "volume/volume.h"
+#include "isosurface/isosurface.h"
 
 namespace deliso {
 
@@ -20,7 +20,7 @@ namespace deliso {
 // consists of loops within faces: they enclose areas of the same sign as those of T do.
 std::vector<double> boundary_orientations(const CleanMesh& mesh,
                                           const std::vector<std::uint32_t>& stands_for,
-                                          const ContourMesh& contour, const Volume& volume,
+                                          const ContourMesh& contour, const Isosurface& surface,
                                           double tolerance);
 
 }  // namespace deliso

@@ -127,9 +127,10 @@ std::vector<std::uint32_t> match_components(const CleanMesh& mesh,
 }  // namespace
 
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const VoxelComponents& voxels, const Volume& volume,
+                                      const VoxelComponents& voxels, const Isosurface& surface,
                                       double tolerance, const ComponentChoice& choice, int threads,
                                       Faults& faults) {
+  const Volume& volume = surface.volume();
   const std::size_t count = mesh.broken.size();
   const Vec3 spacing = volume.spacing();
   const MeshTopology& topology = mesh.topology;
@@ -171,7 +172,7 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
     if (stands_for[m] != kNoId) origins_in_mesh[m] = origins[stands_for[m]];
   }
   const std::vector<double> by_boundary =
-      boundary_orientations(mesh, stands_for, contour, volume, tolerance);
+      boundary_orientations(mesh, stands_for, contour, surface, tolerance);
   const std::vector<double> exactly_bounded =
       bounded_volumes(contour.points, contour.triangles, contour.component, origins);
   const std::vector<double> bounded =
@@ -188,6 +189,12 @@ ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& 
       faults.add(FaultKind::missing_components,
                  text(name, " is missing: ", topology_text(x.euler, loops)), box.middle());
       continue;
+    }
+    if (!result.kept[e]) {
+      faults.add(FaultKind::extra_components,
+                 text(name, " is in the mesh (of vertex ", vertices[m][0],
+                      "), but not among the components asked for"),
+                 box.middle());
     }
     result.kept[e] = 1;
     if (mesh.broken[m]) continue;

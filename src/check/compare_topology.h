@@ -10,7 +10,7 @@
 #include "check/validity.h"
 #include "check/voxel_components.h"
 #include "contour/contour.h"
-#include "volume/volume.h"
+#include "isosurface/isosurface.h"
 
 namespace deliso {
 
@@ -34,7 +34,7 @@ struct ComparedComponents {
 // (check/boundary_orientation.h). If that does not tell, by the sign of the volume that it bounds
 // (contour/bounded_volume.h). A vertex within `tolerance` of a face of the box is on it.
 ComparedComponents compare_components(const CleanMesh& mesh, const ContourMesh& contour,
-                                      const VoxelComponents& voxels, const Volume& volume,
+                                      const VoxelComponents& voxels, const Isosurface& surface,
                                       double tolerance, const ComponentChoice& choice, int threads,
                                       Faults& faults);
 

@@ -117,7 +117,8 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
 }
 
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               const DistanceBound& bound, int threads) {
+                               const DistanceBound& bound, int threads,
+                               std::vector<double>* of_triangles) {
   const auto measure = [&](std::size_t n, SearchCounters& counters) {
     const Triangle& t = mesh.triangles[n];
     return measure_triangle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], surface, limit,
@@ -132,6 +133,12 @@ Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface,
                    for (std::size_t k = 0; k < 4; ++k) values[4 * n + k] = measures[k].distance;
                  }
                });
+  if (of_triangles) {
+    of_triangles->clear();
+    for (auto first = values.begin(); first != values.end(); first += 4) {
+      of_triangles->push_back(*std::max_element(first, first + 4));
+    }
+  }
   return summarize(
       std::move(values), mesh, bound,
       [&](std::size_t n) {

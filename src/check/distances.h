@@ -54,9 +54,10 @@ std::array<Measure, 4> measure_triangle(const Vec3& a, const Vec3& b, const Vec3
                                         const Isosurface& surface, double limit, double bound,
                                         SearchCounters& counters);
 
-// Measures all triangles.
+// Measures all triangles. `of_triangles`, if given, receives the largest distance of each.
 Distances distances_to_surface(const CleanMesh& mesh, const Isosurface& surface, double limit,
-                               const DistanceBound& bound, int threads = 1);
+                               const DistanceBound& bound, int threads = 1,
+                               std::vector<double>* of_triangles = nullptr);
 
 // Measures the distance from every sample, a point of Sigma, to the nearest triangle of the mesh;
 // empty without triangles. pre: the tree is that of the mesh.

@@ -25,8 +25,12 @@ enum class FaultKind : std::uint8_t {
   non_manifold_vertices,  // the triangles there are neither a disk nor a half disk
   holes,                  // edges of one triangle that do not lie on the box; of a solid: any
   self_intersections,     // pairs of triangles that meet outside their common vertex or edge
+  needle_triangles,       // with an angle below kLeastAngle
+  folds,                  // pairs of triangles at an edge, folded on each other
+  near_vertices,          // nearer than kNearShare of the box to a triangle of others
   vertices_off_surface,   // not on Sigma within the tolerance
-  vertices_left_out,      // on a component of Sigma that is neither chosen nor meshed
+  stray_vertices,         // on another component of Sigma than their triangles stand for
+  triangles_off_surface,  // a point of them is further off than a voxel and than was asked for
   missing_components,     // of the exact contour
   extra_components,       // of the mesh, more than one for each of the contour's
   different_components,   // another Euler number or number of boundary loops
@@ -38,15 +42,34 @@ enum class FaultKind : std::uint8_t {
   too_far,                // a distance over the given bound
   not_measured,           // omitted, since it would cost more than n log n
 };
-inline constexpr std::array<std::string_view, 22> kFaultNames{
-    "vertices not finite",  "duplicate vertices",    "unused vertices",
-    "degenerate triangles", "duplicate triangles",   "non-manifold edges",
-    "orientation",          "non-manifold vertices", "holes",
-    "self-intersections",   "vertices off surface",  "vertices on components left out",
-    "missing components",   "extra components",      "different components",
-    "turned components",    "turned caps",           "no volume",
-    "restricted share",     "over limits",           "too far",
-    "not measured"};
+inline constexpr std::array<std::string_view, 26> kFaultNames{
+    "vertices not finite",
+    "duplicate vertices",
+    "unused vertices",
+    "degenerate triangles",
+    "duplicate triangles",
+    "non-manifold edges",
+    "orientation",
+    "non-manifold vertices",
+    "holes",
+    "self-intersections",
+    "needle triangles",
+    "folds",
+    "near vertices",
+    "vertices off surface",
+    "stray vertices",
+    "triangles off surface",
+    "missing components",
+    "extra components",
+    "different components",
+    "turned components",
+    "turned caps",
+    "no volume",
+    "restricted share",
+    "over limits",
+    "too far",
+    "not measured",
+};
 inline constexpr std::size_t kFaultKinds = kFaultNames.size();
 
 constexpr std::string_view name_of(FaultKind kind) {

@@ -9,7 +9,9 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "base/triangle.h"
+#include "check/close_places.h"
 #include "check/compare_topology.h"
+#include "check/patch_at.h"
 #include "check/self_intersections.h"
 #include "check/solid.h"
 #include "check/triangle_tree.h"
@@ -31,6 +33,11 @@ constexpr double kSurfaceToleranceVoxels = 1e-6;
 
 // The bound for points of Sigma is this multiple of the bound for points of the mesh.
 constexpr double kFromSurfaceFactor = 2;
+
+// Returns how far Sigma is searched for.
+double search_limit(const Volume& volume) {
+  return kSearchDiagonals * length(volume.spacing());
+}
 
 std::string name_of_triangle(const TriMesh& mesh, FaceId f) {
   const Triangle& t = mesh.faces[f].v;
@@ -73,34 +80,72 @@ Pairs report_self_intersections(const TriMesh& mesh, const CleanMesh& clean,
   return std::move(found.pairs);
 }
 
-// Checks that vertices lie on Sigma, and on no component that is left out; except those of extra
-// components.
-void check_vertices_on_surface(const CleanMesh& mesh, const ComparedComponents& compared,
-                               const VoxelComponents& voxels, const Isosurface& surface,
-                               int threads, Verification& result) {
+void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const TriangleTree& tree,
+                         const Volume& volume, int threads, Faults& faults) {
+  const ClosePlaces found = find_close_places(clean.points, clean.triangles, tree, volume, threads);
+  const auto named = [&](FaceId f) { return name_of_triangle(mesh, clean.id[f]); };
+  const auto middle = [&](FaceId f) { return middle_of(mesh, clean.id[f]); };
+  for (const FaceId f : found.needles) {
+    faults.add(
+        FaultKind::needle_triangles,
+        [&] { return text(named(f), " has an angle below ", kLeastAngle, " degrees"); }, middle(f));
+  }
+  for (const auto& [f, g] : found.folds) {
+    faults.add(
+        FaultKind::folds, [&] { return named(f) + " lies folded on " + named(g); }, middle(f));
+  }
+  for (const auto& [v, f] : found.near) {
+    const Vec3& p = clean.points[v];
+    faults.add(
+        FaultKind::near_vertices,
+        [&] {
+          return text("vertex ", v, " is ", std::sqrt(tree.distance2(f, p)) / volume.voxel(),
+                      " voxels from ", named(f));
+        },
+        p);
+  }
+  if (found.given_up > 0) {
+    faults.add(FaultKind::not_measured,
+               text("what is near to ", found.given_up,
+                    " vertices: too many triangles lie across each other"),
+               clean.points[clean.triangles[0][0]]);
+  }
+}
+
+// Checks that vertices lie on Sigma, and on the component that their triangles stand for; except
+// those of extra components. Returns which vertices lie on Sigma.
+std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
+                                                    const ComparedComponents& compared,
+                                                    const VoxelComponents& voxels,
+                                                    const Isosurface& surface, int threads,
+                                                    Verification& result) {
   const double voxel = surface.volume().voxel();
   std::vector<double> off(mesh.points.size(), 0);
-  std::vector<std::uint32_t> left_out(off.size(), kNoId);  // the component that the vertex is on
+  std::vector<std::uint8_t> on_surface(off.size(), 0);
+  std::vector<std::uint32_t> elsewhere(off.size(),
+                                       kNoId);  // another component that the vertex is on
   for_each_run(threads, off.size(), 1u << 11, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const Vec3& p = mesh.points[v];
       const std::uint32_t m = mesh.component[v];
       if (m == kNoId || compared.match[m] == kNoId) continue;
       off[v] = distance_off_surface(p, surface, result.surface_tolerance, 4 * voxel);
-      if (off[v] != 0 || result.left_out == 0) continue;
+      on_surface[v] = off[v] == 0;
+      if (!on_surface[v]) continue;
       const std::vector<std::uint32_t> here = voxels.at(p);
-      const auto is_kept = [&](std::uint32_t c) { return compared.kept[c] != 0; };
-      if (!here.empty() && std::ranges::none_of(here, is_kept)) left_out[v] = here[0];
+      if (!here.empty() && !std::ranges::binary_search(here, compared.match[m])) {
+        elsewhere[v] = here[0];
+      }
     }
   });
   for (VertexId v = 0; v < off.size(); ++v) {
-    if (left_out[v] != kNoId) {
+    if (elsewhere[v] != kNoId) {
       result.faults.add(
-          FaultKind::vertices_left_out,
+          FaultKind::stray_vertices,
           [&] {
             return text("vertex ", v, " of the mesh of component ",
-                        compared.match[mesh.component[v]], " is on component ", left_out[v],
-                        ", which is left out");
+                        compared.match[mesh.component[v]], " is on component ", elsewhere[v],
+                        compared.kept[elsewhere[v]] != 0 ? "" : ", which is left out");
           },
           mesh.points[v]);
     }
@@ -111,6 +156,58 @@ void check_vertices_on_surface(const CleanMesh& mesh, const ComparedComponents& 
         [&] { return text("vertex ", v, " is ", off[v] / voxel, " voxels from the surface"); },
         mesh.points[v]);
   }
+  return on_surface;
+}
+
+// Returns how far a point is from Sigma, given an upper bound. A search towards every vertex of T
+// around it finds Sigma at the latest there.
+double sharper_distance(const Measure& given, const ContourMesh& contour,
+                        const VoxelComponents& voxels, const Isosurface& surface) {
+  double d = given.distance;
+  SearchCounters counters;
+  const PatchAt patch(surface, given.at);
+  voxels.for_each_triangle_around(given.at, [&](std::uint32_t n) {
+    for (const VertexId v : contour.triangles[n]) {
+      d = std::min(d, patch.distance_along(contour.points[v] - given.at, d, counters));
+    }
+  });
+  return d;
+}
+
+// Reports triangles whose corners are on Sigma, but a point of them is further from it than a
+// voxel, and than the limits on h and h/r allow: without such limits a mesh may be as coarse as it
+// likes. `off`: a bound on the distance of each.
+void check_triangles_on_surface(const CleanMesh& mesh, const std::vector<double>& off,
+                                const std::vector<std::uint8_t>& on_surface,
+                                const ContourMesh& contour, const VoxelComponents& voxels,
+                                const Isosurface& surface, Verification& result) {
+  const double voxel = surface.volume().voxel(), limit = search_limit(surface.volume());
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    const Triangle& t = mesh.triangles[n];
+    const auto is_on_surface = [&](VertexId v) { return on_surface[v] != 0; };
+    if (off[n] <= voxel || !std::ranges::all_of(t, is_on_surface)) continue;
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    SearchCounters counters;
+    FacetShape shape = measure(a, b, c, a);
+    shape.h = 0;
+    for (const Measure& m : measure_triangle(a, b, c, surface, limit, voxel, counters)) {
+      if (m.distance <= std::max(voxel, shape.h)) continue;
+      shape.h = std::max(shape.h, sharper_distance(m, contour, voxels, surface));
+    }
+    shape.h = std::min(shape.h, limit);  // if nothing is found, it is that at least
+    const auto passes = [&](Criterion k) {
+      return share_of_limit(static_cast<std::size_t>(k), shape, result.limits) > 1;
+    };
+    if (shape.h <= voxel || (!passes(Criterion::distance) && !passes(Criterion::h_over_r)))
+      continue;
+    result.faults.add(
+        FaultKind::triangles_off_surface,
+        [&] {
+          return text("triangle ", mesh.id[n], " (", t[0], " ", t[1], " ", t[2], ") is ",
+                      shape.h / voxel, " voxels from the surface");
+        },
+        (a + b + c) / 3);
+  }
 }
 
 // What is known of Sigma from T.
@@ -119,18 +216,24 @@ struct OfContour {
   FreeSpace free;
 };
 
-OfContour compare_topology(const CleanMesh& mesh, const Isosurface& surface,
-                           const VerifyOptions& options, Verification& result) {
+// `off`: a bound on the distance of each triangle from Sigma.
+OfContour compare_topology(const CleanMesh& mesh, const std::vector<double>& off,
+                           const Isosurface& surface, const VerifyOptions& options,
+                           Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
   const ComparedComponents compared =
-      compare_components(mesh, contour, voxels, volume, options.position_error, options.components,
+      compare_components(mesh, contour, voxels, surface, options.position_error, options.components,
                          options.threads, result.faults);
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
-  check_vertices_on_surface(mesh, compared, voxels, surface, options.threads, result);
+  const std::vector<std::uint8_t> on_surface =
+      check_vertices_on_surface(mesh, compared, voxels, surface, options.threads, result);
+  if (options.most_over_limit < 1) {
+    check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
+  }
   keep_components(contour, compared.kept);
   return {std::move(contour.points), FreeSpace(voxels, volume)};
 }
@@ -251,7 +354,6 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   const auto report_progress = [&](double share) {
     if (options.progress) options.progress(share);
   };
-  const Vec3 spacing = volume.spacing();
   const double voxel = volume.voxel();
   Verification result;
   Faults& faults = result.faults;
@@ -300,16 +402,20 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
       result.quality = measure_quality(mesh, options.limits[Criterion::r_over_l], r_min);
     }
     const TriangleTree& tree = surface_tree ? *surface_tree : whole_tree;
+    report_close_places(mesh, clean, tree, volume, threads, faults);
     result.seconds_validity += own.seconds();
     own = Stopwatch();
-    contour.emplace(compare_topology(clean, surface, options, result));
+    std::vector<double> off;
+    result.to_surface =
+        distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
+    result.seconds_distances = own.seconds();
+    own = Stopwatch();
+    contour.emplace(compare_topology(clean, off, surface, options, result));
     result.seconds_topology = own.seconds();
     own = Stopwatch();
-    result.to_surface = distances_to_surface(clean, surface, kSearchDiagonals * length(spacing),
-                                             {bound, r_min}, threads);
     result.from_surface = distances_from_surface(contour->samples, clean, tree,
                                                  {kFromSurfaceFactor * bound, r_min}, threads);
-    result.seconds_distances = own.seconds();
+    result.seconds_distances += own.seconds();
   });
   report_progress(0.8);
   const Stopwatch of_share;

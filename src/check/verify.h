@@ -10,6 +10,8 @@
 //   V4  Vertices of extra components are not tested for lying on Sigma.
 //   V5  The share of restricted Delaunay facets is always measured. It is a fault only on request,
 //       and only if there is no other. So are triangles over a limit.
+//   V6  Needles are in no fold, and corners of needles and folds are no near vertices.
+//   V7  Triangles with a vertex off Sigma, or of extra components, are not off the surface too.
 // A stage may leave criteria unmet (below r_min, or without room), so these are counted.
 #pragma once
 
@@ -41,7 +43,8 @@ struct VerifyOptions {
   // counted. Also counted are points of the mesh further than max_distance from
   // Sigma, and points of Sigma further than twice that from the mesh (as in Stage 2).
   Criteria limits;
-  // The largest share of triangles over a limit that is no fault. Two triangles never are.
+  // The largest share of triangles over a limit that is no fault. Two triangles never are, unless
+  // they are further from Sigma than a voxel too. At 1 limits are only counted against.
   double most_over_limit = 1;
   bool require_distance = false;  // these points are faults, unless r_min allows them
   int threads = 1;

@@ -154,7 +154,11 @@ TEST_CASE("a check uses the file's criteria, except those given as options") {
   CHECK_FALSE(options(" --lambda 3").require_distance);
   CHECK(options(" --max-distance 0.25").require_distance);
   CHECK(options(" --max-distance 0.25", false).require_distance);
-  const CommandLine mesh = parsed("a --iso 1 --check --max-distance 0.25");
-  CHECK_FALSE(verify_options(mesh, volume).require_distance);
-  CHECK(verify_options(mesh, volume).limits[Criterion::distance] == 0.25);
+  // The mesh command holds its mesh to what its file will say.
+  const CommandLine mesh = parsed("a --iso 1 --check --max-distance 0.25 --rmin 2vox");
+  const std::vector<std::string> comments{criteria_note(mesh, volume)};
+  const VerifyOptions by_mesh = verify_options(mesh, volume, noted_criteria(comments));
+  CHECK(by_mesh.limits == options(" --max-distance 0.25 --rmin 2vox --lambda 2", false).limits);
+  CHECK(by_mesh.most_over_limit == options("").most_over_limit);
+  CHECK_FALSE(by_mesh.require_distance);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -83,10 +84,11 @@ const std::vector<JsonValue>& reports() {
   return all;
 }
 
-// What the report of a mesh says, line by line, but for the cost. `counters` overwrites those of
-// the run.
+// What the report of a mesh says, line by line, but for the cost. `counters` and `close`
+// overwrite those of the run.
 std::vector<std::string> lines_of_run(const std::string& arguments,
-                                      const std::vector<std::pair<Counter, int>>& counters = {}) {
+                                      const std::vector<std::pair<Counter, int>>& counters = {},
+                                      const std::optional<ClosePlaces>& close = {}) {
   const CommandLine line = parsed(arguments);
   const Input input = read_input(line);
   MeshRun run(line, input);
@@ -95,6 +97,7 @@ std::vector<std::string> lines_of_run(const std::string& arguments,
   for (const auto& [counter, value] : counters) {
     run.report[counter] = static_cast<std::uint64_t>(value);
   }
+  if (close) run.close = *close;
   std::vector<std::string> lines;
   std::istringstream text(report_text(run));
   for (std::string word; std::getline(text, word);) {
@@ -240,10 +243,14 @@ TEST_CASE("what is not guaranteed is in the default report, by the names of the 
   CHECK(sound.back() == "verdict   exact topology, no crossings");
   const std::vector<std::string> lines = lines_of_run(
       "builtin:torus",
-      {{Counter::unrefined_facets, 3}, {Counter::points_far, 1}, {Counter::uncertified_sites, 2}});
+      {{Counter::unrefined_facets, 3}, {Counter::points_far, 1}, {Counter::uncertified_sites, 2}},
+      ClosePlaces{{4, 7}, {{1, 2}}, {{0, 9}}, 0});
   CHECK(has(lines, "verdict   exact topology, no crossings"));
   CHECK(has(lines, "          1 point of the surface further than 2 D (points_far)"));
   CHECK(has(lines, "          2 places where the proof of the topology fails (uncertified_sites)"));
+  CHECK(has(lines, "          2 triangles with an angle below 0.01 degrees (needle_triangles)"));
+  CHECK(has(lines, "          1 pair of triangles folded on each other (folds)"));
+  CHECK(has(lines, "          1 vertex nearly on a triangle of others (near_vertices)"));
   CHECK(std::ranges::any_of(lines, [](const std::string& line) {
     return line.starts_with("          3 of ") &&
            line.ends_with(" triangles over a limit (unrefined_facets)");

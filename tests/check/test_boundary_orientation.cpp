@@ -48,4 +48,16 @@ TEST_CASE("the coarsest meshes of random volumes have the orientation of Sigma")
   CHECK(found > 0.95 * static_cast<double>(components));
 }
 
+// Vertices lie along edges of the box whose samples equal the isovalue. No curve passes there, and
+// they voted for a reversed component.
+TEST_CASE("vertices on an edge of the box that lies on the surface do not vote") {
+  const Volume volume = Volume::from_samples<double>(
+      {2, 2, 3}, {1.902888514587888, 3.113465407225445, 0.7846870779761093},
+      {1, 2, 1, 2, 1, 2, 0, 1, 1, 1, 0, 1});
+  Report report;
+  const TriMesh mesh = mesh_isosurface(volume, 1, {}, report);
+  CHECK(reversed_components(mesh, volume, report.kappa_effective) == 0);
+  CHECK(reversed_components(reversed(mesh), volume, report.kappa_effective) == 1);
+}
+
 }  // namespace deliso

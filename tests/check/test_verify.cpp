@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/triangle.h"
 #include "check/solid.h"
+#include "check/voxel_components.h"
 #include "contour/voxel_topology.h"
 #include "deliso/deliso.h"
 #include "deliso/fields.h"
@@ -69,6 +70,15 @@ void check_only(const Verification& v, FaultKind kind, std::size_t count) {
     CHECK(found == kind);
     for (const Fault& fault : v.faults.first(found)) CHECK(!fault.what.empty());
   }
+}
+
+// Of the components. The exact contour is no good mesh: its triangles may be needles, and folded.
+std::vector<FaultKind> component_kinds_of(const Faults& faults) {
+  std::vector<FaultKind> kinds = kinds_of(faults);
+  std::erase_if(kinds, [](FaultKind kind) {
+    return kind < FaultKind::missing_components || kind > FaultKind::turned_components;
+  });
+  return kinds;
 }
 
 void remove_unused(Parts& parts) {
@@ -495,10 +505,12 @@ TEST_CASE("a component left out is reported as missing") {
     return verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(),
                   options);
   };
-  REQUIRE(kinds_of(run().faults).empty());
+  REQUIRE(component_kinds_of(run().faults).empty());
   std::erase_if(p.triangles, [&](const Triangle& t) { return scene.contour.component[t[0]] == 1; });
   remove_unused(p);
-  check_only(run(), FaultKind::missing_components, 1);
+  const Faults faults = run().faults;
+  CHECK(component_kinds_of(faults) == std::vector{FaultKind::missing_components});
+  CHECK(faults.count(FaultKind::missing_components) == 1);
 }
 
 TEST_CASE("a solid is sound, and one fault in its caps is reported as one fault") {
@@ -592,8 +604,21 @@ TEST_CASE("a small component left out on request is counted, a larger one is mis
     const Verification v =
         verify(make_tri_mesh(p.points, p.triangles), scene.volume, scene.surface.kappa(), options);
     CHECK(v.left_out == (allowed ? 1 : 0));
-    check_only(v, FaultKind::missing_components, allowed ? 0 : 1);
+    CHECK(component_kinds_of(v.faults).empty() == allowed);
+    CHECK(v.faults.count(FaultKind::missing_components) == (allowed ? 0 : 1));
   }
+}
+
+TEST_CASE("a component that is not among those asked for is a fault") {
+  const Good good("five_spheres");
+  VerifyOptions options;
+  options.restricted_share = 0.5;
+  CHECK_FALSE(verify(good.mesh, good.volume, good.kappa, options).faults.any());
+  options.components.largest = 1;
+  check_only(verify(good.mesh, good.volume, good.kappa, options), FaultKind::extra_components, 4);
+  options.components = {};
+  options.components.min_voxels = 1000;
+  check_only(verify(good.mesh, good.volume, good.kappa, options), FaultKind::extra_components, 5);
 }
 
 // Sheets and small components a billionth of a voxel apart, and walls thinner than a triangle is
@@ -653,14 +678,63 @@ TEST_CASE("a vertex on a component that is left out is a fault, distances from i
   }
   p.points[moved] = contour.points[target];
   const Verification spiked = run();
-  check_only(spiked, FaultKind::vertices_left_out, 1);
-  CHECK(spiked.faults.first(FaultKind::vertices_left_out)[0].what ==
+  check_only(spiked, FaultKind::stray_vertices, 1);
+  CHECK(spiked.faults.first(FaultKind::stray_vertices)[0].what ==
         text("vertex ", moved, " of the mesh of component ",
              std::ranges::find(chosen, 1) - chosen.begin(), " is on component ",
              contour.component[target], ", which is left out"));
-  // Where all are chosen, three are missing at once, and that says enough.
+  // Where all are chosen, four are missing too.
   options.components = {};
   CHECK(run().faults.count(FaultKind::missing_components) == 4);
+  CHECK(run().faults.count(FaultKind::stray_vertices) == 1);
+}
+
+// A vertex of one sphere on another: on Sigma, of the right topology, and of thousands of triangles
+// six are bad.
+TEST_CASE("a spike onto another component is a fault, whatever the share of its triangles") {
+  const Good good("five_spheres");
+  const double voxel = good.volume.voxel();
+  VerifyOptions options;
+  options.restricted_share = 0.5;
+  options.limits[Criterion::distance] = 0.1 * voxel;
+  options.most_over_limit = 0.02;
+  REQUIRE_FALSE(verify(good.mesh, good.volume, good.kappa, options).faults.any());
+  // The shortest way to another sphere, so that the spike meets no other triangle.
+  const std::vector<std::uint32_t> component =
+      vertex_components(good.mesh.points.size(), test::triangles_of(good.mesh));
+  const ContourMesh contour = build_contour(good.volume, good.kappa);
+  const auto span = [&](VertexId v, VertexId t) {
+    return distance(good.mesh.points[v], contour.points[t]);
+  };
+  const VoxelComponents voxels(contour, good.volume, 0);
+  VertexId from = kNoId, to = kNoId;
+  for (VertexId v = 0; v < component.size(); ++v) {
+    if (component[v] != 0) continue;
+    const std::uint32_t own = voxels.at(good.mesh.points[v]).front();
+    for (VertexId t = 0; t < contour.points.size(); ++t) {
+      if (contour.component[t] == own || (from != kNoId && span(v, t) >= span(from, to))) continue;
+      from = v;
+      to = t;
+    }
+  }
+  TriMesh mesh = good.mesh;
+  mesh.points[from] = contour.points[to];
+  const auto triangles = static_cast<std::size_t>(std::ranges::count_if(
+      mesh.faces, [&](const Face& face) { return has_corner(face.v, from); }));
+  const auto faults_within = [&](double distance) {
+    options.limits[Criterion::distance] = distance * voxel;
+    return verify(mesh, good.volume, good.kappa, options).faults;
+  };
+  const Faults faults = faults_within(0.1);
+  CHECK(faults.count(FaultKind::stray_vertices) == 1);
+  CHECK(faults.count(FaultKind::triangles_off_surface) == triangles);
+  CHECK(faults.count(FaultKind::over_limits) == 0);
+  // A mesh that may be so coarse, or of which nothing is known, is held to the component alone.
+  const double far = span(from, to) / voxel;
+  CHECK(faults_within(far).count(FaultKind::triangles_off_surface) == 0);
+  CHECK(faults_within(far).count(FaultKind::stray_vertices) == 1);
+  options.most_over_limit = 1;
+  CHECK(faults_within(0.1).count(FaultKind::triangles_off_surface) == 0);
 }
 
 TEST_CASE("two triangles over a limit are no fault, three of a few dozen are") {
@@ -731,7 +805,7 @@ TEST_CASE("components are matched correctly in voxels of very unequal sides") {
     Report report;
     const TriMesh mesh = mesh_isosurface(volume, c.isovalue, options, report);
     const Verification v = verify(mesh, volume, report.kappa_effective, {});
-    CHECK(kinds_of(v.faults).empty());
+    CHECK(component_kinds_of(v.faults).empty());
     CHECK(v.equal_components == v.exact.components);
   }
 }

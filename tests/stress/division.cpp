@@ -88,7 +88,7 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
     if (found.faults.count(kind) == 0 || kind == over_limits) continue;
     // Components are matched by distance, which is no proof; they are as many and of these kinds.
     if (kind == missing_components || kind == extra_components || kind == different_components ||
-        kind == vertices_left_out) {
+        kind == stray_vertices) {
       continue;
     }
     if (kind == vertices_off_surface && report[Counter::cap_lifts_off_surface] > 0) continue;

@@ -128,15 +128,12 @@ Words command_words(const std::string& file, double isovalue, const Words& optio
   return words;
 }
 
-// Verifies the mesh as the check command does when it reads the mesh's file.
+// Verifies the mesh as --check does, and as the check command does that reads the mesh's file.
 Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
-  CommandLine line = run.line;
-  line.command = Command::check;
-  line.given = {};
   const Volume& volume = run.input.volume();
   const std::vector<std::string> comments{criteria_note(run.line, volume)};
   return verify(mesh, volume, run.report.kappa_effective,
-                verify_options(line, volume, noted_criteria(comments)));
+                verify_options(run.line, volume, noted_criteria(comments)));
 }
 
 // Meshes all parts, as many as the line says, and joins them.

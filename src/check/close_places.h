@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Places where a mesh is valid, but so nearly not that other programs fail there: triangles that
+// are nearly lines, triangles folded on each other, and vertices that nearly touch a triangle.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "check/triangle_tree.h"
+#include "mesh/tri_mesh.h"
+#include "volume/volume.h"
+
+namespace deliso {
+
+// Degrees. A triangle with a smaller angle is a needle; two triangles with a smaller angle between
+// them are a fold.
+inline constexpr double kLeastAngle = 0.01, kLeastFold = 1;
+
+// Of the largest side of the box. A vertex nearer than that to a triangle of others is a near
+// vertex. Programs that fill a surface with tetrahedra merge points at such distances.
+inline constexpr double kNearShare = 1e-5;
+
+struct ClosePlaces {
+  std::vector<FaceId> needles;
+  std::vector<std::pair<FaceId, FaceId>> folds;   // one per edge
+  std::vector<std::pair<VertexId, FaceId>> near;  // one per vertex
+  std::size_t given_up = 0;  // vertices left out: too many triangles overlap there
+};
+
+// Finds these places. A fold that the surface has too is none: there both triangles face the side
+// that the gradient of `volume` says. One place is found once: needles are in no fold, and corners
+// of needles and folds are no near vertices. The result is the same for any number of threads.
+// pre: the tree is that of these triangles; none is degenerate.
+ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                              const TriangleTree& tree, const Volume& volume, int threads = 1);
+
+}  // namespace deliso
