@@ -19,6 +19,27 @@ constexpr std::size_t kVerticesPerTask = 1u << 12;
 // triangles overlap, the rest of the task is given up.
 constexpr std::size_t kMaxBoxesPerTask = 1u << 20;
 
+// Returns a triangle without corner v that is no further from v than `near`; kNoId if there is
+// none. Counts the boxes that it looks at, and gives up at kMaxBoxesPerTask.
+FaceId triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                     const TriangleTree& tree, VertexId v, double near, std::size_t& boxes) {
+  FaceId found = kNoId;
+  if (boxes > kMaxBoxesPerTask) return found;
+  const Vec3& p = points[v];
+  const Box3 around = Box3{p, p}.grown(near);
+  tree.for_each_leaf_at(around, 0, boxes, [&](std::size_t leaf) {
+    const std::span<const FaceId> here = tree.leaf(leaf);
+    const std::span<const Box3> boxes_here = tree.boxes_of_leaf(leaf);
+    for (std::size_t n = 0; n < here.size() && found == kNoId; ++n) {
+      const FaceId f = here[n];
+      if (!meet(boxes_here[n], around) || has_corner(triangles[f], v)) continue;
+      if (tree.distance2(f, p) < near * near) found = f;
+    }
+    return found == kNoId && boxes <= kMaxBoxesPerTask;
+  });
+  return found;
+}
+
 class ClosePlaceSearch {
  public:
   ClosePlaceSearch(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
@@ -80,8 +101,7 @@ class ClosePlaceSearch {
   }
 
   void find_near() {
-    const Vec3 size = volume_.box().size();
-    const double near = kNearShare * std::max({size.x, size.y, size.z});
+    const double near = near_distance(volume_);
     struct Work {
       std::vector<std::pair<VertexId, FaceId>> near;
       std::size_t given_up = 0;
@@ -92,7 +112,8 @@ class ClosePlaceSearch {
                    std::size_t boxes = 0;
                    for (std::size_t v = begin; v < end; ++v) {
                      if (!is_open_[v]) continue;
-                     const FaceId f = triangle_near(VertexId(v), near, boxes);
+                     const FaceId f =
+                         triangle_near(points_, triangles_, tree_, VertexId(v), near, boxes);
                      if (f != kNoId) works[run].near.emplace_back(v, f);
                      works[run].given_up += boxes > kMaxBoxesPerTask;
                    }
@@ -102,26 +123,6 @@ class ClosePlaceSearch {
       found_.given_up += work.given_up;
     }
   }
-  // Returns a triangle without corner v that is no further from v than `near`; kNoId if there is
-  // none.
-  FaceId triangle_near(VertexId v, double near, std::size_t& boxes) const {
-    FaceId found = kNoId;
-    if (boxes > kMaxBoxesPerTask) return found;
-    const Vec3& p = points_[v];
-    const Box3 around = Box3{p, p}.grown(near);
-    tree_.for_each_leaf_at(around, 0, boxes, [&](std::size_t leaf) {
-      const std::span<const FaceId> triangles = tree_.leaf(leaf);
-      const std::span<const Box3> boxes_here = tree_.boxes_of_leaf(leaf);
-      for (std::size_t n = 0; n < triangles.size() && found == kNoId; ++n) {
-        const FaceId f = triangles[n];
-        if (!meet(boxes_here[n], around) || has_corner(triangles_[f], v)) continue;
-        if (tree_.distance2(f, p) < near * near) found = f;
-      }
-      return found == kNoId && boxes <= kMaxBoxesPerTask;
-    });
-    return found;
-  }
-
   const std::vector<Vec3>& points_;
   std::span<const Triangle> triangles_;
   const TriangleTree& tree_;
@@ -134,6 +135,17 @@ class ClosePlaceSearch {
 };
 
 }  // namespace
+
+bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                       const TriangleTree& tree, VertexId v, double distance) {
+  std::size_t boxes = 0;
+  return triangle_near(points, triangles, tree, v, distance, boxes) != kNoId;
+}
+
+double near_distance(const Volume& volume) {
+  const Vec3 size = volume.box().size();
+  return kNearShare * std::max({size.x, size.y, size.z});
+}
 
 ClosePlaces find_close_places(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
                               const TriangleTree& tree, const Volume& volume, int threads) {

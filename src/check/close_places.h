@@ -22,6 +22,12 @@ inline constexpr double kLeastAngle = 0.01, kLeastFold = 1;
 // Of the largest side of the box. A vertex nearer than that to a triangle of others is a near
 // vertex. Programs that fill a surface with tetrahedra merge points at such distances.
 inline constexpr double kNearShare = 1e-5;
+// Returns that distance.
+double near_distance(const Volume& volume);
+
+// True if a triangle without corner v is within `distance` of v. Looks at a bounded number of them.
+bool has_triangle_near(const std::vector<Vec3>& points, std::span<const Triangle> triangles,
+                       const TriangleTree& tree, VertexId v, double distance);
 
 struct ClosePlaces {
   std::vector<FaceId> needles;

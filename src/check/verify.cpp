@@ -112,14 +112,40 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
   }
 }
 
+// Vertices may leave Sigma by so many near_distance() where the mesh comes that near to itself, or
+// T has shorter edges: a mesh keeps vertices and facets apart there.
+constexpr double kApartShares = 5;
+
+// What T has within a distance of a point.
+struct NearContour {
+  bool any = false;  // between two sheets that are one but for rounding no line finds Sigma
+  bool short_edge = false;
+};
+NearContour contour_near(const Vec3& p, double distance, double shortest,
+                         const ContourMesh& contour, const VoxelComponents& voxels) {
+  NearContour near;
+  voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
+    const auto& [u, v, w] = contour.triangles[n];
+    const Vec3 &a = contour.points[u], &b = contour.points[v], &c = contour.points[w];
+    // A corner is asked too: of a triangle without area no distance is known.
+    if (!(distance2_to_triangle(p, a, b, c) <= distance * distance) &&
+        !(distance2(p, a) <= distance * distance)) {
+      return;
+    }
+    near.any = true;
+    near.short_edge |= shortest_edge2(a, b, c) < shortest * shortest;
+  });
+  return near;
+}
+
 // Checks that vertices lie on Sigma, and on the component that their triangles stand for; except
 // those of extra components. Returns which vertices lie on Sigma.
-std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
-                                                    const ComparedComponents& compared,
-                                                    const VoxelComponents& voxels,
-                                                    const Isosurface& surface, int threads,
-                                                    Verification& result) {
+std::vector<std::uint8_t> check_vertices_on_surface(
+    const CleanMesh& mesh, const ComparedComponents& compared, const TriangleTree& tree,
+    const ContourMesh& contour, const VoxelComponents& voxels, const Isosurface& surface,
+    int threads, Verification& result) {
   const double voxel = surface.volume().voxel();
+  const double least = near_distance(surface.volume()), apart = kApartShares * least;
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),
@@ -130,6 +156,12 @@ std::vector<std::uint8_t> check_vertices_on_surface(const CleanMesh& mesh,
       const std::uint32_t m = mesh.component[v];
       if (m == kNoId || compared.match[m] == kNoId) continue;
       off[v] = distance_off_surface(p, surface, result.surface_tolerance, 4 * voxel);
+      if (off[v] != 0) {
+        const NearContour near = contour_near(p, apart, least, contour, voxels);
+        const bool may_leave = near.short_edge || has_triangle_near(mesh.points, mesh.triangles,
+                                                                    tree, VertexId(v), apart);
+        if ((off[v] <= apart || near.any) && may_leave) off[v] = 0;
+      }
       on_surface[v] = off[v] == 0;
       if (!on_surface[v]) continue;
       const std::vector<std::uint32_t> here = voxels.at(p);
@@ -217,9 +249,9 @@ struct OfContour {
 };
 
 // `off`: a bound on the distance of each triangle from Sigma.
-OfContour compare_topology(const CleanMesh& mesh, const std::vector<double>& off,
-                           const Isosurface& surface, const VerifyOptions& options,
-                           Verification& result) {
+OfContour compare_topology(const CleanMesh& mesh, const TriangleTree& tree,
+                           const std::vector<double>& off, const Isosurface& surface,
+                           const VerifyOptions& options, Verification& result) {
   const Volume& volume = surface.volume();
   ContourMesh contour = build_contour(volume, surface.kappa());
   const VoxelComponents voxels(contour, volume, result.surface_tolerance);
@@ -229,8 +261,8 @@ OfContour compare_topology(const CleanMesh& mesh, const std::vector<double>& off
   result.exact = contour.summary.topology();
   result.equal_components = compared.equal;
   result.left_out = static_cast<std::uint64_t>(std::ranges::count(compared.kept, 0));
-  const std::vector<std::uint8_t> on_surface =
-      check_vertices_on_surface(mesh, compared, voxels, surface, options.threads, result);
+  const std::vector<std::uint8_t> on_surface = check_vertices_on_surface(
+      mesh, compared, tree, contour, voxels, surface, options.threads, result);
   if (options.most_over_limit < 1) {
     check_triangles_on_surface(mesh, off, on_surface, contour, voxels, surface, result);
   }
@@ -410,7 +442,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
         distances_to_surface(clean, surface, search_limit(volume), {bound, r_min}, threads, &off);
     result.seconds_distances = own.seconds();
     own = Stopwatch();
-    contour.emplace(compare_topology(clean, off, surface, options, result));
+    contour.emplace(compare_topology(clean, tree, off, surface, options, result));
     result.seconds_topology = own.seconds();
     own = Stopwatch();
     result.from_surface = distances_from_surface(contour->samples, clean, tree,

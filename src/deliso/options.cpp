@@ -12,9 +12,9 @@ namespace {
 // Facets with a smaller circumradius are not refined, not even for shape.
 constexpr double kShapeFloorVoxels = 0.05;
 
-// The least distance between facets that face each other, in the largest side of the box. Programs
-// that fill surfaces with tetrahedra take nearer ones for one.
-constexpr double kGapOfBox = 1e-5;
+// The distance to which facets are moved apart, in the largest side of the box. Programs that fill
+// surfaces with tetrahedra take facets for one that are nearer than 1e-5 of it.
+constexpr double kGapOfBox = 1.5e-5;
 
 }  // namespace
 

@@ -20,6 +20,9 @@ namespace {
 // Voxels. Shorter edges are collapsed.
 constexpr double kShortestEdgeVoxels = 1e-3;
 
+// Between the normals of two facets that are flat on each other, within one degree.
+constexpr double kFlatFold = -0.99985;
+
 // Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
 constexpr double kMoveGaps = 0.7;
 
@@ -67,12 +70,14 @@ class Separation {
       if (unfold(f, i) || collapse_if_short(f, i)) return;  // what came is looked at later
     }
   }
-  double fold_cosine(FaceId f, FaceId g) const {
-    return cosine_between(r_.normal(r_.mesh.faces[f].v), r_.normal(r_.mesh.faces[g].v));
-  }
+  // The tests of a collapse: all, or the topology and crossings alone.
+  enum class Gates : std::uint8_t { all, topology };
   bool unfold(FaceId f, int i);
+  bool flip_fold(FaceId f, int i, double fold);
+  bool collapse(FaceId f, int i, Gates gates);
   bool merge_across(FaceId f, int i);
   bool collapse_if_short(FaceId f, int i);
+  bool lies_on_box(VertexId from, VertexId to) const;
 
   bool push_apart();
   void find_pushes(VertexId v, FaceId f);
@@ -98,24 +103,27 @@ class Separation {
   std::vector<FaceId> near_;
 };
 
-// Every success removes the sharpest edge of the disk, and makes none as sharp, or removes a
-// vertex.
+// Every success removes a vertex, or an edge in place of which none as sharp comes.
 bool Separation::unfold(FaceId f, int i) {
   const FaceId g = r_.mesh.faces[f].n[i];
   if (g == kNoId) return false;
-  const double fold = fold_cosine(f, g);
-  if (!(fold < kSharpestFold)) return false;
+  const double fold = cosine_between(r_.normal(r_.mesh.faces[f].v), r_.normal(r_.mesh.faces[g].v));
+  return fold < kSharpestFold &&
+         (flip_fold(f, i, fold) || merge_across(f, i) ||
+          merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates::all));
+}
+
+bool Separation::flip_fold(FaceId f, int i, double fold) {
   const Quad q = quad_at(r_.mesh, f, i);
-  if (Proposal* c = r_.propose(std::array{f, g})) {
-    c->facets(q.flipped());
-    const auto is_less_sharp = [&] {
-      const auto& [s, t] = q.flipped();
-      return cosine_between(r_.normal(s), r_.normal(t)) > fold;
-    };
-    if (accept(Operation::flip, r_.replace(is_less_sharp))) return true;
-  }
-  const int j = neighbor_index(r_.mesh.faces[g], f);
-  return merge_across(f, i) || merge_across(g, j);
+  Proposal* c = r_.propose(std::array{q.f, q.g});
+  if (!c) return false;
+  c->facets(q.flipped());
+  // The same facets but for a hair: their surface points do not matter.
+  c->asks_surface = fold > kFlatFold;
+  return accept(Operation::flip, r_.replace([&] {
+    const auto& [s, t] = q.flipped();
+    return cosine_between(r_.normal(s), r_.normal(t)) > fold;
+  }));
 }
 
 // Merges the corner i of f into the corner of the facet across the opposite edge. The two facets at
@@ -140,18 +148,34 @@ bool Separation::merge_across(FaceId f, int i) {
 }
 
 bool Separation::collapse_if_short(FaceId f, int i) {
-  const Triangle v = r_.mesh.faces[f].v;
-  const std::array ends{v[(i + 1) % 3], v[(i + 2) % 3]};
+  const Triangle& v = r_.mesh.faces[f].v;
   const double shortest = kShortestEdgeVoxels * r_.parameters.voxel;
-  if (!(distance2(r_.point(ends[0]), r_.point(ends[1])) < shortest * shortest)) return false;
-  for (const auto& [from, to] : {std::pair{ends[0], ends[1]}, std::pair{ends[1], ends[0]}}) {
-    if (r_.s.chain.is_boundary(from)) continue;  // a facet might come to lie on the box
-    auto refusal = propose_merge(r_, f, from, to, kAnyFold);
-    r_.proposal.asks_surface = false;
+  return distance2(r_.point(v[(i + 1) % 3]), r_.point(v[(i + 2) % 3])) < shortest * shortest &&
+         collapse(f, i, Gates::topology);
+}
+
+bool Separation::collapse(FaceId f, int i, Gates gates) {
+  const Triangle v = r_.mesh.faces[f].v;
+  const VertexId a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+    const bool all = gates == Gates::all;
+    auto refusal = propose_merge(r_, f, from, to, all ? kSharpestFold : kAnyFold);
+    r_.proposal.asks_surface = all;
+    if (!refusal && lies_on_box(from, to)) refusal = Refusal::boundary;
     if (!refusal) refusal = r_.replace();
     if (accept(Operation::collapse, refusal)) return true;
   }
   return false;
+}
+
+// True if the proposed merge would join `to` to a vertex that is no neighbor on the boundary, by an
+// edge in a face of the box.
+bool Separation::lies_on_box(VertexId from, VertexId to) const {
+  const BoundaryChain& chain = r_.s.chain;
+  return chain.is_boundary(from) &&
+         std::ranges::any_of(r_.proposal.was.vertices(), [&](VertexId q) {
+           return q != from && q != to && !chain.is_edge(from, q) && joins_on_box(r_, to, q);
+         });
 }
 
 // Returns true if a vertex was moved.
