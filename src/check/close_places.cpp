@@ -2,10 +2,10 @@
 #include "check/close_places.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/triangle.h"
 #include "mesh/incidence.h"
@@ -66,8 +66,8 @@ class ClosePlaceSearch {
   }
 
   void find_needles() {
-    // No angle is below asin(1 / (2 lambda)) where r/l <= lambda.
-    const double sine = std::sin(kLeastAngle * kDegree), most = 1 / (4 * sine * sine);
+    // The smallest angle is asin(1 / (2 r/l)).
+    const double r_over_l = 1 / (2 * sine(kLeastAngle * kDegree)), most = r_over_l * r_over_l;
     for (FaceId f = 0; f < triangles_.size(); ++f) {
       is_needle_[f] = !(radius_ratio2(corner(f, 0), corner(f, 1), corner(f, 2)) <= most);
       if (!is_needle_[f]) continue;
@@ -77,7 +77,7 @@ class ClosePlaceSearch {
   }
 
   void find_folds() {
-    const double most = -std::cos(kLeastFold * kDegree);
+    const double most = -cosine(kLeastFold * kDegree);
     for_each_edge(edge_uses(points_.size(), triangles_), [&](std::span<const EdgeUse> edge) {
       if (edge.size() != 2 || edge[0].forward == edge[1].forward) return true;
       const FaceId f = edge[0].triangle, g = edge[1].triangle;

@@ -90,11 +90,15 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
         FaultKind::needle_triangles,
         [&] { return text(named(f), " has an angle below ", kLeastAngle, " degrees"); }, middle(f));
   }
-  for (const auto& [f, g] : found.folds) {
+  for (const auto& fold : found.folds) {
     faults.add(
-        FaultKind::folds, [&] { return named(f) + " lies folded on " + named(g); }, middle(f));
+        FaultKind::folds,
+        [&] { return named(fold.first) + " lies folded on " + named(fold.second); },
+        middle(fold.first));
   }
-  for (const auto& [v, f] : found.near) {
+  for (const auto& near : found.near) {
+    const VertexId v = near.first;
+    const FaceId f = near.second;
     const Vec3& p = clean.points[v];
     faults.add(
         FaultKind::near_vertices,

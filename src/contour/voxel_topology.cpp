@@ -4,6 +4,13 @@
 #include <algorithm>
 #include <numeric>
 
+// Keeps a function apart from its callers, whatever could be inferred of it.
+#if __has_cpp_attribute(gnu::noipa)
+#define DELISO_OPAQUE [[gnu::noipa]]
+#else
+#define DELISO_OPAQUE [[gnu::noinline]]
+#endif
+
 namespace deliso {
 namespace {
 
@@ -142,8 +149,10 @@ class Sweep {
   // True if the column becomes inside on the way up, so that d > 0; otherwise it becomes outside.
   bool rises(int column) const { return !is_inside(mask_, column); }
 
-  // True if column m's crossing, at height -c / d, comes before column n's.
-  bool crosses_below(int m, int n) const {
+  // True if column m's crossing, at height -c / d, comes before column n's. Opaque: where this is
+  // inlined into the loop that sorts, g++ 12.2 at -O3 unswitches that loop on rises(m) and sorts
+  // wrongly (tests/contour/unswitched_loop.cpp).
+  DELISO_OPAQUE bool crosses_below(int m, int n) const {
     const int sign =
         sign_of(values_, 0xff, [=](const auto& x) { return x.c(n) * x.d(m) - x.c(m) * x.d(n); });
     return sign == 0 ? rises(m) && !rises(n) : (sign < 0) == (rises(m) == rises(n));

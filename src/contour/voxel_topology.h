@@ -62,19 +62,8 @@ VoxelLoops trace_loops(int mask, std::uint8_t joined);
 // Returns the loops of the voxel with these values; `mask` holds the signs above kappa.
 VoxelLoops voxel_loops(int mask, const VoxelValues& values);
 
-// Keeps a function apart from its callers. `noinline` alone leaves callers what was inferred of the
-// function, and so the fault below.
-#if __has_cpp_attribute(gnu::noipa)
-#define DELISO_OPAQUE [[gnu::noipa]]
-#else
-#define DELISO_OPAQUE [[gnu::noinline]]
-#endif
-
-// Returns the tube, if there is one. pre: `loops` are those of the values. Opaque: with the sweep
-// inlined into FineVoxel::trace, g++ 12.2 at -O3 takes 5 % of split voxels for unlike their cells
-// (tests/app/same_bytes.sh). At -O2, without -fipa-modref, and with sanitizers the same code is
-// right.
-DELISO_OPAQUE Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops);
+// Returns the tube, if there is one. pre: `loops` are those of the values.
+Tube find_tube(int mask, const VoxelValues& values, const VoxelLoops& loops);
 
 // Returns the mask of values minus kappa.
 constexpr int mask_of(const Corners& c) {

@@ -13,7 +13,6 @@
 #include "volume/sampled.h"
 
 using namespace deliso;
-using namespace deliso::test;
 
 namespace {
 
@@ -41,7 +40,7 @@ TEST_CASE("a needle has an angle below a hundredth of a degree") {
     CAPTURE(degrees);
     for (int turn = 0; turn < 3; ++turn) {
       std::vector<Vec3> points{{1, 1, 5}, {5, 1, 5}, {5, 1 + 4 * tangent(degrees), 5}};
-      std::ranges::rotate(points, points.begin() + turn);
+      std::rotate(points.begin(), points.begin() + turn, points.end());
       const bool is_needle = degrees < kLeastAngle;
       CHECK(found_in(points, {{0, 1, 2}}, volume).needles.size() == (is_needle ? 1 : 0));
     }
