@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -18,21 +19,16 @@ namespace deliso {
 
 // Returns `message` as one line of bounded length, because files may hold any name or word. Control
 // characters become '?'; the middle of a very long message is left out.
-inline std::string one_line(std::string message) {
-  constexpr std::size_t kBegin = 200, kEnd = 300;
-  if (message.size() > kBegin + kEnd) {
-    message.replace(kBegin, message.size() - kBegin - kEnd, "[...]");
-  }
-  for (char& c : message) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return message;
-}
+std::string one_line(std::string message);
 
 // Thrown for unusable input. what() is one line that names the file and the fault. It is made of
 // pieces, as by text().
 struct InputError : std::runtime_error {
-  explicit InputError(const auto&... message) : std::runtime_error(one_line(text(message...))) {}
+  [[gnu::cold]] explicit InputError(const auto&... message)
+      : InputError({text_piece(message)...}) {}
+
+ private:
+  explicit InputError(std::initializer_list<TextPiece> message);
 };
 
 [[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
