@@ -26,7 +26,7 @@ SINCE ?=
 ROOMS ?= .*
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
+.PHONY: all demo test test-all figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
 
 all:
@@ -40,10 +40,17 @@ ifneq ($(VOLUME),)
 	$(BUILD)/deliso '$(VOLUME)' $(if $(ISO),--iso $(ISO)) -o $(OUT)/demo-volume.ply
 endif
 
+# The quick tests: each room's, with a tenth of the random cases, and the commands of README.
 test: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
+	@cmake --build $(BUILD) -j $(JOBS) --target quick_tests
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L quick
+
+# All tests, with all cases: also the stress programs, other languages, pages, engines, figures.
+test-all: doctest
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
 	@cmake --build $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	@DELISO_TEST_CASES=all ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.
