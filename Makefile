@@ -54,7 +54,7 @@ test-all: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
 	@DELISO_TEST_CASES=all sh tests/run_tests.sh $(BUILD) $(JOBS) all
 
-# One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*gzip*'`: seconds
+# One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*truncated*'`: seconds
 # after a change of one file. Its build keeps the other rooms.
 room: doctest
 	@$(CONFIGURE) -B $(BUILD)-room -DCMAKE_BUILD_TYPE=Debug \
