@@ -1,7 +1,8 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX, CLANG (for `make
-# sanitize`, `make fuzz` and `make tidy`); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
+# sanitize`, `make fuzz` and `make tidy`); for `make room`: ROOM (a folder of tests/, e.g. refine or
+# io/volume), CASE (a pattern of its test cases); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
-# for `make sanitize`: ROOMS (a regular expression, e.g. "refine|io/.*": only unit tests of these rooms);
+# for `make sanitize`: PROGRAMS (only these, e.g. "tests_refine stress_parts");
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options); for
@@ -23,10 +24,13 @@ SANITIZE_BUILD = $(BUILD)-sanitize
 FUZZ_BUILD = $(BUILD)-fuzz
 CLANG ?= clang++
 SINCE ?=
-ROOMS ?= .*
+ROOM ?=
+ROOM_TESTS = tests_$(subst /,_,$(ROOM))
+CASE ?=
+PROGRAMS ?=
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
+.PHONY: all demo test test-all room figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
 
 all:
@@ -40,10 +44,24 @@ ifneq ($(VOLUME),)
 	$(BUILD)/deliso '$(VOLUME)' $(if $(ISO),--iso $(ISO)) -o $(OUT)/demo-volume.ply
 endif
 
+# The quick tests: each room's, with a tenth of the random cases, and the commands of README.
 test: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
-	@cmake --build $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	@sh tests/run_tests.sh $(BUILD) $(JOBS) quick_tests -L quick
+
+# All tests, with all cases: also the stress programs, other languages, pages, engines, figures.
+test-all: doctest
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON -DDELISO_BUILD_BENCH=OFF
+	@DELISO_TEST_CASES=all sh tests/run_tests.sh $(BUILD) $(JOBS) all
+
+# One room and its tests with assertions on, e.g. `make room ROOM=io/volume CASE='*truncated*'`: seconds
+# after a change of one file. Its build keeps the other rooms.
+room: doctest
+	@$(CONFIGURE) -B $(BUILD)-room -DCMAKE_BUILD_TYPE=Debug \
+	  -DCMAKE_CXX_FLAGS_DEBUG='-O1 -g1 -D_GLIBCXX_ASSERTIONS' -DDELISO_BUILD_TESTS=ON \
+	  -DDELISO_BUILD_BENCH=OFF >/dev/null
+	@cmake --build $(BUILD)-room -j $(JOBS) --target $(ROOM_TESTS)
+	@$(BUILD)-room/tests/$(ROOM_TESTS) $(if $(CASE),--test-case='$(CASE)')
 
 # docs/figures: the paper's figures, on the volumes in DATA; docs/guide/figures: the guide's, and
 # docs/index.html.
@@ -91,10 +109,11 @@ quality:
 # The tests of code under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on: by
 # clang where there is one, since it compiles them in half the time.
 sanitize: doctest
-	@cmake -S . -Wno-dev -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF -DDELISO_TEST_ROOMS='$(ROOMS)' \
+	@cmake -S . -Wno-dev -B $(SANITIZE_BUILD) -DDELISO_SANITIZE=ON -DDELISO_BUILD_BENCH=OFF \
 	  $(if $(shell command -v $(CLANG)),-DCMAKE_CXX_COMPILER=$(CLANG),$(CXX_FLAG))
-	@cmake --build $(SANITIZE_BUILD) -j $(JOBS)
-	@ctest --test-dir $(SANITIZE_BUILD) --output-on-failure -j $(JOBS)
+	@cmake --build $(SANITIZE_BUILD) -j $(JOBS) --target $(or $(PROGRAMS),all)
+	@ctest --test-dir $(SANITIZE_BUILD) --output-on-failure -j $(JOBS) \
+	  $(if $(PROGRAMS),-L '^($(shell echo $(PROGRAMS) | tr ' ' '|'))$$')
 
 # Every libFuzzer target (tests/fuzz) for FUZZ_SECONDS (60), or those in FUZZ; the corpus is kept.
 fuzz:
@@ -151,4 +170,4 @@ doctest:
 	fi
 
 clean:
-	rm -rf $(BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy
+	rm -rf $(BUILD) $(SANITIZE_BUILD) $(FUZZ_BUILD) $(BUILD)-tidy $(BUILD)-room

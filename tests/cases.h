@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How many random cases a test looks at. Sanitizers make code ten times slower, and what they can
-// find, they find in the first few of a kind.
+// How much a test does. `make test` looks at a tenth of the random cases and leaves out the slow
+// test cases; `make test-all`, which sets DELISO_TEST_CASES=all, does everything. Under sanitizers
+// all is ten times slower, and what they can find, they find in the first few of a kind.
 #pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string_view>
 
 namespace deliso::test {
 
@@ -13,10 +19,25 @@ inline constexpr bool kSanitized = __has_feature(address_sanitizer);
 inline constexpr bool kSanitized = false;
 #endif
 
-// A tenth of n under sanitizers. For loops, and for what they must have met.
-template <class Integer>
-constexpr Integer cases(Integer n) {
-  return kSanitized ? n / 10 : n;
+inline bool all_cases() {
+  const char* cases = std::getenv("DELISO_TEST_CASES");
+  return !kSanitized && cases && cases == std::string_view("all");
 }
+
+// n or a tenth of it. For loops, and for what they must have met.
+template <class Integer>
+Integer cases(Integer n) {
+  return all_cases() ? n : n / 10;
+}
+
+// TEST_CASE("..." * slow("why it takes over two seconds")): `make test-all` alone runs it.
+struct slow {
+  explicit slow(const char* why) : reason(why) {}
+  void fill(doctest::detail::TestCase& test) const {
+    test.m_skip = !all_cases();
+    test.m_description = reason;
+  }
+  const char* reason;
+};
 
 }  // namespace deliso::test

@@ -5,9 +5,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "base/text.h"
 
@@ -20,28 +20,16 @@ namespace deliso {
 // Returns `message` as one line of bounded length, because files may hold any name or word. Control
 // characters, and bytes that are no UTF-8, become '?': a terminal would obey the former. The middle
 // of a very long message is left out.
-inline std::string one_line(std::string message) {
-  constexpr std::size_t kBegin = 200, kEnd = 300;
-  if (message.size() > kBegin + kEnd) {
-    message.replace(kBegin, message.size() - kBegin - kEnd, "[...]");
-  }
-  std::string line;
-  for (std::string_view rest = message; !rest.empty();) {
-    const std::size_t length = utf8_length(rest);
-    if (length == 0 || is_control(rest.substr(0, length))) {
-      line += '?';
-    } else {
-      line += rest.substr(0, length);
-    }
-    rest.remove_prefix(length == 0 ? 1 : length);
-  }
-  return line;
-}
+std::string one_line(std::string message);
 
 // Thrown for unusable input. what() is one line that names the file and the fault. It is made of
 // pieces, as by text().
 struct InputError : std::runtime_error {
-  explicit InputError(const auto&... message) : std::runtime_error(one_line(text(message...))) {}
+  [[gnu::cold]] explicit InputError(const auto&... message)
+      : InputError({text_piece(message)...}) {}
+
+ private:
+  explicit InputError(std::initializer_list<TextPiece> message);
 };
 
 [[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {

@@ -95,9 +95,9 @@ void check_edges(CleanMesh& mesh, std::span<const EdgeUse> uses, const Box3& box
       const auto what = [&] {
         std::string line = text("edge ", lo, "-", hi, " ", verb);
         for (const EdgeUse& use : edge.first(std::min(kNamed, edge.size()))) {
-          append_text(line, text(" ", mesh.id[use.triangle]));
+          line += text(" ", mesh.id[use.triangle]);
         }
-        if (edge.size() > kNamed) append_text(line, text(" and ", edge.size() - kNamed, " more"));
+        if (edge.size() > kNamed) line += text(" and ", edge.size() - kNamed, " more");
         return line;
       };
       faults.add(kind, what, 0.5 * (p + q));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // orient3d and insphere against integers of any width.
+#include "cases.h"
 #include "delaunay/predicates.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +16,7 @@ using namespace deliso;
 
 namespace {
 
-constexpr int kCases = 1'000'000;
+const int kCases = test::cases(1'000'000);
 
 // x moved by k steps to the next double.
 double step(double x, int k) {

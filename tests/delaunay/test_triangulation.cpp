@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The triangulation against brute force, on many kinds of degenerate point sets.
+#include "cases.h"
 #include "delaunay/triangulation.h"
 
 #include <doctest/doctest.h>
@@ -68,7 +69,7 @@ TEST_CASE("the facets of a cell point outwards") {
 }
 
 TEST_CASE("build: brute force finds no broken invariant on 300 point sets") {
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < test::cases(300); ++trial) {
     CAPTURE(trial);
     const auto points =
         make_point_set(static_cast<PointSet>(trial % kKinds), 10 + trial % 97, trial);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Voronoi edges and vertices against exact rational solutions.
+#include "cases.h"
 #include "delaunay/voronoi.h"
 
 #include <doctest/doctest.h>
@@ -118,7 +119,7 @@ std::array<Vec3, 4> some_cell(Random& random, int trial) {
 
 TEST_CASE("facet lines, their ends and circumspheres agree with exact solutions") {
   int flat = 0;
-  for (int trial = 0; trial < 200'000; ++trial) {
+  for (int trial = 0; trial < test::cases(200'000); ++trial) {
     CAPTURE(trial);
     Random random(trial);
     const auto [a, b, c, d] = some_cell(random, trial);
@@ -147,7 +148,7 @@ TEST_CASE("facet lines, their ends and circumspheres agree with exact solutions"
     REQUIRE(std::fabs(sphere.radius - sphere_radius) <= 1e-9L * sphere_radius);
     REQUIRE(distance(minus(sphere.center, a), vertex) <= 1e-9L * sphere_radius + ulp);
   }
-  CHECK(flat > 1000);
+  CHECK(flat > test::cases(1000));
 }
 
 TEST_CASE("facet_dual is the same from both cells, with ends at circumcenters or infinity") {

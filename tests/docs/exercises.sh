@@ -34,7 +34,7 @@ for page in docs/guide/*.md; do
     file=$(echo "$answer" | cut -d '`' -f 2)
     name=$(echo "$answer" | cut -d '"' -f 2)
     [ -f "$file" ] || { echo "$page: no file $file"; exit 1; }
-    flat "$file" | sed 's/TEST_CASE( "/TEST_CASE("/g' | grep -qF "TEST_CASE(\"$name\")" ||
+    flat "$file" | sed 's/TEST_CASE( "/TEST_CASE("/g' | grep -qF "TEST_CASE(\"$name\"" ||
       { echo "$page: no test case \"$name\" in $file"; exit 1; }
   done || faults=1
 done

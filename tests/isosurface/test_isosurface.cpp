@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The oracle against brute force over all voxels. Each hit lies on Sigma and in its voxel, and hits
 // are odd in number exactly between points on different sides.
+#include "cases.h"
 #include "isosurface/isosurface.h"
 
 #include <doctest/doctest.h>
@@ -68,7 +69,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
       SearchCounters counters;
       std::vector<Hit> hits;
       std::size_t found = 0, parities = 0;
-      const std::uint64_t trials = method == CubicMethod::isolation ? 100'000 : 20'000;
+      const std::uint64_t trials = test::cases(method == CubicMethod::isolation ? 100'000 : 20'000);
       for (std::uint64_t seed = 0; seed < trials; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -123,7 +124,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
     const Isosurface surface(field.volume, tree, field.kappa);
     SearchCounters counters;
     std::size_t found = 0;
-    constexpr std::uint64_t kTrials = 100'000;
+    const std::uint64_t kTrials = test::cases(100'000);
     for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
       CAPTURE(seed);
       Random random(seed + 1'000'000);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/random.h"
+#include "cases.h"
 #include "roots/cubic.h"
 
 using namespace deliso;
@@ -221,7 +222,7 @@ Cubic adversarial_case(Random& random) {
 TEST_CASE("random cubics: both solvers agree with bisection") {
   double residual = 0;
   std::uint64_t found = 0;
-  constexpr std::uint64_t kTrials = 4'000'000;
+  const std::uint64_t kTrials = test::cases(4'000'000);
   for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
     Random random(seed);
     Cubic b;
@@ -235,7 +236,7 @@ TEST_CASE("random cubics: both solvers agree with bisection") {
 TEST_CASE("adversarial cubics: double, triple, close, vanishing, at the ends") {
   double residual = 0;
   std::uint64_t found = 0;
-  constexpr std::uint64_t kTrials = 600'000;
+  const std::uint64_t kTrials = test::cases(600'000);
   for (std::uint64_t seed = 0; seed < kTrials; ++seed) {
     Random random(seed);
     if (!check_case(bernstein_of(adversarial_case(random)), seed, residual, found)) break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mixtures with known materials, and samples with and without padding.
+#include "cases.h"
 #include "io/filter/thresholds.h"
 
 #include <doctest/doctest.h>
@@ -268,7 +269,7 @@ TEST_CASE("single values and the widest range of doubles do no harm") {
 }
 
 TEST_CASE("no two thresholds divide the bins better") {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(300u); ++seed) {
     CAPTURE(seed);
     Random random(seed);
     // Three peaks, with gaps of 20 between them.

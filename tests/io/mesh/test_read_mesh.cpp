@@ -12,6 +12,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "cases.h"
 #include "io/damage.h"
 #include "io/files/temporary_folder.h"
 #include "io/mesh/containers.h"
@@ -397,7 +398,7 @@ TEST_CASE("no mutation of a file does harm") {
   std::size_t meshes = 0, errors = 0;
   const std::vector<Sample> all = samples();
   REQUIRE(all.size() == 81);
-  for (std::uint64_t seed = 1; seed <= 400000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::cases(400000u); ++seed) {
     Random random(seed);
     Sample sample = all[seed % all.size()];
     sample.bytes = damaged(sample.bytes, random);
@@ -412,8 +413,8 @@ TEST_CASE("no mutation of a file does harm") {
     }
     REQUIRE_MESSAGE(flaw == nullptr, "seed ", seed, ": ", flaw);
   }
-  CHECK(meshes > 1000);
-  CHECK(errors > 1000);
+  CHECK(meshes > test::cases(1000u));
+  CHECK(errors > test::cases(1000u));
 }
 
 TEST_CASE("random bytes, also after headers with large counts, give a mesh or an InputError") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every character is drawn, differs from all others, and keeps to its place.
+#include "cases.h"
 #include "view/render/font.h"
 
 #include <doctest/doctest.h>
@@ -42,7 +43,8 @@ Drawn drawn(std::string_view text, double height) {
 
 }  // namespace
 
-TEST_CASE("every glyph but the blank has ink, none is like another, at any size") {
+TEST_CASE("every glyph but the blank has ink, none is like another, at any size" *
+          test::slow("all pairs of 95 glyphs are compared, pixel by pixel, at four sizes")) {
   for (const double height : {7.0, 8.0, 12.5, 30.0}) {
     std::vector<Drawn> glyphs;
     for (char c = kFirstGlyph; c <= kLastGlyph; ++c) glyphs.push_back(drawn({&c, 1}, height));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole pictures, against what a sphere must look like from anywhere.
+#include "cases.h"
 #include "view/render/render.h"
 
 #include <doctest/doctest.h>
@@ -146,7 +147,8 @@ TEST_CASE("the camera's axes are orthonormal and see +z upwards") {
   }
 }
 
-TEST_CASE("the outside has one color and the inside the other") {
+TEST_CASE("the outside has one color and the inside the other" *
+          test::slow("pictures with the light of the sky, which is found by many rays")) {
   const TriMesh mesh = sphere(4);
   for (const Shading shading : {Shading::smooth, Shading::flat}) {
     RenderOptions options = small_picture();
@@ -184,7 +186,8 @@ TEST_CASE("clipped in halves, a sphere shows its inside to one eye and its outsi
         doctest::Approx(0.5 * std::numbers::pi * kRadius * kRadius).epsilon(0.01));
 }
 
-TEST_CASE("edges are drawn on request and where there is room for them") {
+TEST_CASE("edges are drawn on request and where there is room for them" *
+          test::slow("pictures with the light of the sky, which is found by many rays")) {
   RenderOptions options = small_picture();
   for (const int levels : {2, 6}) {
     const TriMesh mesh = sphere(levels);
@@ -212,7 +215,7 @@ bool draws_edges(std::span<const Subject> subjects) {
 
 }  // namespace
 
-TEST_CASE("edges are drawn in all panels or in none") {
+TEST_CASE("edges are drawn in all panels or in none" * test::slow("ten pictures of a fine mesh")) {
   const TriMesh coarse = sphere(3), fine = sphere(6);
   const Subject with{&coarse, {}}, without{&fine, {}};
   CHECK(draws_edges(std::array{with}));
@@ -248,7 +251,8 @@ TEST_CASE(
   CHECK(most - least < 0.1);
 }
 
-TEST_CASE("a view that is not given looks into every cut") {
+TEST_CASE("a view that is not given looks into every cut" *
+          test::slow("pictures with the light of the sky, which is found by many rays")) {
   const TriMesh mesh = sphere(5);
   const Vec3 normals[] = {{1, 0, 0},    {-1, 0, 0}, {0, 1, 0},      {0, -1, 0},
                           {0, 0, 1},    {0, 0, -1}, {1, 1, 0},      {1, -2, 3},
@@ -369,7 +373,8 @@ TEST_CASE("a long narrow picture as wide as allowed is drawn") {
   CHECK(seen.outside + seen.dark > 1590 * 40);  // 0.94 * 40 * 42.6 pixels across, all of the height
 }
 
-TEST_CASE("labels and a color bar stand in strips of their own") {
+TEST_CASE("labels and a color bar stand in strips of their own" *
+          test::slow("pictures with the light of the sky, which is found by many rays")) {
   const TriMesh mesh = sphere(4);
   RenderOptions options = small_picture();
   options.size = {642, 300};
@@ -473,7 +478,8 @@ Image columns_of(const Image& image, int left, int width) {
 
 }  // namespace
 
-TEST_CASE("panels show each subject as alone, by one camera, with a rule between them") {
+TEST_CASE("panels show each subject as alone, by one camera, with a rule between them" *
+          test::slow("pictures with the light of the sky, which is found by many rays")) {
   const TriMesh whole = sphere(4);
   const Clip lower = ClipPlane{{0, 0, 1}, kCenter.z};
   for (const int panels : {1, 2, 3, 5}) {
