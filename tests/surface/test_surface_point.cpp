@@ -42,10 +42,10 @@ struct Finder {
 };
 
 // An equilateral triangle about (6, 6), at height z, counter-clockwise from above.
-struct Facet {
+struct Corners3 {
   Vec3 a, b, c;
 };
-Facet facet_at(double z, double radius) {
+Corners3 facet_at(double z, double radius) {
   const double half = 0.5 * std::sqrt(3.0) * radius;
   return {{6 + radius, 6, z}, {6 - 0.5 * radius, 6 + half, z}, {6 - 0.5 * radius, 6 - half, z}};
 }
