@@ -1,6 +1,7 @@
 # The short front door to CMake. Variables: BUILD (folder), CXX, JOBS, PREFIX, CLANG (for `make
 # sanitize`, `make fuzz` and `make tidy`); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
+# for `make mutants`: ROOM (a folder of tests/, or some);
 # for `make sanitize`: ROOMS (a regular expression, e.g. "refine|io/.*": only unit tests of these rooms);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
@@ -26,7 +27,7 @@ SINCE ?=
 ROOMS ?= .*
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
+.PHONY: all demo test figures site bench datasets tables quality mutants sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
 
 all:
@@ -87,6 +88,13 @@ quality:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --seeds $(SEEDS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
+
+# Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
+# the sources, against the tests of its room. Lists those that survive.
+mutants: doctest
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso
+	@CXX='$(CXX)' sh bench/mutants/run.sh $(BUILD) $(JOBS) $(ROOM)
 
 # The tests of code under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on: by
 # clang where there is one, since it compiles them in half the time.

@@ -195,15 +195,17 @@ TEST_CASE("a search opens only nodes that the line passes and whose samples stra
         const Range piece = clip(line, box);
         REQUIRE(piece.lo < piece.hi);
       }
-      // Every voxel found is in a node opened.
+      // Every voxel found is in a leaf opened (K2).
       for (const VoxelSpan& span : cost.voxels) {
         REQUIRE(std::any_of(cost.nodes.begin(), cost.nodes.end(), [&](const VoxelBox& box) {
-          bool inside = true;
-          for (int axis = 0; axis < 3; ++axis) {
-            const auto at = static_cast<std::size_t>(axis);
-            inside &= box.lo[at] <= span.voxel[axis] && span.voxel[axis] < box.hi[at];
+          std::int64_t voxels = 1;
+          bool is_inside = true;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int at = span.voxel[static_cast<int>(axis)];
+            is_inside &= box.lo[axis] <= at && at < box.hi[axis];
+            voxels *= box.hi[axis] - box.lo[axis];
           }
-          return inside;
+          return is_inside && voxels <= VoxelTree::kLeafVoxels;
         }));
       }
       opened += cost.nodes.size();
