@@ -27,7 +27,7 @@ SINCE ?=
 ROOMS ?= .*
 OURS = $(shell git ls-files '*.h' '*.cpp' 2>/dev/null || find src io view app c tests bench figures examples -name '*.h' -o -name '*.cpp')
 
-.PHONY: all demo test figures site bench datasets tables quality mutants sanitize fuzz tidy format format-check install
+.PHONY: all demo test figures site bench datasets tables quality sanitize fuzz tidy format format-check install
 .PHONY: wheel deb doctest clean
 
 all:
@@ -91,6 +91,7 @@ quality:
 
 # Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
 # the sources, against the tests of its room. Lists those that survive.
+.PHONY: mutants
 mutants: doctest
 	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON >/dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso
