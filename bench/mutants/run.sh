@@ -88,7 +88,7 @@ if $compile -c "$at/room.cpp" -o "$at/room.o" 2>"$at/log" &&
   ${CXX:-c++} "$at/room.o" "$tests" "$work/main.o" "$build/libdeliso.a" -pthread -o "$at/tests" 2>"$at/log"; then
   # A mutant may run for ever, and fill a list meanwhile: 4 GiB are the most.
   found=0
-  (ulimit -v 4194304 && exec timeout "$(cat "$work/$room/limit")" "$at/tests" --abort-after=1) \
+  (ulimit -v 4194304 && timeout "$(cat "$work/$room/limit")" "$at/tests" --abort-after=1 || exit $?) \
     >"$at/log" 2>&1 || found=$?
   # Messages of test cases that passed have such lines, too.
   why=$(sed -n 's/^TEST CASE: *//p' "$at/log" | tail -n 1)
