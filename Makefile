@@ -3,6 +3,7 @@
 # io/volume), CASE (a pattern of its test cases); for `make fuzz`: FUZZ_SECONDS (of each target), FUZZ (the
 # targets, e.g. "nrrd ply"); for `make tidy`: SINCE (a commit: only files that changed since);
 # for `make sanitize`: PROGRAMS (only these, e.g. "tests_refine stress_parts");
+# for `make mutants`: ROOM (a folder of tests/, or some);
 # for `make demo`: VOLUME=path ISO=value, OUT (folder the meshes go to); for `make datasets`,
 # `make tables`, `make quality` and `make figures`: DATA (folder of volumes); for `make quality`:
 # AGAINST (another deliso program, or runs that were kept, .tsv), SEEDS, QUALITY (further options); for
@@ -105,6 +106,14 @@ quality:
 	@cmake --build $(BUILD) -j $(JOBS) --target deliso_app quality
 	@$(BUILD)/bench/quality --program $(BUILD)/deliso $(if $(AGAINST),--against '$(AGAINST)') \
 	  --data '$(DATA)' --seeds $(SEEDS) --runs $(BUILD)/quality.tsv --markdown $(QUALITY)
+
+# Whether the tests of a primitive find a wrong one: each patch of bench/mutants in turn, in a copy of
+# the sources, against the tests of its room. Lists those that survive.
+.PHONY: mutants
+mutants: doctest
+	@$(CONFIGURE) -B $(BUILD) -DDELISO_BUILD_TESTS=ON >/dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target deliso
+	@CXX='$(CXX)' sh bench/mutants/run.sh $(BUILD) $(JOBS) $(ROOM)
 
 # The tests of code under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions on: by
 # clang where there is one, since it compiles them in half the time.

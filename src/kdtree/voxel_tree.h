@@ -54,6 +54,8 @@ class VoxelTree {
   // true. Returns whether it did. T is the volume's sample type.
   // pre: `range` is line.clip() or a part of it; `samples` are the volume's; active(kappa);
   // threshold == inside_threshold<T>(kappa).
+  // If `visit` also takes a VoxelBox, it is told the box of each node whose children or voxels the
+  // search looks at: the cost of a search.
   template <class T, class Visit>
   bool find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
                   Visit&& visit) const;
@@ -127,6 +129,9 @@ bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* sample
   Pending at{1, 0, box(), range.lo, range.hi};
   while (true) {
     const bool active = nodes[at.node].active(threshold);
+    if constexpr (std::is_invocable_v<Visit&, const VoxelBox&>) {
+      if (active) visit(at.box);
+    }
     if (active && at.level < depth_) {
       // Go to the child that comes first along the line; the other one waits. The crossing of the
       // split plane is compared exactly as in a voxel walk.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "base/random.h"
 #include "delaunay/big_int.h"
@@ -203,6 +204,93 @@ TEST_CASE("insphere has the exact sign on random points") {
 TEST_CASE("insphere has the exact sign on nearly cospherical points") {
   const SignCounts counts = insphere_signs(near_cospherical_points);
   for (int n : counts) CHECK(n > kCases / 8);
+}
+
+namespace {
+
+// The limits of predicates.cpp: insphere takes integers of up to 9 bits for short, orient3d of 16.
+// The families above have fewer bits, or many more. Differences of coordinates have one bit more
+// than the coordinates.
+
+Vec3 of_bits(Random& random, int bits) {
+  return integers(random, (1 << bits) - 1);
+}
+
+// Integers of `bits` bits with one squared length: generic ones, since permutations and reflections
+// of one point often cancel without rounding.
+std::vector<Vec3> cospherical_integers(Random& random, int bits, std::size_t count) {
+  const Vec3 first = of_bits(random, bits);
+  const double length2_of_all = length2(first);
+  std::vector<Vec3> points{first};
+  while (points.size() < count) {
+    const double x = within(random, static_cast<int>(std::sqrt(length2_of_all)));
+    const double rest = length2_of_all - x * x;
+    for (double y = std::floor(std::sqrt(rest)); 2 * y * y >= rest; --y) {
+      const double z = std::round(std::sqrt(rest - y * y));
+      if (x * x + y * y + z * z != length2_of_all) continue;
+      points.push_back({x, y, z});
+      break;
+    }
+  }
+  return points;
+}
+
+Vec3 permuted(Random& random, Vec3 p) {
+  for (int k = 0; k < 3; ++k) {
+    std::swap(p[k], p[static_cast<int>(random.below(3))]);
+    if (random.below(2)) p[k] = -p[k];
+  }
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("insphere is exact on cospherical integers about the size where doubles round") {
+  SignCounts counts{};
+  for (int bits = 6; bits <= 14; ++bits) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      Random random(seed);
+      const std::vector<Vec3> on_sphere = cospherical_integers(random, bits, 12);
+      for (int trial = 0; trial < 250; ++trial) {
+        CAPTURE(bits);
+        CAPTURE(seed);
+        CAPTURE(trial);
+        Points p;
+        for (Vec3& q : p) q = permuted(random, on_sphere[random.below(12)]);
+        if (trial % 2) p[4][trial % 3] += within(random, 1);
+        const int exponent = within(random, 40),
+                  expected = oracle::insphere(p[0], p[1], p[2], p[3], p[4]);
+        for (Vec3& q : p) q = scaled(q, exponent);
+        REQUIRE(insphere(p[0], p[1], p[2], p[3], p[4]) == expected);
+        REQUIRE(predicates::insphere_adaptive(p[0], p[1], p[2], p[3], p[4]) == expected);
+        REQUIRE(pairs_agree(p, expected));
+        ++counts[expected + 1];
+      }
+    }
+  }
+  for (int n : counts) CHECK(n > 2000);
+}
+
+TEST_CASE("orient3d is exact on coplanar integers about the size where doubles round") {
+  SignCounts counts{};
+  for (int bits = 12; bits <= 22; ++bits) {
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+      CAPTURE(bits);
+      CAPTURE(seed);
+      Random random(seed);
+      // Vectors of `bits` bits: two, and their sum, which is in their plane.
+      const Vec3 o = of_bits(random, bits), u = of_bits(random, bits - 1),
+                 v = of_bits(random, bits - 1);
+      std::array<Vec3, 4> p{o, o + u, o + v, o + (u + v)};
+      if (seed % 2) p[3][static_cast<int>(seed % 3)] += within(random, 1);
+      const int exponent = within(random, 90), expected = oracle::orient3d(p[0], p[1], p[2], p[3]);
+      for (Vec3& q : p) q = scaled(q, exponent);
+      REQUIRE(orient3d(p[0], p[1], p[2], p[3]) == expected);
+      REQUIRE(predicates::orient3d_adaptive(p[0], p[1], p[2], p[3]) == expected);
+      ++counts[expected + 1];
+    }
+  }
+  for (int n : counts) CHECK(n > 2000);
 }
 
 TEST_CASE("signs are exact at both ends of the guaranteed range") {

@@ -156,9 +156,12 @@ TEST_CASE("find_conflicts finds the cells of the definition; insert_in_zone keep
 
 TEST_CASE("zones too large for the table of vertex pairs are linked as well") {
   // The center of a sphere is in conflict with every cell of the points on it.
-  for (int trial = 0; trial < 20; ++trial) {
+  std::vector<int> sizes{20, 40, 60, 70, 80, 100, 150, 210};
+  // The table has room for 64 vertices.
+  for (int size = 62; size <= 67; ++size) sizes.insert(sizes.end(), 3, size);
+  for (int trial = 0; trial < static_cast<int>(sizes.size()); ++trial) {
     CAPTURE(trial);
-    auto points = make_point_set(PointSet::kOnSphere, 20 + 10 * trial, 6000 + trial);
+    const auto points = make_point_set(PointSet::kOnSphere, sizes[trial], 6000 + trial);
     Triangulation t;
     std::vector<SiteId> ids;
     REQUIRE(t.build(points, ids));

@@ -40,6 +40,21 @@ std::vector<Hit> brute_force(const TestField& field, const LatticeLine& line, Ra
   return hits;
 }
 
+// The pieces of the line in active voxels, in no order: a computation each, of Table 4's CPI.
+std::vector<VoxelSpan> active_pieces(const TestField& field, const LatticeLine& line, Range range) {
+  std::vector<VoxelSpan> spans;
+  if (!line.valid()) return spans;
+  for_each_index(field.volume.voxels(), [&](int i, int j, int k) {
+    const VoxelSpan span = line.span({i, j, k}, range);
+    if (span.empty()) return;
+    const Corners c = field.volume.corners({i, j, k});
+    const auto inside =
+        std::count_if(c.begin(), c.end(), [&](double v) { return v >= field.kappa; });
+    if (inside > 0 && inside < 8) spans.push_back(span);
+  });
+  return spans;
+}
+
 double range_of(const Corners& c) {
   return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end());
 }
@@ -152,6 +167,77 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
     CHECK(found > kTrials / 5);
     CHECK(counters.searches == kTrials);
     CHECK(counters.searches_with_hit == found);
+  }
+}
+
+TEST_CASE("a search on a segment counts a computation for every active voxel, with hits or not") {
+  for (const TestField& field : test_fields()) {
+    CAPTURE(field.name);
+    const VoxelTree tree(field.volume);
+    const Isosurface surface(field.volume, tree, field.kappa);
+    SearchCounters all, expected;
+    std::vector<Hit> hits;
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      CAPTURE(seed);
+      Random random(seed);
+      const Segment r = hard_segment(random, field.volume);
+      surface.intersect(r, hits, all);
+      const LatticeLine line = tree.lattice_line(r.a, r.direction());
+      const std::size_t active = active_pieces(field, line, {0, 1}).size();
+      expected += {1, !hits.empty(), active, hits.empty() ? 0 : active};
+      REQUIRE(all.computations == expected.computations);
+      REQUIRE(all.computations_with_hit == expected.computations_with_hit);
+    }
+    CHECK(all.searches == expected.searches);
+    CHECK(all.searches_with_hit == expected.searches_with_hit);
+    // There are computations without a root, and searches of several computations.
+    CHECK(all.computations_with_hit < all.computations);
+    CHECK(all.computations_with_hit > all.searches_with_hit);
+  }
+}
+
+TEST_CASE("a search for the nearest hit counts the active voxels that it must look at") {
+  for (const TestField& field : test_fields()) {
+    CAPTURE(field.name);
+    const VoxelTree tree(field.volume);
+    const Isosurface surface(field.volume, tree, field.kappa);
+    std::uint64_t without_hit = 0, several = 0;
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      CAPTURE(seed);
+      Random random(seed);
+      const Segment r = hard_segment(random, field.volume);
+      const double size = length(r.direction()), limit = std::ldexp(random.uniform(), 5);
+      if (!(size > 0)) continue;
+      SearchCounters counters;
+      const Vec3 direction = r.direction() / size;
+      const std::optional<Hit> hit = surface.nearest(r.a, direction, limit, counters);
+
+      // All that begins nearer than the hit. The search looks ahead and back in turns, but for far
+      // hits ahead first: to the first hit there, though one behind may be nearer.
+      const LatticeLine line = tree.lattice_line(r.a, direction);
+      double end = limit, end_ahead = limit;
+      if (hit) end = end_ahead = std::abs(hit->t);
+      if (hit && hit->t < 0) {
+        end_ahead = limit;
+        for (const Hit& h : brute_force(field, line, {-limit, limit}, CubicMethod::isolation))
+          if (h.t >= 0) end_ahead = std::min(end_ahead, h.t);
+      }
+      std::size_t least = 0, most = 0;
+      for (const VoxelSpan& span : active_pieces(field, line, {-limit, limit})) {
+        const bool is_ahead = span.t0 >= 0;
+        const double begin = std::max({0.0, span.t0, -span.t1});
+        least += begin < end;
+        most += begin <= (is_ahead ? end_ahead : end);
+      }
+      REQUIRE(counters.searches == 1);
+      REQUIRE(counters.computations >= least);
+      REQUIRE(counters.computations <= most);
+      REQUIRE(counters.computations_with_hit == (hit ? counters.computations : 0));
+      without_hit += hit ? 0 : counters.computations;
+      several += hit && counters.computations > 1;
+    }
+    CHECK(without_hit > 50);
+    CHECK(several > 50);
   }
 }
 

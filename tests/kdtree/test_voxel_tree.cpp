@@ -90,6 +90,43 @@ std::size_t check_volume(const Volume& volume, double kappa, std::uint64_t seed,
   return total;
 }
 
+// True if the samples at the corners of the box's voxels lie on both sides of kappa.
+bool is_active(const Volume& volume, const VoxelBox& box, double kappa) {
+  bool any_inside = false, all_inside = true;
+  for (int k = box.lo[2]; k <= box.hi[2]; ++k) {
+    for (int j = box.lo[1]; j <= box.hi[1]; ++j) {
+      for (int i = box.lo[0]; i <= box.hi[0]; ++i) {
+        const bool is_inside = volume.sample(i, j, k) >= kappa;
+        any_inside |= is_inside;
+        all_inside &= is_inside;
+      }
+    }
+  }
+  return any_inside && !all_inside;
+}
+
+// The piece of the line in the box.
+Range clip(const LatticeLine& line, const VoxelBox& box) {
+  Range range{0, 1};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double a = line.at_plane(axis, box.lo[axis]), b = line.at_plane(axis, box.hi[axis]);
+    range = {std::max(range.lo, std::min(a, b)), std::min(range.hi, std::max(a, b))};
+  }
+  return range;
+}
+
+// What a search looks at.
+struct SearchCost {
+  std::vector<VoxelBox> nodes;
+  std::vector<VoxelSpan> voxels;
+
+  void operator()(const VoxelBox& box) { nodes.push_back(box); }
+  bool operator()(const VoxelSpan& span) {
+    voxels.push_back(span);
+    return false;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("collect_voxels finds exactly the active voxels on the segment, in order") {
@@ -129,6 +166,52 @@ TEST_CASE("collect_voxels finds exactly the active voxels on the segment, in ord
   }
   MESSAGE("voxels collected: " << total);
   CHECK(total > 20'000);
+}
+
+// Without any pruning the voxels are the same; only the time is not.
+TEST_CASE("a search opens only nodes that the line passes and whose samples straddle kappa") {
+  std::size_t opened = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    // A ball in a corner, of a few per cent of the volume.
+    const Index3 dims{24 + static_cast<int>(random.below(20)), 30, 26};
+    const double radius = random.uniform(3, 9), kappa = 0;
+    const Volume volume = sampled<float>(dims, {1, 1, 1}, [&](int i, int j, int k) {
+      return radius - std::sqrt((i - 10) * (i - 10) + (j - 9) * (j - 9) + (k - 11) * (k - 11));
+    });
+    const VoxelTree tree(volume);
+    for (int n = 0; n < 10; ++n) {
+      CAPTURE(n);
+      const Segment r = hard_segment(random, volume);
+      const LatticeLine line = tree.lattice_line(r.a, r.direction());
+      SearchCost cost;
+      volume.visit([&](const auto* samples) {
+        using T = std::remove_cvref_t<decltype(*samples)>;
+        tree.find_along(line, line.clip({0, 1}), samples, *inside_threshold<T>(kappa), cost);
+      });
+      for (const VoxelBox& box : cost.nodes) {
+        REQUIRE(is_active(volume, box, kappa));
+        const Range piece = clip(line, box);
+        REQUIRE(piece.lo < piece.hi);
+      }
+      // Every voxel found is in a leaf opened (K2).
+      for (const VoxelSpan& span : cost.voxels) {
+        REQUIRE(std::any_of(cost.nodes.begin(), cost.nodes.end(), [&](const VoxelBox& box) {
+          std::int64_t voxels = 1;
+          bool is_inside = true;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int at = span.voxel[static_cast<int>(axis)];
+            is_inside &= box.lo[axis] <= at && at < box.hi[axis];
+            voxels *= box.hi[axis] - box.lo[axis];
+          }
+          return is_inside && voxels <= VoxelTree::kLeafVoxels;
+        }));
+      }
+      opened += cost.nodes.size();
+    }
+  }
+  CHECK(opened > 300);
 }
 
 TEST_CASE("a sample equal to kappa counts as inside") {

@@ -160,6 +160,32 @@ TEST_CASE(
   CHECK(mesh_topology(recovered.mesh.mesh).components.size() == 1);
 }
 
+TEST_CASE("ApproximateGeom leaves no facet that violates a criterion, new ones included") {
+  for (const char* name : {"torus", "linked_tori"}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 24);
+    Begun begun(scene, Options::paper());
+    begun.recovery.multi_intersect();
+    begun.recovery.extract_manifold();
+    const RestrictedDelaunay& restricted = begun.recovery.restricted();
+    const Triangulation& t = restricted.triangulation();
+    const std::size_t before = t.vertex_capacity();
+    std::vector<double> no_poles;
+    begun.recovery.approximate_geom(begun.parameters.recovery, no_poles);
+    CHECK(t.vertex_capacity() > before + 100);
+    CHECK(begun.report[Counter::capped_insertions] == 0);
+    std::size_t bad = 0;
+    for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
+      if (!restricted.is_restricted(r)) continue;
+      const auto [a, b, c] = restricted.triangle(r);
+      const FacetShape shape =
+          measure(t.point(a), t.point(b), t.point(c), restricted.surface_point(r));
+      bad += violation(shape, begun.parameters.recovery) > 1;
+    }
+    CHECK(bad == 0);
+  }
+}
+
 TEST_CASE("without ApproximateGeom Stage 1 hands over fewer points") {
   const Scene scene = builtin_scene("orbital", 64);
   Options options = Options::paper();

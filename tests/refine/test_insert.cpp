@@ -30,6 +30,74 @@ TEST_CASE("a point too near a vertex is refused, and one whose cavity has a vert
   CHECK(stage.mesh.points.size() == before.points.size());
 }
 
+TEST_CASE("no point in the diametral ball of a boundary edge is inserted: the edge is split") {
+  int tried = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CAPTURE(seed);
+    const Scene scene = wave_scene(seed, 9);
+    Stage stage(scene);
+    for (FaceId f = 0; f < stage.mesh.faces.size(); ++f) {
+      for (int i = 0; i < 3; ++i) {
+        if (is_dead(stage.mesh.faces[f]) || stage.mesh.faces[f].n[i] != kNoId) continue;
+        const Vec3 apex = stage.corner(f, i), a = stage.corner(f, (i + 1) % 3),
+                   b = stage.corner(f, (i + 2) % 3);
+        const Vec3 inside = 0.5 * (a + b) + 0.1 * distance(a, b) * ((apex - a) / distance(apex, a));
+        const auto p = stage.r.finder.foot(inside, stage.normal(f), distance(a, b),
+                                           stage.report.searches_refine);
+        if (!p || distance(*p, 0.5 * (a + b)) >= 0.49 * distance(a, b)) continue;
+        ++tried;
+        const OperationCounts before = stage.report[Operation::foot];
+        insert_point(stage.r, Operation::foot, f, *p);
+        // Whether the split was done or refused, it was no insertion.
+        REQUIRE(std::ranges::find(stage.mesh.points, *p) == stage.mesh.points.end());
+        REQUIRE(stage.report[Operation::foot].done == before.done);
+      }
+    }
+  }
+  CHECK(tried > 50);
+}
+
+TEST_CASE("a new vertex has the mean pole height of the vertices around it") {
+  const Scene scene = builtin_scene("sphere", 16);
+  Stage stage(scene);
+  Random random(1);
+  IdArray<VertexId, double>& heights = stage.surface_mesh.pole_heights;
+  for (VertexId v = 0; v < stage.mesh.points.size(); ++v) heights.push_back(random.uniform(1, 9));
+  int inserted = 0;
+  for (int n = 0; n < 40; ++n) {
+    const FaceId f = stage.random_facet(random);
+    const Dual dual = stage.surface_mesh.duals[f];
+    const VertexId v(stage.mesh.points.size());
+    if (!dual.on_surface || insert_point(stage.r, Operation::surface_point, f, dual.center))
+      continue;
+    ++inserted;
+    // Each vertex around v is in two of the new facets.
+    double sum = 0;
+    std::size_t corners = 0;
+    for (const FaceId created : stage.r.created()) {
+      for (const VertexId w : stage.mesh.faces[created].v) {
+        if (w == v) continue;
+        sum += heights[w];
+        ++corners;
+      }
+    }
+    REQUIRE(heights.size() == stage.mesh.points.size());
+    CHECK(heights[v] == doctest::Approx(sum / static_cast<double>(corners)));
+  }
+  CHECK(inserted > 10);
+}
+
+TEST_CASE("Stage 2 leaves no facet of a smooth surface that violates a criterion") {
+  for (const char* name : {"sphere", "torus"}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 16);
+    Stage stage(scene, {}, true);
+    REQUIRE(stage.live_facets() > 100);
+    count_unrefined(stage.surface_mesh, stage.parameters, stage.report);
+    CHECK(stage.report[Counter::unrefined_facets] == 0);
+  }
+}
+
 TEST_CASE("every insertion of a run is counted once, as what was done") {
   const Volume volume = make_builtin_volume("builtin:gyroid");
   Report report;

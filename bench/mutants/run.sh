@@ -1,0 +1,114 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Do the tests of a primitive find a wrong one? Each patch here is a mutant: one wrong line of src/. Its
+# head says what is wrong, whose tests must find it ("Tests: ROOM"), and, where that cannot be, why
+# ("Equivalent:", no test can; "Waits:", not yet). A mutant is made in a copy of src/: its room is
+# compiled as one file and linked before the library, so that nothing else is built again.
+# Prints a line per mutant. Exit status 1: one survived, is no longer equivalent or no longer waits.
+# Usage: run.sh --check                 all patches apply, and their heads are right
+#        run.sh BUILD [JOBS] [ROOM...]  BUILD has the library (make mutants ROOM=...)
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+source=$(cd "$here/../.." && pwd)
+
+# Prints the value of a key in the head of a mutant.
+head_of() { sed -n "/^--- /q; s/^$2: //p" "$here/$1.patch"; }
+all_mutants() { for file in "$here"/*.patch; do basename "$file" .patch; done; }
+mutants_of() { grep -lx "Tests: $1" "$here"/*.patch | sed 's|.*/||; s|\.patch$||'; }
+command -v patch >/dev/null || { echo 'no patch here'; exit 77; }
+
+if [ "$1" = --check ]; then
+  wrong=0
+  for name in $(all_mutants); do
+    ls "$source/tests/$(head_of "$name" Tests)"/test_*.cpp >/dev/null 2>&1 ||
+      { echo "$name: no room of tests \"$(head_of "$name" Tests)\""; wrong=1; }
+    patch -p1 --fuzz=0 --dry-run --quiet -d "$source" <"$here/$name.patch" ||
+      { echo "$name: does not apply; bring it up to date in bench/mutants"; wrong=1; }
+  done
+  echo "$(all_mutants | wc -l | tr -d ' ') mutants"
+  exit "$wrong"
+fi
+
+if [ "$1" != --one ]; then
+  build=$(cd "$1" && pwd)
+  shift
+  jobs=${1:-1}
+  [ $# -gt 0 ] && shift
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  trap 'exit 130' INT TERM
+  doctest=$(sed -n 's/^DOCTEST_INCLUDE_DIR:PATH=//p' "$build/CMakeCache.txt")
+  [ -d "$doctest" ] || doctest=$build/_deps/doctest_upstream-src
+  compile="${CXX:-c++} -std=c++20 -O1 -w -ffp-contract=off -I$source -I$build/generated -I$source/tests -idirafter $doctest"
+  export build work compile
+  $compile "-I$source/src" -c "$source/tests/main.cpp" -o "$work/main.o"
+  status=0
+  rooms=$(for name in $(all_mutants); do head_of "$name" Tests; done | sort -u)
+  for room in ${*:-$rooms}; do
+    mutants=$(mutants_of "$room")
+    [ -n "$mutants" ] || { echo "$room: no mutants"; exit 2; }
+    # The tests themselves, which must pass on the code as it is; three times as long is too long.
+    mkdir -p "$work/$room"
+    for file in "$source/tests/$room"/test_*.cpp; do echo "#include \"$file\""; done >"$work/$room/tests.cpp"
+    $compile "-I$source/src" -c "$work/$room/tests.cpp" -o "$work/$room/tests.o"
+    ${CXX:-c++} "$work/$room/tests.o" "$work/main.o" "$build/libdeliso.a" -pthread -o "$work/$room/tests"
+    started=$(date +%s)
+    "$work/$room/tests" >"$work/$room/log" || { tail -n 20 "$work/$room/log"; echo "$room: its tests fail"; exit 2; }
+    echo $((3 * ($(date +%s) - started) + 10)) >"$work/$room/limit"
+    echo "$mutants" | xargs -P "$jobs" -I{} sh "$0" --one {} "$room" || status=1
+  done
+  echo
+  for word in caught equivalent waits survived 'no longer' 'not compiled'; do
+    printf '%-14s %s\n' "$word" "$(cat "$work"/*/*.outcome | grep -c "^$word" || true)"
+  done
+  grep -hv '^caught\|^equivalent\|^waits' "$work"/*/*.outcome || [ "$status" = 0 ] || exit 2
+  exit "$status"
+fi
+
+# One mutant of a room: exit status 1 unless its outcome is that of its head.
+name=$2 room=$3
+at=$work/$room/$name
+mkdir "$at"
+cp -r "$source/src" "$at/src"
+patch -p1 --fuzz=0 --quiet -d "$at" <"$here/$name.patch"
+files=$(sed -n 's|^+++ b/||p' "$here/$name.patch")
+for folder in $(for file in $files; do dirname "$file"; done | sort -u); do
+  for file in "$at/$folder"/*.cpp; do echo "#include \"$file\""; done
+done >"$at/room.cpp"
+tests=$work/$room/tests.o
+outcome=
+compile="$compile -I$at/src"
+if $compile -c "$at/room.cpp" -o "$at/room.o" 2>"$at/log" &&
+  case $files in
+    *.h)
+      tests=$at/tests.o
+      $compile -c "$work/$room/tests.cpp" -o "$tests" 2>"$at/log"
+      ;;
+  esac &&
+  ${CXX:-c++} "$at/room.o" "$tests" "$work/main.o" "$build/libdeliso.a" -pthread -o "$at/tests" 2>"$at/log"; then
+  # A mutant may run for ever, and fill a list meanwhile: 4 GiB are the most.
+  found=0
+  (ulimit -v 4194304 && timeout "$(cat "$work/$room/limit")" "$at/tests" --abort-after=1 || exit $?) \
+    >"$at/log" 2>&1 || found=$?
+  # Messages of test cases that passed have such lines, too.
+  why=$(sed -n 's/^TEST CASE: *//p' "$at/log" | tail -n 1)
+  case $found in
+    0) outcome=survived ;;
+    124) outcome='caught by the time limit' ;;
+    *) outcome="caught by \"$why\"" ;;
+  esac
+  for key in Equivalent Waits; do
+    [ -z "$(head_of "$name" $key)" ] && continue
+    word=$(echo $key | tr A-Z a-z)
+    case $outcome in
+      survived) outcome=$word ;;
+      *) outcome="no longer $word: $outcome" ;;
+    esac
+  done
+else
+  outcome="not compiled: $(head -n 1 "$at/log")"
+fi
+rm -rf "$at"
+printf '%-10s %-11s %s\n' "$name" "$room" "$outcome"
+echo "$outcome ($name)" >"$work/$room/$name.outcome"
+case $outcome in caught* | equivalent | waits) ;; *) exit 1 ;; esac
