@@ -12,8 +12,8 @@
 //       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
 //       at most one run of the mesh's boundary edges; the operation must ensure that
 //       (docs/proof.md).
-//   G2  No edge is folded more sharply than the limit, or than one was before. No small component
-//       is reversed.
+//   G2  No small component is reversed. No edge is folded more sharply than the proposal's limit,
+//       or than one was before; insertions and boundary splits have no limit.
 //   G3  New facets have surface points. Those below r_min that face Sigma's outside may lack one;
 //       of the others, no more than before.
 //   G4  A removed vertex is within twice the bound on the distance of the new facets. The operation
