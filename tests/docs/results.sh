@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The counts in Tables 2 to 4 of docs/results.md are those of this program, for the volumes at hand: counts
+# The counts in Tables 2 to 4 and in "How early" of docs/results.md are those of this program, for the volumes at hand: counts
 # are the same on any machine. After a change `make tables DATA=folder` makes the page anew.
 # Usage: results.sh SOURCE PROGRAM, with DELISO_DATA=folder of volumes
 set -eu
@@ -34,13 +34,16 @@ while read -r name file isovalue; do
   seen=$((seen + 1))
   "$deliso" "$DELISO_DATA/$file" --iso "$isovalue" --paper --verbose -o "$work/mesh.ply" | tr -d , >"$work/told"
   # stage seconds points us/point searches/p CPI CPI*
-  read -r n_rc cpi_rc cpi_rc_hit n_rf cpi_rf cpi_rf_hit vertices <<END
+  read -r n_rc cpi_rc cpi_rc_hit n_rf cpi_rf cpi_rf_hit vertices components euler <<END
 $(awk '$1 == "initial" { initial = $3 } $1 == "recover" { printf "%d %s %s ", initial + $3, $6, $7 }
-       $1 == "refine" { printf "%s %s %s ", $3, $6, $7 } $1 == "mesh" { print $2 }' "$work/told")
+       $1 == "refine" { printf "%s %s %s ", $3, $6, $7 } $1 == "mesh" { printf "%s ", $2; getline; print $1, $5 }' "$work/told")
 END
   told n_RC "$n_rc" 'Table 3' "$name" 5
   told n_RF "$n_rf" 'Table 3' "$name" 9
   told vertices "$vertices" 'Table 2' "$name" 11
+  told components "$components" 'How early' "$name" 3
+  told 'the Euler number' "$euler" 'How early' "$name" 5
+  told vertices "$vertices" 'How early' "$name" 7
   told CPI_RC "$cpi_rc" 'Table 4' "$name" 3
   told 'CPI*_RC' "$cpi_rc_hit" 'Table 4' "$name" 5
   told CPI_RF "$cpi_rf" 'Table 4' "$name" 7
