@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/text.h"
 #include "deliso/deliso.h"
+#include "mesh/check_mesh.h"
 #include "view/trace/recorder.h"
 
 namespace deliso {
@@ -33,7 +34,7 @@ int run_trace(const CommandLine& line) {
   Trace trace(line.trace_limit, line.trace_times);
   Options options = line.options;
   Report report;
-  TraceRecorder recorder(trace, report, &progress);
+  TraceRecorder recorder(trace, &progress);
   options.observer = &recorder;
   const TriMesh mesh = mesh_isosurface(input.volume(), *input.isovalue, options, report);
   if (mesh.faces.empty()) {
@@ -41,6 +42,7 @@ int run_trace(const CommandLine& line) {
   }
 
   progress.show("writing", 0);
+  const TopologyCounts topology = mesh_topology(mesh).counts();
   PageData data;
   add_trace(trace, data);
   const bool has_samples = input.volume().sample_count() <= kMostSamplesShown;
@@ -48,7 +50,7 @@ int run_trace(const CommandLine& line) {
   const std::string title = "deliso trace " + std::filesystem::path(input.name).filename().string();
   {
     const DeferSignals defer;
-    write_page(line.output, title, trace_header(line, input, report, trace), data);
+    write_page(line.output, title, trace_header(line, input, report, topology, trace), data);
   }
   progress.clear();
   if (trace.truncated()) {

@@ -78,6 +78,14 @@ void add_reasons(JsonWriter& json) {
   json.close();
 }
 
+void add_topology(JsonWriter& json, std::string_view key, const TopologyCounts& topology) {
+  json.open(key);
+  json.add("components", topology.components);
+  json.add("euler", topology.euler);
+  json.add("boundary_loops", topology.boundary_loops);
+  json.close();
+}
+
 struct Scale {
   double first, step;  // value = first + step * stored
 };
@@ -157,7 +165,7 @@ void add_samples(const Volume& volume, const ValueRange& range, PageData& data) 
 }
 
 std::string trace_header(const CommandLine& line, const Input& input, const Report& report,
-                         const Trace& trace) {
+                         const TopologyCounts& mesh, const Trace& trace) {
   const Volume& volume = input.volume();
   const Box3 box = volume.box();
   const Index3 dims = volume.dims();
@@ -168,7 +176,8 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   json.add("kind", "trace");
   json.add("up", {double(up.axis), up.sign});
   json.add("input", input.name);
-  json.add("iso", report.kappa_effective);
+  json.add("isovalue", *input.isovalue);
+  json.add("kappa", report.kappa_effective);
   json.add("way", line.options.recover == RecoverWay::paper ? "paper" : "certified");
   json.add("box", {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z});
   json.add("voxel", volume.voxel());
@@ -179,6 +188,9 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   add_routines(json);
   add_outcomes(json);
   add_reasons(json);
+  // Stage 2 keeps the topology, so that of the mesh is also Stage 1's.
+  add_topology(json, "topology", mesh);
+  if (line.options.components.is_all()) add_topology(json, "exact_topology", report.exact);
   json.add("points_initial", report.points_initial);
   json.add("insertions_recover", report.insertions_recover());
   json.add("insertions_refine", report.insertions_refine);

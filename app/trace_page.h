@@ -6,6 +6,7 @@
 
 #include "app/command_line.h"
 #include "app/input.h"
+#include "base/topology_counts.h"
 #include "surface/report.h"
 #include "view/page/page.h"
 #include "view/trace/trace.h"
@@ -22,8 +23,9 @@ void add_samples(const Volume& volume, const ValueRange& range, PageData& data);
 // if the file names neither.
 Up superior_of(const Frame& frame);
 
-// Returns the header: the meaning of the arrays, the run, and its times unless they are left out.
+// Returns the header: the meaning of the arrays, the run, the topology of its mesh, and its times
+// unless they are left out.
 std::string trace_header(const CommandLine& line, const Input& input, const Report& report,
-                         const Trace& trace);
+                         const TopologyCounts& mesh, const Trace& trace);
 
 }  // namespace deliso

@@ -44,7 +44,7 @@ void watch(const std::string& input, double isovalue) {
   deliso::Trace trace(1'000'000);  // so many events at most
   deliso::Options options;
   deliso::Report report;
-  deliso::TraceRecorder recorder(trace, report);
+  deliso::TraceRecorder recorder(trace);
   options.observer = &recorder;
   const deliso::TriMesh mesh = deliso::mesh_isosurface(volume, isovalue, options, report);
 

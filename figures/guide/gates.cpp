@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Changes that gates refuse, found in Stage 2 of noise and cut by a plane.
+// Insertions of Stage 2 that were refused, in noise, as the program tried them, cut by a plane.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/triangle.h"
-#include "embedding/triangle_pair.h"
 #include "guide/drawing.h"
 #include "guide/figures.h"
 #include "guide/handed.h"
+#include "refine/refine.h"
 #include "refine/refinement.h"
 
 namespace deliso::guide {
@@ -39,120 +42,111 @@ struct Cut {
 };
 using Piece = std::array<Vec2, 2>;
 
+double length_of(const Piece& p) {
+  return std::sqrt(distance2(p[0], p[1]));
+}
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
-bool cross_well(const Piece& p, const Piece& q) {
-  return turn(p[0], p[1], q[0]) * turn(p[0], p[1], q[1]) < -1e-3 &&
-         turn(q[0], q[1], p[0]) * turn(q[0], q[1], p[1]) < -1e-3;
+// How far the ends of either piece are from the other, on both sides of it; 0: they do not cross.
+double crossing_margin(const Piece& p, const Piece& q) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : {std::pair(p, q), std::pair(q, p)}) {
+    const double from = turn(a[0], a[1], b[0]), to = turn(a[0], a[1], b[1]);
+    if (from * to >= 0) return 0;
+    least = std::min(least, std::min(std::fabs(from), std::fabs(to)) / length_of(a));
+  }
+  return least;
 }
 
 struct Found {
   Cut cut{};
   std::vector<Piece> old, kept, fresh;
-  std::optional<Vec2> c;  // of the facet without a surface point; its dual line is upright
+  std::optional<Vec2> c;          // of the facet without a surface point; its dual line is upright
+  std::optional<Vec2> swallowed;  // the vertex that would go
 };
 
-// Of p from the corners around it, in voxels; and planes that are tried.
-constexpr double kApart = 0.4;
-// Of a picture around p: this far to each side.
+// Of a picture around p: this far to each side. Planes that are tried.
 constexpr double kReach = 2;
-constexpr int kDirections = 8;
+constexpr int kDirections = 24;
+// Least distance of p from the corners around it, in voxels.
+constexpr double kMinApart = 0.4;
 
-class Search {
+// Watches Stage 2. Of its insertions that a gate refuses it keeps, per gate, the one that is seen
+// best in a plane.
+class Search : public Observer {
  public:
-  explicit Search(Handed& handed)
-      : h_(handed),
-        mesh_(handed.recovered.mesh.mesh),
-        refinement_(handed.recovered.mesh, handed.surface, handed.recovered.curves,
-                    handed.parameters, handed.report) {}
+  explicit Search(const Handed& handed) : h_(handed), mesh_(handed.recovered.mesh.mesh) {}
 
-  // Of all points of T put in wherever a ball holds them, the one that is refused so and is seen
-  // best in a plane.
-  Found find(Refusal wanted) {
-    Found best;
-    double most = 0;
-    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      const Dual& ball = h_.recovered.mesh.duals[f];
-      if (!ball.on_surface) continue;
-      for (const Vec3& p : h_.recovered.samples) {
-        if (ball.holds(p)) consider(f, p, wanted, best, most);
+  bool follows_insertions() const override { return true; }
+  void operation_tried(const Question& question, Operation operation, const Proposal& change,
+                       std::optional<Refusal> refusal) override {
+    const bool is_insertion = operation == Operation::surface_point ||
+                              operation == Operation::foot || operation == Operation::far_point;
+    if (!is_insertion || !refusal) return;
+    if (refusal == Refusal::swallows_vertex && operation == Operation::surface_point) {
+      swallows.keep(look_at_swallowed(change, question.dual.center));
+    } else if (refusal == Refusal::no_surface_point && is_apart(change)) {
+      misses.keep(look_at_dual(change));
+    } else if (refusal == Refusal::crossing) {
+      for (int n = 0; n < kDirections; ++n) {
+        crosses.keep(look_at_crossing(change, n * std::numbers::pi / kDirections));
       }
     }
-    return best;
   }
+
+  struct Seen {
+    double clarity = 0;  // 0: not seen
+    Found found;
+  };
+  struct Best : Seen {
+    void keep(Seen seen) {
+      if (seen.clarity > clarity) Seen::operator=(std::move(seen));
+    }
+  };
+  Best swallows, misses, crosses;
 
  private:
-  void consider(FaceId f, const Vec3& p, Refusal wanted, Found& best, double& most) {
-    Proposal* proposal = refinement_.propose(refinement_.encroached(f, p),
-                                             wanted == Refusal::turned ? kSharpestFold : kAnyFold);
-    if (!proposal || proposal->was.inner_vertices() > 0) return;
-    Proposal& change = *proposal;
-    const auto is_there = [&p](const Vec3& q) { return distance2(p, q) < 1e-6; };
-    if (std::any_of(mesh_.points.begin(), mesh_.points.end(), is_there)) return;
-    for (const Disk::BoundaryEdge& edge : change.was.boundary) {
-      if (distance2(mesh_.points[edge.from], p) < kApart * kApart) return;
-    }
-    change.cone(p);
-    if (wanted == Refusal::no_surface_point) {
-      if (refuse(change) != wanted) return;
-      Found found = look_at_dual(change, p);
-      const double here = clarity(found, wanted);
-      if (here <= most) return;
-      most = here;
-      best = std::move(found);
-      return;
-    }
-    Found clearest;
-    double score = most;
-    for (int n = 0; n < kDirections; ++n) {
-      Found found = look(change, p, n * std::numbers::pi / kDirections);
-      const double here = clarity(found, wanted);
-      if (here <= score) continue;
-      score = here;
-      clearest = std::move(found);
-    }
-    if (score <= most) return;
-    const auto refusal = refuse(change);
-    const bool is_wanted = wanted == Refusal::crossing
-                               ? refusal == Refusal::no_gain && crosses(change, p)
-                               : refusal == wanted;
-    if (!is_wanted) return;
-    most = score;
-    best = std::move(clearest);
+  bool is_apart(const Proposal& change) const {
+    return std::ranges::none_of(change.was.boundary, [&](const Disk::BoundaryEdge& edge) {
+      return distance(mesh_.points[edge.from], change.place) < kMinApart;
+    });
   }
 
-  // Does nothing: a change that passes the tests before G4 is refused as G4 would.
-  std::optional<Refusal> refuse(Proposal& change) {
-    return refinement_.replace([&] { return !change.has_duals(); });
+  // Normal to Sigma at p, out of it.
+  Vec3 up_at(const Vec3& p) const {
+    const Vec3 gradient = h_.surface.gradient(p);
+    return (-1 / length(gradient)) * gradient;
   }
 
-  bool crosses(const Proposal& change, const Vec3& p) const {
-    std::vector<Vec3> points = mesh_.points;
-    points.push_back(p);
-    for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
-      if (std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end()) continue;
-      for (const Triangle& t : change.in.facets) {
-        if (distance2(points[mesh_.faces[f].v[0]], p) < 100 &&
-            triangles_intersect(points, mesh_.faces[f].v, t))
-          return true;
-      }
+  // In the plane of p and the vertex inside the cavity.
+  Seen look_at_swallowed(const Proposal& change, const Vec3& p) const {
+    const Disk& was = change.was;
+    const std::span<const VertexId> all = was.vertices();
+    const auto inner = std::ranges::find_if(all, [&](VertexId v) {
+      return std::ranges::none_of(was.boundary, [&](const auto& edge) { return edge.from == v; });
+    });
+    if (inner == all.end()) return {};
+    const Vec3 up = up_at(p), to = mesh_.points[*inner] - p, along = to - dot(to, up) * up;
+    const double away = length(along);
+    if (away < kMinApart || away > 0.5 * kReach) return {};
+    Seen seen{0, look(change, {p, along / away, up})};
+    seen.found.swallowed = seen.found.cut.at(mesh_.points[*inner]);
+    // Two pieces come to the vertex, and p is off them.
+    if (seen.found.old.size() < 2 || seen.found.old.size() > 3) return {};
+    for (const Piece& piece : seen.found.old) {
+      if (length_of(piece) < kMinApart) return {};
     }
-    return false;
-  }
-
-  Found look(const Proposal& change, const Vec3& p, double angle) const {
-    const Vec3 gradient = h_.surface.gradient(p), up = (-1 / length(gradient)) * gradient;
-    const Vec3 helper = std::fabs(up.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 across = cross(up, helper), u = across / length(across), w = cross(up, u);
-    return look(change, {p, std::cos(angle) * u + std::sin(angle) * w, up});
+    seen.clarity = std::min(0.3, std::fabs(seen.found.swallowed->y)) * away;
+    return seen;
   }
 
   // In the plane of p and the dual line of the facet that was refused, if the line misses Sigma as
-  // far as a surface point may lie; else nothing.
-  Found look_at_dual(const Proposal& change, const Vec3& p) const {
+  // far as a surface point may lie.
+  Seen look_at_dual(const Proposal& change) const {
+    const Vec3& p = change.place;
     const Triangle& t = change.in.facets[change.duals.size() - 1];
-    const auto at = [&](VertexId v) { return v < mesh_.points.size() ? mesh_.points[v] : p; };
+    const auto at = [&](VertexId v) { return v == change.vertex ? p : mesh_.points[v]; };
     const Vec3 area = area_normal(at(t[0]), at(t[1]), at(t[2])), up = area / length(area);
     const Vec3 center = circumcenter(at(t[0]), at(t[1]), at(t[2]));
     const double radius = distance(center, p);
@@ -161,9 +155,29 @@ class Search {
     std::vector<Hit> hits;
     h_.surface.intersect({center - radius * up, center + radius * up}, hits, counters);
     if (!hits.empty()) return {};
-    Found found = look(change, {p, (center - p) / radius, up});
-    found.c = Vec2{radius, 0};
-    return found;
+    Seen seen{0, look(change, {p, (center - p) / radius, up})};
+    seen.found.c = Vec2{radius, 0};
+    if (!is_open_cone(seen.found) || shortest(seen.found.old) < kMinApart) return {};
+    double sag = 0;  // how far p is from the cavity
+    for (const Piece& q : seen.found.old) {
+      sag = std::max(sag, std::fabs(turn(q[0], q[1], {0, 0})) / length_of(q));
+    }
+    seen.clarity = shortest(seen.found.fresh) * sag;
+    return seen;
+  }
+
+  Seen look_at_crossing(const Proposal& change, double angle) const {
+    const Vec3& p = change.place;
+    const Vec3 up = up_at(p), helper = std::fabs(up.x) < 0.8 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 across = cross(up, helper), u = across / length(across), w = cross(up, u);
+    Seen seen{0, look(change, {p, std::cos(angle) * u + std::sin(angle) * w, up})};
+    if (seen.found.old.empty() || !are_short(seen.found.fresh)) return {};
+    for (const Piece& fresh : seen.found.fresh) {
+      for (const Piece& kept : seen.found.kept) {
+        seen.clarity = std::max(seen.clarity, crossing_margin(fresh, kept));
+      }
+    }
+    return seen;
   }
 
   Found look(const Proposal& change, const Cut& cut) const {
@@ -178,54 +192,41 @@ class Search {
     }
     for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
       const Triangle& t = mesh_.faces[f].v;
+      if (is_dead(mesh_.faces[f]) || distance(mesh_.points[t[0]], p) > 4 * kReach) continue;
       const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]);
       if (!piece) continue;
-      const bool goes =
-          std::find(change.cavity.begin(), change.cavity.end(), f) != change.cavity.end();
+      const bool goes = std::ranges::find(change.cavity, f) != change.cavity.end();
       (goes ? found.old : found.kept).push_back(*piece);
     }
+    // p lies in the plane: a hair above it is as good.
+    const Vec3 lifted = p + 1e-9 * found.cut.normal();
+    const auto at = [&](VertexId v) { return v == change.vertex ? lifted : mesh_.points[v]; };
     for (const Triangle& t : change.in.facets) {
-      // p lies in the plane: a hair above it is as good.
-      const Vec3 lifted = p + 1e-9 * found.cut.normal();
-      const auto piece = found.cut.of(mesh_.points[t[0]], mesh_.points[t[1]], lifted);
+      const auto piece = found.cut.of(at(t[0]), at(t[1]), at(t[2]));
       if (piece) found.fresh.push_back(*piece);
     }
     return found;
   }
 
-  // How well the fault is seen; 0: not.
-  static double clarity(const Found& found, Refusal wanted) {
-    const auto length2_of = [](const Piece& p) { return distance2(p[0], p[1]); };
-    double longest = 0;
-    for (const Piece& p : found.fresh) longest = std::max(longest, length2_of(p));
-    if (found.fresh.size() != 2 || found.old.empty() || longest > 3) return 0;
-    const double shortest = std::min(length2_of(found.fresh[0]), length2_of(found.fresh[1]));
-    // The angle at p, which both pieces come to.
+  static double shortest(const std::vector<Piece>& pieces) {
+    return length_of(std::ranges::min(pieces, {}, length_of));
+  }
+  static bool are_short(const std::vector<Piece>& pieces) {
+    return std::ranges::all_of(pieces, [](const Piece& p) { return length_of(p) < 1.7; });
+  }
+  // True if two new pieces come to p, neither long, at no sharp angle.
+  static bool is_open_cone(const Found& found) {
+    if (found.fresh.size() != 2 || found.old.empty()) return false;
+    if (!are_short(found.fresh)) return false;
     const auto away_from_p = [](const Piece& p) {
       return dot(p[0], p[0]) < dot(p[1], p[1]) ? p[1] : p[0];
     };
     const Vec2 d = away_from_p(found.fresh[0]), e = away_from_p(found.fresh[1]);
-    const double cosine = dot(d, e) / std::sqrt(dot(d, d) * dot(e, e));
-    if (wanted == Refusal::turned) return cosine > 0.85 && cosine < 0.97 ? shortest : 0;
-    if (cosine > 0.8) return 0;
-    if (wanted == Refusal::crossing) {
-      for (const Piece& p : found.fresh) {
-        for (const Piece& q : found.kept) {
-          if (cross_well(p, q)) return shortest;
-        }
-      }
-      return 0;
-    }
-    double sag = 0;  // how far p is from what goes
-    for (const Piece& p : found.old) {
-      sag = std::max(sag, std::fabs(turn(p[0], p[1], {0, 0})) / std::sqrt(length2_of(p)));
-    }
-    return shortest * sag;
+    return dot(d, e) <= 0.8 * std::sqrt(dot(d, d) * dot(e, e));
   }
 
-  Handed& h_;
+  const Handed& h_;
   const TriMesh& mesh_;
-  Refinement refinement_;
 };
 
 void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
@@ -262,7 +263,11 @@ void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
     out.line(panel.at(c - end), panel.at(c + end), {.stroke = ink::kRed, .dashed = true});
     out.dot(panel.at(c), ink::kText, 4);
     out.text(panel.at(c) + Vec2{8, -6}, "c", Anchor::start, 14, ink::kText, true);
-    out.text(panel.at(c - end) + Vec2{-7, -12}, "dual line", Anchor::end, 13, ink::kRed);
+    out.text(panel.at(c - end) + Vec2{0, 15}, "dual line", Anchor::middle, 13, ink::kRed);
+  }
+  if (found.swallowed) {
+    out.dot(panel.at(*found.swallowed), ink::kText, 5);
+    out.text(panel.at(*found.swallowed) + Vec2{0, -9}, "v", Anchor::middle, 15, ink::kText, true);
   }
   out.dot(panel.at({0, 0}), ink::kRed, 5);
   // On the side of p that the new disk leaves free.
@@ -271,6 +276,7 @@ void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
     const Vec2 d = p[0] + p[1];
     away = away - (1 / std::sqrt(dot(d, d))) * d;
   }
+  if (found.fresh.empty()) away = {0, 1};
   away = (17 / std::sqrt(dot(away, away))) * away;
   out.text(panel.at({0, 0}) + Vec2{away.x, 5 - away.y}, "p", Anchor::middle, 15, ink::kRed, true);
   out.frame(panel, title);
@@ -279,15 +285,18 @@ void draw(Drawing& out, const Handed& h, const Panel& panel, const Found& found,
 }  // namespace
 
 void draw_gates(const std::string& folder) {
-  Handed h("builtin:noise:20", 127.5, {});
+  Handed h("builtin:noise:32", 127.5, {});
   Search search(h);
+  h.parameters.observer = &search;
+  refine(h.recovered.mesh, h.surface, h.recovered.curves, h.recovered.samples, h.parameters,
+         h.report);
   Drawing out(760, 290);
   const auto panel = [](double x) {
     return Panel{{-kReach, -kReach}, 115 / kReach, {x, 40}, {230, 230}};
   };
-  draw(out, h, panel(16), search.find(Refusal::turned), "G2: an edge turns too sharply");
-  draw(out, h, panel(265), search.find(Refusal::no_surface_point), "G3: no surface point");
-  draw(out, h, panel(514), search.find(Refusal::crossing), "G5: another sheet is crossed");
+  draw(out, h, panel(16), search.swallows.found, "a vertex would go");
+  draw(out, h, panel(265), search.misses.found, "G3: no surface point");
+  draw(out, h, panel(514), search.crosses.found, "G5: another sheet is crossed");
   out.write(folder, "gates");
 }
 

@@ -18,12 +18,13 @@ namespace deliso {
 SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
                           const BoundaryCurves& curves, std::span<const Vec3> samples,
                           const Options& options, const Parameters& parameters, Report& report) {
+  Observer* const observer = follower(parameters.observer);
+  if (observer) observer->run_begins(parameters, report);
   FirstSample first = init_triangulation(contour, curves, surface.volume(), parameters, report);
   SurfaceMesh mesh = options.recover == RecoverWay::certified
                          ? recover(surface, contour, std::move(first), parameters, report)
                          : recover_paper(surface, curves, std::move(first), parameters,
                                          options.single_stage, report);
-  Observer* const observer = follower(parameters.observer);
   if (observer) observer->mesh_handed_over(mesh);
   if (!options.stop_after_recover && !options.single_stage) {
     refine(mesh, surface, curves, samples, parameters, report);

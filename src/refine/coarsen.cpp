@@ -191,6 +191,7 @@ class Coarsening {
     Pick& p = picks_[v];
     if (p.locked == pass_) return;
     facets_around(r_.mesh, facet_[v], v, star_);
+    const Question question(r_, v, Reason::unneeded);
     while (p.error.second != kNoId && p.cost <= merges_.back().first) {
       const VertexId to = p.error.second;
       if (picks_[to].locked == pass_) {

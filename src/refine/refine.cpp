@@ -91,13 +91,6 @@ class RefineGeom {
   // Moves facets apart (refine/separate.h).
   void keep_apart();
   void require_room() const;  // throws InputError at max_vertices
-  // Reports f to the observer, with the violation of the criterion, else f's circumradius.
-  void ask(FaceId f, Reason reason) const {
-    if (!r_.observer) return;
-    const FacetShape s = r_.shape(f);
-    const double over = violation(s, r_.parameters.refinement);
-    r_.observer->facet_asked(r_.s, f, reason, reason < Reason::count_ ? s.r : over);
-  }
   bool is_live(FaceId f) const { return !is_dead(mesh_.faces[f]) && !r_.is_frozen(f); }
 
   Refinement& r_;
@@ -157,7 +150,7 @@ void RefineGeom::refine_worst_first(Moves moves) {
       const auto reason = is_dead(mesh_.faces[f]) ? std::nullopt : fault(f);
       if (!reason) continue;  // removed, or good since an operation near it
       require_room();
-      ask(f, *reason);
+      const Question question(r_, f, *reason);
       if (improve(f) || (moves == Moves::yes && !is_left(f) && move(f))) {
         any = true;
       } else if (!is_left(f)) {
@@ -285,7 +278,7 @@ void RefineGeom::flip_to_delaunay() {
     const FaceId f = changed_.back();
     changed_.pop_back();
     if (is_dead(mesh_.faces[f]) || has_delaunay_edges_[f]) continue;
-    ask(f, Reason::not_delaunay);
+    const Question question(r_, f, Reason::not_delaunay);
     bool is_delaunay = true;
     for (int i = 0; i < 3; ++i) {
       const FaceId g = mesh_.faces[f].n[i];
@@ -307,7 +300,7 @@ bool RefineGeom::insert_far_samples() {
   for (const FarSample& at : far) {
     if (!is_live(at.facet)) continue;  // an earlier insertion may have removed it
     require_room();
-    ask(at.facet, Reason::far_point);
+    const Question question(r_, at.facet, Reason::far_point);
     any |= accept(insert_point(r_, Operation::far_point, at.facet, samples_[at.sample]));
   }
   return any;

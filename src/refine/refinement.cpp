@@ -229,9 +229,27 @@ void Refinement::commit(Proposal& c) {
 }
 
 std::optional<Refusal> Refinement::done(Operation operation, std::optional<Refusal> refusal) {
-  if (observer) observer->operation_tried(operation, is_open_ ? proposal : Proposal(), refusal);
+  if (observer) {
+    DELISO_CHECK(question);
+    observer->operation_tried(*question, operation, is_open_ ? proposal : Proposal(), refusal);
+  }
   is_open_ = false;
   return report[operation].count(refusal);
+}
+
+void Question::ask(FaceId f, Reason why) {
+  const FacetShape shape = r_.shape(f);
+  reason = why;
+  value = why < Reason::count_ ? shape.r : violation(shape, r_.parameters.refinement);
+  corners = r_.mesh.faces[f].v;
+  dual = r_.s.duals[f];
+  r_.question = this;
+}
+
+void Question::ask(VertexId v, Reason why) {
+  reason = why;
+  corners[0] = v;
+  r_.question = this;
 }
 
 bool Refinement::is_delaunay(const Triangle& v, const Dual& dual, VertexId ignored) const {

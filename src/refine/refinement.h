@@ -12,8 +12,8 @@
 //       the mesh stays a manifold. Its topology stays if the boundaries of the two disks differ in
 //       at most one run of the mesh's boundary edges; the operation must ensure that
 //       (docs/proof.md).
-//   G2  No edge is folded more sharply than the limit, or than one was before. No small component
-//       is reversed.
+//   G2  No small component is reversed. No edge is folded more sharply than the proposal's limit,
+//       or than one was before; insertions and boundary splits have no limit.
 //   G3  New facets have surface points. Those below r_min that face Sigma's outside may lack one;
 //       of the others, no more than before.
 //   G4  A removed vertex is within twice the bound on the distance of the new facets. The operation
@@ -122,7 +122,8 @@ class Refinement {
   const BoundaryCurves& curves;
   Parameters parameters;  // the bound on the distance gives way to target_vertices
   Report& report;
-  Observer* const observer;  // null unless it follows insertions
+  Observer* const observer;            // null unless it follows insertions
+  const Question* question = nullptr;  // with an observer: the one that operations answer
   const FreeBox free_box;
   // Vertices from this one on were inserted by this refinement; collapses leave them.
   const std::size_t inserted;
@@ -166,7 +167,7 @@ class Refinement {
   }
 
   // Counts the outcome of an operation, reports it to the observer with what was proposed since the
-  // last outcome, and returns it.
+  // last outcome, and returns it. pre: a Question, if there is an observer.
   std::optional<Refusal> done(Operation operation, std::optional<Refusal> refusal);
   std::span<const FaceId> created() const { return proposal.created; }
 
@@ -248,6 +249,33 @@ class Refinement {
   DiskCrossing crossing_;
   std::vector<FaceId> around_;  // of star() and encroached()
   std::vector<FaceId> star_;
+};
+
+// Why the operations of a scope are tried, for the observer. Refinement::done() demands one, so no
+// outcome is reported with the reason of another. Without an observer it is empty.
+class Question {
+ public:
+  Question(Refinement& r, FaceId f, Reason why) : r_(r) {
+    if (r.observer) ask(f, why);
+  }
+  Question(Refinement& r, VertexId v, Reason why) : r_(r) {
+    if (r.observer) ask(v, why);
+  }
+  Question(const Question&) = delete;
+  Question& operator=(const Question&) = delete;
+  ~Question() { r_.question = nullptr; }
+
+  Reason reason = Reason::beginning;
+  double value = std::numeric_limits<double>::quiet_NaN();  // the facet's violation of the
+                                                            // criterion, or its circumradius
+  Triangle corners{kNoId, kNoId, kNoId};                    // of the facet; or the vertex alone
+  Dual dual;                                                // of the facet
+
+ private:
+  void ask(FaceId f, Reason why);
+  void ask(VertexId v, Reason why);
+
+  Refinement& r_;
 };
 
 }  // namespace deliso

@@ -28,6 +28,7 @@ void Thinning::wait(VertexId v) {
 std::optional<Refusal> Thinning::remove_next() {
   const VertexId v = waiting_.back();
   waiting_.pop_back();
+  const Question question(r_, v, Reason::unneeded);
   const auto refusal = remove(v);
   r_.done(Operation::removal, refusal);
   if (refusal) {

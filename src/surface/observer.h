@@ -19,7 +19,9 @@
 
 namespace deliso {
 
+struct Parameters;
 struct Proposal;
+class Question;
 struct ConflictZone;
 struct SurfaceMesh;
 class Labels;
@@ -46,6 +48,7 @@ enum class Reason : std::uint8_t {
   no_surface_point,
   off_curve,
   far_point,
+  unneeded,  // of a vertex; those above are of facets
   count_
 };
 constexpr Reason reason_of(Criterion c) {
@@ -66,6 +69,10 @@ class Observer {
 
   // True if the events below are wanted. The volume is then one block.
   virtual bool follows_insertions() const { return false; }
+
+  // The stages begin. They fill this report, whose counts follow along, until mesh_finished(). Of a
+  // volume in blocks it is the block's.
+  virtual void run_begins(const Parameters&, const Report&) {}
 
   // Stage 1. The regions of the first sites are known.
   virtual void labels_ready(const Labels&, const Box3& /*domain*/) {}
@@ -96,10 +103,10 @@ class Observer {
 
   // Stage 2: the mesh replaces the triangulation.
   virtual void mesh_handed_over(const SurfaceMesh&) {}
-  // A facet needs an operation. `value`: how far it violates the reason.
-  virtual void facet_asked(const SurfaceMesh&, FaceId, Reason, double /*value*/) {}
-  // The operation was done, or it was refused and the mesh is unchanged.
-  virtual void operation_tried(Operation, const Proposal&, std::optional<Refusal>) {}
+  // The operation was done, or it was refused and the mesh is unchanged. The question says why it
+  // was tried.
+  virtual void operation_tried(const Question&, Operation, const Proposal&,
+                               std::optional<Refusal>) {}
   virtual void mesh_finished() {}
 };
 

@@ -77,6 +77,16 @@ TEST_CASE("the page has every array of the events, of one length, and both ways'
   }
 }
 
+TEST_CASE(
+    "the header has the topology of the mesh and, unless components are chosen, of the surface") {
+  const std::string page = page_of("builtin:torus:16");
+  const std::string counts =
+      "{\n    \"components\": 1,\n    \"euler\": 0,\n    \"boundary_loops\": 0\n  }";
+  CHECK(has(element_of(page, "header"), "\"topology\": " + counts));
+  CHECK(has(element_of(page, "header"), "\"exact_topology\": " + counts));
+  CHECK_FALSE(has(element_of(page_of("builtin:torus:16 --largest 1"), "header"), "exact_topology"));
+}
+
 TEST_CASE("samples are those of the volume") {
   const std::string page = page_of("builtin:torus:16");
   const Volume volume = make_builtin_volume("builtin:torus:16");

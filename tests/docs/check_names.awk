@@ -29,7 +29,7 @@ function from_here(path,   all) {
 }
 function is_file(name) {
   # As consumers include it.
-  if (name ~ /^deliso\// && (substr(name, 8) in file || ("src/" substr(name, 8)) in file)) return 1
+  if (name ~ /^deliso\/.*\.h$/ && (substr(name, 8) in file || ("src/" substr(name, 8)) in file)) return 1
   return (name in file) || (("src/" name) in file) || (("tests/" name) in file) || \
          (from_here(name) in file) || (name in base) || ((FILENAME, name) in made)
 }

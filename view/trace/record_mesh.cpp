@@ -29,7 +29,7 @@ void TraceRecorder::update_worst(const std::vector<FaceId>& gone, const std::vec
     const Dual& dual = mesh_->duals[f];
     const IdArray<VertexId, Vec3>& p = mesh_->mesh.points;
     const FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
-    const bool is_small = shape.r <= report_.r_min;
+    const bool is_small = shape.r <= r_min_;
     distance_[f] = is_small ? 0 : dual.on_surface ? shape.h : shape.r;
     distances_.insert(distance_[f]);
   }
@@ -41,14 +41,23 @@ void TraceRecorder::mesh_handed_over(const SurfaceMesh& s) {
   std::vector<FaceId> all(s.mesh.faces.size());
   std::iota(all.begin(), all.end(), FaceId(0));
   update_worst({}, all);
+  count_searches();  // BuildTriMesh's are Recover's
   trace_.switch_to(s.mesh);
 }
 
-void TraceRecorder::facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) {
-  if (!trace_.follows_mesh() || trace_.is_full()) return;
-  TraceEvent& event = trace_.asks(trace_code(Routine::count_), trace_code(reason), value);
-  for (std::size_t i = 0; i < 3; ++i) event.caller[i] = trace_.of_mesh()[s.mesh.faces[f].v[i]];
-  const Dual& dual = s.duals[f];
+void TraceRecorder::mesh_finished() {
+  trace_.end_mesh();
+  report_ = nullptr;
+}
+
+void TraceRecorder::tell_question(const Question& question, Operation operation) {
+  TraceEvent& event =
+      trace_.asks(trace_code(operation), trace_code(question.reason), question.value);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexId v = question.corners[i];
+    if (v != kNoId) event.caller[i] = trace_.of_mesh()[v];
+  }
+  const Dual& dual = question.dual;
   if (dual.on_surface) event.ball = {dual.center, std::sqrt(dual.radius2)};
 }
 
@@ -101,11 +110,12 @@ std::optional<Segment> TraceRecorder::culprit(const Proposal& c, Refusal refusal
   return sharpest;
 }
 
-void TraceRecorder::operation_tried(Operation operation, const Proposal& proposal,
-                                    std::optional<Refusal> refusal) {
+void TraceRecorder::operation_tried(const Question& question, Operation operation,
+                                    const Proposal& proposal, std::optional<Refusal> refusal) {
   if (!trace_.follows_mesh()) return;
-  TraceEvent& event = trace_.event();
   if (!trace_.is_full()) {
+    tell_question(question, operation);
+    TraceEvent& event = trace_.event();
     const bool has_vertex = proposal.what != Proposal::Vertex::none;
     if (has_vertex) event.place = proposal.place;
     event.edge = refusal ? culprit(proposal, *refusal) : std::nullopt;
@@ -124,10 +134,7 @@ void TraceRecorder::operation_tried(Operation operation, const Proposal& proposa
     }
   }
   if (!refusal) update_worst(proposal.cavity, proposal.created);
-  event.routine = trace_code(operation);
-  trace_.count(report_.searches_recover.searches + report_.searches_refine.searches,
-               report_.searches_recover.computations + report_.searches_refine.computations);
-  trace_.record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));
+  record(refusal ? trace_code(*refusal) : trace_code(TraceOutcome::done));
 }
 
 }  // namespace deliso

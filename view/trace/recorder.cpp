@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "stage1/first_sample.h"
+#include "surface/parameters.h"
 
 namespace deliso {
 
@@ -42,8 +43,19 @@ void TraceRecorder::site_added(SiteId site) {
   record(outcome_);
 }
 
-void TraceRecorder::record(TraceOutcome outcome) {
-  trace_.count(report_.searches_recover.searches, report_.searches_recover.computations);
+void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {
+  report_ = &report;
+  r_min_ = parameters.r_min;
+}
+
+void TraceRecorder::count_searches() {
+  SearchCounters searches = report_->searches_recover;
+  searches += report_->searches_refine;
+  trace_.count(searches.searches, searches.computations);
+}
+
+void TraceRecorder::record(std::uint8_t outcome) {
+  count_searches();
   trace_.record(outcome);
 }
 

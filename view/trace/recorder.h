@@ -18,9 +18,8 @@ namespace deliso {
 
 class TraceRecorder : public Observer {
  public:
-  // Keeps references. `report`: of the run. `also`: is told of the stages too; may be null.
-  TraceRecorder(Trace& trace, const Report& report, Observer* also = nullptr)
-      : trace_(trace), report_(report), also_(also) {}
+  // Keeps references. `also`: is told of the stages too; may be null.
+  explicit TraceRecorder(Trace& trace, Observer* also = nullptr) : trace_(trace), also_(also) {}
 
   void stage_begins(const char* stage) override {
     if (also_) also_->stage_begins(stage);
@@ -29,6 +28,7 @@ class TraceRecorder : public Observer {
     if (also_) also_->steps_done(done, queued);
   }
   bool follows_insertions() const override { return true; }
+  void run_begins(const Parameters& parameters, const Report& report) override;
 
   // Both ways of Stage 1.
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
@@ -51,10 +51,9 @@ class TraceRecorder : public Observer {
   // Stage 2, record_mesh.cpp: every operation with its cavity, the new facets, and the test that
   // refused it. Nothing is recorded before the mesh is handed over or after it is finished.
   void mesh_handed_over(const SurfaceMesh& s) override;
-  void facet_asked(const SurfaceMesh& s, FaceId f, Reason reason, double value) override;
-  void operation_tried(Operation operation, const Proposal& proposal,
+  void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
                        std::optional<Refusal> refusal) override;
-  void mesh_finished() override { trace_.end_mesh(); }
+  void mesh_finished() override;
 
  private:
   // T of more triangles is not shown.
@@ -80,11 +79,15 @@ class TraceRecorder : public Observer {
   void number_mesh(const std::vector<Triangle>& facets, VertexId new_vertex,
                    std::vector<Triangle>& out) const;
   TraceEvent& asks(Routine routine, Reason reason, double value);
+  // Begins the event of an operation of Stage 2.
+  void tell_question(const Question& question, Operation operation);
   // What refused it, as a line: the dual line that misses Sigma, as far as a surface point may be,
   // or the edge that would be too sharp.
   std::optional<Segment> culprit(const Proposal& proposal, Refusal refusal) const;
+  void count_searches();
   // Ends the event.
-  void record(TraceOutcome outcome);
+  void record(std::uint8_t outcome);
+  void record(TraceOutcome outcome) { record(trace_code(outcome)); }
   void show(RecordId r);
   // What a new site changed: labels, or facets of Del S|Sigma.
   void show_labels(SiteId site);
@@ -94,8 +97,9 @@ class TraceRecorder : public Observer {
   void tell_facet(RecordId r, TraceEvent& event) const;
 
   Trace& trace_;
-  const Report& report_;
   Observer* also_;
+  const Report* report_ = nullptr;  // that the stages fill; null before and after
+  double r_min_ = 0;
   Box3 box_;                       // the domain
   std::vector<VertexId> numbers_;  // the trace's, per site, then per vertex of the mesh
 

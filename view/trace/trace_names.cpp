@@ -90,7 +90,8 @@ ReasonName name_of(Reason reason) {
       {"not Delaunay", "a vertex is in the facet's surface ball; value: circumradius"},
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
       {"off its curve", "a boundary edge leaves its curve; value: circumradius"},
-      {"far point", "a point of the surface is too far from this facet; value: circumradius"}};
+      {"far point", "a point of the surface is too far from this facet; value: circumradius"},
+      {"unneeded", "the criteria may hold without this vertex"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Reason::count_));
   return names[static_cast<std::size_t>(reason)];
 }
@@ -109,7 +110,7 @@ std::string_view text_of(Refusal refusal) {
       "the point is too near to a vertex of E",
       "a boundary edge encroached upon that cannot be split",
       "an edge would be too sharp, or a component reversed",
-      "nothing would be better",
+      "the mesh would not be better, or a new facet would break a criterion",
       "a vertex would go that is too far from the new facets",
       "a new facet would cross another",
       "it would change facets of another region, and is tried again later"};

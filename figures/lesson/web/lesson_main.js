@@ -119,16 +119,16 @@ const kControls = {
                          act(() => s.add_site(s.fault.insert)), () => (s.fault?.insert ?? -1) >= 0),
   certify: (s, act) => press('Insert until it holds', 'Insert what the certificate asks for',
                              act(() => s.certify()), () => s.fault !== null),
-  insert: (s, act) => press('Insert x', 'Insert the surface point', act(() => s.insert()), () => s.loops !== null),
+  insert: (s, act) => press('Insert x', 'Insert the surface point', act(() => s.insert())),
   worst: (s, act) => press('Worst edge', 'Select the edge that is furthest from \u03a3', act(() => {
     s.edge = null;
     s.said = '';
-  }), () => s.loops !== null),
+  })),
   next: (s, act) => press('Next edge', 'Select the edge after this one', act(() => {
     const facets = s.facets(), at = facets.indexOf(s.facet(facets));
     s.edge = facets[(at + 1) % facets.length].center;
     s.said = '';
-  }), () => s.loops !== null),
+  })),
 };
 
 window.addEventListener('error', (event) => {

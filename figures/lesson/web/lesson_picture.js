@@ -51,6 +51,7 @@ class Picture {
     return made;
   }
   path(points, is_closed) {
+    if (points.length === 0) return '';
     const places = points.map((p) => this.to_paper(p).map((x) => x.toFixed(1)).join(' '));
     return 'M' + places.join('L') + (is_closed ? 'Z' : '');
   }

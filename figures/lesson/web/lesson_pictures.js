@@ -77,8 +77,14 @@ function tell_fault(state) {
           fault.insert >= 0 ? 'It asks for the vertex v as a site.' : 'All vertices there are sites already.'];
 }
 
-const tell_no_mesh = (state) =>
-  [tell_fault(state)[0], 'Stage 2 begins when it holds: press \u201cInsert until it holds\u201d.'];
+// Sites that the certificate asks for where it fails: the mesh has them, the pictures above do not.
+function draw_added(picture, state) {
+  for (const v of state.added) picture.dot(state.contour.points[v], 'added', 9);
+}
+function tell_added({ added }) {
+  if (added.length === 0) return [];
+  return [`The certificate fails; here it holds, with ${counted(added.length, 'site', 'sites')} more (dashed).`];
+}
 
 // The worst edge of a mesh: its h.
 const largest_h = (state, loops) => Math.max(...facets_of(state.field, state.kappa, loops).map((f) => f.h));
@@ -105,7 +111,7 @@ const kPictures = {
         }
         return;
       }
-      for (const loop of state.finished(state.walks()).loops) {
+      for (const loop of state.finished(state.walks(state.sites)).loops) {
         picture.polyline(loop, 'dual', true);
         for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       }
@@ -123,7 +129,7 @@ const kPictures = {
         return [`${counted(edges.length, 'edge', 'edges')} in ${counted(loops, 'loop', 'loops')}. ${true_loops}`,
                 `${short} are shorter than ${in_voxels(kShort)}: ringed.`];
       }
-      const { loops, refused } = state.finished(state.walks());
+      const { loops, refused } = state.finished(state.walks(state.sites));
       if (!state.fault) return [`Now the sites are enough: ${counted(loops.length, 'loop', 'loops')}. ${true_loops}`];
       return [`The mesh meets itself at ${state.name(state.fault.site)}, so it is no curve. ` +
               `${counted(refused, 'edge', 'edges')} cannot be mended; the worst is ${in_voxels(largest_h(state, loops))} from \u03a3.`];
@@ -194,23 +200,18 @@ const kPictures = {
   },
   insertion: {
     controls: ['insert', 'worst', 'next', 'certify', 'again'],
-    press(state, at) { if (state.loops) state.edge = at; },
+    press(state, at) { state.edge = at; },
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
-      if (!state.loops) {
-        draw_dual(picture, state);
-        draw_fault(picture, state);
-        put_sites(picture, state);
-        return;
-      }
       draw_insertion(picture, state);
+      draw_added(picture, state);
       put_sites(picture, state);
     },
     tell(state) {
-      if (!state.loops) return tell_no_mesh(state);
       const facet = state.facet(state.facets());
-      return [facet.x ? `h = ${in_voxels(facet.h)}; radius of the ball: ${in_voxels(facet.radius)}.`
+      return [...tell_added(state),
+              facet.x ? `h = ${in_voxels(facet.h)}; radius of the ball: ${in_voxels(facet.radius)}.`
                       : 'The dual line does not meet \u03a3 near this edge.',
               state.said || `${counted(state.by_hand, 'point', 'points')} inserted by hand.`];
     },
@@ -220,23 +221,19 @@ const kPictures = {
     draw(picture, state) {
       draw_body(picture, state);
       for (const curve of state.contour.curves) picture.polyline(curve, 'sigma', true);
-      if (!state.loops) {
-        draw_dual(picture, state);
-        draw_fault(picture, state);
-      } else {
-        for (const loop of state.finished().loops) {
-          picture.polyline(loop, 'dual', true);
-          for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
-        }
+      for (const loop of state.finished().loops) {
+        picture.polyline(loop, 'dual', true);
+        for (const p of loop) picture.dot(p, 'vertex', 0.09 * picture.scale + 1);
       }
+      draw_added(picture, state);
       put_sites(picture, state);
     },
     tell(state) {
-      if (!state.loops) return tell_no_mesh(state);
       const { loops, refused } = state.finished();
       // A loop has as many edges as vertices.
-      const edges = loops.reduce((sum, loop) => sum + loop.length, 0), sites = state.sites.length;
-      return [`${sites} sites and ${edges - sites} surface points` +
+      const edges = loops.reduce((sum, loop) => sum + loop.length, 0);
+      const sites = state.sites.length + state.added.length;
+      return [...tell_added(state), `${sites} sites and ${edges - sites} surface points` +
               (state.by_hand > 0 ? ` (${state.by_hand} by hand)` : '') +
               `: ${edges} edges. T has ${state.contour.points.length}.`,
               `Largest h: ${in_voxels(largest_h(state, loops))}; D = ${in_voxels(state.limit)}.` +

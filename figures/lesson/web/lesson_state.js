@@ -24,15 +24,18 @@ class State {
   changed() {
     this.regions = regions_of(this.contour, this.sites);
     this.fault = certificate_of(this.contour, this.sites, this.regions);
-    this.loops = this.fault ? null : this.walks();
+    // Stage 2 begins with a K that is right: where the certificate fails, that of a copy of the sites,
+    // with those that it asks for.
+    this.added = certify(this.contour, this.sites).slice(this.sites.length);
+    this.loops = this.walks([...this.sites, ...this.added]);
     this.edge = null;  // a place on the edge that the picture of insertion is about; none: the worst
     this.by_hand = 0;
     this.said = '';
   }
   // T's loops from site to site. They are K where the certificate holds; else they meet themselves.
-  walks() {
-    return dual_loops(this.contour, this.regions)
-      .map((loop) => loop.map((n) => this.contour.points[this.sites[n]]));
+  walks(sites) {
+    return dual_loops(this.contour, regions_of(this.contour, sites))
+      .map((loop) => loop.map((n) => this.contour.points[sites[n]]));
   }
   // Sites go to the vertices of another T that are nearest.
   recontour() {
@@ -112,7 +115,7 @@ class State {
     this.edge = null;
     this.said = why_not === '' ? 'Inserted. Now another edge is the worst.' : `Refused: ${why_not}.`;
   }
-  // Stage 2 to its end; without a certificate on walks that are no mesh.
+  // Stage 2 to its end; also on walks that are no mesh.
   finished(from = this.loops) {
     const loops = from.map((loop) => [...loop]);
     return { loops, ...refine(this.field, this.kappa, loops, this.limit, 0.1) };

@@ -48,6 +48,12 @@ window.addEventListener('load', () => {
           figure(name).querySelector('img').offsetWidth === 0 && figure(name).querySelector('img').naturalWidth > 0);
   }
   check('Marching Cubes cuts the neck', status('need').includes('2 loops'));
+  for (const name of ['insertion', 'mesh']) {
+    check(`${name} shows a mesh of Stage 2 on arrival`, status(name).includes('here it holds, with 1 site more') &&
+          figure(name).querySelector('.added') && [...figure(name).querySelectorAll('button')].every((b) => !b.disabled));
+  }
+  check('so the finished mesh is there', status('mesh').includes('30 edges') &&
+        figure('mesh').querySelectorAll('.vertex').length === 30);
   press('need', 'A few points, refined');
   check('ten points meet themselves', status('need').includes('meets itself at A'));
 
@@ -128,7 +134,7 @@ for size in 1280,800 390,844; do
   fi
   tr '\n' ' ' <"$work/dom" | grep -o '<pre>[^<]*</pre>' | sed 's/<[^>]*>//g' >"$work/answers"
   sed "s/^/$size /" "$work/answers"
-  [ "$(grep -c '^fine' "$work/answers")" -eq 29 ] || faults=1
+  [ "$(grep -c '^fine' "$work/answers")" -eq 32 ] || faults=1
   if grep 'CONSOLE' "$work/log"; then faults=1; fi
 done
 exit $faults

@@ -376,6 +376,12 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
   assert.equal(state.contour.loops.length, 1);
   assert.equal(state.contour.saddles[0].value.toFixed(1), '52.4');
   assert.deepEqual([state.fault.kind, state.fault.site], ['pieces', 0]);
+  // The pictures of Stage 2 have a right mesh from the beginning, and say whose it is.
+  assert.deepEqual(kPictures.mesh.tell(state).slice(0, 2), [
+    'The certificate fails; here it holds, with 1 site more (dashed).',
+    '11 sites and 19 surface points: 30 edges. T has 38.']);
+  assert.match(kPictures.insertion.tell(state).join(' '), /with 1 site more.* h = 0\.\d\d voxels/);
+  assert.equal(state.sites.length, 10);
   state.set_kappa(53);
   assert.equal(state.contour.loops.length, 2);
   state.start_again();
@@ -396,7 +402,7 @@ test('the lesson itself: what its text and the pictures of the guide say', () =>
     state.start_again();
     state.set_kappa(kappa);
     state.certify();
-    assert.ok(state.loops, `isovalue ${kappa}`);
+    assert.equal(state.fault, null, `isovalue ${kappa}`);
     const most = Math.max(...facets_of(state.field, kappa, state.finished().loops).map((f) => f.h));
     assert.ok(most <= 0.1 || state.finished().refused > 0, `isovalue ${kappa}`);
   }

@@ -351,7 +351,7 @@ test('an event is told with who asked for it, why and what came of it', () => {
   assert.match(text[0], /r\/l of facet \(1, 2, 3\): radius over edge; times the limit: 1\.25\./);
   assert.match(text[0], /Vertex 7 comes in at \(1, 2, 3\)/);
   assert.match(text[1], /vertex 4/);
-  assert.match(text[1], /Refused by the gate .turned.: an edge would be too sharp\. Nothing is changed/);
+  assert.match(text[1], /Refused, .turned.: an edge would be too sharp\. Nothing is changed/);
   assert.equal(told[1].where, 'Stage 2, Figure 9');
 });
 
@@ -571,7 +571,26 @@ test('the tour stops at events of the trace, and says where there is none', () =
                               { name: 'flip', stage: 2 }],
                    outcomes: ['done', 'refused: turned'], reasons: [{ name: 'beginning' }, { name: 'h' }] };
   const stops = tour_stops(new Trace({ header, arrays }));
-  assert.deepEqual(stops.map(({ event }) => event), [0, -1, -1, 1, -1, 3, 2, 3]);
+  assert.deepEqual(stops.map(({ event }) => event), [0, -1, -1, 1, -1, -1, 2, 3]);
   for (const { text, event } of stops) assert.ok(text && (event >= 0 || /\bno\b/i.test(text)));
   assert.ok(tour_stops(new Trace({ header: {}, arrays: {} })).every(({ event }) => event === -1));
+});
+
+test('the tour calls the topology right where the counts of the run are the surface\u2019s', () => {
+  const header = { routines: [{ name: 'build_tri_mesh', stage: 2 }] };
+  const said = (more) => tour_stops(new Trace({ header: { ...header, ...more },
+                                                arrays: { event_routine: Uint8Array.of(0) } }))[3].text;
+  const exact_topology = { components: 16, euler: -40, boundary_loops: 9 };
+  assert.match(said({ topology: { ...exact_topology }, exact_topology }), /is now right, 16 components, Euler number -40 and 9 /);
+  for (const key of Object.keys(exact_topology)) {
+    assert.match(said({ topology: { ...exact_topology, [key]: 7 }, exact_topology }), /is wrong, .*\b7 .*16 components/);
+  }
+  // Of chosen components alone.
+  assert.doesNotMatch(said({ topology: exact_topology }), /right|wrong/);
+});
+
+test('the tour explains no refusal but that of an insertion', () => {
+  const arrays = { event_routine: Uint8Array.of(0, 1, 0), event_outcome: Uint8Array.of(1, 1, 0) };
+  const header = { routines: [{ name: 'removal', stage: 2 }, { name: 'foot', stage: 2 }], outcomes: ['done', 'refused: no_gain'] };
+  assert.equal(tour_stops(new Trace({ header, arrays }))[5].event, 1);
 });

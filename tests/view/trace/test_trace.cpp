@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/box3.h"
@@ -19,6 +20,7 @@
 #include "deliso/fields.h"
 #include "mesh/meshes.h"
 #include "mesh/star.h"
+#include "refine/refinement.h"
 #include "view/trace/trace_names.h"
 
 using namespace deliso;
@@ -37,7 +39,7 @@ Traced traced(const Volume& volume, double isovalue, Options options,
               std::size_t limit = kNoLimit) {
   Traced out;
   out.trace = Trace(limit, false);
-  TraceRecorder recorder(out.trace, out.report);
+  TraceRecorder recorder(out.trace);
   options.observer = &recorder;
   out.mesh = mesh_isosurface(volume, isovalue, options, out.report);
   return out;
@@ -220,9 +222,9 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
       TraceRecorder::mesh_handed_over(s);
       worst.push_back(largest());
     }
-    void operation_tried(Operation operation, const Proposal& proposal,
+    void operation_tried(const Question& question, Operation operation, const Proposal& proposal,
                          std::optional<Refusal> refusal) override {
-      TraceRecorder::operation_tried(operation, proposal, refusal);
+      TraceRecorder::operation_tried(question, operation, proposal, refusal);
       worst.push_back(largest());
     }
     float largest() const {
@@ -246,7 +248,7 @@ TEST_CASE("the worst distance of the mesh after every event, by brute force") {
     const Scene scene = builtin_scene(name, 16);
     Trace trace(kNoLimit, false);
     Report report;
-    AllFacets recorder(trace, report);
+    AllFacets recorder(trace);
     Options options;
     recorder.r_min = options.r_min.in(scene.volume);
     options.observer = &recorder;
@@ -456,6 +458,70 @@ TEST_CASE("refused attempts show what they would have done, and by which gate") 
   CHECK(cones > 100);
   CHECK(culprits[static_cast<std::size_t>(Refusal::no_surface_point)] > 10);
   CHECK(culprits[static_cast<std::size_t>(Refusal::turned)] > 10);
+}
+
+TEST_CASE("an operation is tried for a reason of its own, at a facet or a vertex of that mesh") {
+  std::array<std::size_t, kOperations> tried{};
+  for (const char* name : {"gyroid", "noise", "fuel"}) {
+    CAPTURE(name);
+    const Scene scene = builtin_scene(name, 16);
+    const Traced run = traced(scene.volume, scene.surface.kappa(), Options{});
+    const TraceArrays& a = run.trace.arrays();
+    Complex complex;
+    for (std::size_t e = 0; e < run.trace.size(); replay(run.trace, e, complex), ++e) {
+      if (routine_of(run.trace, e) != Routine::count_) continue;
+      const auto operation = static_cast<Operation>(a.routine[e] - trace_code(Routine::count_));
+      const Reason reason = reason_of(run.trace, e);
+      CAPTURE(e);
+      ++tried[static_cast<std::size_t>(operation)];
+      CHECK((operation == Operation::removal) == (reason == Reason::unneeded));
+      CHECK((operation == Operation::far_point) <= (reason == Reason::far_point));
+      CHECK((operation == Operation::flip) <= (reason == Reason::not_delaunay));
+      CHECK(reason >= Reason::not_delaunay);
+      const Triangle caller =
+          triangle_of(a.caller[3 * e], a.caller[3 * e + 1], a.caller[3 * e + 2]);
+      if (reason == Reason::unneeded) {
+        CHECK(caller[1] == kNoId);
+        CHECK(std::ranges::any_of(
+            complex, [&](const auto& facet) { return has_corner(facet.first, caller[0]); }));
+      } else {
+        CHECK(complex.count(rotated(caller)) == 1);
+      }
+      // Those that remove it remove what they were tried for.
+      if (operation == Operation::removal && is_done(run.trace, e)) {
+        const auto gone = triangles_of(a.removed, e);
+        CHECK(
+            std::ranges::all_of(gone, [&](const Triangle& t) { return has_corner(t, caller[0]); }));
+      }
+    }
+  }
+  for (std::size_t n = 0; n < kOperations; ++n) {
+    CAPTURE(kOperationNames[n]);
+    CHECK(tried[n] > 0);
+  }
+}
+
+TEST_CASE("searches and their voxels are counted event by event, each in its stage") {
+  const Scene scene = builtin_scene("noise", 16);
+  for (const Options& options : {Options{}, paper_way()}) {
+    const Traced run = traced(scene.volume, scene.surface.kappa(), options);
+    const TraceArrays& a = run.trace.arrays();
+    const Report& report = run.report;
+    REQUIRE(report.searches_recover.searches > 0);
+    for (const auto& [so_far, recover, refine] :
+         {std::tuple(&a.searches, report.searches_recover.searches,
+                     report.searches_refine.searches),
+          std::tuple(&a.computations, report.searches_recover.computations,
+                     report.searches_refine.computations)}) {
+      CHECK(std::ranges::is_sorted(*so_far));
+      for (std::size_t e = 0; e < run.trace.size(); ++e) {
+        if (routine_of(run.trace, e) == Routine::build_tri_mesh) CHECK((*so_far)[e] == recover);
+      }
+      // A search after the last event, for a point that is then not inserted, is in none.
+      CHECK(so_far->back() <= recover + refine);
+      CHECK(so_far->back() > recover + refine - refine / 20);
+    }
+  }
 }
 
 TEST_CASE("every number of an event has a name") {

@@ -16,7 +16,7 @@ const kTerms = {
   'cone': 'the facets from a new vertex to the boundary of the cavity',
   'criterion': 'a bound on a measure of a facet',
   'facet': 'a triangle of the surface mesh',
-  'gate': 'a validity test that every operation must pass',
+  'gate': 'a validity test of an operation',
   'operation': 'what Stage 2 tries on a facet: insert, flip, collapse, move, split of a boundary edge, removal',
   'site': 'a point of S: a vertex of Stage 1',
   'switch': 'the step from Stage 1 to Stage 2: a plain mesh, without Del S',

@@ -15,6 +15,17 @@ function heaviest(trace, weight) {
   return best;
 }
 
+// Whether Stage 1 has made the surface's topology, by the counts of the run.
+function topology_at_switch({ topology, exact_topology: exact }) {
+  if (!topology || !exact) return 'The topology is done.';
+  const counts = ({ components, euler, boundary_loops: loops }) =>
+    `${counted(components, 'component', 'components')}, Euler number ${euler} and ` +
+    `${counted(loops, 'boundary loop', 'boundary loops')}`;
+  const is_right = ['components', 'euler', 'boundary_loops'].every((key) => topology[key] === exact[key]);
+  return is_right ? `The topology is now right, ${counts(topology)} as the surface has.`
+                  : `The topology is wrong, and stays so: ${counts(topology)}, where the surface has ${counts(exact)}.`;
+}
+
 // {title, event, text, whole}: event -1, where the trace has none such; `whole`: all is in view.
 function tour_stops(trace) {
   const none = -Infinity;
@@ -30,8 +41,8 @@ function tour_stops(trace) {
   const insertion = heaviest(trace, (e) => kInsertions.includes(trace.routine(e).name) &&
     done(e) && trace.vertex(e) !== kNone && cavity(e) > 0 && cavity(e) <= 12 ? cavity(e) : none);
   // What refuses it can be drawn, and few facets are around it.
-  const refusal = heaviest(trace, (e) => trace.stage(e) === 2 && trace.refused(e)
-    ? (trace.edge(e) ? 1000 : 0) + (kInsertions.includes(trace.routine(e).name) ? 500 : 0) - Math.abs(trace.size('cone', e) - 6) : none);
+  const refusal = heaviest(trace, (e) => kInsertions.includes(trace.routine(e).name) && trace.refused(e)
+    ? (trace.edge(e) ? 1000 : 0) - Math.abs(trace.size('cone', e) - 6) : none);
   const worst = heaviest(trace, (e) => limit && because(e) === limit && trace.stage(e) === 2 ? value(e) : none);
   const last = trace.count - 1;
   const farthest = trace.arrays.event_worst?.[last];
@@ -46,17 +57,19 @@ function tour_stops(trace) {
       `${sentence(trace.reason(e).text.split('; value: ')[0])} A new site is inserted to mend it.`, 'No region broke a condition in this trace.'),
     stop('A protrusion', protrusion, (e) =>
       `The mesh would miss this protrusion of the surface. A site is inserted ${rounded(value(e))} units ` +
-      'from the nearest one.', 'No protrusion was missed in this trace.'),
+      'from the nearest one.', trace.header.way === 'paper' ? 'The paper\u2019s way does not look for protrusions; there is no stop here.'
+                                                            : 'No protrusion was missed in this trace.'),
     stop('From Recover to Refine', trace.switch_at, () =>
-      'The switch: the topology is now right, the shape is not. The tetrahedra are left behind, and Refine works ' +
-      'on the plain mesh of triangles.', 'The trace ends before Refine begins.', true),
+      `The switch. ${topology_at_switch(trace.header)} The tetrahedra are left behind, and Refine gives the plain ` +
+      'mesh of triangles its shape.', 'The trace ends before Refine begins.', true),
     stop('An insertion with its cavity', insertion, (e) =>
       `A point is inserted. The cavity of ${counted(cavity(e), 'facet', 'facets')} goes, and a cone of ` +
       `${counted(trace.size('added', e), 'facet', 'facets')} around the point takes its place.`,
          'No point was inserted in Refine.'),
-    stop('A refused operation', refusal, (e) =>
+    stop('A refused insertion', refusal, (e) =>
       `The operation \u201c${operation(e)}\u201d was refused: ${trace.outcome_text(e)}` +
-      `${trace.edge(e) ? ' (in red)' : ''}. A gate tests every change, and this one did not pass. The mesh stays as it was.`, 'No operation was refused in this trace.'),
+      `${trace.edge(e) ? ' (in red)' : ''}. Every change is tested, and the mesh stays as it was.`,
+         'No insertion was refused in this trace.'),
     stop('The worst facet', worst, (e) =>
       `This facet breaks its criterion most: ${kCriteria[limit].label} is ${rounded(value(e))} times the limit.`,
          'No facet was over a limit in Refine.'),

@@ -58,7 +58,7 @@ class TraceView {
   show_title() {
     const { header } = this.trace;
     document.getElementById('title').textContent = (header.input ?? 'Trace').replace(/^.*\//, '');
-    const parts = [`isovalue ${rounded(header.iso)}`,
+    const parts = [`isovalue ${rounded(header.isovalue)}`,
                    header.way === 'paper' ? 'the paper\u2019s way' : 'the certified way'];
     if (header.truncated) {
       parts.push(`the first ${grouped(this.trace.count)} of ${grouped(header.events_seen)} events`);
@@ -237,7 +237,7 @@ class TraceView {
                      (value) => this.set_surface_style(value))),
       section('Show', true, ...toggles), this.clip.element);
     if (this.samples.there) {
-      this.slice = new SlicePanel(this.samples, this.trace.header.iso, this.slice_lines,
+      this.slice = new SlicePanel(this.samples, this.trace.header.kappa, this.slice_lines,
                                   () => this.scene.invalidate());
       panel.append(this.slice.element);
     } else {

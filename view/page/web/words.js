@@ -38,9 +38,9 @@ function tell_event(trace, e) {
     const at = place ? ` at (${Array.from(place, rounded).join(', ')})` : '';
     lines.push(['done', `Vertex ${vertex} comes in${at}.`]);
   } else if (refused) {
-    const gate = outcome.replace(/^refused:? */, '');
+    const test = outcome.replace(/^refused:? */, '');
     const why = trace.outcome_text(e);
-    lines.push(['refused', sentence(`Refused${gate ? ` by the gate \u201c${gate}\u201d` : ''}` +
+    lines.push(['refused', sentence(`Refused${test ? `, \u201c${test}\u201d` : ''}` +
                                     `${why ? `: ${why}` : ''}`) + ' Nothing is changed.']);
   } else if (outcome !== 'done') {
     lines.push(['', sentence(trace.outcome_text(e) || outcome)]);
