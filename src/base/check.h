@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Three kinds of failure. Bad input throws InputError. A broken invariant trips DELISO_CHECK
-// (always on) or DELISO_ASSERT (debug builds). A normal outcome is a return value.
+// (always on) or DELISO_ASSERT (debug builds), which throws InternalError. A normal outcome is a
+// return value.
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -35,9 +34,16 @@ struct InputError : std::runtime_error {
   explicit InputError(const auto&... message) : std::runtime_error(one_line(text(message...))) {}
 };
 
-[[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
-  std::fprintf(stderr, "deliso: internal error: %s does not hold (%s:%d)\n", condition, file, line);
-  std::abort();
+// Thrown where an invariant is broken: by an error of the library, or by samples that changed while
+// they were meshed. Nobody goes on after it: the program ends, and a call of the C library fails.
+struct InternalError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void check_failed(const char* condition,
+                                                                const char* file, int line) {
+  throw InternalError(
+      text("internal error: ", condition, " does not hold (", file, ":", line, ")"));
 }
 
 }  // namespace deliso
