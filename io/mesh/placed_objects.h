@@ -34,8 +34,8 @@ class PlacedObjects {
 
   // Adds a copy, with reversed facets if the map mirrors.
   void add(const MeshParts& object, const AffineMap& to_world) {
-    made_bytes_ += sizeof to_world;  // an object without vertices is not for nothing
-    count(object.points.size(), object.triangles.size());
+    // An object without vertices takes time all the same.
+    grow(sizeof to_world + memory_of(object.points.size(), object.triangles.size()));
     const std::size_t first = mesh.points.size();
     for (const Vec3& p : object.points) mesh.points.push_back(to_world(p));
     const bool mirrors = to_world.mirrors();
@@ -44,15 +44,22 @@ class PlacedObjects {
       mesh.triangles.push_back({corner(0), corner(mirrors ? 2 : 1), corner(mirrors ? 1 : 2)});
     }
   }
-  // Counts what is about to be made of the file, of an object or a copy.
+  // Counts what is about to be made of the file for an object, and for the copy that it will have.
   void count(std::uint64_t points, std::uint64_t triangles) {
-    made_bytes_ += points * sizeof(Vec3) + triangles * sizeof(Triangle);
-    budget_.require(name_, file_bytes_, made_bytes_);
+    grow(2 * memory_of(points, triangles));
   }
 
   MeshParts mesh;
 
  private:
+  static std::uint64_t memory_of(std::uint64_t points, std::uint64_t triangles) {
+    return points * sizeof(Vec3) + triangles * sizeof(Triangle);
+  }
+  void grow(std::uint64_t bytes) {
+    made_bytes_ += bytes;
+    budget_.require(name_, file_bytes_, made_bytes_);
+  }
+
   std::string name_;
   std::uint64_t file_bytes_, made_bytes_ = 0;
   ExpansionBudget budget_;
