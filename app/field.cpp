@@ -19,8 +19,8 @@ namespace deliso {
 namespace {
 
 // Each value of a gray image is near most of the others, so their weights
-// (io/filter/label_fields.h) take time by the square of their number: 1,000 a quarter of a minute,
-// for 7,000 samples.
+// (io/filter/label_fields.h) take time by the square of their number: 2,429 values of 20 x 19 x 19
+// samples over 40 s.
 constexpr std::size_t kMostGrayValues = 1000;
 
 // Lengths that were given in voxels stay as they are, to the last digit.

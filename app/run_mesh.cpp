@@ -268,9 +268,10 @@ int run_mesh(const CommandLine& line) {
   const Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
-  const Input input = read_input(line);
+  const Source source = read_source(line);
   progress.clear();
-  print_warning(input.warning, line);
+  print_warning(source.warning, line);  // before the field is made, which may take long
+  const Input input = input_of(source, line);
   MeshRun run(line, input);
   const TriMesh mesh = mesh_input(run, progress, warner(progress, line));
   write_files(total, progress, run, mesh);
