@@ -127,7 +127,7 @@ sanitize: doctest
 # Every libFuzzer target (tests/fuzz) for FUZZ_SECONDS (60), or those in FUZZ; the corpus is kept.
 fuzz:
 	@cmake -S . -Wno-dev -B $(FUZZ_BUILD) -DCMAKE_CXX_COMPILER=$(CLANG) -DDELISO_BUILD_FUZZERS=ON \
-	  -DDELISO_BUILD_APP=OFF -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
+	  -DDELISO_BUILD_TESTS=OFF -DDELISO_BUILD_BENCH=OFF >/dev/null
 	@cmake --build $(FUZZ_BUILD) -j $(JOBS)
 	@sh tests/fuzz/run.sh $(FUZZ_BUILD)/tests/fuzz $(FUZZ_BUILD)/corpus $(FUZZ)
 
@@ -154,13 +154,15 @@ wheel: all
 	@cd python && python3 -c 'import deliso_wheel, sys; print(deliso_wheel.build_wheel(sys.argv[1], \
 	  {"library": sys.argv[2]}))' '$(abspath $(BUILD))' '$(abspath $(BUILD))/libdeliso_c.so'
 
-# What `make install` lays down, under /usr, as a package of Debian into BUILD. Python finds its
-# package by a .pth.
+# What `make install` lays down, under /usr, as a package of Debian into BUILD. Debian's Python looks
+# for packages in a folder of its own; ours finds the library beside its files, by a link.
 DEB = $(BUILD)/deb
 deb: all
 	@rm -rf $(DEB) && mkdir -p $(DEB)/DEBIAN $(DEB)/usr/lib/python3/dist-packages
 	@DESTDIR='$(abspath $(DEB))' cmake --install $(BUILD) --prefix /usr --strip >/dev/null
-	@cd $(DEB) && find usr -path '*/python/deliso' -printf '/%h\n' >usr/lib/python3/dist-packages/deliso.pth
+	@cd $(DEB)/usr/lib && mv "$$(find . -path '*/python/deliso')" python3/dist-packages/ \
+	  && find . -type d -name python -empty -delete \
+	  && ln -s "/usr/lib/$$(find . -name 'libdeliso_c.so' -printf '%P')" python3/dist-packages/deliso/
 	@printf '%s\n' 'Package: deliso' "Version: $$($(BUILD)/deliso --version | cut -d' ' -f2)" \
 	  "Architecture: $$(dpkg --print-architecture)" 'Section: science' 'Priority: optional' \
 	  'Maintainer: DelIso' 'Depends: libc6, libstdc++6' 'Recommends: python3-numpy' \

@@ -38,8 +38,9 @@ struct Field {
   bool is_filtered() const { return label || median > 0 || sigma_voxels > 0; }
 };
 
-// Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, and
-// for a Gaussian out of range. `found`: the volume's labels; only of --label.
+// Returns the field. Throws InputError, with the volume's `name`, for labels that it has not, for
+// those of a gray image with too many values, and for a Gaussian out of range. `found`: the
+// volume's labels; only of --label.
 Field make_field(const Volume& volume, const FieldOptions& options,
                  std::span<const LabelSamples> found, std::string_view name, int threads);
 

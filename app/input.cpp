@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "app/output.h"
@@ -83,7 +84,7 @@ Source read_source(const CommandLine& line, std::vector<std::string> others) {
   const Stopwatch watch;
   ReadLog log;
   Volume volume = read_volume(line.input, line.read, &log);
-  others.insert(others.end(), log.files.begin(), log.files.end());
+  std::ranges::copy(log.paths(), std::back_inserter(others));
   if (line.input == "-") others.push_back(line.input);
   require_outputs(std::array{line.output, line.json}, others);
   if (line.field.nan) {

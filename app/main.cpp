@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program: one line on standard error for every failure, and the exit status.
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -69,6 +70,9 @@ int main(int argc, char** argv) {
     return run(arguments);
   } catch (const std::bad_alloc&) {
     std::fputs("deliso: out of memory\n", stderr);
+  } catch (const InternalError& error) {
+    std::fprintf(stderr, "deliso: %s\n", error.what());
+    std::abort();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "deliso: %s\n", one_line(error.what()).c_str());
   }

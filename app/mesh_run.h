@@ -65,9 +65,13 @@ struct MeshRun {
 };
 
 // Meshes the run's input as its command line asks, checks and measures the mesh, and fills in the
-// run. Calls `warn` with each warning, one line. Throws InputError.
+// run. Calls `warn` with each warning, one line. Throws InputError, also if a file of the input has
+// changed since it was read.
 TriMesh mesh_input(MeshRun& run, Progress& progress,
                    const std::function<void(const std::string&)>& warn);
+
+// Throws InputError if the mesh has no surface, but caps at most, unless the line allows that.
+void require_surface(const MeshRun& run, const TriMesh& mesh);
 
 // Checks and measures the mesh, as mesh_input() does.
 void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress,

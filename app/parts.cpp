@@ -36,14 +36,25 @@ Index3 reach_of(const FieldOptions& options, const Volume& shape) {
   return reach;
 }
 
-}  // namespace
-
+// Returns the samples of a volume of this size that the part needs.
 Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing) {
   if (line.field.of_labels() || !line.options.components.is_all()) return {{0, 0, 0}, dims};
   const Volume shape = Volume::without_samples(dims, spacing, SampleType::u8, {});
   const SampleBox blocks = box_of_part(shape, line.options, *line.part);
   const SampleBox box = grown(blocks, reach_of(line.field, shape), shape.voxels());
   return {box.begin, {box.end.i + 1, box.end.j + 1, box.end.k + 1}};
+}
+
+}  // namespace
+
+ReadOptions reading_of_part(const CommandLine& line) {
+  ReadOptions read = line.read;
+  if (!read.roi) {
+    read.region = [&](Index3 dims, const Vec3& spacing) {
+      return region_of_part(line, dims, spacing);
+    };
+  }
+  return read;
 }
 
 FieldSource field_source(const VolumeSource& stored, const CommandLine& line,
@@ -116,6 +127,9 @@ CommandLine line_of(const PartFile& part, const std::string& input) {
   try {
     CommandLine line = parse_command_line(words);
     if (line.field.all_labels) throw InputError("it is of all labels");
+    if (line.options.components.is_all() && part.block.report[Counter::components_skipped] > 0) {
+      throw InputError("it counts components left out, and notes no option that leaves out any");
+    }
     find_segments(line);
     return line;
   } catch (const InputError& error) {
@@ -162,13 +176,13 @@ TriMesh join_parts_of(const FieldSource& field, std::vector<PartFile> parts, Mes
   std::vector<Block> blocks;
   blocks.reserve(parts.size());
   for (PartFile& part : parts) blocks.push_back(std::move(part.block));
-  TriMesh mesh =
-      mesh_of_parts(field.source, field.isovalue, options, std::move(blocks), run.report);
-  if (mesh.faces.empty() && !run.line.allow_empty) {
-    throw InputError("the mesh of the parts is empty (--allow-empty accepts that)");
-  }
-  examine_mesh(run, mesh, progress, warn);
-  return mesh;
+  return of_unchanged(run.input.log.files, [&] {
+    TriMesh mesh =
+        mesh_of_parts(field.source, field.isovalue, options, std::move(blocks), run.report);
+    require_surface(run, mesh);
+    examine_mesh(run, mesh, progress, warn);
+    return mesh;
+  });
 }
 
 }  // namespace deliso

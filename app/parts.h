@@ -21,9 +21,10 @@
 
 namespace deliso {
 
-// Returns the samples that a part of a volume of this size needs: those of its blocks, with some
-// around them for the filters. All of them if it needs to know all labels or components.
-Roi region_of_part(const CommandLine& line, Index3 dims, const Vec3& spacing);
+// Returns how the volume of a part is read: only the samples that the part needs, those of its
+// blocks with some around them for the filters. All of them if it needs to know all labels or
+// components, or if there is a region of interest. pre: `line` lives until the volume is read.
+ReadOptions reading_of_part(const CommandLine& line);
 
 // The field that is meshed, from a volume that is read box by box; and its isovalue.
 struct FieldSource {
@@ -42,7 +43,8 @@ PartFile make_part(const VolumeSource& raw, const CommandLine& line, const std::
                    Observer* observer);
 
 // Returns the command line that the parts were made with, for the volume named `input`. Throws
-// InputError, with the part's name, if its words are no options of a mesh.
+// InputError, with the part's name, if its words are no options of a mesh, or contradict its
+// counts.
 CommandLine line_of(const PartFile& part, const std::string& input);
 // The same, with what a join decides: threads, checks, reports and files.
 CommandLine line_of_join(const CommandLine& join, const PartFile& part);

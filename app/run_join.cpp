@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // deliso join: all parts of a mesh and their volume in, the mesh out, as deliso mesh writes it.
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,7 +30,7 @@ int run_join(const CommandLine& join) {
   ReadLog log;
   const Stopwatch reading;
   const Volume volume = read_volume(line.input, line.read, &log);
-  files.insert(files.end(), log.files.begin(), log.files.end());
+  std::ranges::copy(log.paths(), std::back_inserter(files));
   require_outputs(std::vector{line.output, line.json}, files);
   FieldSource field = field_source(source_of(volume), line, line.input);
   require_field(parts, field, line.options, line.input);

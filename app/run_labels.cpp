@@ -34,7 +34,7 @@ std::string name_with(std::string name, std::int64_t label) {
 
 std::vector<CommandLine> lines_of_labels(const CommandLine& line, const Source& source) {
   std::vector<CommandLine> lines;
-  std::vector<std::string> files = source.log.files;
+  std::vector<std::string> files = source.log.paths();
   require_outputs(std::vector{line.shared}, files);
   if (!line.shared.empty()) files.push_back(line.shared);
   for (const LabelSamples& found : source.labels) {

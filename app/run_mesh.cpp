@@ -27,6 +27,7 @@
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "deliso/expected_vertices.h"
+#include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
 #include "kdtree/voxel_tree.h"
@@ -107,7 +108,7 @@ void examine(const Volume& volume, const TriMesh& mesh, const TriMesh& surface, 
       run.volume = world_volume(enclosed_volume(mesh), volume.frame());
     });
   }
-  if (reported && run.report[Counter::cap_lifts_off_surface] > 0) {
+  if (reported && options.cap && run.report[Counter::cap_lifts_off_surface] > 0) {
     looks.emplace_back([&] { run.max_off_surface = max_off_surface(volume, mesh, run.report); });
   }
   for_each_task(options.threads, looks.size(), [&](std::size_t n) { looks[n](); });
@@ -166,6 +167,22 @@ std::optional<TriMesh> find_faults_as_written(const TriMesh& mesh, MeshRun& run)
   return rounded;
 }
 
+// Returns the mesh of the run's input, without a look at it.
+TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
+  const CommandLine& line = run.line;
+  const Volume& volume = run.input.volume();
+  const double isovalue = *run.input.isovalue;
+  if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
+  require_limits(line.options, volume);
+  const SurfaceEstimate surface = estimate_surface(volume, isovalue);
+  const double vertices = expected_vertices(surface, volume, line.options);
+  warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
+
+  Options options = line.options;
+  options.observer = &progress;
+  return mesh_isosurface(volume, isovalue, options, run.report);
+}
+
 }  // namespace
 
 MeshWriteOptions write_options(const MeshRun& run, const TriMesh& mesh) {
@@ -201,25 +218,21 @@ void examine_mesh(MeshRun& run, const TriMesh& mesh, Progress& progress, const W
   run.seconds_check = watch.seconds();
 }
 
+void require_surface(const MeshRun& run, const TriMesh& mesh) {
+  const bool capped = run.line.options.cap;
+  const std::size_t facets = capped ? run.report.cap.surface_triangles : mesh.faces.size();
+  if (facets > 0 || run.line.allow_empty) return;
+  throw InputError("the mesh at isovalue ", *run.input.isovalue,
+                   " is empty (--allow-empty accepts that)");
+}
+
 TriMesh mesh_input(MeshRun& run, Progress& progress, const Warn& warn) {
-  const CommandLine& line = run.line;
-  const Volume& volume = run.input.volume();
-  const double isovalue = *run.input.isovalue;
-  if (!line.allow_empty) require_isovalue_in_range(isovalue, *run.input.range);
-  require_limits(line.options, volume);
-  const SurfaceEstimate surface = estimate_surface(volume, isovalue);
-  const double vertices = expected_vertices(surface, volume, line.options);
-  warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
-
-  Options options = line.options;
-  options.observer = &progress;
-  TriMesh mesh = mesh_isosurface(volume, isovalue, options, run.report);
-  if (mesh.faces.empty() && !line.allow_empty) {
-    throw InputError("the mesh at isovalue ", isovalue, " is empty (--allow-empty accepts that)");
-  }
-
-  examine_mesh(run, mesh, progress, warn);
-  return mesh;
+  return of_unchanged(run.input.log.files, [&] {
+    TriMesh mesh = make_mesh(run, progress, warn);
+    require_surface(run, mesh);
+    examine_mesh(run, mesh, progress, warn);
+    return mesh;
+  });
 }
 
 std::function<void(const std::string&)> warner(ProgressBar& progress, const CommandLine& line) {
@@ -261,9 +274,10 @@ int run_mesh(const CommandLine& line) {
   const Stopwatch total;
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
-  const Input input = read_input(line);
+  const Source source = read_source(line);
   progress.clear();
-  print_warning(input.warning, line);
+  print_warning(source.warning, line);  // before the field is made, which may take long
+  const Input input = input_of(source, line);
   MeshRun run(line, input);
   const TriMesh mesh = mesh_input(run, progress, warner(progress, line));
   write_files(total, progress, run, mesh);

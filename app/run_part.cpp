@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/output.h"
 #include "app/parts.h"
@@ -13,6 +14,7 @@
 #include "app/text.h"
 #include "base/text.h"
 #include "io/files/atomic_file.h"
+#include "io/files/input_file.h"
 #include "io/volume/read_volume.h"
 
 namespace deliso {
@@ -20,17 +22,13 @@ namespace deliso {
 int run_part(const CommandLine& line) {
   ProgressBar progress(mesh_stages(line), !line.quiet);
   progress.show("reading", 0);
-  ReadOptions read = line.read;
-  if (!read.roi) {
-    read.region = [&](Index3 dims, const Vec3& spacing) {
-      return region_of_part(line, dims, spacing);
-    };
-  }
   ReadLog log;
-  const Volume volume = read_volume(line.input, read, &log);
-  if (line.input == "-") log.files.push_back(line.input);
-  require_outputs(std::array{line.output}, log.files);
-  PartFile part = make_part(source_of(volume), line, line.input, &progress);
+  const Volume volume = read_volume(line.input, reading_of_part(line), &log);
+  std::vector<std::string> files = log.paths();
+  if (line.input == "-") files.push_back(line.input);
+  require_outputs(std::array{line.output}, files);
+  PartFile part = of_unchanged(
+      log.files, [&] { return make_part(source_of(volume), line, line.input, &progress); });
   progress.show("writing", 0);
   const std::size_t vertices = part.block.mesh.mesh.points.size();
   const std::size_t triangles = part.block.mesh.mesh.faces.size();

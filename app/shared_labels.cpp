@@ -20,6 +20,7 @@
 #include "deliso/deliso.h"
 #include "interfaces/interfaces.h"
 #include "io/files/append_format.h"
+#include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
 
@@ -126,6 +127,7 @@ int mesh_shared(const CommandLine& line, const Source& source, std::span<const C
   Index3 margin = label_fields(source.volume, line.field, source.labels, line.input, 1).reach();
   for (int axis = 0; axis < 3; ++axis) margin[axis] += 2;
   const Volume volume = with_background(source.volume, margin);
+  require_unchanged(source.log.files);  // this copy is all that is read from here on
   Bodies bodies = bodies_of(line, volume, progress);
   const Partition partition(std::move(bodies.fields));
   progress.show("interfaces", 0);

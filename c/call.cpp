@@ -27,8 +27,8 @@ constexpr double kUnitLength = 1e-4;  // a direction's deviation from length 1
 
 }  // namespace
 
-deliso_status failed(deliso_status status, const char* message) noexcept {
-  std::snprintf(last_error, kErrorSize, "%s", message);
+deliso_status failed(deliso_status status, const char* message, const char* more) noexcept {
+  std::snprintf(last_error, kErrorSize, "%s%s", message, more);
   return status;
 }
 
@@ -77,6 +77,10 @@ SampleGrid grid_of(int type, const size_t shape[3], int order, const deliso_plac
 CommandLine parse(std::vector<std::string> words, const char* const* options, Reads reads) {
   for (; options && *options; ++options) {
     const std::string option = text("--", *options), name = option.substr(0, option.find('='));
+    if (name == "--") {
+      throw InputError("an option is ", quote(*options),
+                       ", without a name: it is NAME or NAME=VALUE");
+    }
     const LibraryUse use = library_use(name);
     if (use == LibraryUse::none || (use == LibraryUse::of_files && reads != Reads::now)) {
       throw InputError(name, " has no meaning for an array");

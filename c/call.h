@@ -42,8 +42,8 @@ namespace deliso::c {
 
 inline constexpr char kName[] = "array";  // of a volume that is no file
 
-// Keeps the message for deliso_last_error(). Returns the status.
-deliso_status failed(deliso_status status, const char* message) noexcept;
+// Keeps the message, and what is said after it, for deliso_last_error(). Returns the status.
+deliso_status failed(deliso_status status, const char* message, const char* more = "") noexcept;
 
 // Calls f, which returns whether a mesh is without faults, with the watch's flag in force.
 template <class F>
@@ -57,6 +57,8 @@ deliso_status guarded(const deliso_watch* watch, F f) noexcept {
     return failed(DELISO_CANCELED, canceled.what());
   } catch (const std::bad_alloc&) {
     return failed(DELISO_FAILED, "out of memory");
+  } catch (const InternalError& error) {
+    return failed(DELISO_FAILED, error.what(), "; it may be that samples changed during the call");
   } catch (const std::exception& error) {
     return failed(DELISO_FAILED, error.what());
   } catch (...) {

@@ -95,7 +95,8 @@ typedef struct deliso_place {
 
 /* Makes a volume of an array indexed [z][y][x], with shape[0] samples along z, shape[1] along y and
  * shape[2] along x. `type` is a deliso_type, `order` a deliso_order. The samples are borrowed: they
- * must stay as they are until the volume is freed. */
+ * must stay as they are until the volume is freed. If they change during a call, it makes a wrong
+ * mesh, or returns DELISO_FAILED. */
 DELISO_API deliso_status deliso_volume_create(const void* samples, int type, const size_t shape[3],
                                               int order, const deliso_place* place,
                                               deliso_volume** volume);
@@ -205,7 +206,7 @@ typedef struct deliso_source {
   size_t shape[3];           /* along z, y, x */
   const deliso_place* place; /* may be null */
   /* Writes the samples [begin[0], end[0]) x [begin[1], end[1]) x [begin[2], end[2]), along z, y, x,
-   * into `samples`, the last index fastest and nothing between. Returns 0; anything else is
+   * into `samples`, the last index fastest and nothing between, all of the type above. Returns 0; anything else is
    * DELISO_BAD_INPUT. The calls come from any thread, never two at once for one call of a function
    * below. A box may be read more than once, and must then be the same. */
   int (*read)(void* context, const size_t begin[3], const size_t end[3], void* samples);

@@ -50,9 +50,8 @@ VolumeSource volume_of(const deliso_source* given) {
                          begin[2], ":", end[2], "] of the array cannot be read");
       }
     }
-    const Volume volume(dims, shape.spacing(), shape.type(), samples->data(), samples,
-                        shape.frame());
-    return dims == shape.dims() ? volume : volume.as_block(box.begin, shape.dims());
+    return Volume(dims, shape.spacing(), shape.type(), samples->data(), samples, shape.frame())
+        .as_block(box.begin, shape.dims());
   };
   return {shape, read};
 }

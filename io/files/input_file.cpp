@@ -96,6 +96,24 @@ Bytes open_file(const std::string& path, NamedBy named_by) {
   return {path, {mapping->data(), size}, mapping};
 }
 
+FileState state_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {path};
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  return {path, status.st_dev, status.st_ino, status.st_size,
+          kNanoseconds * status.st_mtim.tv_sec + status.st_mtim.tv_nsec};
+}
+
+void require_unchanged(std::span<const FileState> files) {
+  for (const FileState& file : files) {
+    const FileState now = state_of(file.path);
+    const bool is_same = now.device == file.device && now.inode == file.inode;
+    if (is_same && (now.size != file.size || now.time != file.time)) {
+      fail(file.path, "changed while it was read");
+    }
+  }
+}
+
 Bytes read_standard_input() {
   return read_to_end(STDIN_FILENO, "standard input");
 }

@@ -8,9 +8,11 @@
 // 3. If a file is shortened while it is mapped, reading the missing bytes raises SIGBUS. The
 // program
 //    reports it in one line (app/signals.h); another user of the library must handle it.
+// 4. If a mapped file is rewritten, so are the bytes. require_unchanged() finds that.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,6 +51,32 @@ Bytes bytes_of(Buffer buffer, std::string name);
 
 // A user or another file names a file.
 enum class NamedBy { user, file };
+
+// A regular file as it was: which one the path named, its size, and the time of its last change in
+// nanoseconds. Of all else that a path may name it says nothing.
+struct FileState {
+  std::string path;
+  std::uint64_t device = 0, inode = 0;
+  std::int64_t size = 0, time = 0;
+};
+FileState state_of(const std::string& path);
+
+// Throws InputError, with its name, if a file has changed since. It may have been removed, or have
+// given its name to another: a mapping keeps it.
+void require_unchanged(std::span<const FileState> files);
+// Returns work(), which looks at mapped files. Throws as require_unchanged does, also if an
+// internal error is the consequence.
+template <class Work>
+auto of_unchanged(std::span<const FileState> files, const Work& work) {
+  try {
+    auto result = work();
+    require_unchanged(files);
+    return result;
+  } catch (const InternalError&) {
+    require_unchanged(files);
+    throw;
+  }
+}
 
 // Throw InputError if the file cannot be opened or read, or rule 2 forbids it.
 Bytes open_file(const std::string& path, NamedBy named_by = NamedBy::user);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <system_error>
 
 #include "base/text.h"
@@ -95,16 +96,69 @@ class JsonParser {
         return result;
       }
       if (c == '\\') {
-        constexpr std::string_view kLetters = "nrtbfu", kMeanings = "\n\r\t\b\f?";
+        constexpr std::string_view kLetters = "nrtbf", kMeanings = "\n\r\t\b\f";
         if (++at_ == text_.size()) break;
+        if (text_[at_] == 'u') {
+          append_utf8(parse_code_point(), result);
+          continue;
+        }
         const std::size_t letter = kLetters.find(text_[at_]);
         result += letter == std::string_view::npos ? text_[at_] : kMeanings[letter];
-        if (text_[at_] == 'u') at_ += std::min<std::size_t>(4, text_.size() - at_ - 1);
       } else {
         result += c;
       }
     }
     fail("a string does not end");
+  }
+
+  // Returns the number in the four digits behind the byte at_, which moves to the last of them.
+  std::uint32_t parse_hexadecimal() {
+    const std::string_view digits = text_.substr(at_ + 1, 4);
+    std::uint32_t number = 0;
+    const auto [stop, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
+    if (digits.size() < 4 || error != std::errc{} || stop != digits.data() + 4) {
+      fail("\\u has no four digits");
+    }
+    at_ += 4;
+    return number;
+  }
+
+  // Returns the character of \uXXXX, or of two of these that are a pair of surrogates (RFC 8259,
+  // 7). One without the other is no character: U+FFFD.
+  std::uint32_t parse_code_point() {
+    constexpr std::uint32_t kReplacement = 0xfffd;
+    const std::uint32_t first = parse_hexadecimal();
+    if (first < 0xd800 || first > 0xdfff) return first;
+    if (first > 0xdbff || text_.substr(at_ + 1, 2) != "\\u") return kReplacement;
+    const std::size_t before = at_;
+    at_ += 2;
+    const std::uint32_t second = parse_hexadecimal();
+    if (second >= 0xdc00 && second <= 0xdfff) {
+      return 0x10000 + ((first - 0xd800) << 10) + (second - 0xdc00);
+    }
+    at_ = before;
+    return kReplacement;
+  }
+
+  static void append_utf8(std::uint32_t c, std::string& to) {
+    const auto append = [&](std::uint32_t byte) { to += static_cast<char>(byte); };
+    const auto append_rest = [&](unsigned shift) { append(0x80 | (c >> shift & 0x3f)); };
+    if (c < 0x80) {
+      append(c);
+    } else if (c < 0x800) {
+      append(0xc0 | c >> 6);
+      append_rest(0);
+    } else if (c < 0x10000) {
+      append(0xe0 | c >> 12);
+      append_rest(6);
+      append_rest(0);
+    } else {
+      append(0xf0 | c >> 18);
+      append_rest(12);
+      append_rest(6);
+      append_rest(0);
+    }
   }
 
   std::string_view text_, name_;

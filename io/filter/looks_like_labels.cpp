@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <type_traits>
 
 #include "io/filter/segmentation.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostValues = 4096, kFewValues = 16;  // L1, L3
 constexpr double kFlatNeighbors = 0.5, kFlatValues = 0.5;   // L2
-constexpr double kMostSteps = 0.75;                         // L3
+constexpr double kMostSteps = 0.75, kLeastJumps = 0.05;     // L3
 constexpr std::size_t kSamplesSeen = std::size_t{1} << 22;
 
 // The neighbors of one value's samples.
@@ -48,8 +49,11 @@ class Tally {
           const T other = samples[volume.index(next.i, next.j, next.k)];
           ++of_value->all;
           of_value->equal += other == value;
-          differing_ += other != value;
-          by_one_ += std::abs(static_cast<double>(other) - static_cast<double>(value)) == 1;
+          if (other == value) continue;
+          const double difference =
+              std::abs(static_cast<double>(other) - static_cast<double>(value));
+          ++differing_;
+          ++by_[static_cast<std::size_t>(std::min(difference, double{kMostValues}))];
         }
       }
     }
@@ -63,8 +67,12 @@ class Tally {
       return static_cast<double>(equal) >= kFlatNeighbors * static_cast<double>(all);
     });
     if (static_cast<double>(flat) < kFlatValues * static_cast<double>(values_.size())) return false;
-    return values_.size() <= kFewValues ||
-           static_cast<double>(by_one_) <= kMostSteps * static_cast<double>(differing_);
+    if (values_.size() <= kFewValues) return true;
+    const auto differing = static_cast<double>(differing_);
+    const auto far = by_.begin() + static_cast<std::ptrdiff_t>(values_.size() / 4 + 1);
+    const auto jumps = std::accumulate(far, by_.end(), std::uint64_t{0});
+    return static_cast<double>(by_[1]) <= kMostSteps * differing ||
+           static_cast<double>(jumps) >= kLeastJumps * differing;
   }
 
  private:
@@ -77,7 +85,9 @@ class Tally {
   }
 
   std::map<std::int64_t, Neighbors> values_;
-  std::uint64_t differing_ = 0, by_one_ = 0;  // neighbors that differ
+  // Neighbors that differ; and by how much, the last for all larger differences.
+  std::uint64_t differing_ = 0;
+  std::array<std::uint64_t, kMostValues + 1> by_{};
 };
 
 }  // namespace

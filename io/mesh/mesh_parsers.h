@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/files/expansion_budget.h"
 #include "io/files/input_file.h"
 #include "io/files/text_scan.h"
 #include "mesh/tri_mesh.h"
@@ -101,8 +102,9 @@ inline constexpr std::uint64_t kMostFaces = kNoId / 3;
 // Merges points at one position, by rule R6. Returns the new number of each.
 std::vector<VertexId> merge_points(std::vector<Vec3>& points);
 
-// `name`: in quotes, for messages.
-using MeshParser = MeshParts(std::string_view bytes, const std::string& name);
+// `name`: in quotes, for messages. `budget`: of formats that use what they hold more than once.
+using MeshParser = MeshParts(std::string_view bytes, const std::string& name,
+                             const ExpansionBudget& budget);
 MeshParser parse_ply, parse_off, parse_obj, parse_stl, parse_vtp, parse_glb, parse_3mf;
 
 // True if the bytes can be binary STL and are no text.

@@ -26,18 +26,16 @@ struct AffineMap {
   }
 };
 
-// The mesh of all copies.
+// The mesh of all copies. Throws InputError if a small file would fill the memory with them.
 class PlacedObjects {
  public:
-  explicit PlacedObjects(std::string name) : name_(std::move(name)) {}
+  PlacedObjects(std::string name, std::uint64_t file_bytes, const ExpansionBudget& budget)
+      : name_(std::move(name)), file_bytes_(file_bytes), budget_(budget) {}
 
-  // Adds a copy, with reversed facets if the map mirrors. Throws InputError if copies are so many
-  // that a small file would fill the memory.
+  // Adds a copy, with reversed facets if the map mirrors.
   void add(const MeshParts& object, const AffineMap& to_world) {
-    copied_ += object.points.size() + object.triangles.size() + 1;
-    if (copied_ > kMostCopied && copied_ / kMostCopies > original_) {
-      fail(name_, "places its objects more than ", kMostCopies, " times");
-    }
+    // An object without vertices takes time all the same.
+    grow(sizeof to_world + memory_of(object.points.size(), object.triangles.size()));
     const std::size_t first = mesh.points.size();
     for (const Vec3& p : object.points) mesh.points.push_back(to_world(p));
     const bool mirrors = to_world.mirrors();
@@ -46,18 +44,25 @@ class PlacedObjects {
       mesh.triangles.push_back({corner(0), corner(mirrors ? 2 : 1), corner(mirrors ? 1 : 2)});
     }
   }
-  // Counts an object that was read.
-  void count(const MeshParts& object) {
-    original_ += object.points.size() + object.triangles.size();
+  // Counts what is about to be made of the file for an object, and for the copy that it will have.
+  void count(std::uint64_t points, std::uint64_t triangles) {
+    grow(2 * memory_of(points, triangles));
   }
 
   MeshParts mesh;
 
  private:
-  static constexpr std::size_t kMostCopies = 100, kMostCopied = 1'000'000;
+  static std::uint64_t memory_of(std::uint64_t points, std::uint64_t triangles) {
+    return points * sizeof(Vec3) + triangles * sizeof(Triangle);
+  }
+  void grow(std::uint64_t bytes) {
+    made_bytes_ += bytes;
+    budget_.require(name_, file_bytes_, made_bytes_);
+  }
 
   std::string name_;
-  std::size_t original_ = 0, copied_ = 0;  // vertices and triangles
+  std::uint64_t file_bytes_, made_bytes_ = 0;
+  ExpansionBudget budget_;
 };
 
 }  // namespace deliso

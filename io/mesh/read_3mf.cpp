@@ -20,8 +20,10 @@ constexpr std::pair<std::string_view, double> kUnits[] = {{"micron", 0.001},  {"
 
 class ThreeMfParser {
  public:
-  ThreeMfParser(std::string_view bytes, const std::string& name)
-      : name_(name), archive_({name_, std::as_bytes(std::span(bytes)), nullptr}), placed_(name) {}
+  ThreeMfParser(std::string_view bytes, const std::string& name, const ExpansionBudget& budget)
+      : name_(name),
+        archive_({name_, std::as_bytes(std::span(bytes)), nullptr}),
+        placed_(name, bytes.size(), budget) {}
 
   MeshParts run() {
     const Bytes model = archive_.part(model_name());
@@ -73,7 +75,6 @@ class ThreeMfParser {
         if (!object->mesh.points.empty() || !object->components.empty())
           fail("has two objects of one id");
       } else if (tag.name == "/object" && object) {
-        placed_.count(object->mesh);
         object = nullptr;
       } else if (tag.name == "component" && object) {
         object->components.push_back(place_in(tag));
@@ -143,8 +144,9 @@ class ThreeMfParser {
 
 }  // namespace
 
-MeshParts parse_3mf(std::string_view bytes, const std::string& name) {
-  return ThreeMfParser(bytes, name).run();
+MeshParts parse_3mf(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& budget) {
+  return ThreeMfParser(bytes, name, budget).run();
 }
 
 }  // namespace deliso

@@ -28,7 +28,8 @@ constexpr std::string_view kHarmless[] = {"KHR_materials_", "KHR_texture_", "KHR
 
 class GlbParser {
  public:
-  GlbParser(std::string_view bytes, const std::string& name) : name_(name), placed_(name) {
+  GlbParser(std::string_view bytes, const std::string& name, const ExpansionBudget& budget)
+      : name_(name), placed_(name, bytes.size(), budget) {
     const std::span data = std::as_bytes(std::span(bytes));
     const FieldReader words(data, std::endian::little);
     constexpr std::size_t kHead = 12, kChunkHead = 8;
@@ -144,15 +145,15 @@ class GlbParser {
     }
     const std::vector<VertexId> merged = merge_points(made->points);
     for (Triangle& t : made->triangles) t = {merged[t[0]], merged[t[1]], merged[t[2]]};
-    placed_.count(*made);
     return *made;
   }
 
   void add_primitive(const JsonValue& primitive, std::map<std::size_t, std::size_t>& first_vertex,
-                     MeshParts& mesh) const {
+                     MeshParts& mesh) {
     const std::size_t place = count(primitive["attributes"], "POSITION");
     const Numbers positions = accessor(place, true);
     const auto [at, is_new] = first_vertex.try_emplace(place, mesh.points.size());
+    placed_.count(is_new ? positions.count : 0, 0);
     for (std::size_t v = 0; is_new && v < positions.count; ++v) {
       mesh.points.push_back({static_cast<double>(number<float>(positions, v, 0)) + 0.0,
                              static_cast<double>(number<float>(positions, v, 1)) + 0.0,
@@ -162,6 +163,7 @@ class GlbParser {
     std::optional<Numbers> indices;
     if (!primitive["indices"].is_null()) indices = accessor(count(primitive, "indices"), false);
     const std::size_t corners = indices ? indices->count : positions.count;
+    placed_.count(0, corners / 3);
     for (std::size_t c = 0; c + 2 < corners; c += 3) {
       Triangle t;
       for (int i = 0; i < 3; ++i) {
@@ -230,8 +232,9 @@ class GlbParser {
 
 }  // namespace
 
-MeshParts parse_glb(std::string_view bytes, const std::string& name) {
-  return GlbParser(bytes, name).run();
+MeshParts parse_glb(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& budget) {
+  return GlbParser(bytes, name, budget).run();
 }
 
 }  // namespace deliso

@@ -58,10 +58,10 @@ std::vector<VertexId> merge_points(std::vector<Vec3>& points) {
 }
 
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
-                   MeshNotes* notes) {
+                   MeshNotes* notes, const ExpansionBudget& budget) {
   DELISO_CHECK(is_read(format));
   const std::string quoted = text("'", name, "'");
-  MeshParts parts = kParsers[static_cast<std::size_t>(format)](bytes, quoted);
+  MeshParts parts = kParsers[static_cast<std::size_t>(format)](bytes, quoted, budget);
   if (parts.points.size() > kMostVertices || parts.triangles.size() > kMostFaces) {
     fail(quoted, "more vertices or facets than 32-bit ids can name");
   }

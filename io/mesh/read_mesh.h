@@ -9,7 +9,7 @@
 //       reports them.
 //   R4  Any bytes give a mesh or an InputError. In a mesh, corners are below the vertex count and
 //       points are in_range (base/frame.h). The error has one line: the file, the line, byte or
-//       vertex, and the fault. Memory is bounded by the file's size, not by its header.
+//       vertex, and the fault. Memory is bounded by the file's size (io/files/expansion_budget.h).
 //   R5  Comments before the first number or statement are returned: the first 100 that are not
 //       blank, without their mark and outer blanks. They may have any bytes. Binary STL has its 80
 //       bytes, or the text that write_mesh put there; ASCII STL has its name. glTF has the
@@ -25,6 +25,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/files/expansion_budget.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/tri_mesh.h"
 
@@ -45,6 +46,6 @@ TriMesh read_mesh(const std::string& path, MeshNotes* notes = nullptr);
 
 // Returns the mesh in `bytes`. Errors call the file `name`. pre: is_read(format).
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name,
-                   MeshNotes* notes = nullptr);
+                   MeshNotes* notes = nullptr, const ExpansionBudget& budget = {});
 
 }  // namespace deliso

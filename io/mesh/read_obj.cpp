@@ -62,7 +62,8 @@ VertexId corner_in(std::string_view word, std::uint64_t vertices, const Lines& l
 
 }  // namespace
 
-MeshParts parse_obj(std::string_view bytes, const std::string& name) {
+MeshParts parse_obj(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& /*budget*/) {
   Lines lines(bytes, name);
   MeshParts mesh;
   Forward forward;

@@ -26,7 +26,8 @@ std::uint64_t take_count(Lines& lines, const char* what) {
 
 }  // namespace
 
-MeshParts parse_off(std::string_view bytes, const std::string& name) {
+MeshParts parse_off(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& /*budget*/) {
   Lines lines(bytes, name);
   MeshParts mesh;
   if (!next_line_with_words(lines, &mesh.comments)) lines.fail("the file is empty");

@@ -276,7 +276,8 @@ MeshParts read_elements(Source source, const Header& header) {
 
 }  // namespace
 
-MeshParts parse_ply(std::string_view bytes, const std::string& name) {
+MeshParts parse_ply(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& /*budget*/) {
   Lines lines(bytes, name);
   const Header header = parse_header(lines);
   return header.byte_order

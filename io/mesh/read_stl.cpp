@@ -149,7 +149,8 @@ bool looks_like_binary_stl(std::string_view bytes) {
          bytes.substr(0, kStlHeader + 4).find('\0') != std::string_view::npos;
 }
 
-MeshParts parse_stl(std::string_view bytes, const std::string& name) {
+MeshParts parse_stl(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& /*budget*/) {
   std::string_view probe = bytes.substr(0, kStlHeader);
   const bool text_kind = lower(take_word(probe)) == "solid" && !has_binary_size(bytes);
   return text_kind ? parse_ascii(bytes, name) : parse_binary(bytes, name);

@@ -157,7 +157,8 @@ class VtpParser {
 
 }  // namespace
 
-MeshParts parse_vtp(std::string_view bytes, const std::string& name) {
+MeshParts parse_vtp(std::string_view bytes, const std::string& name,
+                    const ExpansionBudget& /*budget*/) {
   return VtpParser(bytes, name).run();
 }
 

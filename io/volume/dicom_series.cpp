@@ -12,6 +12,9 @@
 namespace deliso {
 namespace {
 
+// In a message, which has some 500 bytes.
+constexpr std::uint64_t kSeriesListed = 5;
+
 // Files whose images are of one series, size, orientation and spacing.
 struct Stack {
   std::vector<DicomFile> files{};
@@ -76,13 +79,16 @@ ChosenSeries choose_series(const VolumeInput& input, std::vector<DicomFile> file
   for (Stack& stack : stacks) {
     if (has_volume && !stack.may_be_volume()) continue;
     if (++count == number) chosen = &stack;
+    if (count > kSeriesListed) continue;
     const DicomFile& first = stack.first();
     list += text(count > 1 ? "; " : "", count, " is ", quote(first.description), ", ", stack.images,
                  " images of ", first.columns, " x ", first.rows, " ('", path_within(input, first),
                  "')");
   }
   if (!chosen || (count > 1 && !input.options.series)) {
-    fail(input.name(), "holds ", count, " series, of which --series N takes one: ", list);
+    const std::string more =
+        count > kSeriesListed ? text("; and ", count - kSeriesListed, " more") : "";
+    fail(input.name(), "holds ", count, " series, of which --series N takes one: ", list, more);
   }
   ChosenSeries series;
   std::size_t left_out = 0;

@@ -226,6 +226,9 @@ Volume read_slices(const VolumeInput& input, const std::vector<DicomFile>& files
   grid.type = first.type();
   grid.byte_order = first.is_big_endian ? std::endian::big : std::endian::little;
   grid.dims = {first.columns, first.rows, static_cast<std::int64_t>(slices.size())};
+  std::uint64_t stored = 0;
+  for (const DicomFile& file : files) stored += file.bytes.size();
+  input.options.budget.require(input.name(), stored, data_size(grid));
   grid.set_spacing({(*plane.spacing)[0], (*plane.spacing)[1], 1});
   for (std::size_t axis = 0; axis < 2; ++axis) {
     grid.steps[axis] = grid.steps[axis][static_cast<int>(axis)] * (*plane.directions)[axis];

@@ -88,7 +88,7 @@ Volume read_folder(const VolumeInput& input) {
     return read_tiff_slices(input, std::move(tiff));
   }
   note_place(input);
-  for (const DicomFile& file : dicom) input.log.files.push_back(file.name());
+  for (const DicomFile& file : dicom) input.log.files.push_back(state_of(file.name()));
   return read_dicom_series(input, std::move(dicom));
 }
 

@@ -347,6 +347,7 @@ Volume read_tiff(const VolumeInput& input) {
         input, description,
         volume_from_raw(grid, data.first(std::min<std::uint64_t>(size, data.size()))));
   }
+  input.options.budget.require(input.name(), input.bytes.size(), data_size(grid));
   const SampleGrid::Among among = grid.among.value_or(SampleGrid::Among{0, {0, 0, area}, 0});
   grid.among.reset();
   return calibrated(input, description,
@@ -374,14 +375,16 @@ Volume read_tiff_slices(const VolumeInput& input, std::vector<Bytes> files) {
   }
   SampleGrid grid = grid_of(first, slices[0], static_cast<std::int64_t>(files.size()));
   grid.name = input.name();
-  data_size(grid);
+  std::uint64_t stored = 0;
+  for (const Bytes& file : files) stored += file.size();
+  input.options.budget.require(input.name(), stored, data_size(grid));
   const auto file_name = [&](std::size_t k) {
     return std::filesystem::path(files[k].name).filename().string();
   };
   for (const TiffFile& slice : slices) {
     check_page(slice, slice.pages()[0], "its page", slices[0].pages()[0], file_name(0));
     slice.find_samples();
-    input.log.files.push_back(slice.bytes().name);
+    input.log.files.push_back(state_of(slice.bytes().name));
   }
   set_spacing(grid, first, slices[0], description);
   input.note(files.size(), " slices, from '", file_name(0), "' to '", file_name(files.size() - 1),

@@ -86,7 +86,7 @@ Volume read_volume(const std::string& input, const ReadOptions& options, ReadLog
       refuse_array(input, options);
       return read_folder({{input, {}, nullptr}, directory, options, filled});
     }
-    filled.files.push_back(input);
+    filled.files.push_back(state_of(input));
     return read_recognized({open_file(input), directory, options, filled});
   } catch (const std::bad_alloc&) {
     fail(input, "not enough memory to read it");
@@ -122,7 +122,7 @@ Bytes open_data_file(const VolumeInput& input, std::string_view file_name) {
   if (file_name.empty()) fail(input.name(), "names no data file");
   const bool absolute = file_name[0] == '/';
   const std::string path = (absolute ? "" : input.directory) + std::string(file_name);
-  input.log.files.push_back(path);
+  input.log.files.push_back(state_of(path));
   try {
     return open_file(path, NamedBy::file);
   } catch (const InputError& error) {

@@ -53,6 +53,8 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "io/files/expansion_budget.h"
+#include "io/files/input_file.h"
 #include "volume/volume.h"
 
 namespace deliso {
@@ -84,6 +86,7 @@ struct ReadOptions {
   std::optional<Vec3> spacing{}, origin{};
   // Which of several volumes in a file, counted from 1.
   std::optional<std::int64_t> channel{}, time{};
+  ExpansionBudget budget{};
 };
 
 // A named array of a file.
@@ -104,9 +107,15 @@ struct NamedSegment {
 // Facts about the reading, beside the volume.
 struct ReadLog {
   std::vector<std::string> notes;      // for the user, one line each
-  std::vector<std::string> files;      // all that the volume is made of, header and data
+  std::vector<FileState> files;        // all that the volume is made of, header and data
   std::vector<NamedArray> arrays;      // of formats that name theirs (VTK)
   std::vector<NamedSegment> segments;  // of the channel that was read
+
+  std::vector<std::string> paths() const {
+    std::vector<std::string> paths;
+    for (const FileState& file : files) paths.push_back(file.path);
+    return paths;
+  }
 };
 
 // Returns the volume of `input`: a path of a file or of a folder of slices (DICOM, TIFF), "-"

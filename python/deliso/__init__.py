@@ -15,10 +15,12 @@ deliso.mesh_blocks makes it of arrays beyond the memory, by other processes too.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import inspect
 import json
 import math
+import operator
 import os
 import pathlib
 import sys
@@ -46,6 +48,15 @@ Progress = Union[bool, Callable[[str, float], Any]]
 
 class Error(Exception):
     """Bad input, or a file that cannot be written: one line that says what is wrong."""
+
+
+@contextlib.contextmanager
+def _required(what):
+    """Makes an Error of what Python and NumPy raise of an argument that is not as it must be."""
+    try:
+        yield
+    except (TypeError, ValueError, OverflowError, AttributeError, OSError) as error:
+        raise Error(f"{what}: {' '.join(str(error).split())}") from None
 
 
 _OK, _FAULT, _BAD_INPUT, _CANCELED, _FAILED = range(5)
@@ -171,7 +182,8 @@ def _options(options):
         if value is None or value is False:
             continue
         word = name.rstrip("_").replace("_", "-")
-        words.append((word if value is True else word + "=" + _text_of(value)).encode())
+        with _required(f"option {name!r}"):
+            words.append((word if value is True else word + "=" + _text_of(value)).encode())
     if any(b"\0" in word for word in words):
         raise Error("an option has a zero byte")
     return (ctypes.c_char_p * (len(words) + 1))(*words, None)
@@ -209,7 +221,9 @@ class _Volume:
             if options.get("label") != "all":
                 of_file["label"] = options.get("label")  # a segment tells its channel
             words = _options({**of_file, "spacing": spacing, "origin": origin})
-            _ok(_library.deliso_volume_read(os.fsencode(source), words, ctypes.byref(self.handle)))
+            path, to = _path(source), ctypes.byref(self.handle)
+            # Reading has no watch: after Ctrl-C it goes on, and what it has read is dropped.
+            _watched(lambda _: _ok(_library.deliso_volume_read(path, words, to)), False, joins=False)
             return
         array = _unmasked(source)
         kind = _kind_of(array.dtype)
@@ -234,11 +248,13 @@ class _Volume:
 def _unmasked(array):
     if numpy.ma.is_masked(array):
         raise Error("has masked samples: array.filled(value) gives them a value")
-    return numpy.asarray(array)
+    with _required("no array"):
+        return numpy.asarray(array)
 
 
 def _place(spacing, origin, direction, space):
-    place = _Place(space=space and str(space).encode())
+    with _required("space"):
+        place = _Place(space=space and str(space).encode())
     place.spacing[:] = _numbers("spacing", spacing, (1, 1, 1))
     place.origin[:] = _numbers("origin", origin, (0, 0, 0))
     # All 0 stand for the axes of the world.
@@ -264,11 +280,28 @@ def _require_three(shape):
 def _numbers(name, numbers, default):
     try:
         flat = numpy.asarray(default if numbers is None else numbers, float).ravel()
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         flat = numpy.empty(0)
     if flat.size != numpy.size(default):
         raise Error(f"{name} wants {numpy.size(default)} numbers, in the order x, y, z")
     return flat.tolist()
+
+
+def _whole(name, number):
+    """The number as an int of C."""
+    with _required(name):
+        whole = operator.index(number)
+    if not 1 <= whole < 1 << 31:
+        raise Error(f"{name} is {whole}, and must be from 1 to {(1 << 31) - 1}")
+    return whole
+
+
+def _path(path):
+    with _required("a path"):
+        name = os.fsencode(path)
+    if b"\0" in name:
+        raise Error("a path has a zero byte")
+    return name
 
 
 def _bar(stage, share):
@@ -276,8 +309,9 @@ def _bar(stage, share):
     sys.stderr.flush()
 
 
-def _watched(call, progress):
-    """Returns call(watch), run so that Ctrl-C and a progress function that raises stop it.
+def _watched(call, progress, joins=True):
+    """Returns call(watch), run so that Ctrl-C and a progress function that raises stop it. Without
+    `joins` they leave it behind.
 
     Python handles signals in the main thread between two of its instructions. So the main thread
     waits, and another one is in the library; the progress function runs in the waiting one.
@@ -299,7 +333,7 @@ def _watched(call, progress):
         finally:
             news.release()
 
-    worker = threading.Thread(target=work, name="deliso")
+    worker = threading.Thread(target=work, name="deliso", daemon=not joins)
     try:
         worker.start()
         while not result:
@@ -310,7 +344,7 @@ def _watched(call, progress):
             show("done", 1.0)
     finally:
         cancel.value = 1
-        if worker.ident is not None:
+        if joins and worker.ident is not None:
             worker.join()
     value, error = result[0]
     if error:
@@ -375,7 +409,7 @@ class Mesh:
     def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes any of the program's formats, by the path's ending, whole or not at all: .ply,
         .off, .obj, .stl, .vtp, .glb, .3mf, .smesh, .poly."""
-        _ok(_library.deliso_mesh_save(self._handle, os.fsencode(path)))
+        _ok(_library.deliso_mesh_save(self._handle, _path(path)))
 
     def to_meshio(self):
         """Returns a meshio.Mesh."""
@@ -409,7 +443,8 @@ class Mesh:
 
 
 def _level(isovalue):
-    return math.nan if isovalue is None else float(isovalue)
+    with _required("isovalue"):
+        return math.nan if isovalue is None else float(isovalue)
 
 
 class Labels(Dict[int, Mesh]):
@@ -419,7 +454,7 @@ class Labels(Dict[int, Mesh]):
         """Writes one .glb, .3mf or .vtp, in which each label has its name and color."""
         handles = (ctypes.c_void_p * len(self))(*(m._handle.value for m in self.values()))
         labels = (ctypes.c_int64 * len(self))(*self)
-        _ok(_library.deliso_labels_save(handles, labels, len(self), os.fsencode(path)))
+        _ok(_library.deliso_labels_save(handles, labels, len(self), _path(path)))
 
 
 @_with_options(_named.MeshOptions)
@@ -437,8 +472,9 @@ def mesh(
     """Meshes the surface on which the interpolated samples are `isovalue`. Returns a Mesh.
 
     source     an array: three-dimensional, indexed [z, y, x], of numbers or bools; 64-bit integers
-               become float64. It must not change meanwhile. Or the name of a file, of a folder of
-               slices, or builtin:NAME.
+               become float64. Or the name of a file, of a folder of slices, or builtin:NAME. An
+               array or a file that another thread or process changes during the call gives a
+               wrong mesh, or RuntimeError ("internal error").
     isovalue   left out with label=1 or label="1,4", which meshes labels of a segmentation. With
                label="all" the meshes of all labels but 0 are returned, as Labels.
     spacing    distance between samples along x, y, z
@@ -450,7 +486,7 @@ def mesh(
     options    those of the program's mesh command (deliso mesh --help): max_distance="0.1vox",
                largest=1, cap=True; True stands for an option without a value, lambda_ for lambda
 
-    Raises Error for bad input. Ctrl-C stops the work.
+    Raises Error for bad input, RuntimeError when there is not enough memory. Ctrl-C stops the work.
     """
     volume = _Volume(source, spacing, origin, direction, space, options)
     if options.get("label") == "all" and isovalue is None:
@@ -543,7 +579,7 @@ def info(
 def read(path: Union[str, os.PathLike]) -> Mesh:
     """Reads the mesh in a .ply, .off, .obj, .stl, .vtp, .glb or .3mf. It has no report."""
     handle = _MeshHandle()
-    _ok(_library.deliso_mesh_read(os.fsencode(path), ctypes.byref(handle)))
+    _ok(_library.deliso_mesh_read(_path(path), ctypes.byref(handle)))
     return Mesh(handle)
 
 
@@ -559,28 +595,29 @@ def render(
     drawn = meshes if isinstance(meshes, list) else [meshes]
     drawn = [_mesh_of(mesh) for mesh in drawn]
     handles = (ctypes.c_void_p * len(drawn))(*(mesh._handle.value for mesh in drawn))
-    words = _options(options)
-    _watched(
-        lambda _: _ok(_library.deliso_render(handles, len(drawn), words, os.fsencode(path))), False
-    )
+    words, to = _options(options), _path(path)
+    _watched(lambda _: _ok(_library.deliso_render(handles, len(drawn), words, to)), False)
 
 
 def _mesh_of(mesh):
     if isinstance(mesh, Mesh):
         return mesh
-    return read(mesh) if isinstance(mesh, (str, os.PathLike)) else _imported(*mesh)
-
-
-def _imported(vertices, triangles):
-    numbers = numpy.asarray(triangles)
-    if (numbers != numbers.astype("u4")).any():
+    if isinstance(mesh, (str, os.PathLike)):
+        return read(mesh)
+    with _required("a mesh is a Mesh, a file, or (vertices, triangles)"):
+        vertices, triangles = mesh
+        numbers = numpy.asarray(triangles)
+        with numpy.errstate(invalid="ignore"):  # of numbers that are none of uint32
+            is_whole = not (numbers != numbers.astype("u4")).any()
+    if not is_whole:
         raise Error("a triangle has three numbers of vertices, from 0 on")
     return _from_data((vertices, numbers, numpy.empty((0, 3))), {"first_cap": -1})
 
 
 def _from_data(arrays, others):
     """Returns a Mesh of copies: of vertices, triangles, normals or none, and the other data."""
-    arrays = [numpy.ascontiguousarray(a, kind) for a, kind in zip(arrays, ("f8", "u4", "f8"))]
+    with _required("arrays of a mesh"):
+        arrays = [numpy.ascontiguousarray(a, kind) for a, kind in zip(arrays, ("f8", "u4", "f8"))]
     if any(a.ndim != 2 or a.shape[1] != 3 for a in arrays):
         raise Error("vertices, triangles and normals of a mesh are arrays of three columns")
     vertices, triangles, normals = arrays

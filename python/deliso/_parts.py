@@ -8,6 +8,7 @@ import ctypes
 import functools
 import math
 import mmap
+import operator
 import os
 import sys
 from typing import TYPE_CHECKING, Any, Optional, Sequence
@@ -32,9 +33,11 @@ from . import (
     _options,
     _place,
     _require_three,
+    _required,
     _unmasked,
     _warned,
     _watched,
+    _whole,
     _with_options,
 )
 
@@ -75,12 +78,14 @@ class _Source:
 
     def __init__(self, array, *place):
         self.array = array() if callable(array) else array
-        self.kind = _kind_of(numpy.dtype(self.array.dtype))
-        _require_three(self.array.shape)
+        with _required("an array has shape and dtype"):
+            self.kind = _kind_of(numpy.dtype(self.array.dtype))
+            shape = [operator.index(n) for n in self.array.shape]
+        _require_three(shape)
+        if not 0 <= min(shape) <= max(shape) < 1 << 63:
+            raise Error(f"an array of shape {tuple(shape)} cannot be meshed")
         self.error = None
-        self.data = _SourceData(
-            _TYPES[self.kind], _SIZES(*self.array.shape), ctypes.pointer(_place(*place))
-        )
+        self.data = _SourceData(_TYPES[self.kind], _SIZES(*shape), ctypes.pointer(_place(*place)))
 
     def _read(self, _context, begin, end, samples):
         # An exception does not pass through the library: call() raises it afterwards.
@@ -95,6 +100,11 @@ class _Source:
             sliced = _unmasked(sliced)
             if sliced.shape != shape:
                 raise Error(f"a slice of the array has shape {sliced.shape}, not {shape}")
+            if _kind_of(sliced.dtype) != self.kind:
+                raise Error(
+                    f"a slice of the array has samples of type {sliced.dtype}, and the array says "
+                    f"{self.array.dtype}"
+                )
             count = math.prod(shape) * numpy.dtype(self.kind).itemsize
             memory = (ctypes.c_char * count).from_address(samples)
             numpy.frombuffer(memory, self.kind).reshape(shape)[...] = sliced
@@ -140,7 +150,7 @@ def part(
     source = _Source(array, spacing, origin, direction, space)
     words = _options(options)
     text, size = ctypes.c_void_p(), ctypes.c_size_t()
-    choice = _level(isovalue), int(number), int(parts)
+    choice = _level(isovalue), _whole("number", number), _whole("parts", parts)
     made = ctypes.byref(text), ctypes.byref(size)
     source.call(
         lambda data, watch: _library.deliso_part_create(data, *choice, words, watch, *made),
@@ -179,12 +189,13 @@ def _joined(parts, array, place, progress, options):
     source = _Source(array, *place)
     words = _options(options)
     named = (str, os.PathLike)
-    views = [
-        numpy.memmap(p, "u1", "r")
-        if isinstance(p, named)
-        else numpy.frombuffer(memoryview(p).cast("B"), "u1")
-        for p in parts
-    ]
+    with _required("a part"):
+        views = [
+            numpy.memmap(p, "u1", "r")
+            if isinstance(p, named)
+            else numpy.frombuffer(memoryview(p).cast("B"), "u1")
+            for p in parts
+        ]
     addresses = (ctypes.c_void_p * len(views))(*(view.ctypes.data for view in views))
     sizes = (ctypes.c_size_t * len(views))(*map(len, views))
     handle = _MeshHandle()
@@ -235,8 +246,7 @@ def mesh_blocks(
         options["threads"] = 1
     if parts is None:
         parts = 1 if client is None else _part_count(array, client)
-    if parts < 1:
-        raise Error(f"a mesh has one part or more, not {parts}")
+    parts = _whole("parts", parts)
     place = {"spacing": spacing, "origin": origin, "direction": direction, "space": space}
     make = functools.partial(part, **place, **options)
     if client is not None:

@@ -26,4 +26,9 @@ std::string one_line(std::string message) {
 InputError::InputError(std::initializer_list<TextPiece> message)
     : std::runtime_error(one_line(joined(message))) {}
 
+void check_failed(const char* condition, const char* file, int line) {
+  throw InternalError(
+      text("internal error: ", condition, " does not hold (", file, ":", line, ")"));
+}
+
 }  // namespace deliso

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Three kinds of failure. Bad input throws InputError. A broken invariant trips DELISO_CHECK
-// (always on) or DELISO_ASSERT (debug builds). A normal outcome is a return value.
+// (always on) or DELISO_ASSERT (debug builds), which throws InternalError. A normal outcome is a
+// return value.
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -32,10 +31,13 @@ struct InputError : std::runtime_error {
   explicit InputError(std::initializer_list<TextPiece> message);
 };
 
-[[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
-  std::fprintf(stderr, "deliso: internal error: %s does not hold (%s:%d)\n", condition, file, line);
-  std::abort();
-}
+// Thrown where an invariant is broken: by an error of the library, or by samples that changed while
+// they were meshed. Nobody goes on after it: the program ends, and a call of the C library fails.
+struct InternalError : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+[[noreturn, gnu::cold]] void check_failed(const char* condition, const char* file, int line);
 
 }  // namespace deliso
 

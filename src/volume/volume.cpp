@@ -77,7 +77,6 @@ Volume Volume::as_block(Index3 first, Index3 whole) const {
   Volume block = *this;
   block.first_ = first;
   block.whole_ = whole;
-  block.is_block_ = true;
   return block;
 }
 

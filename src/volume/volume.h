@@ -113,8 +113,7 @@ class Volume {
   Volume with_samples(SampleType type, const std::byte* bytes,
                       std::shared_ptr<const void> owner) const;
 
-  // Returns this volume as a block of a larger one: samples `first` and following of `whole`. It is
-  // a block even if it is all of `whole`: one block is meshed like any other.
+  // Returns this volume as a block of a larger one: samples `first` and following of `whole`.
   // pre: it fits into `whole`, and frame() is that of the larger volume.
   Volume as_block(Index3 first, Index3 whole) const;
 
@@ -139,7 +138,7 @@ class Volume {
   // one.
   Index3 first() const { return first_; }
   Index3 whole_dims() const { return whole_; }
-  bool is_block() const { return is_block_; }
+  bool is_block() const { return dims_ != whole_; }
   // Returns the faces of the box that are inside the larger volume, and so shared with another
   // block: bit f for face f (2 * axis, + 1 at the high end).
   unsigned inner_faces() const;
@@ -184,7 +183,6 @@ class Volume {
   std::shared_ptr<const void> owner_;
   Frame frame_;
   Index3 first_, whole_;
-  bool is_block_ = false;
 };
 
 // The smallest and the largest sample.

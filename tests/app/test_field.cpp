@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -69,6 +70,20 @@ double depth_in(const TriMesh& mesh, const Vec3& p) {
 }
 
 }  // namespace
+
+TEST_CASE("a label of a gray image of many values is refused before work without end") {
+  const TemporaryFolder folder;
+  Random random(1);
+  std::string bytes;
+  for (int n = 0; n < 20 * 20 * 20; ++n) {
+    const std::uint32_t sample = random.below(4000);
+    bytes += {static_cast<char>(sample & 255), static_cast<char>(sample >> 8)};
+  }
+  const std::string path = folder.write("gray.raw", bytes);
+  CHECK_THROWS_WITH_AS(read_input(parsed(path + " --dims 20x20x20 --type int16 --label 7 -q")),
+                       doctest::Contains("looks like a gray image, not like labels, and has"),
+                       InputError);
+}
 
 TEST_CASE("a world length is another number of samples on each axis, and vox the side of a cube") {
   std::vector<float> samples;

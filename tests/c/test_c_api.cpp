@@ -15,6 +15,7 @@
 
 #include "app/parsed_line.h"
 #include "app/run.h"
+#include "base/random.h"
 #include "c/deliso.h"
 #include "io/volume/builtin_volume.h"
 #include "io/volume/volume_files.h"
@@ -173,6 +174,8 @@ TEST_CASE("faults are statuses, with one line each") {
         "no isovalue given: --iso K (deliso info INPUT shows the range)");
   CHECK(refusal({}, 11).starts_with("no surface at isovalue 11: the samples are "));
   CHECK(refusal({"rmin=1e-9vox"}).find("rmin") != std::string::npos);
+  CHECK(refusal({""}) == "an option is '', without a name: it is NAME or NAME=VALUE");
+  CHECK(refusal({"=3"}) == "an option is '=3', without a name: it is NAME or NAME=VALUE");
 
   std::vector<float> samples = ball();
   deliso_volume* volume = nullptr;
@@ -203,6 +206,36 @@ TEST_CASE("faults are statuses, with one line each") {
   CHECK(deliso_mesh_import(corner, 1, beyond, 1, &mesh.get) == DELISO_BAD_INPUT);
   CHECK(std::string(deliso_last_error()) == "triangle 0 has a vertex beyond the last");
   std::thread([] { CHECK(std::string(deliso_last_error()).empty()); }).join();
+}
+
+TEST_CASE("samples that change during a call do not end the process") {
+  // Once the invariants that they break did. A run on such samples need not end: it is canceled.
+  int failed = 0;
+  for (std::uint64_t seed = 1; seed <= 40 && failed == 0; ++seed) {
+    Random random(seed);
+    std::vector<float> samples = ball();
+    volatile int cancel = 0;
+    std::atomic<bool> ended = false;
+    std::thread other([&] {
+      for (int fills = 0; !ended; ++fills) {
+        for (float& sample : samples) sample = static_cast<float>(random.uniform(0, 5));
+        if (fills == 2000) cancel = 1;
+      }
+    });
+    deliso_watch watch{};
+    watch.cancel = &cancel;
+    const VolumeHandle volume(samples);
+    MeshHandle mesh;
+    const deliso_status status = mesh_ball(volume, mesh, {"threads=1"}, 2.5, &watch);
+    ended = true;
+    other.join();
+    if (status != DELISO_FAILED) continue;
+    ++failed;
+    const std::string what = deliso_last_error();
+    CHECK(what.starts_with("internal error: "));
+    CHECK(what.ends_with("; it may be that samples changed during the call"));
+  }
+  CHECK(failed > 0);
 }
 
 TEST_CASE("a check of the mesh, and of one that misses a triangle") {

@@ -8,14 +8,17 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/random.h"
 #include "c/deliso.h"
 #include "cases.h"
+#include "io/files/checksum.h"
 #include "io/files/temporary_folder.h"
 #include "io/parts/part_file.h"
+#include "surface/report.h"
 
 using namespace deliso;
 
@@ -288,11 +291,40 @@ TEST_CASE("faults of parts are statuses, with one line each") {
         DELISO_BAD_INPUT);
 }
 
+TEST_CASE("a part whose counters contradict its options is refused") {
+  // Once a counter of caps made the join look at samples that it had not read. The counters are
+  // numbers of eight bytes, 19 of them, before those of the operations.
+  const BallArray array;
+  const Words options{"block-side=16", "max-distance=1", "threads=1"};
+  const std::vector<std::string> parts = all_parts(array, kLevel, 2, options);
+  constexpr std::size_t kSum = sizeof(std::uint32_t);
+  const std::size_t last = parts[0].size() - kSum - sizeof(std::uint64_t);
+  int refused = 0;
+  for (std::size_t back = 0; back < 8 * (kOperations * (1 + kRefusals) + kCounterCount);
+       back += 8) {
+    std::string forged = parts[0];
+    forged[last - back] = 1;
+    forged.resize(forged.size() - kSum);
+    const std::uint32_t sum = crc32(std::as_bytes(std::span(forged)));
+    char of_sum[kSum];
+    std::memcpy(of_sum, &sum, kSum);
+    forged.append(of_sum, kSum);
+    deliso_mesh* mesh = nullptr;
+    const deliso_status status = join_to(mesh, array, {forged, parts[1]});
+    deliso_mesh_free(mesh);
+    CHECK((status == DELISO_OK || status == DELISO_BAD_INPUT));
+    if (status == DELISO_OK) continue;
+    ++refused;
+    CHECK(std::string(deliso_last_error()).find("is no sound part: ") != std::string::npos);
+  }
+  CHECK(refused == 4);  // three of caps, and the components left out
+}
+
 TEST_CASE("an empty mesh of parts is refused unless it is allowed") {
   const BallArray array;
   const std::vector<std::string> parts = all_parts(array, 99, 2, {"block-side=16"});
   CHECK(join_refusal(array, parts) ==
-        "the mesh of the parts is empty (--allow-empty accepts that)");
+        "the mesh at isovalue 99 is empty (--allow-empty accepts that)");
   deliso_mesh* mesh = nullptr;
   REQUIRE(join_to(mesh, array, parts, {"allow-empty"}) == DELISO_OK);
   CHECK(MeshContent(mesh).corners.empty());

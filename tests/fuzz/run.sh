@@ -27,6 +27,7 @@ for target in "$@"; do
   # Limits: no single allocation of more than 256 MB, for inputs of 8 kB at most.
   case $target in
     pipeline) longest=700 timeout=60 ;;
+    part) longest=64 timeout=20 ;; # of a few edits
     *) longest=8192 timeout=10 ;;
   esac
   measure

@@ -206,6 +206,22 @@ class TestMesh(TestCase):
             lambda: deliso.check((m.vertices, m.triangles + 7), field(), 10.25),
             lambda: deliso.check((m.vertices, m.triangles - 1.0), field(), 10.25),
             lambda: deliso.check((m.vertices[:, :2], m.triangles), field(), 10.25),
+            lambda: deliso.check((m.vertices, m.triangles, 1), field(), 10.25),
+            lambda: deliso.check((m.vertices, "none"), field(), 10.25),
+            lambda: deliso.check((m.vertices, m.triangles * 1e30), field(), 10.25),
+            lambda: deliso.check(([[0, 0], [1]], m.triangles), field(), 10.25),
+            lambda: deliso.check(5, field(), 10.25),
+            lambda: deliso.mesh(field(), "high"),
+            lambda: deliso.mesh(field(), 10**400),
+            lambda: deliso.mesh(field(), 10.25, spacing=(1, 1, 10**400)),
+            lambda: deliso.mesh(field(), 10.25, space="\ud800"),
+            lambda: deliso.mesh(field(), 10.25, max_distance="\ud800"),
+            lambda: deliso.mesh(field(), 10.25, **{"": 3}),
+            lambda: deliso.mesh([[[1, 2], [3]], [[4]]], 2),
+            lambda: deliso.mesh(self.path("zero\0byte.nrrd"), 1),
+            lambda: m.save(self.path("zero\0byte.ply")),
+            lambda: m.save(5),
+            lambda: deliso.read(None),
         ]:
             with self.assertRaises(deliso.Error) as caught:
                 call()
@@ -424,6 +440,36 @@ class TestMesh(TestCase):
             deliso.mesh(a, 0.5, progress=lambda stage, share: share > 0.01 and began.set())
         self.assertLess(time.monotonic() - times[0], 5)
         self.assertGreater(len(deliso.mesh(field(), 10.25).vertices), 100)
+
+    def test_interrupt_while_a_file_is_read(self):
+        # Nobody writes into the pipe, so reading waits.
+        path = self.path("pipe.nrrd")
+        os.mkfifo(path)
+        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            deliso.mesh(path, 1)
+        self.assertLess(time.monotonic() - began, 5)
+        open(path, "wb").close()
+        for thread in threading.enumerate():
+            if thread.name == "deliso":
+                thread.join()
+        self.assertGreater(len(deliso.mesh(field(), 10.25).vertices), 100)
+
+    def test_an_array_that_changes_does_not_end_the_process(self):
+        # It changes once: a run need not end while it does.
+        for part in range(50):
+            a = noise(16)
+            change = threading.Timer(0.002 * part, a.ravel().sort)
+            change.start()
+            try:
+                deliso.mesh(a, 0.5, threads=1)
+            except RuntimeError as error:
+                self.assertRegex(str(error), "internal error: .*samples changed during the call")
+                return
+            finally:
+                change.join()
+        self.fail("no change was in time")
 
     def test_memory_does_not_grow(self):
         a = field()

@@ -180,6 +180,8 @@ class TestParts(TestCase):
         infinite[30, 20, 10] = numpy.inf
         short = type("Short", (), {"shape": (99, 99, 99), "dtype": a.dtype})()
         type(short).__getitem__ = lambda self, box: a[box]
+        other = type("Other", (), {"shape": a.shape, "dtype": a.dtype})()
+        type(other).__getitem__ = lambda self, box: a[box].astype("f8")
         for call, words in [
             (lambda: deliso.join([], a), "no parts"),
             (lambda: deliso.join(parts[1:], a, spacing=SPACING), "part 1 of 2 is missing"),
@@ -190,13 +192,22 @@ class TestParts(TestCase):
             (lambda: deliso.part(a, LEVEL, 3, 2), "--part"),
             (lambda: deliso.part(a, LEVEL, 1, 2, max_distanc=1), "--max-distance"),
             (lambda: deliso.mesh_blocks(a, LEVEL, vertices=90), "--vertices"),
-            (lambda: deliso.mesh_blocks(a, LEVEL, parts=0), "one part or more"),
+            (lambda: deliso.mesh_blocks(a, LEVEL, parts=0), "parts is 0, and must be from 1"),
+            (lambda: deliso.mesh_blocks(a, LEVEL, parts="two"), "parts: "),
+            (lambda: deliso.part(a, LEVEL, 2**32 + 1, 2), "number is 4294967297"),
+            (lambda: deliso.part(a, LEVEL, 1, 2**32 + 2), "parts is 4294967298"),
+            (lambda: deliso.part(a, LEVEL, 1.5, 2), "number: "),
+            (lambda: deliso.part(a, "high", 1, 2), "isovalue: "),
+            (lambda: deliso.part(a.tolist(), LEVEL, 1, 2), "an array has shape and dtype: "),
+            (lambda: deliso.join([7], a), "a part: "),
+            (lambda: deliso.join([self.path("none.part")], a), "a part: "),
             (lambda: deliso.mesh_blocks(a, 1e9), "empty"),
             (lambda: deliso.mesh_blocks(a[0], LEVEL), "2 dimensions"),
             (lambda: deliso.mesh_blocks(a * 1j, LEVEL), "complex"),
             (lambda: deliso.mesh_blocks(a, LEVEL, spacing=2), "spacing"),
             (lambda: deliso.mesh_blocks(infinite, LEVEL, **BLOCKS), "(10, 20, 30)"),
             (lambda: deliso.mesh_blocks(short, LEVEL), "a slice of the array has shape"),
+            (lambda: deliso.mesh_blocks(other, LEVEL), "samples of type float64, and the array says"),
         ]:
             with self.subTest(words), self.assertRaises(deliso.Error) as caught:
                 call()

@@ -63,7 +63,7 @@ std::string another_mesh(double, const Outcome& with, const Outcome& without) {
 constexpr unsigned kCoarser = kLongerEdges | kLargerDistances;
 // The paper's way need not end: docs/guide/recover-paper.md.
 constexpr const char* kPapersEnd = "--max-vertices=10000";
-constexpr unsigned kPapers = kCoarser | kMoreVertices | kNoPromise | kAlways;
+constexpr unsigned kPapers = kCoarser | kMoreVertices | kNoPromise | kAlways | kNoParts;
 
 constexpr DrawnOption kDrawn[] = {
     {"--label",
@@ -73,7 +73,7 @@ constexpr DrawnOption kDrawn[] = {
      kOtherField | kUsual},
     {"--shared",  // its name is that of the volume's file
      [](Random&, const OptionVolume& v) { return v.labels > 0 ? Words{"--shared"} : Words{}; },
-     kOtherField | kUsual},
+     kOtherField | kUsual | kNoParts},
     {"--smooth", [](Random& r, auto&) { return Words{"--smooth=" + number(r, 0.3, 2) + "vox"}; },
      kOtherField},
     {"--median", [](Random& r, auto&) { return Words{text("--median=", 1 + r.below(2))}; },
@@ -86,12 +86,12 @@ constexpr DrawnOption kDrawn[] = {
      components_differ},
     {"--cap", [](Random&, auto&) { return Words{"--cap"}; }},
     {"--vertices", [](Random& r, auto&) { return Words{"--vertices=" + whole(r, 4, 2000)}; },
-     kCoarser | kMoreVertices | kAlways,
+     kCoarser | kMoreVertices | kAlways | kNoParts,
      [](double asked, const Outcome& with, auto&) {
        return count_differs(asked, with.vertices, with);
      }},
     {"--triangles", [](Random& r, auto&) { return Words{"--triangles=" + whole(r, 8, 4000)}; },
-     kCoarser | kMoreVertices | kAlways,
+     kCoarser | kMoreVertices | kAlways | kNoParts,
      [](double asked, const Outcome& with, auto&) {
        return count_differs(asked, with.triangles, with);
      }},
@@ -109,7 +109,7 @@ constexpr DrawnOption kDrawn[] = {
     {"--eps1", [](Random& r, auto&) { return Words{"--eps1=" + number(r, 0.05, 1)}; },
      kCoarser | kMoreVertices},
     {"--eps2", [](Random& r, auto&) { return Words{"--eps2=" + number(r, 0.1, 1)}; },
-     kCoarser | kMoreVertices},
+     kCoarser | kMoreVertices | kNoParts},
     {"--max-radius",
      [](Random& r, auto&) { return Words{"--max-radius=" + number(r, 0.3, 4) + "vox"}; },
      kMoreVertices},
@@ -146,7 +146,7 @@ constexpr DrawnOption kDrawn[] = {
     {"--solver", [](Random&, auto&) { return Words{"--solver=schwarze"}; }},
     {"--block-side", [](Random& r, auto&) { return Words{text("--block-side=", 4 + r.below(9))}; },
      kCoarser | kMoreVertices},
-    {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; }, 0,
+    {"--part", [](Random& r, auto&) { return Words{text("--part=1/", 1 + r.below(9))}; }, kNoParts,
      another_mesh},
     {"--threads", [](Random& r, auto&) { return Words{text("--threads=", 2 + r.below(3))}; }, 0,
      another_mesh},
@@ -168,6 +168,61 @@ double Outcome::distance() const {
 
 std::span<const DrawnOption> drawn_options() {
   return kDrawn;
+}
+
+Draw draw_options(std::uint64_t seed, const OptionVolume& volume, const DrawnOption* first,
+                  unsigned exclude) {
+  Random random(seed * 104729);
+  const auto table = drawn_options();
+  Draw draw;
+  std::vector<const DrawnOption*> drawn;
+  const auto add = [&](const DrawnOption& option) {
+    if (std::ranges::find(drawn, &option) != drawn.end()) return;
+    const bool is_first = drawn.empty();
+    if (!is_first && (option.exempt & exclude) != 0) return;
+    const Words words = option.draw(random, volume);
+    if (words.empty()) return;
+    drawn.push_back(&option);
+    Words& to = is_first ? draw.first_words : draw.other_words;
+    to.insert(to.end(), words.begin(), words.end());
+    if (is_first || (option.exempt & kAlways) != 0) draw.exempt |= option.exempt;
+  };
+  if (first) {
+    add(*first);
+    if (drawn.empty()) return draw;
+  }
+  const std::size_t wanted = 1 + random.below(4);
+  while (drawn.size() < wanted) add(table[random.below(static_cast<std::uint32_t>(table.size()))]);
+  for (const DrawnOption& option : table) {
+    if ((option.exempt & kUsual) != 0 && random.below(4) > 0) add(option);
+  }
+  draw.first = drawn.front();
+  return draw;
+}
+
+Words command_words(const std::string& file, double isovalue, const Words& options) {
+  const bool is_label =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--label"); });
+  const bool has_threads =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--threads"); });
+  Words words{file};
+  if (std::ranges::count(options, "--shared") > 0) {
+    for (const std::string& word : options) {
+      if (word != "--shared" && !word.starts_with("--label")) words.push_back(word);
+    }
+    for (const char* word : {"--label=all", "--shared", "--ply-ascii", "--double", "-q"}) {
+      words.emplace_back(word);
+      if (words.back() == "--shared") words.push_back(file + ".ply");
+    }
+    return words;
+  }
+  if (!is_label) words.push_back(text("--iso=", isovalue));
+  if (!has_threads) words.emplace_back("--threads=1");
+  words.insert(words.end(), options.begin(), options.end());
+  const bool is_part =
+      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--part"); });
+  if (is_part) words.emplace_back("--output=v.part");
+  return words;
 }
 
 std::string_view undrawn_option() {

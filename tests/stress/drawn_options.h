@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of the storm of options: every option of the mesh command that changes the mesh, how
-// its value is drawn, and what may differ from a run without it. A new option needs one row.
+// The table of the storms of options: every option of the mesh command that changes the mesh, how
+// its value is drawn, and what may differ: from a run without it (options.cpp), and from the join
+// of its parts (parts.cpp). A new option needs one row.
 #pragma once
 
 #include <cstdint>
@@ -38,15 +39,17 @@ struct Outcome {
   double distance() const;
 };
 
-// What a row exempts from the comparison with the run without its option.
+// What a row exempts from the comparison with the run without its option. The join of parts has the
+// same mesh always, so there is one exemption from that.
 enum Exemption : unsigned {
   kLongerEdges = 1,
   kLargerDistances = 2,
   kMoreVertices = 4,  // so seconds are compared per vertex
   kNoPromise = 8,     // a method for comparison, whose meshes are not judged
   kOtherField = 16,   // another volume is meshed: nothing is compared
-  kAlways = 32,  // exempts runs that have the option among others, and so does their comparison
-  kUsual = 64,   // no exemption: drawn for most volumes that it means something for
+  kAlways = 32,    // exempts runs that have the option among others, and so does their comparison
+  kUsual = 64,     // no exemption: drawn for most volumes that it means something for
+  kNoParts = 128,  // --part excludes it: the command line is refused
 };
 
 struct DrawnOption {
@@ -60,6 +63,22 @@ struct DrawnOption {
 };
 
 std::span<const DrawnOption> drawn_options();
+
+// The first option of a seed and its others.
+struct Draw {
+  const DrawnOption* first = nullptr;
+  Words first_words, other_words;
+  unsigned exempt = 0;
+};
+
+// Draws one to four options that mean something for the volume, and some that are usual. If `first`
+// is given, it is the first one; if it means nothing, nothing is drawn. Rows with one of `exclude`
+// are not drawn as others.
+Draw draw_options(std::uint64_t seed, const OptionVolume& volume,
+                  const DrawnOption* first = nullptr, unsigned exclude = 0);
+
+// Returns the mesh command for the volume's file, without the program's name.
+Words command_words(const std::string& file, double isovalue, const Words& options);
 
 // Returns the first option of the mesh command that is neither a row nor on the list of those that
 // do not change the mesh; empty if there is none.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The volumes of the storm of options: those of tiny_volume.h, and kinds that options are about,
-// with several components, labels or wide sheets. 2 to 24 samples along each axis, spacings up to
-// 0.3:20:20. A seed says everything.
+// with several components, labels or wide sheets. 2 to 24 samples along each axis unless more are
+// asked for, spacings up to 0.3:20:20. A seed says everything.
 #pragma once
 
 #include <algorithm>
@@ -87,12 +87,14 @@ inline void gyroid(Recipe& r, Random& random) {
 
 }  // namespace tiny
 
-inline OptionVolume make_option_volume(std::uint64_t seed) {
+inline OptionVolume make_option_volume(std::uint64_t seed, std::uint32_t least = 2) {
   Random random(seed * 7919);
   tiny::Recipe r;
   constexpr std::uint32_t kMost[] = {6, 6, 9, 12, 12, 16, 20, 24};
-  const std::uint32_t most = kMost[random.below(8)];
-  for (int axis = 0; axis < 3; ++axis) r.dims[axis] = 2 + static_cast<int>(random.below(most - 1));
+  const std::uint32_t most = std::max(kMost[random.below(8)], least + 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    r.dims[axis] = static_cast<int>(least + random.below(most + 1 - least));
+  }
   constexpr std::uint64_t kKinds = kTinyKinds + 4;
   const std::uint64_t n = seed % kKinds;
   const std::uint32_t labels = n == kTinyKinds + 2 ? 1 + random.below(4) : 0;

@@ -44,16 +44,14 @@
 #include "app/criteria_note.h"
 #include "app/input.h"
 #include "app/mesh_run.h"
-#include "app/parts.h"
 #include "app/progress.h"
 #include "app/run.h"
 #include "base/check.h"
 #include "base/text.h"
 #include "contour/contour.h"
-#include "io/parts/part_file.h"
-#include "io/volume/read_volume.h"
 #include "stress/drawn_options.h"
 #include "stress/in_child.h"
+#include "stress/joined_parts.h"
 #include "stress/option_volume.h"
 #include "stress/seeds.h"
 #include "stress/shared_file.h"
@@ -71,88 +69,12 @@ constexpr std::array<std::string_view, kKinds> kKindNames{"broken", "turned", "c
 // What was found, by kind; an empty text is no fault.
 using Findings = std::array<std::string, kKinds>;
 
-// The first option of a seed and its others.
-struct Draw {
-  const DrawnOption* first;
-  Words first_words, other_words;
-  unsigned exempt = 0;
-};
-
-Draw draw_options(std::uint64_t seed, const OptionVolume& volume) {
-  Random random(seed * 104729);
-  const auto table = drawn_options();
-  Draw draw{};
-  std::vector<const DrawnOption*> drawn;
-  const auto add = [&](const DrawnOption& option) {
-    if (std::ranges::find(drawn, &option) != drawn.end()) return;
-    const Words words = option.draw(random, volume);
-    if (words.empty()) return;
-    const bool is_first = drawn.empty();
-    drawn.push_back(&option);
-    Words& to = is_first ? draw.first_words : draw.other_words;
-    to.insert(to.end(), words.begin(), words.end());
-    if (is_first || (option.exempt & kAlways) != 0) draw.exempt |= option.exempt;
-  };
-  const std::size_t wanted = 1 + random.below(4);
-  while (drawn.size() < wanted) add(table[random.below(static_cast<std::uint32_t>(table.size()))]);
-  for (const DrawnOption& option : table) {
-    if ((option.exempt & kUsual) != 0 && random.below(4) > 0) add(option);
-  }
-  draw.first = drawn.front();
-  return draw;
-}
-
-// Returns the command line, without the program's name.
-Words command_words(const std::string& file, double isovalue, const Words& options) {
-  const bool is_label =
-      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--label"); });
-  const bool has_threads =
-      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--threads"); });
-  Words words{file};
-  if (std::ranges::count(options, "--shared") > 0) {
-    for (const std::string& word : options) {
-      if (word != "--shared" && !word.starts_with("--label")) words.push_back(word);
-    }
-    for (const char* word : {"--label=all", "--shared", "--ply-ascii", "--double", "-q"}) {
-      words.emplace_back(word);
-      if (words.back() == "--shared") words.push_back(file + ".ply");
-    }
-    return words;
-  }
-  if (!is_label) words.push_back(text("--iso=", isovalue));
-  if (!has_threads) words.emplace_back("--threads=1");
-  words.insert(words.end(), options.begin(), options.end());
-  const bool is_part =
-      std::ranges::any_of(options, [](const auto& word) { return word.starts_with("--part"); });
-  if (is_part) words.emplace_back("--output=v.part");
-  return words;
-}
-
 // Verifies the mesh as --check does, and as the check command does that reads the mesh's file.
 Verification verify_as_file(const TriMesh& mesh, const MeshRun& run) {
   const Volume& volume = run.input.volume();
   const std::vector<std::string> comments{criteria_note(run.line, volume)};
   return verify(mesh, volume, run.report.kappa_effective,
                 verify_options(run.line, volume, noted_criteria(comments)));
-}
-
-// Meshes all parts, as many as the line says, and joins them.
-template <class Warn>
-TriMesh mesh_in_parts(const Words& words, MeshRun& run, Progress& progress, const Warn& warn) {
-  const CommandLine& line = run.line;
-  const VolumeSource source = source_of(read_volume(line.input, line.read));
-  std::vector<PartFile> parts;
-  for (int n = 1; n <= line.part->of; ++n) {
-    CommandLine of_part = line;
-    of_part.part->number = n;
-    const std::string bytes = part_bytes(make_part(source, of_part, line.input, nullptr));
-    parts.push_back(part_in(std::as_bytes(std::span(bytes)), text("part ", n)));
-  }
-  sort_parts(parts);
-  const CommandLine noted = line_of(parts.front(), words.front());
-  const FieldSource field = field_source(source, noted, line.input);
-  require_field(parts, field, noted.options, line.input);
-  return join_parts_of(field, std::move(parts), run, progress, warn);
 }
 
 Outcome mesh_once(const Words& words) {
@@ -171,7 +93,7 @@ Outcome mesh_once(const Words& words) {
     const std::clock_t start = std::clock();
     const auto warn = [&](const std::string& w) { outcome.warnings.push_back(w); };
     if (line.part) {
-      outcome.mesh = mesh_in_parts(words, run, none, warn);
+      outcome.mesh = join_parts(make_parts(line), run, none, warn);
     } else {
       outcome.mesh = mesh_input(run, none, warn);
     }

@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: MIT
-// Random volumes (tiny_volume.h) meshed in parts, written, read and joined, as the program does it.
+// Random volumes (option_volume.h) meshed with random options (drawn_options.h), by one process and
+// in parts, which are written, read and joined in some order as the program does it.
 //   stress_parts [--first-seed N] [--count M] [--list]
-// The seed also says which of --smooth, --median, --label, --cap, --largest and --min-component are
-// on, the side of a block (4 to 8 voxels), how many parts there are (1, 4, 7 or 64), and whether
-// the samples are in memory or read box by box. Parts are joined in three orders. Exit status 1
-// when a join has another mesh than one process. A seam between parts may be refused; that is
-// counted.
-#include <algorithm>
+// Each option of the table is the first one of every N-th seed, N the number of rows. A seed says
+// everything: the volume, the options, how many parts there are (1, 4, 7 or 64), and whether the
+// samples are in memory or read box by box. It runs in a child process, and a crash costs that one
+// seed. Exit status 1 when a join has another mesh than one process, or a refusal that one process
+// has not; when an option that excludes --part is not refused; or when the join of some option was
+// never tested, after eight more seeds of those that gave no mesh. A seam between parts may be
+// refused; that is counted.
+#include <unistd.h>
+
+#include <array>
 #include <cstdio>
-#include <numeric>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
+#include "app/command_line.h"
 #include "app/input.h"
+#include "app/mesh_run.h"
 #include "app/parsed_line.h"
-#include "app/parts.h"
+#include "app/progress.h"
 #include "base/check.h"
 #include "base/random.h"
 #include "base/text.h"
-#include "deliso/deliso.h"
-#include "io/parts/part_file.h"
 #include "mesh/meshes.h"
-#include "mesh_parts.h"
+#include "stress/drawn_options.h"
+#include "stress/in_child.h"
+#include "stress/joined_parts.h"
+#include "stress/option_volume.h"
 #include "stress/seeds.h"
-#include "stress/tiny_volume.h"
 
 using namespace deliso;
 using namespace deliso::stress;
@@ -32,133 +44,193 @@ using namespace deliso::stress;
 namespace {
 
 constexpr int kParts[] = {4, 7, 64, 1};
-constexpr const char* kName = "tiny";
+constexpr unsigned kMostSeconds = 60;
+constexpr std::uint64_t kMoreRounds = 8;
 
-// The samples as labels: 1 inside, 0 outside.
-Volume labels_of(const Volume& volume, double isovalue) {
-  return volume.visit([&](const auto* samples) {
-    std::vector<std::uint8_t> labels;
-    for (std::size_t n = 0; n < volume.sample_count(); ++n) {
-      labels.push_back(static_cast<double>(samples[n]) >= isovalue);
-    }
-    return Volume::from_samples(volume.dims(), volume.spacing(), labels);
-  });
+const DrawnOption& first_option(std::uint64_t seed) {
+  return drawn_options()[seed % drawn_options().size()];
 }
 
 struct Case {
-  Volume volume;
-  std::vector<std::string> words;  // of deliso mesh
+  OptionVolume volume;
+  Words words;  // of the mesh command
 };
 
-Case case_of(std::uint64_t seed) {
-  const TinyVolume tiny = make_tiny_volume(seed, 8, 20);
-  Case made{tiny.volume, {kName, text("--block-side=", 4 + seed / kTinyKinds % 5), "--threads=2"}};
-  const std::uint64_t kind = seed / kTinyKinds % 12;
-  if (kind == 3) {
-    made.volume = labels_of(tiny.volume, tiny.isovalue);
-    made.words.emplace_back("--label=1");
-  } else {
-    made.words.push_back(text("--iso=", tiny.isovalue));
+// Draws volumes until the first option means something.
+Case make_case(std::uint64_t seed, const std::string& file) {
+  constexpr std::uint64_t kVolumesPerSeed = 64;
+  for (std::uint64_t number = seed * kVolumesPerSeed;; ++number) {
+    OptionVolume volume = make_option_volume(number, 8);
+    const Draw draw = draw_options(number, volume, &first_option(seed), kNoParts);
+    if (!draw.first) continue;
+    Words words = command_words(file, volume.tiny.isovalue, [&] {
+      Words all = draw.first_words;
+      all.insert(all.end(), draw.other_words.begin(), draw.other_words.end());
+      return all;
+    }());
+    const auto is_side = [](const std::string& word) { return word.starts_with("--block-side"); };
+    if (std::ranges::none_of(words, is_side)) {
+      words.push_back(text("--block-side=", 4 + number % 5));
+    }
+    return {std::move(volume), std::move(words)};
   }
-  if (kind == 1 || kind == 6) made.words.emplace_back("--smooth=0.6vox");
-  if (kind == 2 || kind == 6) made.words.emplace_back("--median=1");
-  if (kind == 4 || kind == 9) made.words.emplace_back("--cap");
-  if (kind == 5 || kind == 9) made.words.emplace_back("--largest=2");
-  if (kind == 8) made.words.emplace_back("--min-component=3");
+}
+
+// What one process or a join made.
+struct Made {
+  std::string refusal;
+  TriMesh mesh;
+  Report report;
+};
+
+// Calls make(run, progress, warn), which returns the mesh of the line.
+template <class Make>
+Made made_by(const CommandLine& line, const Make& make) {
+  Made made;
+  try {
+    const Input input = read_input(line);
+    MeshRun run(line, input);
+    ProgressBar none(mesh_stages(line), false);
+    made.mesh = make(run, none, [](const std::string&) {});
+    made.report = run.report;
+  } catch (const InputError& error) {
+    made.refusal = error.what();
+  }
   return made;
 }
 
-CommandLine line_of(const Case& made, int part, int of) {
-  std::vector<std::string> words = made.words;
-  if (of > 0) words.insert(words.end(), {text("--part=", part, "/", of), "--output=x.part"});
-  return test::parse_words(words);
-}
+// POD, so that it can go through a pipe.
+struct Verdict {
+  enum Outcome { joined, excluded, refused, nothing, refused_seam, fault } outcome = fault;
+  char what[400] = "";
+};
+constexpr std::array<std::string_view, 6> kOutcomes{"joined",
+                                                    "with an option that excludes parts",
+                                                    "refused in the same words",
+                                                    "with nothing",
+                                                    "with a refused seam",
+                                                    "with a fault"};
 
-// The samples for a part: read box by box, or in memory, and then only what the part needs.
-VolumeSource source_for(std::uint64_t seed, const Volume& volume, const CommandLine& line) {
-  if (seed % 2 == 0) {
-    VolumeSource source = source_of(volume);
-    source.in_memory.reset();
-    return source;
-  }
-  const auto [begin, end] = region_of_part(line, volume.dims(), volume.spacing());
-  return source_of(samples_of(volume, {begin, {end.i - 1, end.j - 1, end.k - 1}}));
-}
-
-// Returns what is wrong; empty: nothing.
-std::string fault_of(std::uint64_t seed, const Case& made, int of) {
-  const CommandLine line = line_of(made, 0, 0);
-  const VolumeSource source = source_of(made.volume);
-  const FieldSource field = field_source(source, line, kName);
-  Report whole_report;
-  const TriMesh whole =
-      mesh_isosurface(all_of(field.source), field.isovalue, line.options, whole_report);
-  std::vector<std::string> bytes;
-  for (int n = 1; n <= of; ++n) {
-    const CommandLine of_part = line_of(made, n, of);
-    const VolumeSource samples = source_for(seed, made.volume, of_part);
-    bytes.push_back(part_bytes(make_part(samples, of_part, kName, nullptr)));
-  }
-  Random random(seed);
-  std::vector<std::size_t> order(bytes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (int turn = 0; turn < 3; ++turn) {
-    for (std::size_t n = order.size(); n > 1; --n) {
-      std::swap(order[n - 1], order[random.below(static_cast<std::uint32_t>(n))]);
-    }
-    std::vector<PartFile> parts;
-    for (const std::size_t n : order) {
-      parts.push_back(part_in(std::as_bytes(std::span(bytes[n])), text("part", n)));
-    }
-    sort_parts(parts);
-    const CommandLine noted = line_of(parts.front(), kName);
-    require_field(parts, field, noted.options, kName);
-    std::vector<Block> blocks;
-    for (PartFile& part : parts) blocks.push_back(std::move(part.block));
-    Report report;
-    const TriMesh joined =
-        mesh_of_parts(field.source, field.isovalue, noted.options, std::move(blocks), report);
-    if (!test::same_mesh(joined, whole)) return "another mesh";
-    if (report.exact != whole_report.exact) return "another exact topology";
-    if (report.counters != whole_report.counters) return "other counts";
-    if (report.cap.failure != whole_report.cap.failure) return "another fault of the caps";
-  }
+std::string difference(const Made& joined, const Made& whole) {
+  if (!test::same_mesh(joined.mesh, whole.mesh)) return "another mesh";
+  if (joined.report.exact != whole.report.exact) return "another exact topology";
+  if (joined.report.counters != whole.report.counters) return "other counts";
+  if (joined.report.cap.failure != whole.report.cap.failure) return "another fault of the caps";
   return {};
+}
+
+Verdict run_seed(std::uint64_t seed, const std::string& file) {
+  const Case drawn = make_case(seed, file);
+  write_nrrd(drawn.volume.tiny.volume, file);
+  const int of = kParts[seed / drawn_options().size() % std::size(kParts)];
+  Verdict verdict;
+  const auto end = [&](Verdict::Outcome outcome, const std::string& what) {
+    verdict.outcome = outcome;
+    what.copy(verdict.what, sizeof verdict.what - 1);
+    return verdict;
+  };
+  CommandLine line, of_part;
+  try {
+    line = test::parse_words(drawn.words);
+    Words words = drawn.words;
+    words.insert(words.end(), {text("--part=1/", of), "--output=v.part"});
+    of_part = test::parse_words(words);
+  } catch (const InputError& error) {
+    const bool is_excluded = (first_option(seed).exempt & kNoParts) != 0;
+    return end(is_excluded ? Verdict::excluded : Verdict::fault, error.what());
+  }
+  if ((first_option(seed).exempt & kNoParts) != 0) {
+    return end(Verdict::fault, "the option is not refused with --part");
+  }
+  const Made whole = made_by(line, mesh_input);
+  const Made joined = made_by(of_part, [&](auto& run, auto& progress, const auto& warn) {
+    std::vector<std::string> bytes = make_parts(of_part, seed % 2 == 0);
+    Random random(seed);
+    for (std::size_t n = bytes.size(); n > 1; --n) {
+      std::swap(bytes[n - 1], bytes[random.below(static_cast<std::uint32_t>(n))]);
+    }
+    return join_parts(bytes, run, progress, warn);
+  });
+  if (joined.refusal.find("too fine for the seam") != std::string::npos) {
+    return end(Verdict::refused_seam, joined.refusal);
+  }
+  if (joined.refusal.empty() != whole.refusal.empty()) {
+    return end(Verdict::fault,
+               text("one process: '", whole.refusal, "', the join: '", joined.refusal, "'"));
+  }
+  if (!whole.refusal.empty()) {
+    const bool is_same = joined.refusal == whole.refusal;
+    return end(is_same ? Verdict::refused : Verdict::nothing, whole.refusal);
+  }
+  const std::string fault = difference(joined, whole);
+  return end(fault.empty() ? Verdict::joined : Verdict::fault, fault);
+}
+
+void list(std::uint64_t seed, const std::string& file, std::string_view what) {
+  std::string line = text("seed ", seed, ": ", what, "\n  deliso");
+  for (const std::string& word : make_case(seed, file).words) line += " " + word;
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+int run_all(std::uint64_t first, std::uint64_t count, bool listed) {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / text("stress_parts-", getpid(), ".nrrd")).string();
+  std::array<std::uint64_t, kOutcomes.size()> outcomes{};
+  std::uint64_t crashed = 0;
+  std::set<std::string_view> tested;
+  const auto run = [&](std::uint64_t begin, std::uint64_t end) {
+    return run_in_children<Verdict>(
+        begin, end, kMostSeconds, [&](std::uint64_t seed) { return run_seed(seed, file); },
+        [&](std::uint64_t seed, const Verdict& verdict) {
+          ++outcomes[verdict.outcome];
+          if (verdict.outcome <= Verdict::refused) tested.insert(first_option(seed).name);
+          if (listed && verdict.outcome == Verdict::fault) list(seed, file, verdict.what);
+        },
+        [&](std::uint64_t seed, bool hung) {
+          ++crashed;
+          list(seed, file, hung ? "hung" : "crashed");
+        });
+  };
+  bool forked = run(first, first + count);
+  // Where a filter has removed the surface, the option gets another seed, of the next rounds.
+  const std::size_t rows = drawn_options().size();
+  const std::uint64_t last = first + (count < rows ? 0 : count + kMoreRounds * rows);
+  for (std::uint64_t seed = first + count; seed < last && tested.size() < rows; ++seed) {
+    if (tested.count(first_option(seed).name) == 0) forked &= run(seed, seed + 1);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  if (!forked) return 2;
+  std::printf("%llu seeds", static_cast<unsigned long long>(count));
+  for (std::size_t n = 0; n < kOutcomes.size(); ++n) {
+    std::printf(", %llu %s", static_cast<unsigned long long>(outcomes[n]),
+                std::string(kOutcomes[n]).c_str());
+  }
+  std::printf(", %llu crashed or hung\n", static_cast<unsigned long long>(crashed));
+  bool all_tested = true;
+  for (const DrawnOption& option : drawn_options()) {
+    if (count < rows || tested.count(option.name) > 0) continue;
+    std::printf("never tested: %s\n", std::string(option.name).c_str());
+    all_tested = false;
+  }
+  return outcomes[Verdict::fault] > 0 || crashed > 0 || !all_tested;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto seeds = parse_seeds(argc, argv, "stress_parts", 84);
-  if (!seeds) return 2;
-  const auto [first, count, list] = *seeds;
-  std::uint64_t faulty = 0, refused = 0, joined = 0;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Case made = case_of(seed);
-    const int of = kParts[seed % std::size(kParts)];
-    std::string fault;
-    try {
-      fault = fault_of(seed, made, of);
-      joined += fault.empty();
-      faulty += !fault.empty();
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      const bool is_refused = what.find("too fine for the seam") != std::string::npos;
-      refused += is_refused;
-      // Without a surface there is no label to find, and nothing to mesh.
-      const bool is_nothing = what.find("no sample has label") != std::string::npos;
-      faulty += !is_refused && !is_nothing;
-      if (!is_refused && !is_nothing) fault = what;
-    }
-    if (list && !fault.empty()) {
-      std::printf("seed %llu in %d parts:", static_cast<unsigned long long>(seed), of);
-      for (const std::string& word : made.words) std::printf(" %s", word.c_str());
-      std::printf(": %s\n", fault.c_str());
-      std::fflush(stdout);
-    }
+  if (const std::string_view name = undrawn_option(); !name.empty()) {
+    std::fprintf(stderr, "stress_parts: %s has no row in drawn_options.cpp\n",
+                 std::string(name).c_str());
+    return 1;
   }
-  std::printf("%llu volumes: %llu joined, %llu with a refused seam, %llu with a fault\n",
-              static_cast<unsigned long long>(count), static_cast<unsigned long long>(joined),
-              static_cast<unsigned long long>(refused), static_cast<unsigned long long>(faulty));
-  return faulty > 0 || 4 * joined < 3 * count;
+  const auto seeds = parse_seeds(argc, argv, "stress_parts", 2 * drawn_options().size());
+  if (!seeds) return 2;
+  try {
+    return run_all(seeds->first, seeds->count, seeds->list);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stress_parts: %s\n", error.what());
+    return 2;
+  }
 }

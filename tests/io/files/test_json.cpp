@@ -6,8 +6,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <string>
 
+#include "base/check.h"
 #include "base/random.h"
+#include "io/files/json_value.h"
 
 using namespace deliso;
 
@@ -77,6 +80,28 @@ TEST_CASE("numbers read back the same; numbers that JSON lacks become null") {
   CHECK(member(std::numeric_limits<double>::quiet_NaN()) == "null");
   CHECK(member(std::numeric_limits<std::uint64_t>::max()) == "18446744073709551615");
   CHECK(member(std::int64_t{-5}) == "-5");
+}
+
+TEST_CASE("strings are read with their escapes, and pairs of surrogates as one character") {
+  const auto read = [](const std::string& text) {
+    return parse_json("\"" + text + "\"", "in").string;
+  };
+  CHECK(read(R"(a\"\\\/\n)") == "a\"\\/\n");
+  CHECK(read(R"(\u0041\u00e9\u20AC)") == "A\xc3\xa9\xe2\x82\xac");
+  CHECK(read(R"(\ud83d\ude00!)") == "\xf0\x9f\x98\x80!");
+  CHECK(read(R"(\udbff\udfff)") == "\xf4\x8f\xbf\xbf");
+  const std::string no_character = "\xef\xbf\xbd";  // U+FFFD
+  CHECK(read(R"(\ud83d)") == no_character);
+  CHECK(read(R"(\ude00\ud83d)") == no_character + no_character);
+  CHECK(read(R"(\ud83d\u0041)") == no_character + "A");
+  CHECK(read(R"(\ud83d\n)") == no_character + "\n");
+  for (const char* damaged : {R"(\u12)", R"(\u12g4)", R"(\u+123)", R"(\u)"}) {
+    CHECK_THROWS_WITH_AS(read(damaged), doctest::Contains("\\u has no four digits"), InputError);
+  }
+  // What is written is read back.
+  for (const std::string text : {"\xf0\x9f\x98\x80", "\x01\x1f\"\\", "\xe2\x82\xac"}) {
+    CHECK(parse_json(member(text), "in").string == text);
+  }
 }
 
 TEST_CASE("strings are escaped, and always valid UTF-8") {

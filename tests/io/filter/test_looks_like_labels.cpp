@@ -129,6 +129,17 @@ TEST_CASE("random segmentations look like labels, of every type") {
   })));
 }
 
+TEST_CASE("labels numbered in order of place are labels, on a background") {
+  // Neighboring tissues differ by 1, as the values of a smooth image do.
+  for (const int thick : {2, 3, 5}) {
+    CAPTURE(thick);
+    CHECK(looks_like_labels(
+        sampled<std::uint8_t>({30 * thick, 40, 40}, {1, 1, 1}, [&](int i, int j, int k) {
+          return 5 <= std::min(j, k) && std::max(j, k) < 35 ? i / thick + 1 : 0;
+        })));
+  }
+}
+
 TEST_CASE("gray images do not, of 8 bits neither") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);

@@ -16,8 +16,9 @@ using namespace deliso::test;
 
 namespace {
 
-TriMesh read_glb(const std::string& bytes, MeshNotes* notes = nullptr) {
-  return parse_mesh(bytes, MeshFormat::glb, "in", notes);
+TriMesh read_glb(const std::string& bytes, MeshNotes* notes = nullptr,
+                 const ExpansionBudget& budget = {}) {
+  return parse_mesh(bytes, MeshFormat::glb, "in", notes, budget);
 }
 
 }  // namespace
@@ -105,6 +106,22 @@ TEST_CASE("a mesh that a small file places a million times does not fill the mem
   json.replace(json.find("\"nodes\":[1]"), 11, "\"nodes\":[" + roots + "]");
   const std::size_t begin = json.find("\"nodes\":[{"), end = json.find("\"meshes\"");
   json.replace(begin, end - begin, "\"nodes\":[" + nodes + "],");
-  CHECK_THROWS_WITH_AS(read_glb(glb_file(json, data)),
-                       "'in': places its objects more than 100 times", InputError);
+  CHECK_THROWS_WITH_AS(read_glb(glb_file(json, data), nullptr, {.free_bytes = 1 << 20, .ratio = 1}),
+                       doctest::Contains("in memory"), InputError);
+}
+
+TEST_CASE("numbers that a small file uses many times do not fill the memory") {
+  // Each primitive has the same vertices, or the same triangles, once more.
+  const auto [json, data] = rich_gltf();
+  const std::string key = "\"primitives\":[";
+  const std::size_t begin = json.find(key) + key.size(), end = json.find(']', begin);
+  REQUIRE(begin < end);
+  std::string many = json.substr(begin, end - begin);
+  for (int n = 0; n < 12; ++n) many += "," + many;
+  std::string longer = json;
+  longer.replace(begin, end - begin, many);
+  const ExpansionBudget small{.free_bytes = 1000, .ratio = 0};
+  CHECK_NOTHROW(read_glb(glb_file(longer, data)));
+  CHECK_THROWS_WITH_AS(read_glb(glb_file(longer, data), nullptr, small),
+                       doctest::Contains("in memory"), InputError);
 }

@@ -7,6 +7,7 @@
 
 #include "io/damage.h"
 #include "io/volume/read_volume.h"
+#include "read_fault.h"
 #include "volume_files.h"
 
 using namespace deliso;
@@ -54,6 +55,30 @@ TEST_CASE("damaged files of every form") {
   }
   CHECK(read > 1000);
   CHECK(refused > 5000);
+}
+
+TEST_CASE("a small file of equal samples does not fill the memory") {
+  const TemporaryFolder folder;
+  Truth truth = random_truth(SampleType::u8, {64, 64, 8}, 17);
+  truth.bytes.assign(truth.bytes.size(), 'x');
+  const ExpansionBudget small{.free_bytes = 1024, .ratio = 4};
+  int refused = 0;
+  for (StoredVolume& stored : all_forms(truth)) {
+    CAPTURE(stored.label);
+    const std::string path = stored.write(folder);
+    CHECK(read_message(path, stored.options).empty());
+    stored.options.budget = small;
+    const std::string message = read_message(path, stored.options);
+    const std::uint64_t size = stored.files[0].content.size();
+    const bool is_small = size <= (truth.bytes.size() - small.free_bytes) / small.ratio;
+    const bool is_tiff = stored.label.starts_with("tiff");
+    const bool is_packed_dicom =
+        stored.label.starts_with("dicom") && stored.label.find("deflated") == std::string::npos;
+    const bool is_expected = is_small && (is_tiff || is_packed_dicom);
+    CHECK((message.find("would become 32768 or more") != std::string::npos) == is_expected);
+    refused += is_expected;
+  }
+  CHECK(refused > 10);
 }
 
 TEST_CASE("truncated files are refused where every byte counts") {

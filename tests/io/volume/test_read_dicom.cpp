@@ -80,7 +80,7 @@ TEST_CASE("a series is sorted by the places of its slices, in every encoding") {
       CHECK(volume.frame().space == AnatomicalSpace::lps);
       CHECK(log.notes.empty());
       CHECK(log.files.size() == kSlices);
-      CHECK(std::ranges::count(log.files, series + "/d.dcm") == 1);
+      CHECK(std::ranges::count(log.paths(), series + "/d.dcm") == 1);
 
       ReadOptions options;
       options.roi = Roi{{1, 0, 2}, {4, 3, 4}};
@@ -449,6 +449,26 @@ TEST_CASE("a folder of several series lists them, and one of them is taken") {
   folder.write("v.npy", "\x93NUMPY");
   CHECK(read_message(folder.path("v.npy"), options).find("has no series to choose from") !=
         std::string::npos);
+}
+
+TEST_CASE("of many series the first are listed, and the others counted") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("disk"));
+  for (int series = 1; series <= 40; ++series) {
+    for (int k = 0; k < 2; ++k) {
+      DicomElements elements = dicom_image(oblique_truth(SampleType::u8), {}, k, 1);
+      elements[0x0020000e] = {"UI", text("1.2.", series)};
+      elements[0x00200011] = {"IS", text(series)};
+      folder.write(text("disk/", series, "-", k), dicom_file({}, elements));
+    }
+  }
+  const std::string message = read_message(folder.path("disk"));
+  CHECK(message.starts_with("disk: holds 40 series, of which --series N takes one: 1 is "));
+  CHECK(message.find("; 5 is ") != std::string::npos);
+  CHECK(message.ends_with("('5-0'); and 35 more"));
+  ReadOptions options;
+  options.series = 40;
+  CHECK(read_volume(folder.path("disk"), options).dims().k == 2);
 }
 
 TEST_CASE("images in color or of a codec that is not read do not disturb a series beside them") {
