@@ -189,7 +189,7 @@ constexpr OptionSpec kRest[] = {
     {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles; --cap adds those of the caps",
      [](Line& l, Text o, Text v) { l.options.target_triangles = parse_count(o, v, 4); }},
     {"--paper", 0, "", kAllMeshing,
-     "everything as published: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
+     "the paper's Recover and criteria: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
      "--max-distance",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},

@@ -40,7 +40,8 @@ struct Parameters : RunSettings {
   double gap;         // facets that face each other are moved apart by so much, at least
   Criteria recovery;  // ApproximateGeom, paper §3.1
   Criteria refinement;
-  // Stage 2 as published: only the paper's operations, and no crossing is refused.
+  // Stage 2 nearly as published: feet, collapses of short edges and flips before the queue beside
+  // the paper's operations, no others. No crossing is refused.
   bool as_published = false;
   // Stage 2 leaves facets with a corner on a fixed arc as they are: blocks/seams.h refines them.
   bool leaves_seams = false;
