@@ -26,6 +26,9 @@ constexpr double kFlatFold = -0.99985;
 // Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
 constexpr double kMoveGaps = 0.7;
 
+// A point of Sigma within this share of a move from its end is taken for the end.
+constexpr double kBesideShare = 0.5;
+
 // Between the normals of facets that count as one sheet. Where sheets touch at a point, both may
 // bend there, and facets near it stand at right angles.
 constexpr double kSameSheetCosine = 0.7;
@@ -66,6 +69,7 @@ class Separation {
     return true;
   }
   void mend_edges(FaceId f) {
+    const Question question(r_, f, Reason::too_near);
     for (int i = 0; i < 3; ++i) {
       if (unfold(f, i) || collapse_if_short(f, i)) return;  // what came is looked at later
     }
@@ -115,7 +119,7 @@ bool Separation::unfold(FaceId f, int i) {
 
 bool Separation::flip_fold(FaceId f, int i, double fold) {
   const Quad q = quad_at(r_.mesh, f, i);
-  Proposal* c = r_.propose(std::array{q.f, q.g});
+  Proposal* c = joins_on_box(r_, q.a, q.d) ? nullptr : r_.propose(std::array{q.f, q.g});
   if (!c) return false;
   c->facets(q.flipped());
   // The same facets but for a hair: their surface points do not matter.
@@ -137,6 +141,9 @@ bool Separation::merge_across(FaceId f, int i) {
     if (h == f) continue;
     Triangle v = r_.mesh.faces[h].v;
     if (has_corner(v, q.d)) return false;
+    for (const VertexId w : v) {
+      if (w != q.a && w != q.b && w != q.c && joins_on_box(r_, q.d, w)) return false;
+    }
     std::ranges::replace(v, q.a, q.d);
     facets.push_back(v);
   }
@@ -243,21 +250,34 @@ void Separation::find_edge_pushes(FaceId f) {
   }
 }
 
-// Moves v in the direction `along`. A vertex on the box stays in its faces, and one on a fixed arc
-// where it is.
+// Moves v in the direction `along`, to a point of Sigma if one is beside the place. A vertex on the
+// box stays in its faces, one on a fixed arc where it is, and all stay in the box.
 bool Separation::move(VertexId v, FaceId f, Vec3 along) {
   const BoundaryChain& chain = r_.s.chain;
-  if (chain.is_boundary(v) && r_.curves.is_on_fixed(chain.place(v))) return false;
+  const bool is_boundary = chain.is_boundary(v);
+  if (is_boundary && r_.curves.is_on_fixed(chain.place(v))) return false;
+  const Vec3 from = r_.point(v);
   const Box3 box = r_.surface.volume().box();
-  const unsigned faces = chain.is_boundary(v) ? box_faces_at(r_.point(v), box) : 0;
+  const unsigned faces = is_boundary ? box_faces_at(from, box) : 0;
   for (int axis = 0; axis < 3; ++axis) {
     if ((faces >> (2 * axis) & 3) != 0) along[axis] = 0;
   }
-  const double size = length(along);
+  const double size = length(along), step = kMoveGaps * gap_;
   Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
   if (!c) return false;
+  Vec3 to = from + step / size * along, normal;
+  for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
+  if (!is_boundary) {
+    const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
+    if (foot) to = *foot;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_boundary && !(box.lo[axis] < to[axis] && to[axis] < box.hi[axis])) return false;
+    to[axis] = std::clamp(to[axis], box.lo[axis], box.hi[axis]);
+  }
+  const Question question(r_, v, Reason::too_near);
   c->asks_surface = false;
-  c->move(v, r_.point(v) + kMoveGaps * gap_ / size * along);
+  c->move(v, to);
   return accept(Operation::move, r_.replace());
 }
 

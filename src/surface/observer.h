@@ -49,6 +49,7 @@ enum class Reason : std::uint8_t {
   off_curve,
   far_point,
   unneeded,  // of a vertex; those above are of facets
+  too_near,  // of a facet folded onto another, or with a short edge; of a vertex to be moved off
   count_
 };
 constexpr Reason reason_of(Criterion c) {

@@ -48,7 +48,7 @@ TEST_CASE("--check finds the faults that the check command finds in the file") {
                         {"builtin:five_spheres:24", " --largest 2", " --largest 2"},
                         {"builtin:torus:16", " --paper", ""},
                         // Of so few triangles most are over a limit.
-                        {"builtin:marschner_lobb:32", " --vertices 100", ""}}) {
+                        {"builtin:marschner_lobb:32", " --vertices 60", ""}}) {
     CAPTURE(c.volume);
     const CheckOutcome made = outcome_of(folder, c.volume + c.options + " --check -o " + file);
     const CheckOutcome checked = outcome_of(folder, "check " + file + " " + c.volume + c.of_check);

@@ -149,9 +149,14 @@ class Stage {
         turned_out_(turned_out(mesh)) {
     const ValueRange range = value_range(scene.volume);
     tolerance_ = 1e-8 * (range.max - range.min);
+    // Refinement may have moved vertices off Sigma where the mesh was too near to itself.
+    for (const Vec3& p : mesh.points) tolerance_ = std::max(tolerance_, off_isovalue(p));
   }
   Stage(const Stage&) = delete;
 
+  double off_isovalue(const Vec3& p) const {
+    return std::abs(scene.volume.value(p) - scene.surface.kappa());
+  }
   // The first thing wrong with the mesh as it is now; empty when all is well.
   std::string fault() const {
     SurfaceMesh live = surface_mesh;
@@ -166,7 +171,7 @@ class Stage {
     if (fault.empty()) fault = fault_of_chain(surface_mesh);
     if (!fault.empty()) return fault;
     for (const Vec3& p : live.mesh.points) {
-      if (!(std::abs(scene.volume.value(p) - scene.surface.kappa()) <= tolerance_)) {
+      if (!(off_isovalue(p) <= tolerance_)) {
         return "a vertex off the surface";
       }
     }

@@ -91,7 +91,8 @@ ReasonName name_of(Reason reason) {
       {"no surface point", "the facet's dual line misses the surface; value: circumradius"},
       {"off its curve", "a boundary edge leaves its curve; value: circumradius"},
       {"far point", "a point of the surface is too far from this facet; value: circumradius"},
-      {"unneeded", "the criteria may hold without this vertex"}};
+      {"unneeded", "the criteria may hold without this vertex"},
+      {"too near", "folded onto another facet, a very short edge, or nearly on another facet"}};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Reason::count_));
   return names[static_cast<std::size_t>(reason)];
 }

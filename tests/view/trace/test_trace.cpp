@@ -476,11 +476,15 @@ TEST_CASE("an operation is tried for a reason of its own, at a facet or a vertex
       ++tried[static_cast<std::size_t>(operation)];
       CHECK((operation == Operation::removal) == (reason == Reason::unneeded));
       CHECK((operation == Operation::far_point) <= (reason == Reason::far_point));
-      CHECK((operation == Operation::flip) <= (reason == Reason::not_delaunay));
+      CHECK((operation == Operation::flip) <=
+            (reason == Reason::not_delaunay || reason == Reason::too_near));
       CHECK(reason >= Reason::not_delaunay);
       const Triangle caller =
           triangle_of(a.caller[3 * e], a.caller[3 * e + 1], a.caller[3 * e + 2]);
-      if (reason == Reason::unneeded) {
+      const bool is_of_vertex = caller[1] == kNoId;
+      CHECK((reason == Reason::unneeded) <= is_of_vertex);
+      if (is_of_vertex) {
+        CHECK((reason == Reason::unneeded || reason == Reason::too_near));
         CHECK(caller[1] == kNoId);
         CHECK(std::ranges::any_of(
             complex, [&](const auto& facet) { return has_corner(facet.first, caller[0]); }));

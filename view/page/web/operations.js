@@ -33,5 +33,6 @@ const kCriteria = {
   ...styled([['h', 'distance h'], ['r/l', 'shape r/l'], ['h/r', 'h/r'], ['r/pole', 'r/pole'],
              ['r', 'size r'], ['not Delaunay', 'not Delaunay'],
              ['no surface point', 'no surface point'], ['off its curve', 'off its curve'],
-             ['far point', 'far point'], ['unneeded', 'not needed']], 0xa84a00, 0xffcf70),
+             ['far point', 'far point'], ['unneeded', 'not needed'],
+             ['too near', 'too near']], 0xa84a00, 0xffcf70),
 };
