@@ -120,14 +120,19 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
 // T has shorter edges: a mesh keeps vertices and facets apart there.
 constexpr double kApartShares = 5;
 
+// Between the normals of triangles of two sheets. Where sheets touch, both may bend.
+constexpr double kOtherSheetCosine = 0.5;
+
 // What T has within a distance of a point.
 struct NearContour {
   bool any = false;  // between two sheets that are one but for rounding no line finds Sigma
   bool short_edge = false;
+  bool two_sheets = false;
 };
 NearContour contour_near(const Vec3& p, double distance, double shortest,
                          const ContourMesh& contour, const VoxelComponents& voxels) {
   NearContour near;
+  std::vector<Vec3> normals;
   voxels.for_each_triangle_around(p, [&](std::uint32_t n) {
     const auto& [u, v, w] = contour.triangles[n];
     const Vec3 &a = contour.points[u], &b = contour.points[v], &c = contour.points[w];
@@ -138,6 +143,10 @@ NearContour contour_near(const Vec3& p, double distance, double shortest,
     }
     near.any = true;
     near.short_edge |= shortest_edge2(a, b, c) < shortest * shortest;
+    normals.push_back(area_normal(a, b, c));
+    near.two_sheets |= std::ranges::any_of(normals, [&](const Vec3& normal) {
+      return cosine_between(normal, normals.back()) < kOtherSheetCosine;
+    });
   });
   return near;
 }

@@ -14,6 +14,7 @@
 #include "refine/operations.h"
 #include "refine/orientation.h"
 #include "refine/refine.h"
+#include "refine/separate.h"
 
 namespace deliso {
 namespace {
@@ -282,6 +283,7 @@ void coarsen_to_target(SurfaceMesh& mesh, const Isosurface& surface, const Bound
   parameters.refinement[Criterion::distance] = kNotAsked;
   Refinement r(mesh, surface, curves, parameters, report);
   coarsen(r, given.target_vertices, given.target_triangles);
+  separate(r, IdArray<VertexId, std::uint8_t>(mesh.mesh.points.size(), 1));
   count_unrefined(mesh, parameters, report);
   report.max_distance = furthest_distance(mesh.mesh, r.facets(), samples, parameters.voxel);
   remove_dead(mesh);

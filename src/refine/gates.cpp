@@ -215,6 +215,7 @@ bool Refinement::uncovers(const Proposal& c) const {
 // are moved apart one by one, facets are needles in between.
 bool Refinement::is_needle(const Proposal& c) const {
   if (c.what == Proposal::Vertex::moves && c.in.facets.size() == c.was.facets.size()) return false;
+  if (c.what == Proposal::Vertex::comes && !c.asks_surface) return false;
   const auto height2 = [](const Vec3& a, const Vec3& b, const Vec3& d) {
     const double longest2 = longest_edge2(a, b, d);
     return length2(area_normal(a, b, d)) / (longest2 * longest2);

@@ -23,6 +23,9 @@ constexpr double kShortestEdgeVoxels = 1e-3;
 // Between the normals of two facets that are flat on each other, within one degree.
 constexpr double kFlatFold = -0.99985;
 
+// Least height of a facet that is no needle, in its longest edge: angles of about .01 degree.
+constexpr double kNeedleHeight = 2e-4;
+
 // Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
 constexpr double kMoveGaps = 0.7;
 
@@ -54,6 +57,10 @@ class Separation {
     }
     for (int round = 0; round < kMaxRounds && push_apart(); ++round) {
     }
+    // Moves may leave needles and folds.
+    for (std::size_t n = 0, moved = replaced_.size(); n < moved; ++n) {
+      if (!is_dead(r_.mesh.faces[replaced_[n]])) mend_edges(replaced_[n]);
+    }
     std::erase_if(replaced_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
     sort_unique(replaced_);
     return std::move(replaced_);
@@ -73,11 +80,13 @@ class Separation {
     for (int i = 0; i < 3; ++i) {
       if (unfold(f, i) || collapse_if_short(f, i)) return;  // what came is looked at later
     }
+    flip_needle(f);
   }
   // The tests of a collapse: all, or the topology and crossings alone.
   enum class Gates : std::uint8_t { all, topology };
   bool unfold(FaceId f, int i);
   bool flip_fold(FaceId f, int i, double fold);
+  bool flip_needle(FaceId f);
   bool collapse(FaceId f, int i, Gates gates);
   bool merge_across(FaceId f, int i);
   bool collapse_if_short(FaceId f, int i);
@@ -128,6 +137,30 @@ bool Separation::flip_fold(FaceId f, int i, double fold) {
     const auto& [s, t] = q.flipped();
     return cosine_between(r_.normal(s), r_.normal(t)) > fold;
   }));
+}
+
+// Flips the longest edge of a facet that is nearly a line.
+bool Separation::flip_needle(FaceId f) {
+  const auto height2 = [&](const Triangle& v) {
+    const double longest2 = longest_edge2(r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
+    return length2(r_.normal(v)) / (longest2 * longest2);
+  };
+  const Face& face = r_.mesh.faces[f];
+  const double before = height2(face.v);
+  if (!(before < kNeedleHeight * kNeedleHeight)) return false;
+  const auto length2 = [&](int i) {
+    return distance2(r_.point(face.v[(i + 1) % 3]), r_.point(face.v[(i + 2) % 3]));
+  };
+  const int i = std::max({0, 1, 2}, [&](int a, int b) { return length2(a) < length2(b); });
+  if (face.n[i] == kNoId) return false;
+  const Quad q = quad_at(r_.mesh, f, i);
+  const auto [s, t] = q.flipped();
+  if (joins_on_box(r_, q.a, q.d) || !(std::min(height2(s), height2(t)) > before)) return false;
+  Proposal* c = r_.propose(std::array{q.f, q.g}, kAnyFold);
+  if (!c) return false;
+  c->facets(q.flipped());
+  c->asks_surface = false;
+  return accept(Operation::flip, r_.replace());
 }
 
 // Merges the corner i of f into the corner of the facet across the opposite edge. The two facets at
@@ -232,7 +265,8 @@ void Separation::find_pushes(VertexId v, FaceId f) {
     const auto is_same_sheet = [&](const Vec3& n) {
       return cosine_between(n, normal) > kSameSheetCosine;
     };
-    if (std::ranges::any_of(own, is_same_sheet)) continue;
+    const auto is_beside = [&](VertexId w) { return std::ranges::find(beside, w) != beside.end(); };
+    if (std::ranges::any_of(t, is_beside) && std::ranges::any_of(own, is_same_sheet)) continue;
     push(v, f, (dot(p - a, normal) > 0 ? 1 : -1) / length(normal) * normal);
   }
 }
