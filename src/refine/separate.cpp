@@ -87,6 +87,7 @@ class Separation {
   bool unfold(FaceId f, int i);
   bool flip_fold(FaceId f, int i, double fold);
   bool flip_needle(FaceId f);
+  bool remove_tip(FaceId f, int i);
   bool collapse(FaceId f, int i, Gates gates);
   bool merge_across(FaceId f, int i);
   bool collapse_if_short(FaceId f, int i);
@@ -121,9 +122,10 @@ bool Separation::unfold(FaceId f, int i) {
   const FaceId g = r_.mesh.faces[f].n[i];
   if (g == kNoId) return false;
   const double fold = cosine_between(r_.normal(r_.mesh.faces[f].v), r_.normal(r_.mesh.faces[g].v));
-  return fold < kSharpestFold &&
-         (flip_fold(f, i, fold) || merge_across(f, i) ||
-          merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates::all));
+  if (!(fold < kSharpestFold)) return false;
+  return flip_fold(f, i, fold) || merge_across(f, i) ||
+         merge_across(g, neighbor_index(r_.mesh.faces[g], f)) || collapse(f, i, Gates::all) ||
+         (fold < kFlatFold && remove_tip(f, i));
 }
 
 bool Separation::flip_fold(FaceId f, int i, double fold) {
@@ -137,6 +139,25 @@ bool Separation::flip_fold(FaceId f, int i, double fold) {
     const auto& [s, t] = q.flipped();
     return cosine_between(r_.normal(s), r_.normal(t)) > fold;
   }));
+}
+
+// Removes an end of the fold whose three facets lie on each other: Sigma has no such tip.
+bool Separation::remove_tip(FaceId f, int i) {
+  const Triangle v = r_.mesh.faces[f].v;
+  for (const VertexId tip : {v[(i + 1) % 3], v[(i + 2) % 3]}) {
+    const std::span<const FaceId> star = r_.star(f, tip);
+    if (star.size() != 3 || r_.s.chain.is_boundary(tip)) continue;
+    Proposal* c = r_.propose(star, kAnyFold);
+    if (!c) continue;
+    const auto& rim = c->was.boundary;  // in any order
+    const VertexId next = rim[0].to;
+    const VertexId last = rim[1].from == next ? rim[1].to : rim[2].to;
+    const Triangle left{rim[0].from, next, last};
+    c->facets({&left, 1});
+    c->asks_surface = false;
+    if (accept(Operation::collapse, r_.replace())) return true;
+  }
+  return false;
 }
 
 // Flips the longest edge of a facet that is nearly a line.

@@ -21,6 +21,7 @@ constexpr double kChordEndShare = 0.02;
 // tested: no sheet comes between.
 constexpr double kStepSpacings = 0.125;
 constexpr double kMaxFootSteps = 3;
+constexpr double kMaxSteps = 32;  // of a chord; spacings may be very unlike
 
 }  // namespace
 
@@ -53,7 +54,7 @@ bool SurfacePointFinder::leads_to(const Vec3& p, const Vec3& q, const Vec3& norm
                                   SearchCounters& counters) {
   const Vec3 spacing = surface_.volume().spacing();
   const double shortest = std::min({spacing.x, spacing.y, spacing.z}), chord = distance(p, q);
-  const double steps = std::ceil(chord / (kStepSpacings * shortest));
+  const double steps = std::clamp(std::ceil(chord / (kStepSpacings * shortest)), 1.0, kMaxSteps);
   const double farthest = kMaxFootSteps * chord / steps;
   Vec3 last = p;
   for (double n = 1; n < steps; ++n) {

@@ -8,8 +8,10 @@
 
 #include "base/random.h"
 #include "base/triangle.h"
+#include "check/verify.h"
 #include "contour/contour.h"
 #include "deliso/deliso.h"
+#include "io/volume/builtin_volume.h"
 #include "mesh/check_mesh.h"
 #include "stress/option_volume.h"
 
@@ -32,7 +34,60 @@ void check_sound(const TriMesh& mesh, const Volume& volume) {
   CHECK(check_boundary_on_box(mesh, volume.box()) == "");
 }
 
+// Meshes the volume and returns how many faults of the kind a check finds.
+std::size_t count_faults(FaultKind kind, const Volume& volume, double isovalue, int block_side) {
+  Options options;
+  if (block_side > 0) options.block_side = block_side;
+  Report report;
+  const TriMesh mesh = mesh_isosurface(volume, isovalue, options, report);
+  check_sound(mesh, volume);
+  return verify(mesh, volume, report.kappa_effective, {}).faults.count(kind);
+}
+
 }  // namespace
+
+// The foot of a circumcenter may lie as far away as the circumradius, on another component.
+TEST_CASE("no facet leads to another component") {
+  const std::vector<std::uint8_t> samples{
+      114, 148, 111, 180, 105, 87,  70,  127, 122, 53,  53,  129, 139, 156, 64,  97,  119, 136,
+      93,  90,  87,  89,  143, 147, 121, 111, 73,  66,  132, 125, 111, 108, 106, 139, 127, 99,
+      125, 89,  118, 129, 108, 46,  94,  122, 71,  95,  83,  87,  55,  15,  95,  136, 81,  40,
+      82,  100, 42,  71,  90,  86,  63,  104, 153, 186, 105, 109, 148, 198, 112, 145, 139, 173};
+  const Volume volume = Volume::from_samples({4, 3, 6}, {3.2, 3.2, 1.5}, samples);
+  CHECK(count_faults(FaultKind::stray_vertices, volume, 142.5, 0) == 0);
+}
+
+// A plane, and grid edges that it crosses at one line of a seam: facets with three corners on it.
+TEST_CASE("a plane in blocks has no facet that is nearly a line") {
+  std::vector<std::int16_t> samples;
+  for (int k = 0; k < 11; ++k) {
+    for (int j = 0; j < 17; ++j) {
+      for (int i = 0; i < 16; ++i) {
+        samples.push_back(static_cast<std::int16_t>(-5 * i - 3 * j + 2 * k));
+      }
+    }
+  }
+  const Volume volume = Volume::from_samples({16, 17, 11}, {1, 1, 1}, samples);
+  CHECK(count_faults(FaultKind::needle_triangles, volume, -54.5, 6) == 0);
+  CHECK(count_faults(FaultKind::folds, volume, -54.5, 6) == 0);
+}
+
+// Blocks on both sides of a seam moved a vertex off it by a hair, each to its side.
+TEST_CASE("sheets at seams do not lie on each other") {
+  const Volume volume = make_builtin_volume("builtin:noise:24");
+  CHECK(count_faults(FaultKind::folds, volume, 128.1, 8) == 0);
+}
+
+// At a sample equal to the isovalue Sigma comes as near to itself as kappa is lowered.
+TEST_CASE("spheres around samples at the isovalue are as large as the gap between facets") {
+  std::vector<std::uint8_t> samples(5 * 5 * 5, 100);
+  samples[62] = 200;
+  const Volume volume = Volume::from_samples({5, 5, 5}, {1, 1, 1}, samples);
+  for (const double isovalue : {200.0, 150.0}) {
+    CHECK(count_faults(FaultKind::near_vertices, volume, isovalue, 0) == 0);
+    CHECK(count_faults(FaultKind::vertices_off_surface, volume, isovalue, 0) == 0);
+  }
+}
 
 // Voxels were cut into cells about as long as wide, whatever their spacing. At 1:20:20 a voxel had
 // 204,800 cells, and the run seemed to hang. At 1:1:100000 the memory did not suffice.

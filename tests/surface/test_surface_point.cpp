@@ -149,3 +149,12 @@ TEST_CASE("a foot is the nearest point of a tilted plane, if that faces as asked
       sampled<float>({5, 5, 5}, {1, 1, 1}, [](int, int, int k) { return k < 3 ? 1 : -1; }));
   CHECK_FALSE(plateau.finder.foot({1.5, 1.5, 0.5}, {0, 0, 1}, 4, plateau.counters));
 }
+
+TEST_CASE("Sigma leads along one sheet, and not to another that faces the same way") {
+  // Two hills with a gap between them: the chord of their tops meets no sheet that faces away.
+  Finder hills(world(false, [](int i, int) { return i == 6 ? 1.25 : 8.25; }));
+  const Vec3 up{0, 0, 1};
+  CHECK(hills.finder.leads_to({1, 6, 8.25}, {4, 6, 8.25}, up, hills.counters));
+  CHECK_FALSE(hills.finder.leads_to({4, 6, 8.25}, {8, 6, 8.25}, up, hills.counters));
+  CHECK(hills.counters.searches > 0);
+}
