@@ -206,9 +206,9 @@ typedef struct deliso_source {
   size_t shape[3];           /* along z, y, x */
   const deliso_place* place; /* may be null */
   /* Writes the samples [begin[0], end[0]) x [begin[1], end[1]) x [begin[2], end[2]), along z, y, x,
-   * into `samples`, the last index fastest and nothing between, all of the type above. Returns 0; anything else is
-   * DELISO_BAD_INPUT. The calls come from any thread, never two at once for one call of a function
-   * below. A box may be read more than once, and must then be the same. */
+   * into `samples`, the last index fastest and nothing between, all of the type above. Returns 0;
+   * anything else is DELISO_BAD_INPUT. The calls come from any thread, never two at once for one
+   * call of a function below. A box may be read more than once, and must then be the same. */
   int (*read)(void* context, const size_t begin[3], const size_t end[3], void* samples);
   void* context;
 } deliso_source;

@@ -171,8 +171,9 @@ std::vector<std::uint8_t> check_vertices_on_surface(
       off[v] = distance_off_surface(p, surface, result.surface_tolerance, 4 * voxel);
       if (off[v] != 0) {
         const NearContour near = contour_near(p, apart, least, contour, voxels);
-        const bool may_leave = near.short_edge || has_triangle_near(mesh.points, mesh.triangles,
-                                                                    tree, VertexId(v), apart);
+        const bool may_leave =
+            near.short_edge || near.two_sheets ||
+            has_triangle_near(mesh.points, mesh.triangles, tree, VertexId(v), apart);
         if ((off[v] <= apart || near.any) && may_leave) off[v] = 0;
       }
       on_surface[v] = off[v] == 0;
