@@ -90,6 +90,9 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
   how.components = options.components;
   how.solid = options.cap;
   const Verification found = verify(mesh, volume, report.kappa_effective, how);
+  for (const FaultKind kind : {needle_triangles, folds, near_vertices}) {
+    is_close |= found.faults.count(kind) > 0;
+  }
   for (std::size_t n = 0; n < kFaultKinds; ++n) {
     const auto kind = static_cast<FaultKind>(n);
     if (found.faults.count(kind) == 0 || kind == over_limits) continue;
@@ -99,10 +102,11 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
       continue;
     }
     // Vertices that were moved off such a place may stay off Sigma when it is gone.
-    const bool is_apart = kind == vertices_off_surface &&
-                          found.max_off_surface <= kMovedShares * near_distance(volume);
+    const bool is_apart =
+        kind == vertices_off_surface &&
+        (is_close || found.max_off_surface <= kMovedShares * near_distance(volume));
     if (kind == needle_triangles || kind == folds || kind == near_vertices || is_apart) {
-      is_close = true;
+      is_close |= is_apart;
       continue;
     }
     if (kind == vertices_off_surface && report[Counter::cap_lifts_off_surface] > 0) continue;
