@@ -35,6 +35,14 @@ constexpr double longest_edge2(const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
 }
 
+// Returns the square of the least height over the longest edge. Below kNeedleHeight squared a
+// triangle is a needle: an angle is less than about .01 degree.
+constexpr double height_ratio2(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest2 = longest_edge2(a, b, c);
+  return length2(area_normal(a, b, c)) / (longest2 * longest2);
+}
+inline constexpr double kNeedleHeight = 2e-4;
+
 // Returns the squared distance from p to the triangle. The nearest point is a corner or lies on an
 // edge or inside, depending on which of the triangle's seven Voronoi regions holds p (Ericson 2005,
 // §5.1.5).

@@ -116,9 +116,10 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
   }
 }
 
-// Vertices may leave Sigma by so many near_distance() where the mesh comes that near to itself, or
-// T has shorter edges: a mesh keeps vertices and facets apart there.
-constexpr double kApartShares = 5;
+// Vertices may leave Sigma by so many near_distance(), or by so much of a voxel, where the mesh comes
+// that near to itself, or T has shorter edges: a mesh keeps vertices and facets apart there, and opens
+// folds.
+constexpr double kApartShares = 5, kApartVoxels = 0.05;
 
 // Between the normals of triangles of two sheets. Where sheets touch, both may bend.
 constexpr double kOtherSheetCosine = 0.5;
@@ -158,7 +159,8 @@ std::vector<std::uint8_t> check_vertices_on_surface(
     const ContourMesh& contour, const VoxelComponents& voxels, const Isosurface& surface,
     int threads, Verification& result) {
   const double voxel = surface.volume().voxel();
-  const double least = near_distance(surface.volume()), apart = kApartShares * least;
+  const double least = near_distance(surface.volume()),
+               apart = std::max(kApartShares * least, kApartVoxels * voxel);
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),

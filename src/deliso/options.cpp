@@ -15,6 +15,8 @@ constexpr double kShapeFloorVoxels = 0.05;
 // The distance to which facets are moved apart, in the largest side of the box. Programs that fill
 // surfaces with tetrahedra take facets for one that are nearer than 1e-5 of it.
 constexpr double kGapOfBox = 1.5e-5;
+// Of the spacing between slices: facets as long as two voxels stay wider than needles there.
+constexpr double kGapOfSpacing = 6e-4;
 
 }  // namespace
 
@@ -83,7 +85,8 @@ Parameters resolve(const Options& o, const Volume& volume) {
   p.r_min = r_min;
   const Vec3 whole = volume.spacing();
   for (int axis = 0; axis < 3; ++axis) {
-    p.gap = std::max(p.gap, kGapOfBox * whole[axis] * (volume.whole_dims()[axis] - 1));
+    const int steps = volume.whole_dims()[axis] - 1;
+    p.gap = std::max(p.gap, whole[axis] * std::max(kGapOfBox * steps, kGapOfSpacing));
   }
   p.fingers = o.fingers.in(volume);
   for (std::size_t n = 0; n < kCriteria; ++n) {

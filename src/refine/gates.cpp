@@ -19,9 +19,6 @@ constexpr std::size_t kMaxSmallComponent = 12;
 // lies within 0.25 voxel of the mesh, without the test within 0.7.
 constexpr double kMaxRemovedDistances = 2;
 
-// G5: least height of a facet, in its longest edge. So no angle is below about .01 degree.
-constexpr double kLeastHeight = 2e-4;
-
 }  // namespace
 
 std::optional<Refusal> Refinement::test_shape(Proposal& c) {
@@ -216,18 +213,14 @@ bool Refinement::uncovers(const Proposal& c) const {
 bool Refinement::is_needle(const Proposal& c) const {
   if (c.what == Proposal::Vertex::moves && c.in.facets.size() == c.was.facets.size()) return false;
   if (c.what == Proposal::Vertex::comes && !c.asks_surface) return false;
-  const auto height2 = [](const Vec3& a, const Vec3& b, const Vec3& d) {
-    const double longest2 = longest_edge2(a, b, d);
-    return length2(area_normal(a, b, d)) / (longest2 * longest2);
-  };
   double after = 1, before = 1;
-  for (std::size_t f = 0; f < c.in.facets.size(); ++f) {
-    const auto& [a, b, d] = c.in.facets[f];
-    after = std::min(after, height2(point(a), point(b), point(d)));
+  for (const auto& [a, b, d] : c.in.facets) {
+    after = std::min(after, height_ratio2(point(a), point(b), point(d)));
   }
-  if (after >= kLeastHeight * kLeastHeight) return false;
+  if (after >= kNeedleHeight * kNeedleHeight) return false;
   for (const auto& [a, b, d] : c.was.facets) {
-    before = std::min(before, height2(point_before(c, a), point_before(c, b), point_before(c, d)));
+    before =
+        std::min(before, height_ratio2(point_before(c, a), point_before(c, b), point_before(c, d)));
   }
   return after < before;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -23,9 +22,6 @@ constexpr double kShortestEdgeVoxels = 1e-3;
 // Between the normals of two facets that are flat on each other, within one degree.
 constexpr double kFlatFold = -0.99985;
 
-// Least height of a facet that is no needle, in its longest edge: angles of about .01 degree.
-constexpr double kNeedleHeight = 2e-4;
-
 // Length of a move, in gaps: where both sheets move, they end a little beyond the gap.
 constexpr double kMoveGaps = 0.7;
 
@@ -36,8 +32,14 @@ constexpr double kBesideShare = 0.5;
 // bend there, and facets near it stand at right angles.
 constexpr double kSameSheetCosine = 0.7;
 
+// Tangent of half the angle to which a fold is opened, 1.3 degrees; and, in voxels, the furthest
+// that this may move a corner.
+constexpr double kOpening = 0.0113, kOpeningVoxels = 0.02;
+
 // Rounds of moves. One is enough for two sheets; vertices around one point need two.
 constexpr int kMaxRounds = 16;
+// Of these, rounds in which folds are opened.
+constexpr int kFoldRounds = 2;
 
 class Separation {
  public:
@@ -47,20 +49,14 @@ class Separation {
     for (FaceId f = r_.free_box.first_free; f < r_.mesh.faces.size(); ++f) {
       if (!is_dead(r_.mesh.faces[f])) mend_edges(f);
     }
-    for (std::size_t n = 0; n < facets_.size(); ++n) {
-      if (!is_dead(r_.mesh.faces[facets_[n]])) mend_edges(facets_[n]);
-    }
+    mend_new();
     for (FaceId f = r_.free_box.first_free; f < r_.mesh.faces.size(); ++f) {
       if (is_dead(r_.mesh.faces[f])) continue;
       const auto is_asked = [&](VertexId v) { return v < is_crowded.size() && is_crowded[v]; };
       if (std::ranges::any_of(r_.mesh.faces[f].v, is_asked)) facets_.push_back(f);
     }
-    for (int round = 0; round < kMaxRounds && push_apart(); ++round) {
-    }
-    // Moves may leave needles and folds.
-    for (std::size_t n = 0, moved = replaced_.size(); n < moved; ++n) {
-      if (!is_dead(r_.mesh.faces[replaced_[n]])) mend_edges(replaced_[n]);
-    }
+    // Moves may leave needles and folds, and mending those brings facets near.
+    for (int round = 0; round < kMaxRounds && push_apart(round < kFoldRounds); ++round) mend_new();
     std::erase_if(replaced_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
     sort_unique(replaced_);
     return std::move(replaced_);
@@ -74,6 +70,13 @@ class Separation {
       replaced_.push_back(f);
     }
     return true;
+  }
+  void mend_new() {
+    std::size_t next = 0;
+    while (next < facets_.size()) {  // it grows
+      const FaceId f = facets_[next++];
+      if (!is_dead(r_.mesh.faces[f])) mend_edges(f);
+    }
   }
   void mend_edges(FaceId f) {
     const Question question(r_, f, Reason::too_near);
@@ -93,26 +96,27 @@ class Separation {
   bool collapse_if_short(FaceId f, int i);
   bool lies_on_box(VertexId from, VertexId to) const;
 
-  bool push_apart();
+  bool push_apart(bool opens_folds);
   void find_pushes(VertexId v, FaceId f);
   void find_edge_pushes(FaceId f);
-  void push(VertexId v, FaceId f, const Vec3& along) {
-    Push& p = pushes_[v];
-    p.facet = f;
-    p.along = p.along + along;
+  void find_fold_pushes(FaceId f);
+  void push(VertexId v, FaceId f, const Vec3& along, double step = 0) {
+    pushes_.push_back({v, f, along, std::max(step, kMoveGaps * gap_)});
   }
-  bool move(VertexId v, FaceId f, Vec3 along);
 
   struct Push {
+    VertexId vertex;
     FaceId facet;  // one at the vertex
     Vec3 along;
+    double step = 0;  // how far
   };
+  bool move(const Push& push);
 
   Refinement& r_;
   std::vector<FaceId> facets_;  // to be looked at; grows
   std::vector<FaceId> replaced_;
   const double gap_;
-  std::map<VertexId, Push> pushes_;  // of this round
+  std::vector<Push> pushes_;  // of this round
   IdArray<VertexId, std::uint8_t> is_seen_;
   std::vector<FaceId> near_;
 };
@@ -163,8 +167,7 @@ bool Separation::remove_tip(FaceId f, int i) {
 // Flips the longest edge of a facet that is nearly a line.
 bool Separation::flip_needle(FaceId f) {
   const auto height2 = [&](const Triangle& v) {
-    const double longest2 = longest_edge2(r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
-    return length2(r_.normal(v)) / (longest2 * longest2);
+    return height_ratio2(r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
   };
   const Face& face = r_.mesh.faces[f];
   const double before = height2(face.v);
@@ -240,20 +243,30 @@ bool Separation::lies_on_box(VertexId from, VertexId to) const {
 }
 
 // Returns true if a vertex was moved.
-bool Separation::push_apart() {
+bool Separation::push_apart(bool opens_folds) {
   std::erase_if(facets_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
   sort_unique(facets_);
   pushes_.clear();
   is_seen_.assign(r_.mesh.points.size(), 0);
   for (const FaceId f : facets_) {
     find_edge_pushes(f);
+    if (opens_folds) find_fold_pushes(f);
     for (const VertexId v : r_.mesh.faces[f].v) {
       if (!std::exchange(is_seen_[v], 1)) find_pushes(v, f);
     }
   }
   facets_.clear();
   bool any = false;
-  for (const auto& [v, push] : std::exchange(pushes_, {})) any |= move(v, push.facet, push.along);
+  // Pushes of one vertex are added up.
+  std::ranges::stable_sort(pushes_, {}, &Push::vertex);
+  for (auto push = pushes_.begin(); push != pushes_.end();) {
+    Push sum = *push;
+    while (++push != pushes_.end() && push->vertex == sum.vertex) {
+      sum.along = sum.along + push->along;
+      sum.step = std::max(sum.step, push->step);
+    }
+    any |= move(sum);
+  }
   return any;
 }
 
@@ -305,9 +318,28 @@ void Separation::find_edge_pushes(FaceId f) {
   }
 }
 
+// Opens a fold: pushes the two corners off its edge apart.
+void Separation::find_fold_pushes(FaceId f) {
+  for (int i = 0; i < 3; ++i) {
+    const FaceId g = r_.mesh.faces[f].n[i];
+    if (g == kNoId || g < f) continue;
+    const Quad q = quad_at(r_.mesh, f, i);
+    const Vec3 m = r_.normal(r_.mesh.faces[f].v), n = r_.normal(r_.mesh.faces[g].v);
+    if (cosine_between(m, n) > kFlatFold) continue;
+    const double edge = distance(r_.point(q.b), r_.point(q.c));
+    const double side = dot(r_.point(q.a) - r_.point(q.b), n) > 0 ? 1 : -1;
+    const double most = kOpeningVoxels * r_.parameters.voxel;
+    push(q.a, f, side / length(n) * n, std::min(most, kOpening * length(m) / edge));
+    push(q.d, g, side / length(m) * m, std::min(most, kOpening * length(n) / edge));
+  }
+}
+
 // Moves v in the direction `along`, to a point of Sigma if one is beside the place. A vertex on the
 // box stays in its faces, one on a fixed arc where it is, and all stay in the box.
-bool Separation::move(VertexId v, FaceId f, Vec3 along) {
+bool Separation::move(const Push& push) {
+  const VertexId v = push.vertex;
+  const FaceId f = push.facet;
+  Vec3 along = push.along;
   const BoundaryChain& chain = r_.s.chain;
   const bool is_boundary = chain.is_boundary(v);
   if (is_boundary && r_.curves.is_on_fixed(chain.place(v))) return false;
@@ -317,13 +349,14 @@ bool Separation::move(VertexId v, FaceId f, Vec3 along) {
   for (int axis = 0; axis < 3; ++axis) {
     if ((faces >> (2 * axis) & 3) != 0) along[axis] = 0;
   }
-  const double size = length(along), step = kMoveGaps * gap_;
+  const double size = length(along);
   Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
   if (!c) return false;
-  Vec3 to = from + step / size * along, normal;
+  Vec3 to = from + push.step / size * along, normal;
   for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
   if (!is_boundary) {
-    const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
+    const auto foot =
+        r_.finder.foot(to, normal, kBesideShare * push.step, r_.report.searches_refine);
     if (foot) to = *foot;
   }
   for (int axis = 0; axis < 3; ++axis) {

@@ -4,9 +4,11 @@
 // Stage 2 such places are mended, by replacements of disks as everything else:
 //   - two facets folded onto each other at an edge: the edge is flipped, or the corner of one is
 //     merged into that of the other;
-//   - an edge shorter than a thousandth of a voxel is collapsed;
+//   - an edge shorter than a thousandth of a voxel is collapsed, the longest edge of a needle is
+//     flipped;
 //   - facets that face each other, nearer than Parameters::gap, are moved apart along their
-//     normals. Only then a vertex leaves Sigma, by about the gap.
+//     normals, and folds that are left are opened to a degree. Only then a vertex leaves Sigma, by
+//     about the gap, or by at most a fiftieth of a voxel twice.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "base/text.h"
-#include "check/close_places.h"
 #include "check/verify.h"
 #include "deliso/deliso.h"
 #include "mesh/meshes.h"
@@ -70,13 +69,12 @@ TriMesh surface_of(const TriMesh& mesh, std::size_t triangles) {
   return surface;
 }
 
-// Returns what is wrong with the mesh; empty: nothing.
-// How far vertices may be moved off Sigma (refine/separate.cpp), in the distance that a check asks
-// of vertices: sixteen moves of about as much.
-constexpr double kMovedShares = 17;
+// How far vertices may be moved off Sigma (refine/separate.cpp), in voxels.
+constexpr double kMovedVoxels = 0.05;
 
-// Sets `is_close` where the mesh is nearly flat on itself: that is counted, not yet ruled out. Most
-// of these volumes touch themselves.
+// Returns what is wrong with the mesh; empty: nothing. Sets `is_close` where the mesh is nearly
+// flat on itself: that is counted, not ruled out. Boxes around the seams of blocks so small do not
+// reach over each other, so places at their ends stay.
 std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& options,
                      const Report& report, bool& is_close) {
   using enum FaultKind;
@@ -102,9 +100,8 @@ std::string fault_of(const Volume& volume, const TriMesh& mesh, const Options& o
       continue;
     }
     // Vertices that were moved off such a place may stay off Sigma when it is gone.
-    const bool is_apart =
-        kind == vertices_off_surface &&
-        (is_close || found.max_off_surface <= kMovedShares * near_distance(volume));
+    const bool is_apart = kind == vertices_off_surface &&
+                          (is_close || found.max_off_surface <= kMovedVoxels * volume.voxel());
     if (kind == needle_triangles || kind == folds || kind == near_vertices || is_apart) {
       is_close |= is_apart;
       continue;

@@ -33,8 +33,7 @@ struct Outcome {
   MeshQuality quality;            // of the surface
   Verification verification;
   double voxel = 0;
-  double near_distance = 0;  // of check/close_places.h
-  double seconds = 0;        // of processor time, without the check
+  double seconds = 0;  // of processor time, without the check
 
   // The largest distance between mesh and isosurface, in voxels.
   double distance() const;
