@@ -116,10 +116,10 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
   }
 }
 
-// Vertices may leave Sigma by so many near_distance(), or by so much of a voxel, where the mesh comes
-// that near to itself, or T has shorter edges: a mesh keeps vertices and facets apart there, and opens
-// folds.
-constexpr double kApartShares = 5, kApartVoxels = 0.05;
+// Vertices may leave Sigma by so many near_distance(), or by so much of the largest spacing, where
+// the mesh comes that near to itself, or T has shorter edges: a mesh keeps vertices and facets
+// apart there.
+constexpr double kApartShares = 5, kApartSpacings = 9e-4;
 
 // Between the normals of triangles of two sheets. Where sheets touch, both may bend.
 constexpr double kOtherSheetCosine = 0.5;
@@ -159,8 +159,9 @@ std::vector<std::uint8_t> check_vertices_on_surface(
     const ContourMesh& contour, const VoxelComponents& voxels, const Isosurface& surface,
     int threads, Verification& result) {
   const double voxel = surface.volume().voxel();
+  const auto [x, y, z] = surface.volume().spacing();
   const double least = near_distance(surface.volume()),
-               apart = std::max(kApartShares * least, kApartVoxels * voxel);
+               apart = std::max(kApartShares * least, kApartSpacings * std::max({x, y, z}));
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),
@@ -175,7 +176,7 @@ std::vector<std::uint8_t> check_vertices_on_surface(
         const NearContour near = contour_near(p, apart, least, contour, voxels);
         const bool may_leave =
             near.short_edge || near.two_sheets ||
-            has_triangle_near(mesh.points, mesh.triangles, tree, VertexId(v), apart);
+            has_triangle_near(mesh.points, mesh.triangles, tree, VertexId(v), 2 * apart);
         if ((off[v] <= apart || near.any) && may_leave) off[v] = 0;
       }
       on_surface[v] = off[v] == 0;

@@ -32,14 +32,8 @@ constexpr double kBesideShare = 0.5;
 // bend there, and facets near it stand at right angles.
 constexpr double kSameSheetCosine = 0.7;
 
-// Tangent of half the angle to which a fold is opened, 1.3 degrees; and, in voxels, the furthest
-// that this may move a corner.
-constexpr double kOpening = 0.0113, kOpeningVoxels = 0.02;
-
 // Rounds of moves. One is enough for two sheets; vertices around one point need two.
 constexpr int kMaxRounds = 16;
-// Of these, rounds in which folds are opened.
-constexpr int kFoldRounds = 2;
 
 class Separation {
  public:
@@ -56,7 +50,7 @@ class Separation {
       if (std::ranges::any_of(r_.mesh.faces[f].v, is_asked)) facets_.push_back(f);
     }
     // Moves may leave needles and folds, and mending those brings facets near.
-    for (int round = 0; round < kMaxRounds && push_apart(round < kFoldRounds); ++round) mend_new();
+    for (int round = 0; round < kMaxRounds && push_apart(); ++round) mend_new();
     std::erase_if(replaced_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
     sort_unique(replaced_);
     return std::move(replaced_);
@@ -96,19 +90,15 @@ class Separation {
   bool collapse_if_short(FaceId f, int i);
   bool lies_on_box(VertexId from, VertexId to) const;
 
-  bool push_apart(bool opens_folds);
+  bool push_apart();
   void find_pushes(VertexId v, FaceId f);
   void find_edge_pushes(FaceId f);
-  void find_fold_pushes(FaceId f);
-  void push(VertexId v, FaceId f, const Vec3& along, double step = 0) {
-    pushes_.push_back({v, f, along, std::max(step, kMoveGaps * gap_)});
-  }
+  void push(VertexId v, FaceId f, const Vec3& along) { pushes_.push_back({v, f, along}); }
 
   struct Push {
     VertexId vertex;
     FaceId facet;  // one at the vertex
     Vec3 along;
-    double step = 0;  // how far
   };
   bool move(const Push& push);
 
@@ -243,14 +233,13 @@ bool Separation::lies_on_box(VertexId from, VertexId to) const {
 }
 
 // Returns true if a vertex was moved.
-bool Separation::push_apart(bool opens_folds) {
+bool Separation::push_apart() {
   std::erase_if(facets_, [&](FaceId f) { return is_dead(r_.mesh.faces[f]); });
   sort_unique(facets_);
   pushes_.clear();
   is_seen_.assign(r_.mesh.points.size(), 0);
   for (const FaceId f : facets_) {
     find_edge_pushes(f);
-    if (opens_folds) find_fold_pushes(f);
     for (const VertexId v : r_.mesh.faces[f].v) {
       if (!std::exchange(is_seen_[v], 1)) find_pushes(v, f);
     }
@@ -263,7 +252,6 @@ bool Separation::push_apart(bool opens_folds) {
     Push sum = *push;
     while (++push != pushes_.end() && push->vertex == sum.vertex) {
       sum.along = sum.along + push->along;
-      sum.step = std::max(sum.step, push->step);
     }
     any |= move(sum);
   }
@@ -318,22 +306,6 @@ void Separation::find_edge_pushes(FaceId f) {
   }
 }
 
-// Opens a fold: pushes the two corners off its edge apart.
-void Separation::find_fold_pushes(FaceId f) {
-  for (int i = 0; i < 3; ++i) {
-    const FaceId g = r_.mesh.faces[f].n[i];
-    if (g == kNoId || g < f) continue;
-    const Quad q = quad_at(r_.mesh, f, i);
-    const Vec3 m = r_.normal(r_.mesh.faces[f].v), n = r_.normal(r_.mesh.faces[g].v);
-    if (cosine_between(m, n) > kFlatFold) continue;
-    const double edge = distance(r_.point(q.b), r_.point(q.c));
-    const double side = dot(r_.point(q.a) - r_.point(q.b), n) > 0 ? 1 : -1;
-    const double most = kOpeningVoxels * r_.parameters.voxel;
-    push(q.a, f, side / length(n) * n, std::min(most, kOpening * length(m) / edge));
-    push(q.d, g, side / length(m) * m, std::min(most, kOpening * length(n) / edge));
-  }
-}
-
 // Moves v in the direction `along`, to a point of Sigma if one is beside the place. A vertex on the
 // box stays in its faces, one on a fixed arc where it is, and all stay in the box.
 bool Separation::move(const Push& push) {
@@ -349,14 +321,13 @@ bool Separation::move(const Push& push) {
   for (int axis = 0; axis < 3; ++axis) {
     if ((faces >> (2 * axis) & 3) != 0) along[axis] = 0;
   }
-  const double size = length(along);
+  const double size = length(along), step = kMoveGaps * gap_;
   Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
   if (!c) return false;
-  Vec3 to = from + push.step / size * along, normal;
+  Vec3 to = from + step / size * along, normal;
   for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
   if (!is_boundary) {
-    const auto foot =
-        r_.finder.foot(to, normal, kBesideShare * push.step, r_.report.searches_refine);
+    const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
     if (foot) to = *foot;
   }
   for (int axis = 0; axis < 3; ++axis) {

@@ -7,8 +7,7 @@
 //   - an edge shorter than a thousandth of a voxel is collapsed, the longest edge of a needle is
 //     flipped;
 //   - facets that face each other, nearer than Parameters::gap, are moved apart along their
-//     normals, and folds that are left are opened to a degree. Only then a vertex leaves Sigma, by
-//     about the gap, or by at most a fiftieth of a voxel twice.
+//     normals. Only then a vertex leaves Sigma, by about the gap.
 #pragma once
 
 #include <vector>

@@ -70,7 +70,7 @@ TriMesh surface_of(const TriMesh& mesh, std::size_t triangles) {
 }
 
 // How far vertices may be moved off Sigma (refine/separate.cpp), in voxels.
-constexpr double kMovedVoxels = 0.05;
+constexpr double kMovedVoxels = 0.01;
 
 // Returns what is wrong with the mesh; empty: nothing. Sets `is_close` where the mesh is nearly
 // flat on itself: that is counted, not ruled out. Boxes around the seams of blocks so small do not

@@ -74,7 +74,7 @@ constexpr std::array<std::string_view, kKinds> kKindNames{"broken", "turned", "c
 constexpr std::uint64_t kMeshesPerClose = 25;
 
 // How far vertices may be moved off Sigma (refine/separate.cpp).
-constexpr double kMovedVoxels = 0.05;
+constexpr double kMovedVoxels = 0.01;
 
 // What was found, by kind; an empty text is no fault.
 using Findings = std::array<std::string, kKinds>;
@@ -154,8 +154,10 @@ Findings judge_alone(const Outcome& run, unsigned exempt) {
   found[check] = first_of(faults, {self_intersections, missing_components, extra_components,
                                    different_components, too_far, not_measured});
   found[close] = first_of(faults, {needle_triangles, folds, near_vertices});
-  // Vertices that were moved apart may stay off Sigma when a later change takes what was there.
-  const bool is_apart = run.verification.max_off_surface <= kMovedVoxels * run.voxel;
+  // Vertices that were moved apart may stay off Sigma when a later change takes what was there. A
+  // line from such a vertex may miss a blade of Sigma.
+  const bool is_apart =
+      !found[close].empty() || run.verification.max_off_surface <= kMovedVoxels * run.voxel;
   std::string& off_surface = found[is_apart ? close : check];
   if (!run.says_off_surface && off_surface.empty()) {
     off_surface = first_of(faults, {vertices_off_surface});
