@@ -71,7 +71,7 @@ constexpr std::array<std::string_view, kKinds> kKindNames{"broken", "turned", "c
 
 // Most of the meshes, one in so many, that may have close places: a plateau at the isovalue, where
 // Sigma lies on itself in many voxels, may keep some.
-constexpr std::uint64_t kMeshesPerClose = 25;
+constexpr std::uint64_t kMeshesPerClose = 12;
 
 // How far vertices may be moved off Sigma (refine/separate.cpp).
 constexpr double kMovedVoxels = 0.01;
