@@ -117,8 +117,8 @@ void report_close_places(const TriMesh& mesh, const CleanMesh& clean, const Tria
 }
 
 // Vertices may leave Sigma by so many near_distance(), or by so much of the largest spacing, where
-// the mesh comes that near to itself, or T has shorter edges: a mesh keeps vertices and facets
-// apart there.
+// T has two sheets that near or shorter edges, or the mesh comes twice that near to itself: a mesh
+// keeps vertices and facets apart there.
 constexpr double kApartShares = 5, kApartSpacings = 9e-4;
 
 // Between the normals of triangles of two sheets. Where sheets touch, both may bend.
@@ -159,9 +159,10 @@ std::vector<std::uint8_t> check_vertices_on_surface(
     const ContourMesh& contour, const VoxelComponents& voxels, const Isosurface& surface,
     int threads, Verification& result) {
   const double voxel = surface.volume().voxel();
-  const auto [x, y, z] = surface.volume().spacing();
-  const double least = near_distance(surface.volume()),
-               apart = std::max(kApartShares * least, kApartSpacings * std::max({x, y, z}));
+  const Vec3 spacing = surface.volume().spacing();
+  const double largest_spacing = std::max({spacing.x, spacing.y, spacing.z});
+  const double least = near_distance(surface.volume());
+  const double apart = std::max(kApartShares * least, kApartSpacings * largest_spacing);
   std::vector<double> off(mesh.points.size(), 0);
   std::vector<std::uint8_t> on_surface(off.size(), 0);
   std::vector<std::uint32_t> elsewhere(off.size(),

@@ -5,8 +5,8 @@
 // change too, between two boundary vertices.
 //
 // The mesh of Stage 1 is a manifold, homeomorphic to Sigma, embedded, with its vertices on Sigma.
-// Every replacement keeps that, because it passes these tests, from cheap to expensive. (Only moves
-// of refine/separate.h and of lifts off the box take vertices off Sigma.)
+// Every replacement keeps that, because it passes these tests, from cheap to expensive. Only moves
+// of refine/separate.h and lifts off the box take vertices off Sigma.
 //   G0  No frozen facet is removed, and the new disk stays in the free box. Where a part of a mesh
 //       is refined (blocks/seams.h), facets outside the part are frozen.
 //   G1  Both are disks, and no new facet or edge is in the mesh already (the link condition). So

@@ -324,9 +324,10 @@ bool Separation::move(const Push& push) {
   const double size = length(along), step = kMoveGaps * gap_;
   Proposal* c = size > 0 ? r_.propose(r_.star(f, v), kAnyFold) : nullptr;
   if (!c) return false;
-  Vec3 to = from + step / size * along, normal;
-  for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
+  Vec3 to = from + step / size * along;
   if (!is_boundary) {
+    Vec3 normal;
+    for (const Triangle& t : c->was.facets) normal = normal + r_.normal(t);
     const auto foot = r_.finder.foot(to, normal, kBesideShare * step, r_.report.searches_refine);
     if (foot) to = *foot;
   }
