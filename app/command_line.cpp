@@ -290,13 +290,20 @@ struct Exclusion {
 // it.
 constexpr Exclusion kExclusions[] = {
     {"--float", "--double", ""},
-    {"--vertices", "--triangles --max-distance --single-stage --stop-after --max-vertices", ""},
-    {"--triangles", "--max-distance --single-stage --stop-after --max-vertices", ""},
+    {"--vertices", "--triangles --max-distance --stop-after --max-vertices", ""},
+    {"--triangles", "--max-distance --stop-after --max-vertices", ""},
     {"--shared", "--cap --check --json --vertices --triangles --attributes --largest", ""},
-    {"--shared", "--min-component --max-vertices --paper --recover --stop-after --block-side", ""},
-    {"--part", "--vertices --triangles --eps2 --paper --single-stage", ""},
+    {"--shared", "--min-component --max-vertices --stop-after --block-side", ""},
+    {"--part", "--vertices --triangles", ""},
     {"--part", "--float --double --ply-ascii --format --attributes --check --json",
      ": give it to deliso join"}};
+
+// The options that the published program alone has, and those that it has not.
+constexpr std::string_view kOnlyPaper[] = {"--eps",       "--eps2",         "--lines",
+                                           "--keep-hits", "--single-stage", "--solver"};
+constexpr std::string_view kNeverPaper[] = {
+    "--vertices", "--triangles", "--max-distance", "--max-radius", "--min-component", "--largest",
+    "--samples",  "--fingers",   "--block-side",   "--cap",        "--part",          "--shared"};
 
 template <class Given>
 void check_exclusions(const CommandLine& line, const Given& given) {
@@ -309,29 +316,31 @@ void check_exclusions(const CommandLine& line, const Given& given) {
       if (given(other)) refuse(row.option, other, row.hint);
     }
   }
-  for (const std::string_view option : {"--vertices", "--triangles", "--part"}) {
-    if (line.options.recover != RecoverWay::paper || !given(option)) continue;
-    refuse(option, line.paper && !given("--recover") ? "--paper" : "--recover paper", "");
+  if (line.command == Command::check) return;
+  for (const std::string_view option : kOnlyPaper) {
+    if (given(option) && !line.paper) {
+      throw InputError(option, " belongs to --paper, the algorithm as published");
+    }
+  }
+  for (const std::string_view option : kNeverPaper) {
+    if (line.paper && given(option)) refuse("--paper", option, "");
   }
   if (line.part && line.field.all_labels) refuse("--part", "--label all", "");
   if (line.part && line.output.empty()) throw InputError("no part named: -o FILE.part, or -o -");
 }
 
-// Applies --paper where options are not given. The paper's criteria turn the bound on the distance
-// off.
+// Applies --paper where options are not given: the criteria that a check can measure are in
+// `options` too. The paper's criteria turn the bound on the distance off.
 template <class Given>
 void take_paper(Options& options, bool everything, const Given& given) {
-  const Options paper = Options::paper();
+  const paper::Options published;
   if (everything) {
-    if (!given("--recover")) options.recover = paper.recover;
-    for (const Criterion c : {Criterion::h_over_r, Criterion::r_over_pole}) {
-      if (!given(words_of(c).option)) options.limits[c] = paper.limits[c];
-    }
-    if (!given("--rmin")) options.r_min = paper.r_min;
+    if (!given("--eps1")) options.limits[Criterion::h_over_r].value = published.epsilon1;
+    if (!given("--lambda")) options.limits[Criterion::r_over_l].value = published.lambda;
+    if (!given("--rmin")) options.r_min = {published.r_min, Length::Unit::box};
   }
-  const bool by_distance = !everything && !given("--eps1") && !given("--eps2");
-  if (!by_distance && !given("--max-distance")) {
-    options.limits[Criterion::distance] = paper.limits[Criterion::distance];
+  if ((everything || given("--eps1")) && !given("--max-distance")) {
+    options.limits[Criterion::distance] = {Options::kNone, Length::Unit::world};
   }
 }
 

@@ -15,6 +15,7 @@
 #include "deliso/options.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
+#include "paper/options.h"
 #include "view/render/render.h"
 
 namespace deliso {
@@ -64,6 +65,7 @@ struct CommandLine {
   FieldOptions field;
   MeshWriteOptions write;  // its format is set if there is an output
   Options options;
+  paper::Options published;  // with --paper: what it alone has (app/published.h)
   RenderOptions render;
   std::vector<std::optional<ClipChoice>> clips;  // none, one for all meshes, or one for each
   std::vector<std::string> labels;               // none, "auto" for all, or one for each mesh
@@ -72,7 +74,7 @@ struct CommandLine {
   bool axes = false;
   bool overlay = false;
   std::optional<Up> up;  // absent: superior if the file tells, else +z
-  bool paper = false;    // options that are not given are the paper's
+  bool paper = false;    // the published program; of a check, the paper's criteria
   struct Given {
     PerCriterion<bool> limits;
     bool r_min = false;

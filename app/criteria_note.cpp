@@ -80,7 +80,8 @@ std::string criteria_note(const CommandLine& line, const Volume& volume) {
     criteria.limits.values[n] = kCriterionTable[n].is_length ? in_voxels(limit) : limit.value;
   }
   if (by_count(options)) criteria[Criterion::distance] = kNotAsked;
-  return criteria_note(criteria) + field;
+  const std::string eps2 = line.paper ? text(" eps2=", line.published.epsilon2) : "";
+  return criteria_note(criteria) + eps2 + field;
 }
 
 }  // namespace deliso

@@ -34,9 +34,6 @@ inline constexpr std::array<CriterionWords, kCriteria> kCriterionWords{{
     {"--eps1", "h/r", "h_over_r", "X",
      "largest h/r, the paper's 0.1 (default: none); turns --max-distance off unless that is given",
      "h/r that is counted as too large (default: what the mesh's file says, or none)"},
-    {"--eps2", "r/pole", "r_over_pole", "X",
-     "largest r over pole height, the paper's 0.2 (default: none); turns --max-distance off too",
-     ""},
     {"--max-radius", "r", "radius", "R|Rvox", "largest r: world units, or voxels (default: none)",
      "r that is counted as too large (default: what the mesh's file says, or none)"},
 }};

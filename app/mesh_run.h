@@ -20,6 +20,7 @@
 #include "check/verify.h"
 #include "io/mesh/write_mesh.h"
 #include "mesh/quality.h"
+#include "paper/report.h"
 #include "surface/report.h"
 
 namespace deliso {
@@ -32,6 +33,7 @@ struct MeshRun {
   const Input& input;
 
   Report report;
+  paper::Report published;  // with --paper
   std::size_t vertices = 0, triangles = 0;
   TopologyCounts mesh;
   std::string fault;           // the first rule of mesh/tri_mesh.h that the mesh breaks, or empty

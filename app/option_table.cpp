@@ -20,7 +20,7 @@
 namespace deliso {
 namespace {
 
-// Returns the choice at the place of `value` in the option's argument, as in "certified|paper".
+// Returns the choice at the place of `value` in the option's argument, as in "smooth|flat".
 template <class T>
 T choose(std::string_view option, std::string_view value) {
   const std::vector<std::string_view> names = choices_of(option_named(option));
@@ -189,12 +189,26 @@ constexpr OptionSpec kRest[] = {
     {"--triangles", 0, "N", kMeshAndTrace, "the same, of N triangles; --cap adds those of the caps",
      [](Line& l, Text o, Text v) { l.options.target_triangles = parse_count(o, v, 4); }},
     {"--paper", 0, "", kAllMeshing,
-     "the paper's Recover and criteria: --recover paper --eps1 0.1 --eps2 0.2 --rmin 0.001, and no "
-     "--max-distance",
+     "the algorithm as published, by itself: --eps1 0.1 --eps2 0.2 --rmin 0.001 and no "
+     "--max-distance; it can lose what no Voronoi edge meets, and need not end",
      [](Line& l, Text, Text) { l.paper = true; },
      "hold the mesh against the paper's criteria, whatever its file says"},
-    {"--eps", 0, "X", kMeshAndTrace, "stage 1 of --recover paper: largest h/r (default 0.2)",
-     [](Line& l, Text o, Text v) { l.options.epsilon = parse_positive(o, v); }},
+    {"--eps", 0, "X", kMeshAndTrace, "with --paper: largest h/r in Recover (default 0.2)",
+     [](Line& l, Text o, Text v) { l.published.epsilon = parse_positive(o, v); }},
+    {"--eps2", 0, "X", kMeshAndTrace,
+     "with --paper: largest r over pole height in Refine (default 0.2)",
+     [](Line& l, Text o, Text v) { l.published.epsilon2 = parse_positive(o, v); }},
+    {"--lines", 0, "N", kMeshAndTrace,
+     "with --paper: random lines, where the first points are (default 50)",
+     [](Line& l, Text o, Text v) {
+       l.published.lines = parse_count(o, v);
+       if (l.published.lines > paper::kMostLines) {
+         throw InputError(o, " must be at most ", paper::kMostLines);
+       }
+     }},
+    {"--keep-hits", 0, "", kMeshAndTrace,
+     "with --paper: Recover searches only facets at the new vertex, not every new facet",
+     [](Line& l, Text, Text) { l.published.keep_hits = true; }},
     {"--min-component", 0, "N", kAllMeshing,
      "leave out components shorter than N voxels in x, in y and in z (default 0); with --cap "
      "dissolve the bodies and cavities that they bound",
@@ -225,10 +239,6 @@ constexpr OptionSpec kRest[] = {
      [](Line& l, Text o, Text v) {
        l.options.threads = static_cast<int>(std::min<std::uint64_t>(parse_count(o, v, 1), 1024));
      }},
-    {"--recover", 0, "certified|paper", kMeshAndTrace,
-     "how stage 1 knows that it is done: certified (default), on the exact contour, or paper, by "
-     "the paper's tests",
-     [](Line& l, Text o, Text v) { l.options.recover = choose<RecoverWay>(o, v); }},
     {"--fingers", 0, "X|Xvox", kMeshAndTrace,
      "no point of the exact contour further than X from the mesh of stage 1 (default 0.4vox); at "
      "the tips of thin branches, which stage 2 cannot mend, no further than 0.2vox; a smaller X "
@@ -242,10 +252,11 @@ constexpr OptionSpec kRest[] = {
     {"--cap", 0, "", kMeshAndCheck, "close the surface on the volume's box: a watertight solid",
      [](Line& l, Text, Text) { l.options.cap = true; }, "the mesh was made with it"},
     {"--single-stage", 0, "", kMeshAndTrace,
-     "all refinement on the 3D triangulation, with --recover paper (for comparison)",
-     [](Line& l, Text, Text) { l.options.single_stage = true; }},
-    {"--solver", 0, "schwarze|isolation", kMeshAndTrace, "roots of cubics (default isolation)",
-     [](Line& l, Text o, Text v) { l.options.cubic = choose<CubicMethod>(o, v); }},
+     "with --paper: all refinement on the 3D triangulation, for comparison",
+     [](Line& l, Text, Text) { l.published.single_stage = true; }},
+    {"--solver", 0, "schwarze|isolation", kMeshAndTrace,
+     "with --paper: roots of cubics (default schwarze)",
+     [](Line& l, Text o, Text v) { l.published.solver = choose<CubicMethod>(o, v); }},
 
     {"--dims", 0, "NXxNYxNZ", kVolume, "size of a raw file, in samples",
      [](Line& l, Text o, Text v) { raw_layout(l).dims = in_option(o, v, parse_dims); }},

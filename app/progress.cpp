@@ -48,26 +48,23 @@ std::string time_text(double seconds) {
 
 std::vector<StageCost> mesh_stages(const CommandLine& line) {
   const Options& options = line.options;
-  const bool certified = options.recover == RecoverWay::certified;
+  const bool certified = !line.paper;
   const bool refines = !options.stop_after_recover;
   const bool examined = !line.quiet || line.check || !line.json.empty();
-  const std::pair<bool, StageCost> all[] = {
-      {true, {"reading", 1}},
-      {true, {"contour", 4, "blocks"}},
-      {certified, {"cutting", 4, "blocks"}},
-      {true, {"initial", 3, "blocks"}},
-      {certified, {"labels", 4, "blocks"}},
-      {certified, {"recover", 20, "blocks"}},
-      {!certified, {"topology", 4}},
-      {!certified && std::isfinite(options.epsilon), {"geometry", 28}},
-      {options.limits[Criterion::r_over_pole].value < Options::kNone, {"poles", 2}},
-      {refines, {"refine", 45, "blocks"}},
-      {certified, {"weld", 1}},
-      {refines && certified, {"seams", 6}},
-      {refines && by_count(options), {"coarsen", 20}},
-      {options.cap, {"cap", 3}},
-      {examined, {"check", line.check ? 150.0 : 18.0}},
-      {!line.output.empty(), {"writing", 1}}};
+  const std::pair<bool, StageCost> all[] = {{true, {"reading", 1}},
+                                            {certified, {"contour", 4, "blocks"}},
+                                            {certified, {"cutting", 4, "blocks"}},
+                                            {true, {"initial", 3, "blocks"}},
+                                            {certified, {"labels", 4, "blocks"}},
+                                            {true, {"recover", 20, "blocks"}},
+                                            {!certified && refines, {"poles", 2}},
+                                            {refines, {"refine", 45, "blocks"}},
+                                            {certified, {"weld", 1}},
+                                            {refines && certified, {"seams", 6}},
+                                            {refines && by_count(options), {"coarsen", 20}},
+                                            {options.cap, {"cap", 3}},
+                                            {examined, {"check", line.check ? 150.0 : 18.0}},
+                                            {!line.output.empty(), {"writing", 1}}};
   std::vector<StageCost> stages;
   for (const auto& [is_run, stage] : all) {
     if (is_run) stages.push_back(stage);

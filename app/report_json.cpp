@@ -7,6 +7,7 @@
 #include "app/info.h"
 #include "app/mesh_run.h"
 #include "app/option_texts.h"
+#include "app/published.h"
 #include "app/report_writer.h"
 #include "app/solid.h"
 #include "app/text.h"
@@ -39,15 +40,10 @@ void add_length(ReportWriter& out, std::string_view key, const Length& length,
 }
 
 void add_options(ReportWriter& out, const CommandLine& line) {
-  const std::string ways[] = {"certified", "paper"}, solvers[] = {"schwarze", "isolation"};
   const Options& options = line.options;
   out.open("options", "by what the mesh was asked for");
-  out.add_choice("recover", static_cast<std::size_t>(options.recover), ways,
-                 "how Stage 1 decides that the topology is complete");
   add_length(out, "fingers", options.fingers,
              "how far the surface may be from the mesh of Stage 1");
-  out.add("eps", options.epsilon, "h/r in Stage 1, the paper's way; null: not asked for",
-          Rule::nullable);
   for (std::size_t n = 0; n < kCriteria; ++n) {
     std::string key(kCriterionTable[n].name);
     std::ranges::replace(key, '-', '_');
@@ -72,9 +68,7 @@ void add_options(ReportWriter& out, const CommandLine& line) {
   out.add("min_component", options.components.min_voxels,
           "smaller components are left out; voxels");
   out.add("largest", options.components.largest, "only this many components, the largest; 0: all");
-  out.add_choice("solver", static_cast<std::size_t>(options.cubic), solvers, "of cubics");
   out.add("threads", options.threads, "as given, or as many as the machine has");
-  out.add("single_stage", options.single_stage, "all refinement in three dimensions");
   out.add("stop_after_recover", options.stop_after_recover, "Stage 1 alone");
   out.add("cap", options.cap, "closed on the box");
   out.close();
@@ -85,13 +79,10 @@ void add_seconds(ReportWriter& out, const MeshRun& run) {
   out.open("seconds", "where the time went");
   out.add_seconds("read", run.input.seconds, "reading, and looking at every sample once");
   out.add_seconds("filter", run.input.field.seconds, "--median, --smooth and --label");
-  out.add_seconds("tree", report.seconds_tree, "the min/max tree");
   out.add_seconds("contour", report.seconds_contour, "the exact contour and its boundary curves");
-  out.add_seconds("init", report.seconds_init, "the paper's way: the first points");
-  out.add_seconds("labels", report.seconds_labels,
-                  "certified: the first sites, and whose the contour's vertices are");
+  out.add_seconds("init", report.seconds_init, "the first points");
+  out.add_seconds("labels", report.seconds_labels, "whose the contour's vertices are");
   out.add_seconds("recover", report.seconds_recover, "the rest of Stage 1");
-  out.add_seconds("poles", report.seconds_poles, "pole heights");
   out.add_seconds("refine", report.seconds_refine, "Stage 2");
   out.add_seconds("meshing", report.seconds_total, "all that makes the mesh");
   out.add_seconds("check", run.seconds_check, "looking at the mesh afterwards, --check included");
@@ -207,6 +198,7 @@ void add_run(ReportWriter& out, const MeshRun& run) {
           "as used: a hair lower where samples or saddles equal it");
   out.add("r_min", report.r_min, "the option resolved; scaled frame");
   add_options(out, run.line);
+  if (out.if_any(run.line.paper)) add_published(out, run.line, run.published);
   add_seconds(out, run);
   out.open("points", "how many points there were when");
   out.add("initial", report.points_initial, "to begin with");

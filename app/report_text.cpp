@@ -2,6 +2,7 @@
 #include "app/check_report.h"
 #include "app/count_stop.h"
 #include "app/mesh_run.h"
+#include "app/published.h"
 #include "app/solid.h"
 #include "app/text.h"
 #include "base/check.h"
@@ -65,14 +66,14 @@ void append_stages(std::string& text, const MeshRun& run) {
   text += "\n  stage            seconds      points   us/point searches/p     CPI    CPI*\n";
   append_step(text, "read", run.input.seconds);
   append_step(text, "filter", run.input.field.seconds);
-  append_step(text, "kd-tree", report.seconds_tree);
+  append_step(text, "kd-tree", run.published.seconds_tree);
   append_step(text, "exact contour", report.seconds_contour);
   append_format(text, "  %-14s %9.3f %11s\n", "initial", report.seconds_init,
                 grouped(report.points_initial).c_str());
   append_step(text, "labels", report.seconds_labels);
   append_stage(text, "recover", report.seconds_recover, report.insertions_recover(),
                report.searches_recover);
-  append_step(text, "poles", report.seconds_poles);
+  append_step(text, "poles", run.published.seconds_poles);
   append_stage(text, "refine", report.seconds_refine, report.insertions_refine,
                report.searches_refine);
   append_step(text, "cap", report.seconds_cap);
@@ -123,9 +124,9 @@ std::string verdict_text(const MeshRun& run) {
            is_other ? "another topology than the surface's"
            : is_all ? "exact topology"
                     : "only the components asked for",
-           crossings > 0 ? "; " + counted(crossings, "crossing pair") + " of triangles"
-           : options.recover == RecoverWay::certified ? ", no crossings"
-                                                      : "; crossings are not looked for",
+           crossings > 0    ? "; " + counted(crossings, "crossing pair") + " of triangles"
+           : run.line.paper ? "; crossings are not looked for"
+                            : ", no crossings",
            "\n");
   const auto add_line = [&](std::size_t count, const std::string& what, std::string_view name) {
     if (count > 0) lines += text("          ", what, " (", name, ")\n");
@@ -133,6 +134,10 @@ std::string verdict_text(const MeshRun& run) {
   const auto add = [&](Counter counter, const std::string& what) {
     add_line(report[counter], what, name_of(counter));
   };
+  add_line(run.published.facets_unrefined,
+           text(grouped(run.published.facets_unrefined), " of ", counted(run.triangles, "triangle"),
+                " over a limit"),
+           "facets_unrefined");
   add(Counter::unrefined_facets, text(grouped(report[Counter::unrefined_facets]), " of ",
                                       counted(run.triangles, "triangle"), " over a limit"));
   add(Counter::points_far,
@@ -176,6 +181,10 @@ std::string report_text(const MeshRun& run) {
   if (!run.line.output.empty()) lines += " -> " + one_line(run.line.output);
   lines += text("\n          ", topology_text(run.mesh), "\n");
   if (count_stop(run) != CountStop::none) lines += text("count     ", count_text(run), "\n");
+  if (run.line.paper) {
+    lines += text("found     ", grouped(run.mesh.components), " of ",
+                  counted(report.exact.components, "component"), "\n");
+  }
   lines +=
       text("exact     ", run.mesh == report.exact ? "the same" : topology_text(report.exact), "\n");
   if (!run.fault.empty()) lines += text("fault     ", run.fault, "\n");
@@ -211,13 +220,14 @@ std::string report_text(const MeshRun& run) {
     const double lambda = options.limits[Criterion::r_over_l].value;
     lines += quality_text(run.quality, lambda, report.r_min, verbose);
   }
-  const bool refined = !options.stop_after_recover && !options.single_stage;
+  const bool refined = !options.stop_after_recover && !run.line.paper;
   if (run.triangles > 0 && refined) {
     lines += distance_text(options, report, run.input.volume().voxel(), verbose);
   }
   if (run.verification) lines += verification_text(*run.verification, run.input.volume());
   if (verbose) {
-    const std::string counts = counters_text(report) + operations_text(report);
+    const std::string counts =
+        counters_text(report) + published_counts(run.published) + operations_text(report);
     lines += counts.empty() ? "counters  nothing refused or unresolved\n" : counts;
   }
   if (run.triangles > 0) lines += verdict_text(run);

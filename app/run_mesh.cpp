@@ -15,6 +15,7 @@
 #include "app/output.h"
 #include "app/peak_memory.h"
 #include "app/progress.h"
+#include "app/published.h"
 #include "app/run.h"
 #include "app/signals.h"
 #include "app/solid.h"
@@ -30,7 +31,6 @@
 #include "io/files/input_file.h"
 #include "io/mesh/write_mesh.h"
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
 #include "mesh/quality.h"
 
@@ -71,8 +71,7 @@ TriMesh part_of(const TriMesh& mesh, std::size_t begin, std::size_t end) {
 // Returns the largest distance from the surface of a vertex that is not only in caps. Four voxels
 // stand for any larger one.
 double max_off_surface(const Volume& volume, const TriMesh& mesh, const Report& report) {
-  const VoxelTree tree(volume);
-  const Isosurface surface(volume, tree, report.kappa_effective);
+  const Isosurface surface(volume, report.kappa_effective);
   double largest = 0;
   for (VertexId v = 0; v < report.cap.surface_vertices; ++v) {
     largest =
@@ -178,6 +177,12 @@ TriMesh make_mesh(MeshRun& run, Progress& progress, const Warn& warn) {
   const double vertices = expected_vertices(surface, volume, line.options);
   warn_of_size(vertices, expected_cost(surface, vertices, volume, line.options, line.check), warn);
 
+  if (line.paper) {
+    paper::Options options = published_options(line, volume);
+    PublishedProgress shown(progress);
+    options.observer = &shown;
+    return mesh_as_published(volume, isovalue, options, run.published, run.report);
+  }
   Options options = line.options;
   options.observer = &progress;
   return mesh_isosurface(volume, isovalue, options, run.report);

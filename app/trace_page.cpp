@@ -178,7 +178,7 @@ std::string trace_header(const CommandLine& line, const Input& input, const Repo
   json.add("input", input.name);
   json.add("isovalue", *input.isovalue);
   json.add("kappa", report.kappa_effective);
-  json.add("way", line.options.recover == RecoverWay::paper ? "paper" : "certified");
+  json.add("way", line.paper ? "paper" : "certified");
   json.add("box", {box.lo.x, box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z});
   json.add("voxel", volume.voxel());
   json.add("r_min", report.r_min);

@@ -210,7 +210,7 @@ int run(const Arguments& arguments) {
 
   const double kappa =
       geometric_isovalue(volume.type(), arguments.kappa.value_or(0.5 * (range.min + range.max)));
-  const Isosurface surface(volume, tree, kappa);
+  const Isosurface surface(volume, kappa);
   if (arguments.check > 0) return check(surface, tree, arguments.check) ? 0 : 1;
 
   // One and the same queries for both solvers.
@@ -232,7 +232,7 @@ int run(const Arguments& arguments) {
   for (std::size_t n = 0; n < near.size(); ++n) few.push_back(near[n % 2000]);
 
   for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
-    const Isosurface by(volume, tree, kappa, method);
+    const Isosurface by(volume, kappa, method);
     std::printf("%s\n", method == CubicMethod::isolation ? "isolation" : "schwarze");
     time_nearest("  nearest, +-0.1 voxel, in cache", by, few, 10);
     time_nearest("  nearest, +-0.1 voxel, in order", by, sorted, 10);

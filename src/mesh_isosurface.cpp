@@ -43,7 +43,7 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
                const Options& options, const Parameters& parameters, Report& report) {
   const double kappa = report.kappa_effective;
   std::optional<BoxSurface> at;
-  if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa, options.cubic);
+  if (options.cap || parameters.has_target()) at.emplace(all_of(source), kappa);
   report.exact = joined(whole.components, source.shape.dims()).topology;
   count_unrefined(whole.mesh, parameters, report);
   if (parameters.has_target() && !options.stop_after_recover) {
@@ -62,13 +62,9 @@ TriMesh finish(Block whole, const VolumeSource& source, const std::optional<Diss
   return std::move(whole.mesh.mesh);
 }
 
-void require_no_whole(const Options& options, const Parameters& parameters) {
-  const char* const what =
-      options.recover == RecoverWay::paper ? "the paper's Recover works on all of the volume"
-      : parameters.asks_for_poles()        ? "--eps2 needs poles of all of the mesh"
-      : parameters.has_target() ? "a number of vertices or triangles is that of all of the mesh"
-                                : nullptr;
-  if (what) throw InputError("not in parts: ", what);
+void require_no_whole(const Parameters& parameters) {
+  if (!parameters.has_target()) return;
+  throw InputError("not in parts: a number of vertices or triangles is that of all of the mesh");
 }
 
 }  // namespace
@@ -96,7 +92,7 @@ Block mesh_part(const VolumeSource& source, double isovalue, const Options& opti
                 PartChoice part) {
   Report report;
   const Parameters parameters = begin(source.shape, isovalue, options, report);
-  require_no_whole(options, parameters);
+  require_no_whole(parameters);
   const auto solid = dissolved(source, report.kappa_effective, options);
   Block block = mesh_in_blocks(source, report.kappa_effective, options, parameters,
                                solid ? solid->kept : std::vector<std::uint8_t>(), part, report);
@@ -108,7 +104,7 @@ TriMesh mesh_of_parts(const VolumeSource& source, double isovalue, const Options
                       std::vector<Block> parts, Report& report) {
   const StepTimer total(report.seconds_total);
   const Parameters parameters = begin(source.shape, isovalue, options, report);
-  require_no_whole(options, parameters);
+  require_no_whole(parameters);
   Block whole =
       join_parts(source, report.kappa_effective, options, parameters, std::move(parts), report);
   return finish(std::move(whole), source, dissolved(source, report.kappa_effective, options),

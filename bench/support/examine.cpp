@@ -16,7 +16,7 @@ namespace deliso {
 Examined examine(const TriMesh& mesh, const OpenedDataset& opened, double kappa,
                  const ContourSummary& exact, double lambda, double epsilon1, double r_min) {
   const VoxelTree tree(opened.volume);
-  const Isosurface surface(opened.volume, tree, kappa);
+  const Isosurface surface(opened.volume, kappa);
   SurfacePointFinder finder(surface);
   SearchCounters counters;
   Examined out;

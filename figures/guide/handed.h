@@ -35,7 +35,7 @@ struct Handed {
         kappa(geometric_isovalue(volume.type(), isovalue)),
         contour(build_contour(volume, kappa)),
         tree(volume),
-        surface(volume, tree, kappa),
+        surface(volume, kappa),
         parameters(resolve(options, volume)),
         recovered(delaunay_mesh(surface, ContourMesh(contour), stage1_only(), parameters, report)) {
   }

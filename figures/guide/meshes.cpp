@@ -80,7 +80,7 @@ void draw_certified(const std::string& folder) {
   const double kappa = geometric_isovalue(volume.type(), 0);
   const ContourMesh contour = build_contour(volume, kappa);
   const VoxelTree tree(volume);
-  const Isosurface surface(volume, tree, kappa);
+  const Isosurface surface(volume, kappa);
   Options options;
   options.samples = 6;
   const Parameters parameters = resolve(options, volume);

@@ -90,8 +90,8 @@ Volume all_of(const VolumeSource& source) {
   return source.in_memory ? *source.in_memory : source.read({{}, source.shape.voxels()});
 }
 
-BoxSurface::BoxSurface(Volume of_box, double kappa, CubicMethod cubic)
-    : volume(std::move(of_box)), tree(volume), surface(volume, tree, kappa, cubic) {}
+BoxSurface::BoxSurface(Volume of_box, double kappa)
+    : volume(std::move(of_box)), surface(volume, kappa) {}
 
 Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std::uint8_t> kept) {
   Block block;
@@ -103,12 +103,10 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
       timed(report.seconds_contour, [&] { return build_contour(volume, run.kappa); });
   if (contour.points.empty()) return block;
   block.components.push_back(components_of(contour, volume));
-  const BoxSurface at(volume, run.kappa, run.options.cubic);
+  const BoxSurface at(volume, run.kappa);
   Parameters parameters = run.parameters;
   parameters.samples = share_of_samples(parameters.samples, at.volume, run.source.shape);
-  if (run.options.recover == RecoverWay::certified) {
-    make_fine(contour, at.surface, parameters, report);
-  }
+  make_fine(contour, at.surface, parameters, report);
   if (!kept.empty()) keep_components(contour, kept);
   if (contour.points.empty()) return block;
 
@@ -140,14 +138,14 @@ Block mesh_block(const BlockRun& run, const SampleBox& box, std::span<const std:
 
 void refine_block(const BlockRun& run, const Parameters& parameters, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  const BoxSurface at(run.source.read(block.box), run.kappa, run.options.cubic);
+  const BoxSurface at(run.source.read(block.box), run.kappa);
   refine(block.mesh, at.surface, {at.surface, block.loops}, block.samples, parameters,
          block.report);
 }
 
 void make_seam(const BlockRun& run, Block& block) {
   if (block.mesh.mesh.faces.empty()) return;
-  clear(block, BoxSurface(run.source.read(block.box), run.kappa, run.options.cubic), run);
+  clear(block, BoxSurface(run.source.read(block.box), run.kappa), run);
 }
 
 bool is_on_seam(const Block& block, VertexId v) {

@@ -15,7 +15,6 @@
 #include "blocks/grid.h"
 #include "deliso/options.h"
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 #include "surface/boundary.h"
 #include "surface/report.h"
 #include "surface/surface_mesh.h"
@@ -24,11 +23,10 @@ namespace deliso {
 
 // The surface in a box of a volume.
 struct BoxSurface {
-  BoxSurface(Volume of_box, double kappa, CubicMethod cubic);
+  BoxSurface(Volume of_box, double kappa);
   BoxSurface(const BoxSurface&) = delete;
 
   Volume volume;
-  VoxelTree tree;
   Isosurface surface;
 };
 

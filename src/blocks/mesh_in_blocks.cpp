@@ -42,14 +42,9 @@ std::size_t weight_of(const Volume& volume, double kappa, const SampleBox& box) 
   });
 }
 
-// Poles of a block, and the order of the paper's insertions, are not those of the whole.
-bool is_one_block(const Options& options, const Parameters& parameters) {
-  return options.recover == RecoverWay::paper || parameters.asks_for_poles() ||
-         follower(parameters.observer);
-}
-
 BlockGrid grid_for(const Options& options, const Parameters& parameters, const Volume& shape) {
-  return is_one_block(options, parameters) ? BlockGrid(shape, 0) : block_grid(shape, options);
+  // Who follows insertions sees them in one order.
+  return follower(parameters.observer) ? BlockGrid(shape, 0) : block_grid(shape, options);
 }
 
 Parameters in_block(const Parameters& given, bool is_divided) {

@@ -225,8 +225,7 @@ class SeamWork {
         patch.thin.push_back(v);
       }
     }
-    const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa,
-                        run_.options.cubic);
+    const BoxSurface at(run_.source.read(samples_around(run_, patch.free_box)), run_.kappa);
     patch.is_done = refine_part(patch.mesh, at.surface, {at.surface, whole_.loops}, patch.samples,
                                 run_.parameters, patch.report,
                                 {patch.free_box, std::move(patch.is_done), std::move(patch.thin)});

@@ -11,7 +11,6 @@
 #include "check/distances.h"
 #include "contour/contour.h"
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 #include "mesh/check_mesh.h"
 
 namespace deliso {
@@ -89,8 +88,7 @@ std::vector<double> facet_distances(const TriMesh& home, const Volume& volume, d
                                     int threads) {
   constexpr double kNear = 0.1;  // voxels; further points are searched in more directions
   constexpr std::size_t kFacetsOfThread = 1u << 10;
-  const VoxelTree voxels(volume);
-  const Isosurface surface(volume, voxels, kappa);
+  const Isosurface surface(volume, kappa);
   const double limit = kSearchDiagonals * length(volume.spacing());
   std::vector<double> distances(home.faces.size(), 0);
   for_each_run(threads, distances.size(), kFacetsOfThread, [&](std::size_t begin, std::size_t end) {

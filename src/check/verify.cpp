@@ -19,7 +19,6 @@
 #include "check/voxel_components.h"
 #include "contour/contour.h"
 #include "isosurface/isosurface.h"
-#include "kdtree/voxel_tree.h"
 
 namespace deliso {
 namespace {
@@ -427,8 +426,7 @@ Verification verify(const TriMesh& mesh, const Volume& volume, double kappa,
   result.seconds_validity = of_validity.seconds();
   report_progress(0.1);
 
-  const VoxelTree voxels(volume);
-  const Isosurface surface(volume, voxels, kappa);
+  const Isosurface surface(volume, kappa);
   const double bound = options.limits[Criterion::distance], r_min = options.limits.r_min;
   std::optional<MeshTriangulation> triangulation;
   std::optional<OfContour> contour;

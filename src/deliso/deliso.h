@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Delaunay mesh of the isosurface; and DelIso(f, kappa) of paper Figure 4, which makes it in two
-// stages, block by block (blocks/mesh_in_blocks.h).
+// The exact program: a Delaunay mesh of the isosurface, made in two stages in the order of paper
+// Figure 4, block by block (blocks/mesh_in_blocks.h). The published program is paper/deliso.h.
 #pragma once
 
 #include <span>
@@ -33,13 +33,13 @@ struct DelaunayMesh {
   std::vector<Vec3> samples;  // reference samples, the vertices of T
 };
 
-// Runs Figure 4 on a whole volume, in this thread, and chooses the components before. `contour`: T
+// Runs both stages on a whole volume, in this thread, and chooses the components before. `contour`: T
 // of build_contour(), with at least one vertex.
 DelaunayMesh delaunay_mesh(const Isosurface& surface, ContourMesh contour, const Options& options,
                            const Parameters& parameters, Report& report);
 
-// Runs Figure 4 on one block, in this thread. `contour`: its T of make_fine() (recover/recover.h)
-// or, for the paper's Recover, of build_contour(), with at least one vertex; it keeps its points.
+// Runs both stages on one block, in this thread. `contour`: its T of make_fine()
+// (recover/recover.h), with at least one vertex; it keeps its points.
 // `curves`: T's boundary. `samples`: the reference samples of Refine, vertices of T.
 SurfaceMesh delaunay_mesh(const Isosurface& surface, ContourMesh& contour,
                           const BoundaryCurves& curves, std::span<const Vec3> samples,

@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kSamplesCounted = std::size_t{1} << 22;
 
 // Vertices per voxel squared of surface. One number is for Stage 1, and one for what its topology
-// and shape leave of it when vertices that are not needed are gone. Three are added for bounds of
-// one voxel on h, of 1 on h/r, and of 1 on r over pole height. They grow as the bound shrinks. The
+// and shape leave of it when vertices that are not needed are gone. Two are added for bounds of one
+// voxel on h, and of 1 on h/r. They grow as the bound shrinks. The
 // last is for a mesh whose facets all have a circumradius of one voxel. Fitted to the built-in
 // fields, whose densities differ by factors, and to scanned volumes.
 constexpr double kRecoverDensity = 0.03, kBaseDensity = 0.007;
-constexpr double kDistanceDensity = 0.027, kHeightDensity = 0.005, kPoleDensity = 0.04;
+constexpr double kDistanceDensity = 0.027, kHeightDensity = 0.005;
 constexpr double kRadiusDensity = 0.67;
 // Vertices per voxel of r_min at creases of the interpolant, between voxels. There h/r does not
 // fall with r, so refinement goes down to r_min.
@@ -46,15 +46,13 @@ double density(const Options& options, const Volume& volume, double thin) {
   const auto length = [&](Criterion c) { return options.limits[c].in(volume) / voxel; };
   const auto squared = [](double x) { return x * x; };
   const double h_over_r = options.limits[Criterion::h_over_r].value;
-  const double r_over_pole = options.limits[Criterion::r_over_pole].value;
   // With --vertices and --triangles the number decides.
   const double asked =
       options.has_target()
           ? Options::kNone
           : std::max({kDistanceDensity / length(Criterion::distance) +
                           kThinDistance * bent / squared(length(Criterion::distance)),
-                      kHeightDensity / squared(h_over_r), kPoleDensity / squared(r_over_pole),
-                      kRadiusDensity / squared(length(Criterion::radius))});
+                      kHeightDensity / squared(h_over_r), kRadiusDensity / squared(length(Criterion::radius))});
   const double r_min = options.r_min.in(volume) / voxel;
   const double creases = h_over_r < Options::kNone ? kCreaseDensity / r_min : 0;
   // Facets below r_min are not refined.

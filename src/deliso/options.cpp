@@ -33,11 +33,6 @@ double Length::in(const Volume& volume) const {
 }
 
 void require_limits(const Options& o, const Volume& volume) {
-  if (o.single_stage && o.recover != RecoverWay::paper) {
-    throw InputError(
-        "single_stage (--single-stage) needs the paper's Recover (--recover paper): the certified "
-        "way leaves all refinement to Stage 2");
-  }
   if (!(volume.box().smallest_side() > 0)) {
     throw InputError("a volume needs two or more samples along each axis");
   }
@@ -67,16 +62,6 @@ PerCriterion<Length> Options::usual_limits() {
   return limits;
 }
 
-Options Options::paper() {
-  Options options;
-  options.recover = RecoverWay::paper;
-  options.limits[Criterion::h_over_r].value = 0.1;
-  options.limits[Criterion::r_over_pole].value = 0.2;
-  options.r_min = {0.001, Length::Unit::box};
-  options.limits[Criterion::distance] = {kNone, Length::Unit::world};
-  return options;
-}
-
 Parameters resolve(const Options& o, const Volume& volume) {
   const double voxel = volume.voxel(), r_min = o.r_min.in(volume);
   Parameters p{};
@@ -92,12 +77,8 @@ Parameters resolve(const Options& o, const Volume& volume) {
   for (std::size_t n = 0; n < kCriteria; ++n) {
     p.refinement.limits.values[n] = o.limits.values[n].in(volume);
   }
-  p.recovery[Criterion::h_over_r] = o.epsilon;
-  p.recovery[Criterion::r_over_l] = p.refinement[Criterion::r_over_l];
-  p.recovery.r_min = p.recovery.shape_floor = p.refinement.r_min = r_min;
-  p.as_published = o.recover == RecoverWay::paper;
-  // As published, facets smaller than r_min are not refined at all.
-  p.refinement.shape_floor = p.as_published ? r_min : std::min(r_min, kShapeFloorVoxels * voxel);
+  p.refinement.r_min = r_min;
+  p.refinement.shape_floor = std::min(r_min, kShapeFloorVoxels * voxel);
   return p;
 }
 

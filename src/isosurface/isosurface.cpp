@@ -9,10 +9,6 @@
 namespace deliso {
 namespace {
 
-// Number of voxels that a search walks without the kd-tree. The tree skips empty space, but a
-// search in it descends from the root first.
-constexpr int kWalkedVoxels = 12;
-
 // The volume as the inner loops see it, in its own sample type.
 template <class T>
 struct Field {
@@ -72,23 +68,13 @@ class Side {
     walk_.step();
   }
 
-  // Searches the rest with the tree. The first voxel with a hit has the nearest one.
-  void finish(const VoxelTree& tree, Nearest& best, std::uint64_t& computations) const {
-    tree.find_along(line_, {walk_.t(), walk_.end()}, field_.samples, field_.threshold,
-                    [&](const VoxelSpan& span) {
-                      return span.t0 > best.distance || solve(span, best, computations);
-                    });
-  }
-
  private:
   // Solves along the line itself, so that both directions round to the same hits.
-  bool solve(const VoxelSpan& ahead, Nearest& best, std::uint64_t& computations) const {
+  void solve(const VoxelSpan& ahead, Nearest& best, std::uint64_t& computations) const {
     const VoxelSpan span = backward_ ? reversed(ahead) : ahead;
     const Roots roots = field_.roots(span);
     ++computations;
-    if (roots.count == 0) return false;
-    best.offer(span, roots, backward_ ? roots.count - 1 : 0, field_.volume);
-    return true;
+    if (roots.count > 0) best.offer(span, roots, backward_ ? roots.count - 1 : 0, field_.volume);
   }
 
   const Field<T>& field_;
@@ -98,7 +84,7 @@ class Side {
 };
 
 template <class T>
-Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const LatticeLine& line,
+Nearest find_nearest(const Field<T>& field, const VoxelBox& box, const LatticeLine& line,
                      double limit, std::uint64_t& computations) {
   Nearest best;
   // The voxel that holds the center, or the nearest one on the line, is solved once for both
@@ -108,7 +94,7 @@ Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const Lattice
   if (!inside) range = line.clip(range);
   if (!(range.lo < range.hi)) return best;
   const Index3 voxel = inside ? line.voxel_after_origin()
-                              : line.voxel_after(std::clamp(0.0, range.lo, range.hi), tree.box());
+                              : line.voxel_after(std::clamp(0.0, range.lo, range.hi), box);
   const VoxelSpan first = line.span(voxel, range);
   if (field.active(voxel) && !first.empty()) {
     ++computations;
@@ -121,15 +107,12 @@ Nearest find_nearest(const Field<T>& field, const VoxelTree& tree, const Lattice
   const LatticeLine reverse = line.reversed();
   Side<T> ahead(field, line, first, range.hi, false);
   Side<T> behind(field, reverse, reversed(first), -range.lo, true);
-  for (int n = 0; n < kWalkedVoxels; ++n) {
+  while (true) {
     const bool ahead_done = ahead.done(best), behind_done = behind.done(best);
     if (ahead_done && behind_done) return best;
     const bool forward = behind_done || (!ahead_done && ahead.t() <= behind.t());
     (forward ? ahead : behind).step(best, computations);
   }
-  if (!ahead.done(best)) ahead.finish(tree, best, computations);
-  if (!behind.done(best)) behind.finish(tree, best, computations);
-  return best;
 }
 
 void count_search(SearchCounters& counters, std::uint64_t computations, bool hit) {
@@ -142,12 +125,12 @@ void count_search(SearchCounters& counters, std::uint64_t computations, bool hit
 
 }  // namespace
 
-Isosurface::Isosurface(const Volume& volume, const VoxelTree& tree, double kappa,
-                       CubicMethod method)
-    : volume_(volume), tree_(tree), kappa_(kappa), method_(method), empty_(!tree.active(kappa)) {
-  if (empty_) return;
-  threshold_ = volume.visit([&](const auto* samples) {
-    return static_cast<double>(*inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa));
+Isosurface::Isosurface(const Volume& volume, double kappa, CubicMethod method)
+    : volume_(volume), units_(volume), kappa_(kappa), method_(method) {
+  volume.visit([&](const auto* samples) {
+    const auto first = inside_threshold<std::remove_cvref_t<decltype(*samples)>>(kappa);
+    empty_ = !first;
+    if (first) threshold_ = static_cast<double>(*first);
   });
 }
 
@@ -155,27 +138,22 @@ void Isosurface::intersect(const Segment& r, std::vector<Hit>& hits,
                            SearchCounters& counters) const {
   hits.clear();
   std::uint64_t computations = 0;
-  const LatticeLine line = tree_.lattice_line(r.a, r.direction());
+  const LatticeLine line = units_.line(r.a, r.direction());
   const Range range = line.clip({0, 1});
   if (!empty_ && range.lo < range.hi) {
     volume_.visit([&](const auto* samples) {
       const Field field(volume_, samples, kappa_, threshold_, method_);
-      const auto solve = [&](const VoxelSpan& span) {
-        ++computations;
+      const Index3 first = line.voxel_after(range.lo, units_.box());
+      for (VoxelWalk walk(line, first, range); !walk.done(); walk.step()) {
+        if (!field.active(walk.voxel())) continue;
+        const VoxelSpan span = walk.span();
         const Roots roots = field.roots(span);
+        ++computations;
         for (int n = 0; n < roots.count; ++n) {
           const double s = roots.t[n];
           hits.push_back({parameter_at(span, s), point_at(span, s, volume_), roots.leaves(n)});
         }
-        return false;
-      };
-      if (!line.is_shorter(range, kWalkedVoxels)) {
-        tree_.find_along(line, range, samples, field.threshold, solve);
-        return;
       }
-      const Index3 first = line.voxel_after(range.lo, tree_.box());
-      for (VoxelWalk walk(line, first, range); !walk.done(); walk.step())
-        if (field.active(walk.voxel())) solve(walk.span());
     });
   }
   count_search(counters, computations, !hits.empty());
@@ -185,11 +163,11 @@ std::optional<Hit> Isosurface::nearest(const Vec3& center, const Vec3& direction
                                        SearchCounters& counters) const {
   std::uint64_t computations = 0;
   Nearest best;
-  const LatticeLine line = tree_.lattice_line(center, direction);
+  const LatticeLine line = units_.line(center, direction);
   if (!empty_ && line.valid()) {
     best = volume_.visit([&](const auto* samples) {
       const Field field(volume_, samples, kappa_, threshold_, method_);
-      return find_nearest(field, tree_, line, limit, computations);
+      return find_nearest(field, units_.box(), line, limit, computations);
     });
   }
   const bool hit = best.distance <= limit && std::isfinite(best.distance);

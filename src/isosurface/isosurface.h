@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The oracle: the stages learn about Sigma = g^-1(kappa) only here, with g the trilinear
 // interpolant (paper §2.2.3 and §4). It answers three questions: every point of Sigma on a segment,
-// the point of Sigma on a line nearest to a given point of the line, and the gradient there. It
+// the point of Sigma on a line nearest to a given point of the line, and the gradient there. Most
+// segments are shorter than a few voxels, so it walks from voxel to voxel; long ones are quicker
+// through the kd-tree (paper/intersect.h). It
 // counts its work (Table 4's CPI) in the caller's counters, so that each stage has its own.
 //
 // A hit is a passage between inside (g >= kappa) and outside. A line that touches Sigma without
@@ -17,14 +19,14 @@
 #include <vector>
 
 #include "base/segment.h"
-#include "kdtree/voxel_tree.h"
+#include "kdtree/lattice_line.h"
 #include "roots/cubic.h"
 #include "volume/volume.h"
 
 namespace deliso {
 
 // A computation is one voxel-ray intersection: the cubic formed in one active voxel, once per voxel
-// and search. Voxels that the tree's min and max exclude cost none.
+// and search. Others cost none.
 struct SearchCounters {
   std::uint64_t searches = 0;
   std::uint64_t searches_with_hit = 0;
@@ -48,9 +50,8 @@ struct Hit {
 
 class Isosurface {
  public:
-  // Keeps references: volume and tree must outlive it. pre: kappa is geometric_isovalue().
-  Isosurface(const Volume& volume, const VoxelTree& tree, double kappa,
-             CubicMethod method = CubicMethod::isolation);
+  // Keeps a reference to the volume. pre: kappa is geometric_isovalue().
+  Isosurface(const Volume& volume, double kappa, CubicMethod method = CubicMethod::isolation);
 
   const Volume& volume() const { return volume_; }
   double kappa() const { return kappa_; }
@@ -70,10 +71,10 @@ class Isosurface {
 
  private:
   const Volume& volume_;
-  const VoxelTree& tree_;
+  VoxelUnits units_;
   double kappa_;
   CubicMethod method_;
-  bool empty_;            // no voxel is active
+  bool empty_ = true;     // no sample can be inside
   double threshold_ = 0;  // inside_threshold of the sample type
 };
 

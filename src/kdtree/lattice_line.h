@@ -129,13 +129,6 @@ class LatticeLine {
            origin_[1] <= voxels_[1] && 0 <= origin_[2] && origin_[2] <= voxels_[2];
   }
 
-  // True if the line runs through fewer than about `count` voxels in `range`.
-  bool is_shorter(Range range, int count) const {
-    return (range.hi - range.lo) *
-               (std::abs(direction_[0]) + std::abs(direction_[1]) + std::abs(direction_[2])) <
-           count;
-  }
-
   // Returns the index along `axis`, in lo .. hi-1, of the voxel that holds the line just after t.
   // The position gives a guess; the crossings correct it (L2). pre: t is in the range of lo .. hi.
   int index_after(std::size_t axis, double t, int lo, int hi) const {
@@ -203,6 +196,34 @@ class LatticeLine {
   std::array<double, 3> entry_side_{}, exit_side_{};
   std::array<double, 3> base_;  // plane numbers count from it: origin_, unless parallel
   bool valid_ = false;
+};
+
+// From the scaled frame to voxel units.
+class VoxelUnits {
+ public:
+  explicit VoxelUnits(const Volume& volume)
+      : per_spacing_(divided({1, 1, 1}, volume.spacing())),
+        first_(to_vec3(volume.first())),
+        top_(to_vec3(volume.voxels())),
+        voxels_(volume.voxels()),
+        box_(volume.box()) {}
+
+  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t. An
+  // origin in the volume's box is also in the box of voxels, whatever the spacing's rounding.
+  LatticeLine line(const Vec3& origin, const Vec3& direction) const {
+    const auto in_voxels = [&](int axis) {
+      const double u = origin[axis] * per_spacing_[axis] - first_[axis];
+      const double below = origin[axis] <= box_.hi[axis] ? smaller(u, top_[axis]) : u;
+      return origin[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
+    };
+    return {{in_voxels(0), in_voxels(1), in_voxels(2)}, times(direction, per_spacing_), voxels_};
+  }
+  VoxelBox box() const { return {{0, 0, 0}, {voxels_.i, voxels_.j, voxels_.k}}; }
+
+ private:
+  Vec3 per_spacing_, first_, top_;
+  Index3 voxels_;
+  Box3 box_;
 };
 
 // Steps through the voxels along a line, in order. The line must outlive the walk. Usage:

@@ -31,11 +31,7 @@ void add_cuts(AxisCuts& cuts, int lo, int hi, std::size_t code,
 }  // namespace
 
 VoxelTree::VoxelTree(const Volume& volume)
-    : volume_(volume),
-      per_spacing_(divided({1, 1, 1}, volume.spacing())),
-      first_(to_vec3(volume.first())),
-      top_in_voxels_(to_vec3(volume.voxels())),
-      box_(volume.box()) {
+    : volume_(volume), units_(volume) {
   choose_axes();
   volume.visit([&](const auto* samples) { build(samples); });
 }

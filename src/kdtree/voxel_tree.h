@@ -60,17 +60,9 @@ class VoxelTree {
   bool find_along(const LatticeLine& line, Range range, const T* samples, T threshold,
                   Visit&& visit) const;
 
-  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t. An
-  // origin in the volume's box is also in the box of voxels, whatever the spacing's rounding.
+  // Returns the line origin + t * direction (scaled frame) in voxel units, with the same t.
   LatticeLine lattice_line(const Vec3& origin, const Vec3& direction) const {
-    const auto in_voxels = [&](int axis) {
-      const double u = origin[axis] * per_spacing_[axis] - first_[axis];
-      const double below = origin[axis] <= box_.hi[axis] ? smaller(u, top_in_voxels_[axis]) : u;
-      return origin[axis] >= box_.lo[axis] ? greater(below, 0.0) : below;
-    };
-    return {{in_voxels(0), in_voxels(1), in_voxels(2)},
-            times(direction, per_spacing_),
-            volume_.voxels()};
+    return units_.line(origin, direction);
   }
 
  private:
@@ -98,24 +90,13 @@ class VoxelTree {
   void choose_axes();
 
   const Volume& volume_;
-  Vec3 per_spacing_, first_, top_in_voxels_;
-  Box3 box_;
+  VoxelUnits units_;
   int depth_ = 0;                               // levels of inner nodes
   std::array<std::uint8_t, kMaxDepth> axis_{};  // the axis across which each level splits
   std::variant<Nodes<std::uint8_t>, Nodes<std::int8_t>, Nodes<std::uint16_t>, Nodes<std::int16_t>,
                Nodes<std::uint32_t>, Nodes<std::int32_t>, Nodes<float>, Nodes<double>>
       nodes_;  // [0] unused, [1] the root
 };
-
-// True if the voxel whose first corner is *s is active. dy and dz are the steps to the next sample
-// in y and in z.
-template <class T>
-bool is_active_voxel(const T* s, std::size_t dy, std::size_t dz, T threshold) {
-  const int inside = (s[0] >= threshold) + (s[1] >= threshold) + (s[dy] >= threshold) +
-                     (s[dy + 1] >= threshold) + (s[dz] >= threshold) + (s[dz + 1] >= threshold) +
-                     (s[dz + dy] >= threshold) + (s[dz + dy + 1] >= threshold);
-  return inside != 0 && inside != 8;
-}
 
 template <class T, class Visit>
 bool VoxelTree::find_along(const LatticeLine& line, Range range, const T* samples, T threshold,

@@ -2,366 +2,245 @@
 #include "paper/recover.h"
 
 #include <algorithm>
-#include <cmath>
-#include <queue>
+#include <optional>
+#include <utility>
 
-#include "base/sorted_list.h"
-#include "base/stopwatch.h"
-#include "paper/orient.h"
-#include "stage1/build_tri_mesh.h"
-#include "stage1/poles.h"
-#include "surface/criteria.h"
+#include "base/check.h"
+#include "isosurface/boundary_midpoint.h"
+#include "mesh/star.h"
 
-namespace deliso {
+namespace deliso::paper {
 namespace {
 
-// Smallest surface ball whose center is inserted, in r_min. Without a limit, sheets of pure noise
-// that are arbitrarily close would be refined forever.
-constexpr double kMinBallRMins = 0.01;
-
-// A hit is real if its ball, shrunk by this factor, holds no vertex. The factor covers rounding.
-constexpr double kBallTolerance = 0.999;
-
-// Shortest boundary edge that is split, in voxels. Two curves very close to each other encroach
-// upon each other however short their edges are.
-constexpr double kShortestEdgeVoxels = 0.02;
+// Of a voxel: shorter edges of the boundary curves are not split. Two curves very near to each
+// other encroach upon each other however short their edges are.
+constexpr double kShortestEdge = 0.02;
 
 }  // namespace
 
-Recovery::Recovery(const Isosurface& surface, const BoundaryCurves& curves, FirstSample first,
-                   const Parameters& parameters, Report& report)
-    : curves_(curves),
-      parameters_(parameters),
-      follower_(follower(parameters.observer)),
-      steps_(parameters.observer),
+Vec3 furthest(std::span<const Hit> hits, const Vec3& p) {
+  return std::ranges::max_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
+      ->point;
+}
+
+Vec3 nearest(std::span<const Hit> hits, const Vec3& p) {
+  return std::ranges::min_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
+      ->point;
+}
+
+Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
+                   std::span<const SiteId> ids, const Options& options, Report& report)
+    : del_(std::move(del)),
+      options_(options),
       report_(report),
-      restricted_(surface, std::move(first.triangulation), parameters.r_min, report, follower_),
-      chain_(std::move(first.chain)),
-      min_ball_(kMinBallRMins * parameters.r_min),
-      shortest_edge_(std::max(kShortestBoundaryEdge * parameters.r_min,
-                              kShortestEdgeVoxels * parameters.voxel)) {
-  for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
-    if (!restricted_.is_auxiliary(v)) queue_vertex(v);
+      steps_(options.observer),
+      shortest_edge_(kShortestEdge * del_.sigma().volume().voxel()),
+      curve_(del_.del().vertex_capacity()) {
+  for (const auto& [a, b, face] : curves.edges) {
+    if (ids[a] == ids[b]) continue;
+    curve_[ids[a]].push_back({ids[b], face});
+    curve_[ids[b]].push_back({ids[a], face});
   }
+  for (SiteId q = 1; q < del_.del().vertex_capacity(); ++q) queue(q);
 }
 
 void Recovery::recover() {
-  begin("topology");
-  protect_boundary();
   multi_intersect();
   extract_manifold();
-  if (!std::isfinite(parameters_.recovery[Criterion::h_over_r])) return;
-  begin("geometry");
-  std::vector<double> no_poles;
-  approximate_geom(parameters_.recovery, no_poles);
+  approximate_geom(options_.epsilon);
   extract_manifold();
 }
 
-void Recovery::queue_vertex(SiteId v) {
-  if (v >= vertex_queued_.size()) vertex_queued_.resize(v + 1, 0);
-  if (vertex_queued_[v]) return;
-  vertex_queued_[v] = 1;
-  vertex_queue_.push_back(v);
+void Recovery::refine(std::vector<double> poles) {
+  poles_ = std::move(poles);
+  approximate_geom(options_.epsilon1);
+  extract_manifold();
 }
 
-void Recovery::after_insertion() {
-  for (const SiteId v : restricted_.touched()) queue_vertex(v);
-  created_.insert(created_.end(), restricted_.created().begin(), restricted_.created().end());
-  require_room(restricted_.triangulation(), parameters_);
-}
-
-std::vector<SiteId> Recovery::boundary_vertices(const ConflictZone& zone) const {
-  std::vector<SiteId> found;
-  for (const CellId c : zone.cells) {
-    for (const SiteId v : restricted_.triangulation().vertices(c)) {
-      if (chain_.is_boundary(v)) found.push_back(v);
+template <class Visit>
+void Recovery::for_each_facet(Visit&& visit) {
+  const Triangulation& t = del_.del();
+  facets_.clear();
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    for (int i = 0; i < 4 && t.is_live(c); ++i) {
+      if (c < t.neighbor(c, i) && !del_.hits({c, i}).empty()) queue(Facet{c, i});
     }
   }
-  sort_unique(found);
-  return found;
-}
-
-std::vector<SiteId> Recovery::encroached_edges(const Vec3& p, std::span<const SiteId> near) const {
-  const Triangulation& t = restricted_.triangulation();
-  std::vector<SiteId> edges;
-  for (const SiteId v : near) {
-    for (const SiteId a : {v, chain_.previous(v)}) {
-      if (in_diametral_ball(t.point(a), t.point(chain_.next(a)), p)) edges.push_back(a);
-    }
-  }
-  return edges;
-}
-
-Attempt Recovery::insert(RecordId r, const Vec3& x) {
-  created_.clear();
-  const Attempt attempt = try_insert(r, x);
-  if (follower_) follower_->attempt_ended(attempt, x);
-  return attempt;
-}
-
-Attempt Recovery::try_insert(RecordId r, const Vec3& x) {
-  const Triangulation& t = restricted_.triangulation();
-  const double radius = distance(x, t.point(restricted_.triangle(r)[0]));
-  if (radius < min_ball_) {
-    ++report_[Counter::capped_insertions];
-    return Attempt::refused;
-  }
-  const ConflictZone& zone = restricted_.prepare(x, restricted_.facet(r).cell);
-  if (zone.duplicate != kNoId || restricted_.distance_to_vertices(x) < kBallTolerance * radius) {
-    for (const SiteId v : restricted_.triangle(r)) queue_vertex(v);
-    restricted_.forget(r);
-    return Attempt::forgotten;
-  }
-  const std::vector<SiteId> edges = encroached_edges(x, boundary_vertices(zone));
-  if (!edges.empty()) {
-    // The longest; of equal ones the smallest id.
-    const SiteId edge = *std::ranges::max_element(edges, {}, [&](SiteId a) {
-      return std::pair(distance2(t.point(a), t.point(chain_.next(a))), ~a.number());
-    });
-    return split_edge(edge) ? Attempt::split : Attempt::refused;
-  }
-  restricted_.insert_prepared(x);
-  after_insertion();
-  return Attempt::inserted;
-}
-
-bool Recovery::split_edge(SiteId a) {
-  const Triangulation& t = restricted_.triangulation();
-  bool any = false;
-  std::vector<SiteId> pending{a};
-  while (!pending.empty()) {
-    const SiteId from = pending.back(), to = chain_.next(from);
-    pending.pop_back();
-    const Vec3 pa = t.point(from), pb = t.point(to);
-    if (any && !is_encroached(from)) continue;
-    const auto middle = distance(pa, pb) < shortest_edge_
-                            ? std::nullopt
-                            : curves_.split({chain_.place(from), pa}, {chain_.place(to), pb});
-    if (!middle) {
-      ++report_[Counter::refused_splits];
-      continue;
-    }
-    const ConflictZone& zone = restricted_.prepare(middle->point, t.incident_cell(from));
-    if (zone.duplicate != kNoId) {
-      ++report_[Counter::refused_splits];
-      continue;
-    }
-    const std::vector<SiteId> near = boundary_vertices(zone);
-    if (follower_) follower_->edge_split(from, to);
-    const SiteId v = restricted_.insert_prepared(middle->point);
-    chain_.insert_after(from, v, middle->place);
-    queue_vertex(from);
-    queue_vertex(to);
-    after_insertion();
-    ++report_[Counter::boundary_splits_recover];
-    any = true;
-    // The balls of both halves may hold older vertices; the balls of near edges may hold the new
-    // one.
-    const std::vector<SiteId> encroached = encroached_edges(middle->point, near);
-    pending.insert(pending.end(), encroached.begin(), encroached.end());
-    pending.insert(pending.end(), {v, from});
-  }
-  return any;
-}
-
-bool Recovery::is_encroached(SiteId a) {
-  const Triangulation& t = restricted_.triangulation();
-  const SiteId b = chain_.next(a);
-  // The ball of an edge holds a vertex iff it holds a Delaunay neighbor of an end. The ball of an
-  // edge that is not Delaunay always holds one.
-  // Where the curve turns sharply at an edge of the box, the ball may hold the next vertex of the
-  // chain, however short the edges are. The edge is still Delaunay, so that vertex is ignored.
-  bool is_delaunay = false;
-  for (const SiteId v : restricted_.neighbors(a)) {
-    is_delaunay |= v == b;
-    if (v == b || v == chain_.next(b) || v == chain_.previous(a)) continue;
-    if (in_diametral_ball(t.point(a), t.point(b), t.point(v))) return true;
-  }
-  return !is_delaunay;
-}
-
-void Recovery::protect_boundary() {
-  const std::size_t count = restricted_.triangulation().vertex_capacity();
-  for (SiteId v = 1; v < count; ++v) {
-    while (chain_.is_boundary(v) && is_encroached(v)) {
-      if (follower_) follower_->edge_asked(v, chain_.next(v));
-      if (!split_edge(v)) break;
-    }
+  while (!facets_.empty()) {
+    steps_.step(facets_.size());
+    const auto [f, corners] = facets_.front();
+    facets_.pop_front();
+    // Its cell may be gone, and its number another cell's.
+    if (!t.is_live(f.cell) || facet_vertices(t, f) != corners || del_.hits(f).empty()) continue;
+    visit(f);
   }
 }
 
 void Recovery::multi_intersect() {
-  std::deque<std::pair<RecordId, std::uint32_t>> queue;
-  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
-    queue.emplace_back(r, restricted_.generation(r));
-  }
-  const Triangulation& t = restricted_.triangulation();
-  while (!queue.empty()) {
-    steps_.step(queue.size());
-    const auto [r, generation] = queue.front();
-    queue.pop_front();
-    const std::span<const Vec3> hits = restricted_.effective_hits(r);
-    if (restricted_.generation(r) != generation || hits.size() < 2) continue;
-    // All hits lie on the facet's dual line, so the furthest from a corner is the furthest from the
-    // facet.
-    const Vec3& a = t.point(restricted_.triangle(r)[0]);
-    const Vec3 x = *std::max_element(hits.begin(), hits.end(), [&](const Vec3& p, const Vec3& q) {
-      return distance2(p, a) < distance2(q, a);
-    });
-    if (follower_) {
-      follower_->record_asked(r, Reason::several_hits, static_cast<double>(hits.size()));
+  for_each_facet([&](Facet sigma) {
+    const std::span<const Hit> x = del_.hits(sigma);
+    if (x.size() < 2) return;
+    // All of them are on the dual line, whose points are as far from one corner as from the others.
+    const Vec3 p = furthest(x, del_.del().point(facet_vertices(del_.del(), sigma)[0]));
+    if (options_.observer) {
+      options_.observer->asks(Routine::multi_intersect, sigma, kNoId, static_cast<double>(x.size()),
+                              p);
     }
-    if (insert(r, x) == Attempt::split) created_.push_back(r);
-    for (const RecordId n : created_) queue.emplace_back(n, restricted_.generation(n));
-  }
-}
-
-bool Recovery::is_manifold_at(SiteId q) {
-  restricted_.star(q, star_);
-  triangles_.clear();
-  for (const RecordId r : star_) triangles_.push_back(as_mesh_triangle(restricted_.triangle(r)));
-  const Star star = classify_star(VertexId(q.number()), triangles_);
-  if (!chain_.is_boundary(q)) return star == Star::disk;
-  if (star != Star::half_disk) return false;
-  // The half disk must end on the chain: each chain neighbor of q is in one facet of the star.
-  for (const SiteId end : {chain_.next(q), chain_.previous(q)}) {
-    const auto holds = [end](const Triangle& v) { return has_corner(v, VertexId(end.number())); };
-    if (std::count_if(triangles_.begin(), triangles_.end(), holds) != 1) return false;
-  }
-  return true;
+    insert(sigma, p);
+  });
 }
 
 void Recovery::extract_manifold() {
-  const Triangulation& t = restricted_.triangulation();
-  while (!vertex_queue_.empty()) {
-    steps_.step(vertex_queue_.size());
-    const SiteId q = vertex_queue_.front();
-    vertex_queue_.pop_front();
-    vertex_queued_[q] = 0;
-    if (is_manifold_at(q)) continue;
+  while (!vertices_.empty()) {
+    steps_.step(vertices_.size());
+    const SiteId q = vertices_.front();
+    vertices_.pop_front();
+    is_queued_[q] = 0;
+    if (is_disk(q) || star_.empty()) continue;
+    const Vec3& at = del_.del().point(q);
+    const Facet sigma = *std::ranges::max_element(
+        star_, {}, [&](Facet f) { return distance2(furthest(del_.hits(f), at), at); });
+    const Vec3 p = furthest(del_.hits(sigma), at);
+    if (options_.observer) {
+      options_.observer->asks(Routine::extract_manifold, sigma, q,
+                              static_cast<double>(star_.size()), p);
+    }
+    if (insert(sigma, p)) queue(q);
+  }
+}
 
-    // The surface point of D_q furthest from q.
-    RecordId furthest = kNoId;
-    Vec3 x;
-    double furthest2 = 0;
-    for (const RecordId r : star_) {
-      for (const Vec3& hit : restricted_.effective_hits(r)) {
-        const double d2 = distance2(hit, t.point(q));
-        if (furthest != kNoId && d2 <= furthest2) continue;
-        furthest = r;
-        furthest2 = d2;
-        x = hit;
+bool Recovery::is_disk(SiteId q) {
+  del_.star(q, star_);
+  std::vector<Triangle> facets;
+  for (const Facet f : star_) facets.push_back(as_mesh_triangle(facet_vertices(del_.del(), f)));
+  const Star star = classify_star(VertexId(q.number()), facets);
+  return star == Star::disk || (star == Star::half_disk && on_curve(q));
+}
+
+double Recovery::pole_of(const SiteTriangle& v) const {
+  return (poles_[v[0]] + poles_[v[1]] + poles_[v[2]]) / 3;
+}
+
+void Recovery::approximate_geom(double epsilon) {
+  for_each_facet([&](Facet sigma) {
+    const SiteTriangle v = facet_vertices(del_.del(), sigma);
+    const auto at = [&](std::size_t i) { return del_.del().point(v[i]); };
+    const Vec3 x = nearest(del_.hits(sigma), at(0));
+    const auto [r, h, l] = measure(at(0), at(1), at(2), x);
+    if (r <= report_.r_min) return;
+    double worst = std::max(h / r / epsilon, r / l / options_.lambda);
+    if (!poles_.empty()) worst = std::max(worst, r / pole_of(v) / options_.epsilon2);
+    if (worst <= 1) return;
+    if (options_.observer) {
+      options_.observer->asks(Routine::approximate_geom, sigma, kNoId, worst, x);
+    }
+    insert(sigma, x);
+  });
+}
+
+bool Recovery::refuse(Refusal why) {
+  if (options_.observer) options_.observer->refused(why);
+  return false;
+}
+
+bool Recovery::insert(Facet sigma, const Vec3& x) {
+  const Triangulation& t = del_.del();
+  const ConflictZone& zone = del_.find_conflicts(x, sigma.cell);
+  if (zone.duplicate != kNoId) return refuse(Refusal::vertex_there);
+  // Of the curve edges that x encroaches upon, the longest.
+  SiteId from = kNoId;
+  CurveEdge edge{};
+  double longest2 = 0;
+  for (const CellId c : zone.cells) {
+    for (const SiteId a : t.vertices(c)) {
+      if (!on_curve(a)) continue;
+      for (const CurveEdge& e : curve_[a]) {
+        const Vec3 &p = t.point(a), &q = t.point(e.to);
+        if (dot(p - x, q - x) >= 0 || distance2(p, q) <= longest2) continue;
+        longest2 = distance2(p, q);
+        from = a;
+        edge = e;
       }
     }
-    if (follower_) follower_->star_asked(q, chain_.is_boundary(q), furthest);
-    if (furthest != kNoId) {
-      if (insert(furthest, x) != Attempt::refused) queue_vertex(q);
-    } else if (chain_.is_boundary(q)) {
-      const SiteId before = chain_.previous(q), after = chain_.next(q);
-      const bool longer =
-          distance2(t.point(before), t.point(q)) > distance2(t.point(q), t.point(after));
-      split_edge(longer ? before : q);
-    }
   }
+  if (from != kNoId) return split(from, edge, sigma);
+  put(x);
+  return true;
 }
 
-void Recovery::approximate_geom(const Criteria& criteria, std::vector<double>& poles) {
-  struct Item {
-    double violation;
-    RecordId record;
-    std::uint32_t generation;
-    // The worst first; equal ones by record, so that every run has the same order.
-    bool operator<(const Item& o) const {
-      return violation != o.violation ? violation < o.violation : record > o.record;
-    }
+bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
+  const Triangulation& t = del_.del();
+  const Vec3 pa = t.point(a), pb = t.point(edge.to);
+  const Volume& volume = del_.sigma().volume();
+  std::optional<Vec3> p;
+  if (distance(pa, pb) > shortest_edge_) {
+    p = boundary_midpoint(volume, del_.sigma().kappa(), edge.face, pa, pb);
+  }
+  if (!p || del_.find_conflicts(*p, sigma.cell).duplicate != kNoId) {
+    ++report_.curve_refusals;
+    return refuse(Refusal::at_curve);
+  }
+  if (options_.observer) options_.observer->refused(Refusal::split);
+  queue(sigma);
+  const SiteId b = edge.to, v(t.vertex_capacity());
+  const BoxFace face = edge.face;
+  put(*p);
+  ++report_.curve_splits;
+  curve_.resize(v + 1);
+  curve_[v] = {{a, face}, {b, face}};
+  const auto join = [&](SiteId end, SiteId other) {
+    std::ranges::find_if(curve_[end], [&](const CurveEdge& e) {
+      return e.to == other && e.face == face;
+    })->to = v;
   };
-  const Triangulation& t = restricted_.triangulation();
-  std::priority_queue<Item> queue;
-  const auto shape_of = [&](RecordId r) {
-    const SiteTriangle v = restricted_.triangle(r);
-    FacetShape shape =
-        measure(t.point(v[0]), t.point(v[1]), t.point(v[2]), restricted_.surface_point(r));
-    if (!poles.empty()) shape.pole = (poles[v[0]] + poles[v[1]] + poles[v[2]]) / 3;
-    return shape;
-  };
-  const auto enqueue = [&](RecordId r) {
-    if (!restricted_.is_restricted(r)) return;
-    const double worst = violation(shape_of(r), criteria);
-    if (worst > 1) queue.push({worst, r, restricted_.generation(r)});
-  };
-  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) enqueue(r);
-  while (!queue.empty()) {
-    steps_.step(queue.size());
-    const auto [over, r, generation] = queue.top();
-    queue.pop();
-    if (restricted_.generation(r) != generation || !restricted_.is_restricted(r)) continue;
-    if (follower_) {
-      follower_->record_asked(r, reason_of(worst_criterion(shape_of(r), criteria)), over);
+  join(a, b);
+  join(b, a);
+  return true;
+}
+
+void Recovery::put(const Vec3& p) {
+  const SiteId v = del_.insert(p);
+  ++inserted_;
+  ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
+  for (const SiteId q : del_.touched()) queue(q);
+  for (const Facet f : del_.created()) queue(f);
+  if (!poles_.empty()) {
+    // The mean pole height of the vertices adjacent in Del S|Sigma (§3.2).
+    del_.star(v, star_);
+    double sum = 0, count = 0;
+    for (const Facet f : star_) {
+      for (const SiteId q : facet_vertices(del_.del(), f)) {
+        if (q == v) continue;
+        sum += poles_[q];
+        ++count;
+      }
     }
-    if (insert(r, restricted_.surface_point(r)) == Attempt::split) created_.push_back(r);
-    while (!poles.empty() && poles.size() < t.vertex_capacity()) estimate_pole(poles);
-    for (const RecordId n : created_) enqueue(n);
+    poles_.push_back(count > 0 ? sum / count : 0);
   }
+  if (del_.del().vertex_capacity() <= options_.max_vertices) return;
+  throw InputError("more than --max-vertices ", options_.max_vertices, " vertices needed");
 }
 
-void Recovery::estimate_pole(std::vector<double>& poles) {
-  const SiteId v(poles.size());
-  restricted_.star(v, star_);
-  double sum = 0;
-  std::size_t count = 0;
-  for (const RecordId r : star_) {
-    for (const SiteId w : restricted_.triangle(r)) {
-      if (w >= v) continue;
-      sum += poles[w];
-      ++count;
+void Recovery::queue(SiteId q) {
+  if (q >= is_queued_.size()) is_queued_.resize(q + 1, 0);
+  if (is_queued_[q] != 0) return;
+  is_queued_[q] = 1;
+  vertices_.push_back(q);
+}
+
+void Recovery::count_left() {
+  const Triangulation& t = del_.del();
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    for (int i = 0; i < 4 && t.is_live(c); ++i) {
+      report_.facets_left += c < t.neighbor(c, i) && del_.hits({c, i}).size() > 1;
     }
   }
-  poles.push_back(count > 0 ? sum / static_cast<double>(count) : kNotAsked);
-}
-
-void Recovery::count_unresolved() {
-  for (RecordId r = 0; r < restricted_.record_capacity(); ++r) {
-    report_[Counter::cancelled_pairs] += restricted_.cancelled_pairs(r);
-    report_[Counter::unresolved_facets] += restricted_.effective_hits(r).size() > 1;
-  }
-  for (SiteId v = 1; v < restricted_.triangulation().vertex_capacity(); ++v) {
-    if (!restricted_.is_auxiliary(v) && !is_manifold_at(v)) ++report_[Counter::unresolved_vertices];
+  for (SiteId q = 1; q < t.vertex_capacity(); ++q) {
+    if (del_.is_auxiliary(q)) continue;
+    const bool is_good = is_disk(q);
+    report_.vertices_left += !is_good && !star_.empty();
+    report_.vertices_alone += star_.empty();
   }
 }
 
-SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curves,
-                          FirstSample first, const Parameters& parameters, bool single_stage,
-                          Report& report) {
-  std::optional<StepTimer> timer(report.seconds_recover);
-  Recovery recovery(surface, curves, std::move(first), parameters, report);
-  recovery.recover();
-  const RestrictedDelaunay& restricted = recovery.restricted();
-  const Triangulation& t = restricted.triangulation();
-  report.points_recovered = t.vertex_capacity() - 1 - kAuxiliaryVertices;
-
-  timer.reset();
-  std::vector<double> poles = compute_poles(t, surface, parameters, report);
-  timer.emplace(report.seconds_refine);
-  if (single_stage) {
-    recovery.begin("refine");
-    recovery.approximate_geom(parameters.refinement, poles);
-    recovery.extract_manifold();
-    if (!poles.empty()) poles.resize(t.vertex_capacity(), 0);
-  }
-  if (Observer* const observer = follower(parameters.observer)) observer->recovery_finished();
-  recovery.count_unresolved();
-  std::vector<Triangle> facets;
-  std::vector<Dual> duals;
-  for (RecordId r = 0; r < restricted.record_capacity(); ++r) {
-    if (!restricted.is_restricted(r)) continue;
-    const auto [a, b, c] = restricted.triangle(r);
-    facets.push_back(as_mesh_triangle({a, b, c}));
-    duals.push_back(dual_at(t.point(a), t.point(b), t.point(c), restricted.surface_point(r)));
-  }
-  SurfaceMesh mesh =
-      build_tri_mesh(t, std::move(facets), std::move(duals), recovery.chain(), poles);
-  orient(mesh, surface);
-  return mesh;
-}
-
-}  // namespace deliso
+}  // namespace deliso::paper

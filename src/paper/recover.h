@@ -1,95 +1,88 @@
 // SPDX-License-Identifier: MIT
-// Stage 1, Recover(Del S) of paper Figure 5. It adds points until Del S|Sigma is a manifold whose
-// facets follow the surface roughly.
+// Recover(Del S) of paper Figure 5 (Stage 1): points are inserted until no Voronoi edge meets Sigma
+// more than once, and the facets at every vertex are a disk, or on the boundary curves a half disk
+// (§3.1, §5). Queues take the place of sweeps over all facets: those that an insertion made, and
+// vertices whose facets it changed, are asked again.
 //
-// It differs from the paper in three ways. Worklists replace sweeps. An insertion that encroaches
-// upon an edge of the boundary chain splits that edge instead. Faults that cannot be resolved are
-// counted and left.
-//
-// Its tests miss some pieces of Sigma: a component within its own Voronoi cells, one smaller than
-// r_min, a wedge at the box too thin for a Voronoi edge. They are lost, and the report shows it.
+// Where a point would lie in the diametral ball of an edge of the boundary curves, that edge is
+// split in its place. Else new points beside the curves have half disks, without end.
 #pragma once
 
 #include <deque>
 #include <vector>
 
+#include "paper/boundary_curves.h"
+#include "paper/observer.h"
 #include "paper/restricted.h"
-#include "stage1/first_sample.h"
-#include "surface/observer.h"
 
-namespace deliso {
+namespace deliso::paper {
 
-// The state of Stage 1, and its insertion.
+// Del S while it grows from S_0 to S_1.
 class Recovery {
  public:
-  // Keeps references to all but `first`.
-  Recovery(const Isosurface& surface, const BoundaryCurves& curves, FirstSample first,
-           const Parameters& parameters, Report& report);
-  const RestrictedDelaunay& restricted() const { return restricted_; }
-  const SiteChain& chain() const { return chain_; }
+  // `curves`: their points are among the sites, by the numbers of `ids`. Keeps references to the
+  // options and the report.
+  Recovery(RestrictedDelaunay del, const BoundaryCurves& curves, std::span<const SiteId> ids,
+           const Options& options, Report& report);
 
-  // Runs all of Figure 5.
+  const RestrictedDelaunay& del() const { return del_; }
+
   void recover();
-  // Reports to the observer that the stage begins.
-  void begin(const char* stage) {
-    begin_stage(parameters_.observer, stage);
-    steps_ = Steps(parameters_.observer);
-  }
+  // The baseline of Table 2: RefineGeom's criteria, on Del S. `poles`: of every site.
+  void refine(std::vector<double> poles);
+  // Counts in the report what is not as it should be.
+  void count_left();
 
-  // Splits edges of the boundary chain until none has a vertex in its diametral ball.
-  void protect_boundary();
-  // Inserts points until no Voronoi edge meets Sigma more than once. The furthest hit comes first.
+  // Inserts the furthest hit of every Voronoi edge that has several.
   void multi_intersect();
-  // Inserts points until D_q is a disk, or a half disk on the boundary, for every vertex q.
+  // Inserts the furthest hit of D_q wherever D_q is no disk.
   void extract_manifold();
-  // Inserts surface points until every facet meets the criteria or is below their floors. `poles`:
-  // per vertex, or empty. A new vertex gets the mean pole height of its neighbors.
-  void approximate_geom(const Criteria& criteria, std::vector<double>& poles);
-  // Counts the faults that remain.
-  void count_unresolved();
+  // Inserts the hit of every facet above r_min with h/r > epsilon, r/l > lambda, or, where poles
+  // are known, r/h_sigma > epsilon2.
+  void approximate_geom(double epsilon);
 
  private:
-  // Inserts x, an effective hit of r, or splits the boundary edge that x encroaches upon. Forgets
-  // r's hits if the ball of x holds a vertex.
-  Attempt insert(RecordId r, const Vec3& x);
-  Attempt try_insert(RecordId r, const Vec3& x);
-  // Splits the chain edge from a to its next vertex, then the edges that a new vertex encroaches
-  // upon. Returns false if nothing was split.
-  bool split_edge(SiteId a);
-  // Returns the chain vertices of the zone's cells.
-  std::vector<SiteId> boundary_vertices(const ConflictZone& zone) const;
-  // Returns the chain edges at `near` whose balls hold p, by their first vertices.
-  std::vector<SiteId> encroached_edges(const Vec3& p, std::span<const SiteId> near) const;
-  // True if a vertex encroaches upon the chain edge from a to its next vertex.
-  bool is_encroached(SiteId a);
-  void after_insertion();
-  bool is_manifold_at(SiteId q);
-  // Gives the first vertex without a pole height the mean over its neighbors in Del S|Sigma.
-  void estimate_pole(std::vector<double>& poles);
-  void queue_vertex(SiteId v);
+  struct Item {
+    Facet facet;
+    SiteTriangle corners;  // it had when it was queued
+  };
+  // An edge of the boundary curves at a vertex.
+  struct CurveEdge {
+    SiteId to;
+    BoxFace face;
+  };
 
-  const BoundaryCurves& curves_;
-  const Parameters& parameters_;
-  Observer* const follower_;
-  Steps steps_;
+  // Calls visit(facet) for all facets of Del S|Sigma, and for those that insertions make meanwhile.
+  template <class Visit>
+  void for_each_facet(Visit&& visit);
+  // Disk(): D_q is a disk; of a vertex on the curves it may be a half disk.
+  bool is_disk(SiteId q);
+  // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
+  bool insert(Facet sigma, const Vec3& x);
+  bool split(SiteId a, const CurveEdge& edge, Facet sigma);
+  void put(const Vec3& p);
+  bool refuse(Refusal why);
+  void queue(SiteId q);
+  void queue(Facet f) { facets_.push_back({f, facet_vertices(del_.del(), f)}); }
+  bool on_curve(SiteId q) const { return q < curve_.size() && !curve_[q].empty(); }
+  double pole_of(const SiteTriangle& v) const;
+
+  RestrictedDelaunay del_;
+  const Options& options_;
   Report& report_;
-  RestrictedDelaunay restricted_;
-  SiteChain chain_;       // of its vertices
-  double min_ball_;       // radius of the smallest ball whose center is inserted
-  double shortest_edge_;  // shorter boundary edges are not split
-
-  // The vertices whose D_q is to be tested. Insertions after extract_manifold() refill it.
-  std::deque<SiteId> vertex_queue_;
-  std::vector<std::uint8_t> vertex_queued_;
-  std::vector<RecordId> created_;  // by all vertices that the last insert() added
-  std::vector<RecordId> star_;
-  std::vector<Triangle> triangles_;
+  Steps steps_;
+  double shortest_edge_;                       // curve edges up to this are not split
+  std::vector<std::vector<CurveEdge>> curve_;  // by site
+  std::deque<Item> facets_;
+  std::deque<SiteId> vertices_;
+  std::vector<std::uint8_t> is_queued_;  // by site
+  std::vector<Facet> star_;              // of the last is_disk()
+  std::vector<double> poles_;            // by site; empty: not known
+  std::size_t inserted_ = 0;
 };
 
-// Runs Recover of Figure 4, ComputePoles and BuildTriMesh, and returns the mesh. With
-// `single_stage` it also does all refinement, on the triangulation: the baseline of Table 2.
-SurfaceMesh recover_paper(const Isosurface& surface, const BoundaryCurves& curves,
-                          FirstSample first, const Parameters& parameters, bool single_stage,
-                          Report& report);
+// Returns the hit furthest from p, and that nearest to it. pre: there are hits.
+Vec3 furthest(std::span<const Hit> hits, const Vec3& p);
+Vec3 nearest(std::span<const Hit> hits, const Vec3& p);
 
-}  // namespace deliso
+}  // namespace deliso::paper

@@ -2,214 +2,130 @@
 #include "paper/restricted.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "base/check.h"
-#include "base/sorted_list.h"
+#include "base/triangle.h"
+#include "delaunay/voronoi.h"
+#include "paper/observer.h"
 
-namespace deliso {
+namespace deliso::paper {
 
-RestrictedDelaunay::RestrictedDelaunay(const Isosurface& surface, Triangulation triangulation,
-                                       double delta, Report& report, Observer* follower)
-    : surface_(surface),
-      triangulation_(std::move(triangulation)),
-      delta_(delta),
+RestrictedDelaunay::RestrictedDelaunay(Triangulation del, Sigma& sigma, const Options& options,
+                                       Report& report)
+    : del_(std::move(del)),
+      sigma_(sigma),
+      options_(options),
       report_(report),
-      follower_(follower),
-      box_(surface.volume().box()) {
-  const Triangulation& t = triangulation_;
-  record_of_.assign(4 * t.cell_capacity(), kNoId);
-  for (CellId c = 0; c < t.cell_capacity(); ++c) {
-    if (!t.is_live(c)) continue;
-    for (int i = 0; i < 4; ++i) {
-      if (c < t.neighbor(c, i)) search({c, i});
+      box_(sigma.volume().box()),
+      hits_(4 * del_.cell_capacity()) {
+  for (CellId c = 0; c < del_.cell_capacity(); ++c) {
+    for (int i = 0; i < 4 && del_.is_live(c); ++i) {
+      if (c < del_.neighbor(c, i)) search({c, i});
     }
   }
-  if (follower_) follower_->restricted_ready(*this);
+}
+
+std::size_t RestrictedDelaunay::slot(Facet f) const {
+  const Facet g = del_.mirror(f);
+  return f.cell < g.cell ? 4 * std::size_t{f.cell} + static_cast<std::size_t>(f.index)
+                         : 4 * std::size_t{g.cell} + static_cast<std::size_t>(g.index);
 }
 
 void RestrictedDelaunay::search(Facet f) {
-  const Triangulation& t = triangulation_;
-  if (has_infinite_vertex(t, f)) return;
-  const FacetDual dual = facet_dual(t, f);
-  const Range range = clip(dual.center, dual.normal, {dual.t_lo, dual.t_hi}, box_);
-  if (range.empty()) return;
-  const Segment edge{dual.center + range.lo * dual.normal, dual.center + range.hi * dual.normal};
-  surface_.intersect(edge, found_, report_.searches_recover);
-  if (found_.empty()) return;
-
-  RecordId r;
-  if (free_records_.empty()) {
-    r = static_cast<RecordId>(records_.size());
-    records_.emplace_back();
-  } else {
-    r = free_records_.back();
-    free_records_.pop_back();
+  if (has_infinite_vertex(del_, f)) return;
+  const FacetDual edge = facet_dual(del_, f);
+  const Range t = clip(edge.center, edge.normal, {edge.t_lo, edge.t_hi}, box_);
+  if (!(t.lo < t.hi)) return;
+  auto& [x, has_cancelled] = hits_[slot(f)];
+  for (const Hit& hit :
+       sigma_.intersect({edge.at(t.lo), edge.at(t.hi)}, report_.searches_recover)) {
+    if (!x.empty() && distance(x.back().point, hit.point) < report_.r_min) {
+      x.pop_back();
+      has_cancelled = true;
+      ++report_.cancelled_pairs;
+    } else {
+      x.push_back(hit);
+    }
   }
-  records_[r].facet = f;
-  for (const Hit& hit : found_) records_[r].hits.push_back(hit.point);
-  record_slot(f) = r;
-  record_slot(t.mirror(f)) = r;
-  created_records_.push_back(r);
+  tell(f);
+}
+
+void RestrictedDelaunay::tell(Facet f) {
+  if (hits(f).empty()) return;
+  created_.push_back(f);
   touch(f);
 }
 
-void RestrictedDelaunay::release(RecordId r, Facet f) {
-  if (follower_) follower_->record_gone(r);
-  record_slot(f) = kNoId;
-  record_slot(triangulation_.mirror(f)) = kNoId;
-  records_[r].hits.clear();
-  ++records_[r].generation;
-  free_records_.push_back(r);
-}
-
-void RestrictedDelaunay::forget(RecordId r) {
-  release(r, records_[r].facet);
-  ++report_[Counter::bogus_hits];
-}
-
-std::span<const Vec3> RestrictedDelaunay::effective_hits(RecordId r) const {
-  const std::vector<Vec3>& hits = records_[r].hits;
-  if (hits.size() < 2) return hits;
-  effective_.clear();
-  for (const Vec3& x : hits) {
-    if (!effective_.empty() && distance2(effective_.back(), x) < delta_ * delta_) {
-      effective_.pop_back();
-    } else {
-      effective_.push_back(x);
-    }
-  }
-  return effective_;
-}
-
-Vec3 RestrictedDelaunay::surface_point(RecordId r) const {
-  const std::span<const Vec3> hits = effective_hits(r);
-  if (hits.size() == 1) return hits[0];
-  const SiteTriangle v = triangle(r);
-  // Along the Voronoi edge the distance to a corner grows with the distance to the circumcenter.
-  const Vec3& a = triangulation_.point(v[0]);
-  return *std::min_element(hits.begin(), hits.end(), [&](const Vec3& x, const Vec3& y) {
-    return distance2(x, a) < distance2(y, a);
-  });
-}
-
-void RestrictedDelaunay::gather_cells(SiteId q) const {
-  const Triangulation& t = triangulation_;
-  cell_stamp_.resize(t.cell_capacity(), 0);
-  ++around_stamp_;
-  around_.assign(1, t.incident_cell(q));
-  cell_stamp_[around_[0]] = around_stamp_;
-  for (std::size_t next = 0; next < around_.size(); ++next) {
-    const CellId c = around_[next];
-    for (int i = 0; i < 4; ++i) {
-      const CellId d = t.neighbor(c, i);
-      if (t.vertex(c, i) == q || cell_stamp_[d] == around_stamp_) continue;
-      cell_stamp_[d] = around_stamp_;
-      around_.push_back(d);
-    }
-  }
-}
-
-void RestrictedDelaunay::star(SiteId q, std::vector<RecordId>& star) const {
-  const Triangulation& t = triangulation_;
-  star.clear();
-  gather_cells(q);
-  for (const CellId c : around_) {
-    for (int i = 0; i < 4; ++i) {
-      const RecordId r = record({c, i});
-      if (r == kNoId || t.vertex(c, i) == q || c > t.neighbor(c, i)) continue;
-      if (is_restricted(r)) star.push_back(r);
-    }
-  }
-}
-
-std::vector<SiteId> RestrictedDelaunay::neighbors(SiteId q) const {
-  gather_cells(q);
-  std::vector<SiteId> neighbors;
-  for (const CellId c : around_) {
-    for (const SiteId v : triangulation_.vertices(c)) {
-      if (v != q && v != Triangulation::kInfinite) neighbors.push_back(v);
-    }
-  }
-  sort_unique(neighbors);
-  return neighbors;
-}
-
-const ConflictZone& RestrictedDelaunay::prepare(const Vec3& p, CellId hint) {
-  triangulation_.find_conflicts(p, hint, zone_);
-  return zone_;
-}
-
-double RestrictedDelaunay::distance_to_vertices(const Vec3& p) {
-  double nearest2 = std::numeric_limits<double>::infinity();
-  for (const CellId c : zone_.cells) {
-    for (const SiteId v : triangulation_.vertices(c)) {
-      if (v == Triangulation::kInfinite) continue;
-      nearest2 = std::min(nearest2, distance2(p, triangulation_.point(v)));
-    }
-  }
-  return std::sqrt(nearest2);
-}
-
 void RestrictedDelaunay::touch(Facet f) {
-  const SiteTriangle v = facet_vertices(triangulation_, f);
+  const SiteTriangle v = facet_vertices(del_, f);
   touched_.insert(touched_.end(), v.begin(), v.end());
 }
 
-SiteId RestrictedDelaunay::insert_prepared(const Vec3& p) {
-  DELISO_ASSERT(!zone_.cells.empty());
-  Triangulation& t = triangulation_;
-  touched_.assign(1, SiteId(t.vertex_capacity()));
-  created_records_.clear();
-  if (follower_) follower_->insertion_begins(p, zone_);
-
-  // Facets on the zone's boundary survive with their records; all other records of the zone are
-  // released.
-  surviving_.clear();
-  for (const Facet f : zone_.boundary) {
-    surviving_.push_back(record_slot(f));
-    record_slot(f) = kNoId;
+void RestrictedDelaunay::star(SiteId q, std::vector<Facet>& d_q) const {
+  d_q.clear();
+  seen_.resize(del_.cell_capacity(), 0);
+  around_.assign(1, del_.incident_cell(q));
+  seen_[around_[0]] = ++round_;
+  for (std::size_t n = 0; n < around_.size(); ++n) {
+    const CellId c = around_[n];
+    for (int i = 0; i < 4; ++i) {
+      if (del_.vertex(c, i) == q) continue;
+      const CellId d = del_.neighbor(c, i);
+      if (seen_[d] != round_) {
+        seen_[d] = round_;
+        around_.push_back(d);
+      }
+      if (c < d && !hits({c, i}).empty()) d_q.push_back({c, i});
+    }
   }
+}
 
+const ConflictZone& RestrictedDelaunay::find_conflicts(const Vec3& p, CellId hint) {
+  del_.find_conflicts(p, hint, zone_);
+  return zone_;
+}
+
+SiteId RestrictedDelaunay::insert(const Vec3& p) {
+  if (options_.observer) options_.observer->insertion_begins(p, zone_);
+  created_.clear();
+  touched_.assign(1, SiteId(del_.vertex_capacity()));
+  kept_.clear();
+  for (const Facet f : zone_.boundary) kept_.push_back(hits_[slot(f)]);
   for (const CellId c : zone_.cells) {
     for (int i = 0; i < 4; ++i) {
-      const RecordId r = record_slot({c, i});
-      if (r == kNoId) continue;
-      touch({c, i});
-      release(r, {c, i});
+      Hits& hits = hits_[slot({c, i})];
+      if (!hits.x.empty()) touch({c, i});
+      hits = {};
     }
   }
-
-  const SiteId v = t.insert_in_zone(p, zone_, created_cells_);
-  record_of_.resize(4 * t.cell_capacity(), kNoId);
-
-  for (std::size_t k = 0; k < created_cells_.size(); ++k) {
-    const RecordId r = surviving_[k];
-    if (r == kNoId) continue;
-    const Facet f{created_cells_[k], zone_.boundary[k].index};
-    record_slot(f) = r;
-    records_[r].facet = f;
-    // A hit stays on the Voronoi edge if it is not nearer to p than to the facet's corners.
-    std::vector<Vec3>& hits = records_[r].hits;
-    const Vec3& a = t.point(facet_vertices(t, f)[0]);
-    const auto lost = std::remove_if(
-        hits.begin(), hits.end(), [&](const Vec3& x) { return distance2(x, p) < distance2(x, a); });
-    if (lost == hits.end()) continue;
-    hits.erase(lost, hits.end());
-    touch(f);
-    if (hits.empty()) {
-      release(r, f);
-    } else {
-      created_records_.push_back(r);
-    }
-  }
-  for (std::size_t k = 0; k < created_cells_.size(); ++k) {
-    const CellId c = created_cells_[k];
+  const SiteId v = del_.insert_in_zone(p, zone_, new_cells_);
+  hits_.resize(4 * del_.cell_capacity());
+  for (std::size_t k = 0; k < new_cells_.size(); ++k) {
+    const CellId c = new_cells_[k];
     for (int i = 0; i < 4; ++i) {
-      if (i != zone_.boundary[k].index && c < t.neighbor(c, i)) search({c, i});
+      const Facet f{c, i};
+      if (i != zone_.boundary[k].index) {
+        if (c < del_.neighbor(c, i)) search(f);
+      } else if (options_.keep_hits && !kept_[k].has_cancelled) {
+        const Vec3& corner = del_.point(facet_vertices(del_, f)[0]);
+        std::erase_if(kept_[k].x, [&](const Hit& x) {
+          return distance2(x.point, p) < distance2(x.point, corner);
+        });
+        hits_[slot(f)] = std::move(kept_[k]);
+        tell(f);
+      } else {
+        search(f);
+      }
     }
   }
-  if (follower_) follower_->site_added(v);
+  if (options_.observer) options_.observer->site_added(v);
   return v;
 }
 
-}  // namespace deliso
+Measures measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
+  const Vec3 center = circumcenter(a, b, c);
+  return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
+}
+
+}  // namespace deliso::paper

@@ -14,7 +14,6 @@
 #include "recover/dual_crossings.h"
 #include "recover/protrusions.h"
 #include "stage1/build_tri_mesh.h"
-#include "stage1/poles.h"
 #include "surface/observer.h"
 #include "surface/surface_point.h"
 
@@ -109,7 +108,6 @@ SurfaceMesh CertifiedRecovery::run() {
 }
 
 SurfaceMesh CertifiedRecovery::build_dual() {
-  const std::vector<double> poles = compute_poles(triangulation_, surface_, parameters_, report_);
   DualFacets k = all_facets();
   std::vector<Dual> duals;
   duals.reserve(k.triangles.size());
@@ -119,7 +117,7 @@ SurfaceMesh CertifiedRecovery::build_dual() {
         finder.dual(k.points[v[0]], k.points[v[1]], k.points[v[2]], report_.searches_recover));
     report_[Counter::unready_facets] += !duals.back().on_surface;
   }
-  return build_tri_mesh(triangulation_, std::move(k.triangles), std::move(duals), chain_, poles);
+  return build_tri_mesh(triangulation_, std::move(k.triangles), std::move(duals), chain_);
 }
 
 void CertifiedRecovery::queue_site(SiteId s) {

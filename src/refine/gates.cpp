@@ -127,7 +127,6 @@ bool Refinement::folds(const Proposal& c) const {
 
 // G2, for small components: true if the volume that the component bounds changes its sign.
 bool Refinement::reverses(Proposal& c) {
-  if (parameters.as_published) return false;
   const std::size_t outside = component_size_[component_[c.cavity[0]]] - c.cavity.size();
   if (outside > kMaxSmallComponent) return false;
   const Box3 box = surface.volume().box();
@@ -227,7 +226,6 @@ bool Refinement::is_needle(const Proposal& c) const {
 
 // G5.
 bool Refinement::crosses(const Proposal& c) {
-  if (parameters.as_published) return false;
   if (is_needle(c) || !crossing_.begin(mesh.points, c.in, normals_, facets_)) return true;
   const bool is_cone = c.what == Proposal::Vertex::comes && c.in.inner_vertices() == 1;
   return crossing_.crosses_itself(is_cone ? c.vertex : kNoId) ||

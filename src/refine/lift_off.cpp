@@ -130,8 +130,7 @@ class LiftOff {
 };
 
 std::size_t LiftOff::run(OffSurface off_surface) {
-  parameters_.as_published = false;  // all gates
-  parameters_.observer = nullptr;    // caps and seams are not followed
+  parameters_.observer = nullptr;  // caps and seams are not followed
   std::size_t left = 0;
   std::vector<std::uint8_t> on_boundary(mesh_.points.size(), 0);
   for (const Face& face : mesh_.faces) {

@@ -126,14 +126,12 @@ std::vector<std::uint8_t> RefineGeom::run(std::vector<std::uint8_t> is_done,
     if (is_live(f) && !is_done_[f]) enqueue(f);
   }
   refine_worst_first(Moves::no);
-  if (!r_.parameters.as_published) {
-    if (!vertices.empty()) thin(vertices);
-    while (insert_far_samples()) refine_worst_first(Moves::no);
-    is_unsettled_.clear();
-    refine_worst_first(Moves::yes);
-    for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
-    keep_apart();
-  }
+  if (!vertices.empty()) thin(vertices);
+  while (insert_far_samples()) refine_worst_first(Moves::no);
+  is_unsettled_.clear();
+  refine_worst_first(Moves::yes);
+  for (int n = 0; n < kDelaunayRounds; ++n) make_delaunay();
+  keep_apart();
   return std::move(is_done_);
 }
 
@@ -191,7 +189,6 @@ bool RefineGeom::improve(FaceId f) {
 }
 
 bool RefineGeom::is_center_near(FaceId f) const {
-  if (r_.parameters.as_published) return true;
   const Triangle& v = mesh_.faces[f].v;
   const double longest2 = longest_edge2(r_.point(v[0]), r_.point(v[1]), r_.point(v[2]));
   return r_.shape(f).r <= kMaxRadiusEdges * std::sqrt(longest2);

@@ -58,7 +58,6 @@ Refinement::Refinement(SurfaceMesh& surface_mesh, const Isosurface& isosurface,
       finder(isosurface),
       facets_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)),
       vertices_(box_of(surface_mesh.mesh, isosurface), grid_cell(given, surface_mesh.mesh)) {
-  if (parameters.as_published) return;
   facets_.expect(mesh.faces.size());
   vertices_.expect(mesh.points.size());
   DisjointSets joined(mesh.faces.size());
@@ -167,16 +166,11 @@ void Refinement::undo(const Proposal& c) {
 
 void Refinement::commit(Proposal& c) {
   const Disk& in = c.in;
-  const bool has_hashes = !parameters.as_published;
-  if (has_hashes) {
-    for (const FaceId f : c.cavity) facets_.remove(f);
-    if (c.what == Proposal::Vertex::moves) vertices_.remove(c.vertex);
-    if (c.what != Proposal::Vertex::none) {
-      vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
-    }
-    for (const VertexId v : c.was.vertices()) {
-      if (!has(in.vertices(), v)) vertices_.remove(v);
-    }
+  for (const FaceId f : c.cavity) facets_.remove(f);
+  if (c.what == Proposal::Vertex::moves) vertices_.remove(c.vertex);
+  if (c.what != Proposal::Vertex::none) vertices_.add(c.vertex, vertices_.box_of(point(c.vertex)));
+  for (const VertexId v : c.was.vertices()) {
+    if (!has(in.vertices(), v)) vertices_.remove(v);
   }
   // A vertex inside the new disk, or gone, is no longer on the mesh's boundary.
   for (const VertexId v : c.was.vertices()) {
@@ -192,11 +186,9 @@ void Refinement::commit(Proposal& c) {
     if (k >= c.cavity.size()) mesh.faces.emplace_back();
   }
   s.duals.resize(mesh.faces.size());
-  if (has_hashes) {
-    const std::uint32_t component = component_[c.cavity[0]];
-    component_.resize(mesh.faces.size(), component);
-    component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - c.cavity.size());
-  }
+  const std::uint32_t component = component_[c.cavity[0]];
+  component_.resize(mesh.faces.size(), component);
+  component_size_[component] += static_cast<std::uint32_t>(in.facets.size() - c.cavity.size());
   for (std::size_t k = in.facets.size(); k < c.cavity.size(); ++k) {
     mesh.faces[c.cavity[k]] = {{kNoId, kNoId, kNoId}, {kNoId, kNoId, kNoId}};
   }
@@ -208,7 +200,7 @@ void Refinement::commit(Proposal& c) {
       face.n[i] = g == Disk::kNone ? kNoId : c.created[g];
     }
     s.duals[c.created[k]] = c.duals[k];
-    if (has_hashes) facets_.add(c.created[k], crossing_.boxes()[k]);
+    facets_.add(c.created[k], crossing_.boxes()[k]);
   }
   for (std::size_t k = 0; k < in.boundary.size(); ++k) {
     if (across_[k] == kNoId) continue;
@@ -220,11 +212,6 @@ void Refinement::commit(Proposal& c) {
         outside.n[i] = c.created[edge.facet];
       }
     }
-  }
-  if (!s.pole_heights.empty() && c.what == Proposal::Vertex::comes) {
-    double sum = 0;
-    for (const Disk::BoundaryEdge& edge : c.was.boundary) sum += s.pole_heights[edge.from];
-    s.pole_heights.push_back(sum / static_cast<double>(c.was.boundary.size()));
   }
 }
 

@@ -21,7 +21,6 @@
 //       lowers its quantity, so Stage 2 ends.
 //   G5  No new facet crosses another, by exact predicates. So the mesh stays embedded. None is a
 //       needle without an area but for rounding, unless one was.
-// With Parameters::as_published there is no G5, and no test of small components in G2.
 #pragma once
 
 #include <cmath>

@@ -6,8 +6,7 @@
 namespace deliso {
 
 SurfaceMesh build_tri_mesh(const Triangulation& triangulation, std::vector<Triangle> facets,
-                           std::vector<Dual> duals, const SiteChain& chain,
-                           const std::vector<double>& poles) {
+                           std::vector<Dual> duals, const SiteChain& chain) {
   SurfaceMesh out;
   std::vector<Vec3> points;
   std::vector<VertexId> new_id(triangulation.vertex_capacity(), kNoId);  // by the site's number
@@ -16,7 +15,6 @@ SurfaceMesh build_tri_mesh(const Triangulation& triangulation, std::vector<Trian
       if (new_id[q] == kNoId) {
         new_id[q] = VertexId(points.size());
         points.push_back(triangulation.point(SiteId(q.number())));
-        if (!poles.empty()) out.pole_heights.push_back(poles[q]);
       }
       q = new_id[q];
     }

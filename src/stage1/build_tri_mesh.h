@@ -10,9 +10,8 @@
 namespace deliso {
 
 // Returns the mesh of `facets`, whose corners are site numbers, as as_mesh_triangle() gives them.
-// Its vertices are the sites with facets, in order of first use. `poles`: per site, or empty.
+// Its vertices are the sites with facets, in order of first use.
 SurfaceMesh build_tri_mesh(const Triangulation& triangulation, std::vector<Triangle> facets,
-                           std::vector<Dual> duals, const SiteChain& chain,
-                           const std::vector<double>& poles);
+                           std::vector<Dual> duals, const SiteChain& chain);
 
 }  // namespace deliso

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// InitTriangulation of paper Figure 4: the first sample S_0 and its Delaunay triangulation, for
-// both ways of Stage 1. All points are vertices of the exact contour T.
+// InitTriangulation of paper Figure 4, certified: the first sample S_0 and its Delaunay
+// triangulation. All points are vertices of the exact contour T.
 //
 // S_0 has the paper's random points and boundary curves (§3, §5). It also has a point of every
 // component in each block of 8^3 voxels that the component meets. Random points miss small

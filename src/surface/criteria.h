@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The criteria that a facet must meet: those of paper §3.1 (ApproximateGeom) and §3.2 (RefineGeom),
-// and bounds on distance and size. They are pure functions of measured numbers. Lengths are in the
+// The criteria that a facet must meet: h/r and r/l of paper §3.2 (RefineGeom), and bounds on distance
+// and size. They are pure functions of measured numbers. Lengths are in the
 // scaled frame. A criterion is a row of kCriterionTable; app/criterion_words.h describes it to
 // users.
 #pragma once
@@ -21,10 +21,9 @@ inline constexpr double kNotAsked = std::numeric_limits<double>::infinity();
 
 // The measures of a facet sigma with the surface point x.
 struct FacetShape {
-  double r;                 // circumradius
-  double h;                 // distance from the circumcenter to x
-  double l;                 // shortest edge
-  double pole = kNotAsked;  // pole height h_sigma; infinite if unknown
+  double r;  // circumradius
+  double h;  // distance from the circumcenter to x
+  double l;  // shortest edge
 };
 
 inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {
@@ -32,7 +31,7 @@ inline FacetShape measure(const Vec3& a, const Vec3& b, const Vec3& c, const Vec
   return {distance(center, a), distance(center, x), std::sqrt(shortest_edge2(a, b, c))};
 }
 
-enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, r_over_pole, radius, count_ };
+enum class Criterion : std::uint8_t { distance, r_over_l, h_over_r, radius, count_ };
 inline constexpr std::size_t kCriteria = static_cast<std::size_t>(Criterion::count_);
 
 // The floor of a criterion: facets with a circumradius at or below it are not refined for the
@@ -57,8 +56,6 @@ inline constexpr std::array<CriterionRow, kCriteria> kCriterionTable{{
      [](const FacetShape& s, double limit) { return s.r / (s.l * limit); }},
     {"eps1", false, kNotAsked, 0, Floor::r_min,
      [](const FacetShape& s, double limit) { return s.h / (s.r * limit); }},
-    {"eps2", false, kNotAsked, 0, Floor::r_min,
-     [](const FacetShape& s, double limit) { return s.r / (s.pole * limit); }},
     {"max-radius", true, kNotAsked, 0, Floor::r_min,
      [](const FacetShape& s, double limit) { return s.r / limit; }},
 }};

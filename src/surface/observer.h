@@ -25,19 +25,11 @@ class Question;
 struct ConflictZone;
 struct SurfaceMesh;
 class Labels;
-class RestrictedDelaunay;
-using RecordId = std::uint32_t;
 
 // Why a point is inserted or an operation tried. The criteria follow, by reason_of().
 enum class Reason : std::uint8_t {
   beginning,     // of a stage
-  several_hits,  // Stage 1, the paper's way
-  star_empty,
-  star_half_disk,
-  star_singular,
-  star_off_chain,
-  encroached,
-  region,  // Stage 1, certified
+  region,        // Stage 1
   interface,
   triple,
   boundary,
@@ -55,9 +47,6 @@ enum class Reason : std::uint8_t {
 constexpr Reason reason_of(Criterion c) {
   return static_cast<Reason>(static_cast<unsigned>(Reason::count_) + static_cast<unsigned>(c));
 }
-
-// The outcome of an insertion, the paper's way.
-enum class Attempt : std::uint8_t { inserted, split, forgotten, refused };
 
 class Observer {
  public:
@@ -80,25 +69,10 @@ class Observer {
   // The vertex `v` of T shall be a site. `asker`: the site whose test demands it; kNoId: a test of
   // all of K.
   virtual void site_asked(Reason, SiteId /*asker*/, VertexId /*v*/) {}
-  // Both ways. A point is inserted, and the cells of the zone are removed; then the point is a
-  // site, in the certified way that vertex.
+  // A point is inserted, and the cells of the zone are removed; then the point is a site, that
+  // vertex.
   virtual void insertion_begins(const Vec3&, const ConflictZone&) {}
   virtual void site_added(SiteId /*site*/) {}
-
-  // The paper's way. Restricted facets have records.
-  virtual void restricted_ready(const RestrictedDelaunay&) {}
-  // An insertion is demanded by a boundary edge, by a vertex q whose facets are no disk, or by a
-  // facet. At q, the record is the facet with the furthest surface point (kNoId: none). `value`:
-  // how far the facet violates the reason.
-  virtual void edge_asked(SiteId /*from*/, SiteId /*to*/) {}
-  virtual void star_asked(SiteId /*q*/, bool /*on_boundary*/, RecordId) {}
-  virtual void record_asked(RecordId, Reason, double /*value*/) {}
-  // The record is about to be freed; its facet may have been restricted.
-  virtual void record_gone(RecordId) {}
-  // A boundary edge is about to be split, in place of an insertion or for its own sake.
-  virtual void edge_split(SiteId /*from*/, SiteId /*to*/) {}
-  // The demanded insertion ended, after any number of points.
-  virtual void attempt_ended(Attempt, const Vec3&) {}
 
   virtual void recovery_finished() {}
 

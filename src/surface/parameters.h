@@ -36,17 +36,11 @@ struct RunSettings {
 struct Parameters : RunSettings {
   double voxel;  // Volume::voxel()
   double r_min;
-  double fingers;     // Stage 1, certified: largest distance from a vertex of T to K
+  double fingers;     // Stage 1: largest distance from a vertex of T to K
   double gap;         // facets that face each other are moved apart by so much, at least
-  Criteria recovery;  // ApproximateGeom, paper §3.1
   Criteria refinement;
-  // Stage 2 nearly as published: feet, collapses of short edges and flips before the queue beside
-  // the paper's operations, no others. No crossing is refused.
-  bool as_published = false;
   // Stage 2 leaves facets with a corner on a fixed arc as they are: blocks/seams.h refines them.
   bool leaves_seams = false;
-
-  bool asks_for_poles() const { return refinement.asks(Criterion::r_over_pole); }
 };
 
 }  // namespace deliso

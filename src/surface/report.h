@@ -21,12 +21,6 @@ enum class Counter : std::uint8_t {
   // Stage 1
   components_skipped,       // by --min-component
   boundary_splits_recover,  // boundary edges split in Stage 1
-  cancelled_pairs,          // two hits closer than r_min on one Voronoi edge, both ignored
-  bogus_hits,               // hits whose ball holds a vertex: the Voronoi edge was garbage
-  capped_insertions,        // insertions refused since the ball is too small
-  refused_splits,           // boundary edges encroached upon that are too short to be split
-  unresolved_facets,        // facets that still meet Sigma more than once
-  unresolved_vertices,      // vertices whose facets are neither a disk nor an allowed half disk
   voxels_cut,               // voxels in which the exact contour was made of cells
   uncertified_sites,        // sites that break the certificate with no vertex of T left to insert
   unready_facets,           // facets handed over whose dual line misses Sigma within r
@@ -44,9 +38,7 @@ enum class Counter : std::uint8_t {
 };
 inline constexpr std::size_t kCounterCount = static_cast<std::size_t>(Counter::count_);
 inline constexpr std::array<std::string_view, kCounterCount> kCounterNames{
-    "components_skipped", "boundary_splits_recover", "cancelled_pairs",
-    "bogus_hits",         "capped_insertions",       "refused_splits",
-    "unresolved_facets",  "unresolved_vertices",     "voxels_cut",
+    "components_skipped", "boundary_splits_recover", "voxels_cut",
     "uncertified_sites",  "unready_facets",          "crossings_handed_over",
     "seams_refused",      "unrefined_facets",        "points_far",
     "cap_edges_lifted",   "cap_lifts_off_surface",   "cap_not_lifted",
@@ -121,12 +113,11 @@ struct CapReport {
 
 struct Report {
   // Seconds, wall clock, per step.
-  double seconds_tree = 0;
   double seconds_contour = 0;  // T, and its boundary curves
   double seconds_init = 0;     // first sample S_0 and its triangulation
-  double seconds_labels = 0;   // certified: labels of T
+  double seconds_labels = 0;   // labels of T
   double seconds_recover = 0;  // the rest of Stage 1
-  double seconds_poles = 0, seconds_refine = 0;
+  double seconds_refine = 0;
   double seconds_cap = 0, seconds_total = 0;
   std::size_t points_initial = 0;    // S_0
   std::size_t points_recovered = 0;  // n_RC: all points when Stage 1 ends
@@ -150,9 +141,8 @@ struct Report {
   // Adds the seconds and counts of a block or of a part of a mesh.
   void add(const Report& part) {
     for (const auto seconds :
-         {&Report::seconds_tree, &Report::seconds_contour, &Report::seconds_init,
-          &Report::seconds_labels, &Report::seconds_recover, &Report::seconds_poles,
-          &Report::seconds_refine}) {
+         {&Report::seconds_contour, &Report::seconds_init, &Report::seconds_labels,
+          &Report::seconds_recover, &Report::seconds_refine}) {
       this->*seconds += part.*seconds;
     }
     points_initial += part.points_initial;

@@ -2,7 +2,6 @@
 #include "surface/surface_mesh.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace deliso {
 namespace {
@@ -20,16 +19,10 @@ void remove_unnumbered(std::vector<T>& values, const std::vector<Id>& new_id) {
 
 }  // namespace
 
-double SurfaceMesh::pole(const Triangle& v) const {
-  if (pole_heights.empty()) return std::numeric_limits<double>::infinity();
-  return (pole_heights[v[0]] + pole_heights[v[1]] + pole_heights[v[2]]) / 3;
-}
-
 FacetShape SurfaceMesh::shape(const Triangle& v, const Dual& dual) const {
   const auto& p = mesh.points;
   FacetShape shape = measure(p[v[0]], p[v[1]], p[v[2]], dual.center);
   if (!dual.on_surface) shape.h = shape.r;
-  shape.pole = pole(v);
   return shape;
 }
 
@@ -82,7 +75,6 @@ void remove_dead(SurfaceMesh& s) {
     if (v != kNoId) v = vertices++;
   }
   remove_unnumbered(mesh.points, new_id);
-  remove_unnumbered(s.pole_heights, new_id);
   remove_unnumbered(mesh.faces, new_face);
   remove_unnumbered(s.duals, new_face);
   s.chain = s.chain.renumbered(new_id);

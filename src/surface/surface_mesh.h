@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The mesh that both stages share, the T_S of paper §3.2. It has facets, their duals, the chain of
-// boundary vertices, and pole heights where a criterion needs them.
+// The mesh that both stages share, the T_S of paper §3.2. It has facets, their duals, and the chain
+// of boundary vertices.
 //
 // Invariants of live facets, beside those of mesh/tri_mesh.h.
 //   S1  facet f has dual f, and its surface ball passes through its corners;
-//   S2  the chain's edges are the mesh's boundary edges;
-//   S3  pole heights are absent, or one per vertex.
+//   S2  the chain's edges are the mesh's boundary edges.
 #pragma once
 
 #include <vector>
@@ -33,10 +32,7 @@ struct SurfaceMesh {
   TriMesh mesh;
   IdArray<FaceId, Dual> duals;
   BoundaryChain chain;
-  IdArray<VertexId, double> pole_heights;
 
-  // Returns h_sigma, the mean over the facet's corners; infinite without pole heights.
-  double pole(const Triangle& v) const;
   // Returns the measures of a facet; without a surface point h is r.
   FacetShape shape(const Triangle& v, const Dual& dual) const;
 };

@@ -92,6 +92,16 @@ Corners corners_from(const T* s, std::size_t dy, std::size_t dz, double kappa) {
           static_cast<double>(s[dz + dy]) - kappa, static_cast<double>(s[dz + dy + 1]) - kappa};
 }
 
+// True if the voxel whose first corner is *s is active. dy and dz are the steps to the next sample
+// in y and in z.
+template <class T>
+bool is_active_voxel(const T* s, std::size_t dy, std::size_t dz, T threshold) {
+  const int inside = (s[0] >= threshold) + (s[1] >= threshold) + (s[dy] >= threshold) +
+                     (s[dy + 1] >= threshold) + (s[dz] >= threshold) + (s[dz + 1] >= threshold) +
+                     (s[dz + dy] >= threshold) + (s[dz + dy + 1] >= threshold);
+  return inside != 0 && inside != 8;
+}
+
 // Throws InputError, with the volume's `name`, if a dimension is below 1, a length is out of range
 // (base/frame.h), or an axis is no unit vector.
 void require_in_range(Index3 dims, const Vec3& spacing, const Frame& frame, std::string_view name);

@@ -56,7 +56,7 @@ CleanMesh prism(const Isosurface& surface, int n) {
 TEST_CASE("h of polygons inscribed into a circle is their sagitta") {
   const Volume volume = cylinder(20);
   const VoxelTree tree(volume);
-  const Isosurface surface(volume, tree, geometric_isovalue(volume.type(), 0));
+  const Isosurface surface(volume, geometric_isovalue(volume.type(), 0));
   for (const int n : {5, 8, 13, 24}) {
     CAPTURE(n);
     const CleanMesh mesh = prism(surface, n);

@@ -272,7 +272,7 @@ TEST_CASE("each kind of fault in a sphere is reported, and no other") {
 TEST_CASE("triangles over a limit are counted as brute force does; too many are a fault") {
   const Good good("fuel");
   const VoxelTree tree(good.volume);
-  const Isosurface surface(good.volume, tree, good.kappa);
+  const Isosurface surface(good.volume, good.kappa);
   struct Measured {
     double r, l, h;
   };
@@ -339,7 +339,7 @@ TEST_CASE("triangles over a limit are counted as brute force does; too many are 
 TEST_CASE("r_min allows points within r_min of a triangle no larger than r_min") {
   const Good good("fuel");
   const VoxelTree voxels(good.volume);
-  const Isosurface surface(good.volume, voxels, good.kappa);
+  const Isosurface surface(good.volume, good.kappa);
   const ContourMesh contour = build_contour(good.volume, good.kappa);
   const std::vector<Vec3>& points = good.mesh.points;
   const double limit = kSearchDiagonals * length(good.volume.spacing());
@@ -408,7 +408,7 @@ TEST_CASE("triangles without surface near by are too far if distances are requir
   });
   const double kappa = geometric_isovalue(volume.type(), 0);
   const VoxelTree tree(volume);
-  const Isosurface surface(volume, tree, kappa);
+  const Isosurface surface(volume, kappa);
   Parts p;
   for (const Vec3& direction : {Vec3{1, 1, 1}, Vec3{1, -1, -1}, Vec3{-1, 1, -1}, Vec3{-1, -1, 1}}) {
     SearchCounters counters;

@@ -23,7 +23,7 @@ struct Scene {
   explicit Scene(Volume v, double isovalue)
       : volume(std::move(v)),
         tree(volume),
-        surface(volume, tree, geometric_isovalue(volume.type(), isovalue)),
+        surface(volume, geometric_isovalue(volume.type(), isovalue)),
         contour(build_contour(volume, surface.kappa())) {}
   Scene(const Scene&) = delete;
 

@@ -80,7 +80,7 @@ TEST_CASE("intersect equals brute force over all voxels") {
     const VoxelTree tree(field.volume);
     for (const CubicMethod method : {CubicMethod::isolation, CubicMethod::schwarze}) {
       CAPTURE(field.name);
-      const Isosurface surface(field.volume, tree, field.kappa, method);
+      const Isosurface surface(field.volume, field.kappa, method);
       SearchCounters counters;
       std::vector<Hit> hits;
       std::size_t found = 0, parities = 0;
@@ -136,7 +136,7 @@ TEST_CASE("nearest equals the nearest of all brute-force hits") {
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
     const VoxelTree tree(field.volume);
-    const Isosurface surface(field.volume, tree, field.kappa);
+    const Isosurface surface(field.volume, field.kappa);
     SearchCounters counters;
     std::size_t found = 0;
     const std::uint64_t kTrials = test::cases(100'000);
@@ -174,7 +174,7 @@ TEST_CASE("a search on a segment counts a computation for every active voxel, wi
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
     const VoxelTree tree(field.volume);
-    const Isosurface surface(field.volume, tree, field.kappa);
+    const Isosurface surface(field.volume, field.kappa);
     SearchCounters all, expected;
     std::vector<Hit> hits;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
@@ -200,7 +200,7 @@ TEST_CASE("a search for the nearest hit counts the active voxels that it must lo
   for (const TestField& field : test_fields()) {
     CAPTURE(field.name);
     const VoxelTree tree(field.volume);
-    const Isosurface surface(field.volume, tree, field.kappa);
+    const Isosurface surface(field.volume, field.kappa);
     std::uint64_t without_hit = 0, several = 0;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
       CAPTURE(seed);
@@ -244,7 +244,7 @@ TEST_CASE("a search for the nearest hit counts the active voxels that it must lo
 TEST_CASE("lines without length, not finite or outside the box have no hits") {
   const TestField field = test_fields().front();
   const VoxelTree tree(field.volume);
-  const Isosurface surface(field.volume, tree, field.kappa);
+  const Isosurface surface(field.volume, field.kappa);
   SearchCounters counters;
   std::vector<Hit> hits;
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
@@ -269,7 +269,7 @@ TEST_CASE("an isovalue beyond the samples has no surface") {
   SearchCounters counters;
   std::vector<Hit> hits;
   for (const double kappa : {-1e9, -1.0, 255.5, 1e9}) {
-    const Isosurface surface(field.volume, tree, kappa);
+    const Isosurface surface(field.volume, kappa);
     surface.intersect({{0, 0, 0}, {11, 9, 10}}, hits, counters);
     CHECK(hits.empty());
     CHECK(!surface.nearest({5, 5, 5}, {0, 0, 1}, 100, counters));

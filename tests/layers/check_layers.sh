@@ -7,7 +7,7 @@ set -eu
 cd "$1"
 
 surface="base mesh embedding volume isosurface surface"
-stages="$surface roots delaunay planar kdtree contour stage1 paper recover refine"
+stages="$surface roots delaunay planar kdtree contour stage1 recover refine"
 all="$stages deliso blocks cap interfaces"
 io="io/files io/volume io/filter io/mesh io/parts"
 view="view/gray view/page view/render view/trace"
@@ -22,9 +22,11 @@ allowed() {
     contour) echo "base volume delaunay mesh embedding contour" ;;
     isosurface) echo "base roots volume kdtree isosurface" ;;
     surface) echo "base mesh embedding volume isosurface surface" ;;
-    stage1 | paper | recover) echo "$surface delaunay contour stage1 $1" ;;
+    stage1 | recover) echo "$surface delaunay contour stage1 $1" ;;
     refine) echo "$surface refine" ;;
     deliso) echo "$stages deliso" ;;
+    # As published: the primitives alone. Nothing of src/ includes it.
+    paper) echo "base roots volume kdtree isosurface delaunay mesh paper" ;;
     blocks) echo "$surface kdtree contour stage1 recover/recover.h refine deliso blocks" ;;
     cap) echo "$surface delaunay planar contour refine/refinement.h refine/lift_off.h cap" ;;
     interfaces) echo "base delaunay mesh embedding volume interfaces" ;;
@@ -40,8 +42,8 @@ allowed() {
     view/render) echo "base mesh io/files view/render" ;;
     view/gray) echo "base volume io/files mesh view/render view/gray" ;;
     view/trace) echo "$surface delaunay contour stage1 paper recover refine view/trace" ;;
-    app) echo "mesh_parts.h $all check $io $view app" ;;
-    c) echo "mesh_parts.h $all check $io $view app c" ;;
+    app) echo "mesh_parts.h $all paper check $io $view app" ;;
+    c) echo "mesh_parts.h $all paper check $io $view app c" ;;
     *) return 1 ;;
   esac
 }

@@ -31,7 +31,7 @@ Volume flat_world(bool has_wall, double ground) {
 }
 
 struct Finder {
-  explicit Finder(Volume v) : volume(std::move(v)), tree(volume), surface(volume, tree, 0) {}
+  explicit Finder(Volume v) : volume(std::move(v)), tree(volume), surface(volume, 0) {}
   Finder(const Finder&) = delete;
 
   Volume volume;

@@ -23,7 +23,6 @@ bool TraceRecorder::is_told(CellId c) const {
 }
 
 TraceEvent& TraceRecorder::asks(Routine routine, Reason reason, double value) {
-  outcome_ = TraceOutcome::done;
   return trace_.asks(trace_code(routine), trace_code(reason), value);
 }
 
@@ -39,8 +38,8 @@ void TraceRecorder::insertion_begins(const Vec3& p, const ConflictZone& zone) {
 }
 
 void TraceRecorder::site_added(SiteId site) {
-  labels_ ? show_labels(site) : show_records(site);
-  record(outcome_);
+  show_labels(site);
+  record(TraceOutcome::done);
 }
 
 void TraceRecorder::run_begins(const Parameters& parameters, const Report& report) {

@@ -7,7 +7,6 @@
 #include <set>
 #include <vector>
 
-#include "paper/restricted.h"
 #include "recover/labels.h"
 #include "surface/observer.h"
 #include "surface/report.h"
@@ -30,23 +29,13 @@ class TraceRecorder : public Observer {
   bool follows_insertions() const override { return true; }
   void run_begins(const Parameters& parameters, const Report& report) override;
 
-  // Both ways of Stage 1.
+  // Stage 1, record_labels.cpp.
   void insertion_begins(const Vec3& p, const ConflictZone& zone) override;
   void site_added(SiteId site) override;
   void recovery_finished() override;
 
-  // Certified, record_labels.cpp.
   void labels_ready(const Labels& labels, const Box3& domain) override;
   void site_asked(Reason reason, SiteId asker, VertexId v) override;
-
-  // As published, record_restricted.cpp.
-  void restricted_ready(const RestrictedDelaunay& restricted) override;
-  void edge_asked(SiteId from, SiteId to) override;
-  void star_asked(SiteId q, bool on_boundary, RecordId furthest) override;
-  void record_asked(RecordId r, Reason reason, double value) override;
-  void record_gone(RecordId r) override;
-  void edge_split(SiteId from, SiteId to) override;
-  void attempt_ended(Attempt attempt, const Vec3& x) override;
 
   // Stage 2, record_mesh.cpp: every operation with its cavity, the new facets, and the test that
   // refused it. Nothing is recorded before the mesh is handed over or after it is finished.
@@ -59,9 +48,7 @@ class TraceRecorder : public Observer {
   // T of more triangles is not shown.
   static constexpr std::size_t kMostTriangles = 400'000;
 
-  const Triangulation& triangulation() const {
-    return labels_ ? labels_->triangulation() : restricted_->triangulation();
-  }
+  const Triangulation& triangulation() const { return labels_->triangulation(); }
   // All vertices that are new; auxiliary ones have no number.
   void number_vertices();
   // Returns kNoId for a vertex that has no number: an auxiliary one, or one that came after the
@@ -88,13 +75,10 @@ class TraceRecorder : public Observer {
   // Ends the event.
   void record(std::uint8_t outcome);
   void record(TraceOutcome outcome) { record(trace_code(outcome)); }
-  void show(RecordId r);
-  // What a new site changed: labels, or facets of Del S|Sigma.
+  // The labels that a new site changed.
   void show_labels(SiteId site);
-  void show_records(SiteId site);
   // Facets of the mesh went, others came: the trace gets the worst distance of those there.
   void update_worst(const std::vector<FaceId>& gone, const std::vector<FaceId>& come);
-  void tell_facet(RecordId r, TraceEvent& event) const;
 
   Trace& trace_;
   Observer* also_;
@@ -106,10 +90,6 @@ class TraceRecorder : public Observer {
   const Labels* labels_ = nullptr;
   bool shows_contour_ = false;
   std::vector<SiteId> label_;  // of every vertex of T, before the site that is being added
-
-  const RestrictedDelaunay* restricted_ = nullptr;
-  std::vector<Triangle> shown_;  // per record; kNoId: not in the complex
-  TraceOutcome outcome_ = TraceOutcome::done;
 
   const SurfaceMesh* mesh_ = nullptr;  // of Stage 2
   IdArray<FaceId, double> distance_;   // of each facet, as Report::largest_h; 0 up to r_min

@@ -61,14 +61,6 @@ RoutineName routine_of(Operation operation) {
 ReasonName name_of(Reason reason) {
   constexpr ReasonName names[] = {
       {"beginning", "the stage begins; value: facets"},
-      {"several hits", "the Voronoi edge meets the surface more than once; value: how often"},
-      {"no facet", "a vertex without facets of the surface; value: facets in D_q"},
-      {"half disk", "an inner vertex whose facets are a half disk; value: facets in D_q"},
-      {"no disk", "a vertex whose facets are no disk; value: facets in D_q"},
-      {"off the box",
-       "a vertex on the box whose facets are no half disk that ends on the boundary; value: facets "
-       "in D_q"},
-      {"encroached", "a boundary edge has a vertex in its diametral ball; value: its length"},
       {"region",
        "C1: the site's region on T is no disk; value: distance of the vertex inserted "
        "from its site"},

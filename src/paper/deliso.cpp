@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "paper/deliso.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "base/random.h"
+#include "base/stopwatch.h"
+#include "paper/poles.h"
+#include "paper/refine.h"
+
+namespace deliso::paper {
+namespace {
+
+// Runs a stage, with its time and its name for the observer.
+template <class Run>
+auto stage(const char* name, double& seconds, const Options& options, Run&& run) {
+  if (options.observer) options.observer->stage_begins(name);
+  const StepTimer timer(seconds);
+  return run();
+}
+
+}  // namespace
+
+Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report) {
+  const Box3 box = sigma.volume().box();
+  const BoundaryCurves curves = marching_squares(sigma.volume(), sigma.kappa());
+  std::vector<Vec3> sample = curves.points;
+  Random random(options.seed);
+  const auto somewhere = [&] {
+    const double x = random.uniform(box.lo.x, box.hi.x), y = random.uniform(box.lo.y, box.hi.y);
+    return Vec3{x, y, random.uniform(box.lo.z, box.hi.z)};
+  };
+  SearchCounters not_counted;
+  for (std::size_t n = 0; n < options.lines; ++n) {
+    const Vec3 a = somewhere(), b = somewhere();
+    const Vec3 along = (length(box.size()) / distance(a, b)) * (b - a);
+    for (const Hit& x : sigma.intersect({a - along, a + along}, not_counted)) {
+      sample.push_back(x.point);
+    }
+  }
+  report.points_on_curves = curves.points.size();
+  report.points_on_lines = sample.size() - curves.points.size();
+  append_auxiliary(box, sample);
+  Triangulation del;
+  std::vector<SiteId> ids;
+  DELISO_CHECK(del.build(sample, ids));
+  RestrictedDelaunay s0(std::move(del), sigma, options, report);
+  return Recovery(std::move(s0), curves, ids, options, report);
+}
+
+TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report) {
+  const StepTimer total(report.seconds_total);
+  if (!(volume.box().smallest_side() > 0)) {
+    throw InputError("a volume needs two or more samples along each axis");
+  }
+  report.kappa = geometric_isovalue(volume.type(), isovalue);
+  report.r_min = options.r_min * volume.box().smallest_side();
+  const VoxelTree tree = timed(report.seconds_tree, [&] { return VoxelTree(volume); });
+  Sigma sigma(tree, report.kappa, options.solver);
+
+  // From the end of this on there are no tetrahedra.
+  SurfaceMesh t = [&] {
+    Recovery s = stage("initial", report.seconds_init, options,
+                       [&] { return init_triangulation(sigma, options, report); });
+    stage("recover", report.seconds_recover, options, [&] { s.recover(); });
+    s.count_left();
+    if (options.observer) options.observer->recovered();
+    if (options.stop_after_recover) return build_tri_mesh(s.del(), {});
+    const std::vector<double> poles = stage("poles", report.seconds_poles, options,
+                                            [&] { return compute_poles(s.del().del(), sigma); });
+    if (!options.single_stage) return build_tri_mesh(s.del(), poles);
+    stage("refine", report.seconds_refine, options, [&] { s.refine(poles); });
+    return build_tri_mesh(s.del(), {});
+  }();
+  if (!t.poles.empty()) {
+    if (options.observer) options.observer->mesh_ready(t);
+    stage("refine", report.seconds_refine, options,
+          [&] { refine_geom(t, sigma, options, report); });
+    if (options.observer) options.observer->mesh_finished();
+  }
+  t.mesh.frame = volume.frame();
+  return std::move(t.mesh);
+}
+
+}  // namespace deliso::paper

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// DelIso(f, kappa) of paper Figure 4, as published: a thin driver of the primitives in delaunay,
+// mesh, volume, kdtree and roots. The exact program, deliso/deliso.h, has nothing of it.
+//
+// Its tests miss pieces of Sigma: a component that no line of InitTriangulation meets, one within
+// the Voronoi cells of others. They are lost, and the mesh is sound without them.
+#pragma once
+
+#include "mesh/tri_mesh.h"
+#include "paper/options.h"
+#include "paper/recover.h"
+#include "paper/report.h"
+#include "volume/volume.h"
+
+namespace deliso::paper {
+
+// Returns the mesh of {g = kappa} in the scaled frame, with the frame of the volume. Facets are
+// counter-clockwise seen from g < kappa. Throws InputError for a volume without a voxel, if no line
+// meets Sigma, and beyond max_vertices. pre: all samples are finite; lambda >= 1, r_min > 0.
+TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Report& report);
+
+// InitTriangulation: S_0 is where random lines through the box meet Sigma, and the points of the
+// boundary curves (§5). Four auxiliary vertices far outside the box make Del S_0 three-dimensional.
+Recovery init_triangulation(Sigma& sigma, const Options& options, Report& report);
+
+}  // namespace deliso::paper

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "paper/intersect.h"
+
+#include "isosurface/voxel_ray.h"
+
+namespace deliso::paper {
+
+std::span<const Hit> Sigma::intersect(const Segment& r, SearchCounters& counters) {
+  tree_.collect_voxels(r, kappa(), voxels_);
+  hits_.clear();
+  for (const VoxelSpan& span : voxels_) {
+    Corners corners = volume().corners(span.voxel);
+    for (double& g : corners) g -= kappa();
+    const Roots roots = find_intersections(corners, span, solver_);
+    for (int n = 0; n < roots.count; ++n) {
+      hits_.push_back(
+          {parameter_at(span, roots.t[n]), point_at(span, roots.t[n], volume()), roots.leaves(n)});
+    }
+  }
+  counters += {1, !hits_.empty(), voxels_.size(), hits_.empty() ? 0 : voxels_.size()};
+  return hits_;
+}
+
+}  // namespace deliso::paper

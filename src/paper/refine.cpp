@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "paper/refine.h"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "base/check.h"
+#include "base/triangle.h"
+#include "delaunay/voronoi.h"
+#include "mesh/disk.h"
+#include "paper/observer.h"
+#include "paper/recover.h"
+
+namespace deliso::paper {
+namespace {
+
+class Refinement {
+ public:
+  Refinement(SurfaceMesh& t, const Sigma& sigma, const Options& options, Report& report)
+      : t_(t), mesh_(t.mesh), sigma_(sigma), options_(options), report_(report) {}
+
+  void refine_geom();
+
+ private:
+  const Vec3& at(FaceId f, std::size_t i) const { return mesh_.points[mesh_.faces[f].v[i]]; }
+  // Returns the facet's worst measure over its limit; 0 up to r_min.
+  double violation(FaceId f) const;
+  SurfaceMesh::Dual dual(FaceId f);
+  bool is_encroached(FaceId f, const Vec3& p) const {
+    constexpr double kInside = 1 - 2e-9;  // by more than rounding
+    const Vec3& x = t_.duals[f].x;
+    return distance2(x, p) < kInside * distance2(x, at(f, 0));
+  }
+  // Sets e_ to E, the facets around sigma that p encroaches upon.
+  void find_encroached(FaceId sigma, const Vec3& p);
+  // Inserts p, x of sigma: D for E. Returns why not.
+  std::optional<Refusal> insert(FaceId sigma, const Vec3& p);
+  void put_cone(const Vec3& p);
+
+  SurfaceMesh& t_;
+  TriMesh& mesh_;
+  const Sigma& sigma_;
+  const Options& options_;
+  Report& report_;
+  std::deque<FaceId> queue_;
+  std::vector<FaceId> e_, d_;
+  Disk disk_, cone_;
+};
+
+double Refinement::violation(FaceId f) const {
+  const auto [r, h, l] = measure(at(f, 0), at(f, 1), at(f, 2), t_.duals[f].x);
+  if (r <= report_.r_min) return 0;
+  double pole = 0;
+  for (const VertexId v : mesh_.faces[f].v) pole += t_.poles[v] / 3;
+  return std::max(
+      {h / r / options_.epsilon1, r / pole / options_.epsilon2, r / l / options_.lambda});
+}
+
+SurfaceMesh::Dual Refinement::dual(FaceId f) {
+  const FacetLine line = facet_line(at(f, 0), at(f, 1), at(f, 2));
+  const auto hit = sigma_.nearest(line.center, line.normal, line.radius, report_.searches_refine);
+  return {hit ? hit->point : line.center, hit.has_value()};
+}
+
+void Refinement::find_encroached(FaceId sigma, const Vec3& p) {
+  e_.assign(1, sigma);
+  for (std::size_t k = 0; k < e_.size(); ++k) {
+    for (const FaceId g : mesh_.faces[e_[k]].n) {
+      if (g != kNoId && std::ranges::find(e_, g) == e_.end() && is_encroached(g, p)) {
+        e_.push_back(g);
+      }
+    }
+  }
+}
+
+std::optional<Refusal> Refinement::insert(FaceId sigma, const Vec3& p) {
+  find_encroached(sigma, p);
+  disk_.facets.clear();
+  for (const FaceId f : e_) disk_.facets.push_back(mesh_.faces[f].v);
+  if (!disk_.link() || disk_.inner_vertices() > 0) return Refusal::not_a_disk;
+  for (const Disk::BoundaryEdge& edge : disk_.boundary) {
+    const bool is_on_box =
+        mesh_.faces[e_[edge.facet]].n[static_cast<std::size_t>(edge.side)] == kNoId;
+    const Vec3 &a = mesh_.points[edge.from], &b = mesh_.points[edge.to];
+    if (is_on_box && dot(a - p, b - p) < 0) return Refusal::at_curve;
+  }
+  put_cone(p);
+  return std::nullopt;
+}
+
+void Refinement::put_cone(const Vec3& p) {
+  if (options_.observer) options_.observer->cone_begins(p, e_);
+  const VertexId v(mesh_.points.size());
+  mesh_.points.push_back(p);
+  double poles = 0;
+  cone_.facets.clear();
+  std::vector<FaceId> outside;
+  for (const Disk::BoundaryEdge& edge : disk_.boundary) {
+    poles += t_.poles[edge.from];
+    cone_.facets.push_back({edge.from, edge.to, v});
+    outside.push_back(mesh_.faces[e_[edge.facet]].n[static_cast<std::size_t>(edge.side)]);
+  }
+  t_.poles.push_back(poles / static_cast<double>(disk_.boundary.size()));
+  cone_.link_cone(disk_.boundary, v);
+  d_ = e_;  // E's numbers first
+  while (d_.size() < cone_.facets.size()) {
+    d_.emplace_back(mesh_.faces.size());
+    mesh_.faces.emplace_back();
+    t_.duals.emplace_back();
+  }
+  for (std::size_t k = 0; k < d_.size(); ++k) {
+    Face& face = mesh_.faces[d_[k]];
+    face = {cone_.facets[k], {d_[cone_.across[k][0]], d_[cone_.across[k][1]], outside[k]}};
+    if (outside[k] == kNoId) continue;
+    Face& other = mesh_.faces[outside[k]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (other.v[(i + 1) % 3] == face.v[1] && other.v[(i + 2) % 3] == face.v[0]) {
+        other.n[i] = d_[k];
+      }
+    }
+  }
+  for (const FaceId f : d_) {
+    t_.duals[f] = dual(f);
+    queue_.push_back(f);
+  }
+  ++report_.insertions_refine;
+  if (options_.observer) options_.observer->cone_added(v, d_);
+}
+
+void Refinement::refine_geom() {
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) queue_.push_back(f);
+  Steps steps(options_.observer);
+  while (!queue_.empty()) {
+    steps.step(queue_.size());
+    const FaceId sigma = queue_.front();
+    queue_.pop_front();
+    const double worst = violation(sigma);
+    if (worst <= 1 || !t_.duals[sigma].on_sigma) continue;
+    if (options_.observer) options_.observer->asks(sigma, worst);
+    const Vec3 x = t_.duals[sigma].x;
+    const std::optional<Refusal> refusal = insert(sigma, x);
+    if (refusal) {
+      ++(*refusal == Refusal::not_a_disk ? report_.not_a_disk : report_.curve_refusals);
+      if (options_.observer) options_.observer->refused(*refusal);
+    } else if (mesh_.points.size() > options_.max_vertices) {
+      throw InputError("more than --max-vertices ", options_.max_vertices, " vertices needed");
+    }
+  }
+  for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
+    report_.facets_without_point += !t_.duals[f].on_sigma;
+    report_.facets_unrefined += violation(f) > 1;
+  }
+}
+
+}  // namespace
+
+SurfaceMesh build_tri_mesh(const RestrictedDelaunay& del, const std::vector<double>& poles) {
+  const Triangulation& t = del.del();
+  SurfaceMesh out;
+  std::vector<Triangle> facets;
+  std::vector<Vec3> points;
+  std::vector<VertexId> vertex_of(t.vertex_capacity(), kNoId);  // by site
+  for (CellId c = 0; c < t.cell_capacity(); ++c) {
+    for (int i = 0; i < 4 && t.is_live(c); ++i) {
+      const std::span<const Hit> hits = del.hits({c, i});
+      if (!(c < t.neighbor(c, i)) || hits.empty()) continue;
+      SiteTriangle v = facet_vertices(t, {c, i});
+      const Vec3& corner = t.point(v[0]);
+      const Hit& x = *std::ranges::min_element(
+          hits, {}, [&](const Hit& hit) { return distance2(hit.point, corner); });
+      // The dual line sees the corners turn counter-clockwise from the lowest to the highest.
+      std::ranges::sort(v);
+      if (!x.leaves) std::swap(v[1], v[2]);
+      for (const SiteId q : v) {
+        if (vertex_of[q] != kNoId) continue;
+        vertex_of[q] = VertexId(points.size());
+        points.push_back(t.point(q));
+        if (!poles.empty()) out.poles.push_back(poles[q]);
+      }
+      facets.push_back({vertex_of[v[0]], vertex_of[v[1]], vertex_of[v[2]]});
+      out.duals.push_back({x.point, true});
+    }
+  }
+  out.mesh = make_tri_mesh(std::move(points), facets);
+  return out;
+}
+
+void refine_geom(SurfaceMesh& t, const Sigma& sigma, const Options& options, Report& report) {
+  Refinement(t, sigma, options, report).refine_geom();
+}
+
+}  // namespace deliso::paper
