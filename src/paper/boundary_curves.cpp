@@ -48,10 +48,10 @@ BoundaryCurves marching_squares(const Volume& volume, double kappa) {
       }
       if (x.size() == 2) curves.edges.push_back({x[0], x[1], face});
       if (x.size() != 4) continue;
-      // If the saddle is on the side of corner 0, corners 1 and 3 are cut off.
-      const double det = g[0] * g[2] - g[1] * g[3], sum = g[0] + g[2] - g[1] - g[3];
-      const bool joins_0_and_2 = ((det >= 0) == (sum >= 0)) == (g[0] >= 0);
-      const std::size_t s = joins_0_and_2 ? 0 : 1;
+      // The saddle's sign is that of the larger product. If it is on the side of corner 0, corners
+      // 1 and 3 are cut off. A saddle at kappa is inside.
+      const double even = g[0] * g[2], odd = g[1] * g[3];
+      const std::size_t s = even > odd || (even == odd && g[0] >= 0) ? 0 : 1;
       curves.edges.push_back({x[s], x[s + 1], face});
       curves.edges.push_back({x[s + 2], x[(s + 3) % 4], face});
     }
