@@ -64,6 +64,10 @@ TriMesh deliso(const Volume& volume, double isovalue, const Options& options, Re
   SurfaceMesh t = [&] {
     Recovery s = stage("initial", report.seconds_init, options,
                        [&] { return init_triangulation(sigma, options, report); });
+    if (report.points_initial() == 0 && tree.active(report.kappa)) {
+      throw InputError("none of the ", options.lines,
+                       " random lines meets the surface: --lines N draws more");
+    }
     stage("recover", report.seconds_recover, options, [&] { s.recover(); });
     s.count_left();
     if (options.observer) options.observer->recovered();

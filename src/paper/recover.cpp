@@ -28,6 +28,11 @@ Vec3 nearest(std::span<const Hit> hits, const Vec3& p) {
       ->point;
 }
 
+void require_few(std::size_t vertices, const Options& options) {
+  if (vertices <= options.max_vertices) return;
+  throw InputError("more than --max-vertices ", options.max_vertices, " vertices needed");
+}
+
 Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
                    std::span<const SiteId> ids, const Options& options, Report& report)
     : del_(std::move(del)),
@@ -42,6 +47,7 @@ Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
     curve_[ids[b]].push_back({ids[a], face});
   }
   for (SiteId q = 1; q < del_.del().vertex_capacity(); ++q) queue(q);
+  require_few(report.points_initial(), options);
 }
 
 void Recovery::recover() {
@@ -114,7 +120,14 @@ bool Recovery::is_disk(SiteId q) {
   std::vector<Triangle> facets;
   for (const Facet f : star_) facets.push_back(as_mesh_triangle(facet_vertices(del_.del(), f)));
   const Star star = classify_star(VertexId(q.number()), facets);
-  return star == Star::disk || (star == Star::half_disk && on_curve(q));
+  if (star != Star::half_disk || !on_curve(q)) return star == Star::disk;
+  const auto ends_there = [&](const CurveEdge& edge) {
+    const auto has_edge = [&](const Triangle& v) {
+      return has_corner(v, VertexId(edge.to.number()));
+    };
+    return std::ranges::count_if(facets, has_edge) == 1;
+  };
+  return std::ranges::count_if(curve_[q], ends_there) >= 2;
 }
 
 double Recovery::pole_of(const SiteTriangle& v) const {
@@ -217,8 +230,8 @@ void Recovery::put(const Vec3& p) {
     }
     poles_.push_back(count > 0 ? sum / count : 0);
   }
-  if (del_.del().vertex_capacity() <= options_.max_vertices) return;
-  throw InputError("more than --max-vertices ", options_.max_vertices, " vertices needed");
+  // Without the auxiliary vertices and the infinite one.
+  require_few(del_.del().vertex_capacity() - kAuxiliaryVertices - 1, options_);
 }
 
 void Recovery::queue(SiteId q) {

@@ -5,7 +5,6 @@
 #include <deque>
 #include <utility>
 
-#include "base/check.h"
 #include "base/triangle.h"
 #include "delaunay/voronoi.h"
 #include "mesh/disk.h"
@@ -143,8 +142,8 @@ void Refinement::refine_geom() {
     if (refusal) {
       ++(*refusal == Refusal::not_a_disk ? report_.not_a_disk : report_.curve_refusals);
       if (options_.observer) options_.observer->refused(*refusal);
-    } else if (mesh_.points.size() > options_.max_vertices) {
-      throw InputError("more than --max-vertices ", options_.max_vertices, " vertices needed");
+    } else {
+      require_few(mesh_.points.size(), options_);
     }
   }
   for (FaceId f = 0; f < mesh_.faces.size(); ++f) {
