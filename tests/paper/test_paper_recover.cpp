@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: MIT
+// Figure 5, step by step: what each routine asks for is seen from outside, and what it leaves.
+#include "paper/recover.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "paper/poles.h"
+#include "paper/program.h"
+
+using namespace deliso;
+using namespace deliso::test;
+using paper::BoundaryCurves;
+using paper::Recovery;
+using paper::Refusal;
+using paper::RestrictedDelaunay;
+using paper::Routine;
+
+namespace {
+
+// The edges of the boundary curves, by their ends. Splits are followed.
+struct Curves {
+  struct Edge {
+    Vec3 a, b;
+    BoxFace face;
+  };
+  std::vector<Edge> edges;
+
+  explicit Curves(const BoundaryCurves& curves) {
+    for (const auto& [a, b, face] : curves.edges) {
+      edges.push_back({curves.points[a], curves.points[b], face});
+    }
+  }
+  // Returns the longest edge whose diametral ball holds p; the end if there is none.
+  std::vector<Edge>::iterator encroached(const Vec3& p) {
+    auto longest = edges.end();
+    for (auto e = edges.begin(); e != edges.end(); ++e) {
+      const bool holds = distance(p, 0.5 * (e->a + e->b)) < 0.5 * distance(e->a, e->b) - 1e-12;
+      if (holds &&
+          (longest == edges.end() || distance(e->a, e->b) > distance(longest->a, longest->b))) {
+        longest = e;
+      }
+    }
+    return longest;
+  }
+  std::vector<Vec3> neighbors(const Vec3& p) const {
+    std::vector<Vec3> all;
+    for (const Edge& e : edges) {
+      if (e.a == p) all.push_back(e.b);
+      if (e.b == p) all.push_back(e.a);
+    }
+    return all;
+  }
+};
+
+// Disk(): a disk, or on the curves a half disk from one neighbor there to the other.
+bool is_good(SiteId q, const std::vector<Triangle>& d_q, const Triangulation& t,
+             const Curves& curves) {
+  const Star star = classify_star(VertexId(q.number()), d_q);
+  if (star != Star::half_disk) return star == Star::disk;
+  int ends = 0;
+  for (const Vec3& end : curves.neighbors(t.point(q))) {
+    ends += std::ranges::count_if(d_q, [&](const Triangle& v) {
+              return std::ranges::any_of(
+                  v, [&](VertexId w) { return t.point(SiteId(w.number())) == end; });
+            }) == 1;
+  }
+  return ends == 2;
+}
+
+// Holds every question and every insertion against all facets and all edges of the curves.
+class Watch : public paper::Observer {
+ public:
+  explicit Watch(const Field& field)
+      : volume_(field.volume),
+        kappa_(geometric_isovalue(volume_.type(), field.isovalue)),
+        curves(paper::marching_squares(volume_, kappa_)) {}
+
+  // Of the run that is to follow.
+  void begin(Program& program, double epsilon) {
+    program_ = &program;
+    epsilon_ = epsilon;
+  }
+
+  std::size_t asked = 0, split = 0, at_curve = 0, vertex_there = 0, half_disks_asked = 0;
+  std::vector<Routine> routines;  // without repetitions
+
+  void asks(Routine routine, Facet sigma, SiteId q, double value, const Vec3& x) override {
+    ++asked;
+    if (routines.empty() || routines.back() != routine) routines.push_back(routine);
+    const Triangulation& t = program_->del().del();
+    const std::span<const Hit> hits = program_->del().hits(sigma);
+    const SiteTriangle v = facet_vertices(t, sigma);
+    const auto far = [&](const Vec3& from, const Hit& hit) { return distance(from, hit.point); };
+    const Vec3& a = t.point(v[0]);
+    double furthest = 0, nearest = std::numeric_limits<double>::infinity();
+    for (const Hit& hit : hits) {
+      furthest = std::max(furthest, far(a, hit));
+      nearest = std::min(nearest, far(a, hit));
+    }
+    if (routine == Routine::multi_intersect) {
+      CHECK(value > 1);
+      CHECK(value == hits.size());
+      CHECK(distance(x, a) == furthest);
+    } else if (routine == Routine::approximate_geom) {
+      CHECK(distance(x, a) == nearest);
+      const double worst = violation(a, t.point(v[1]), t.point(v[2]), x, epsilon_,
+                                     program_->options.lambda, program_->report.r_min);
+      CHECK(worst > 1);
+      CHECK(value == doctest::Approx(worst));
+    } else {
+      std::vector<Triangle> d_q;
+      double from_q = 0;
+      for_each_facet(t, [&](Facet f) {
+        const SiteTriangle corners = facet_vertices(t, f);
+        if (std::ranges::count(corners, q) == 0 || program_->del().hits(f).empty()) return;
+        d_q.push_back(as_mesh_triangle(corners));
+        for (const Hit& hit : program_->del().hits(f)) {
+          from_q = std::max(from_q, far(t.point(q), hit));
+        }
+      });
+      CHECK(!is_good(q, d_q, t, curves));
+      CHECK(value == d_q.size());
+      CHECK(distance(x, t.point(q)) == from_q);
+      half_disks_asked += classify_star(VertexId(q.number()), d_q) == Star::half_disk;
+    }
+    x_ = x;
+  }
+  void refused(Refusal why) override {
+    is_split_ = why == Refusal::split;
+    split += is_split_;
+    at_curve += why == Refusal::at_curve;
+    vertex_there += why == Refusal::vertex_there;
+    if (why == Refusal::vertex_there) return;
+    const auto edge = curves.encroached(x_);
+    REQUIRE(edge != curves.edges.end());
+    const double length = distance(edge->a, edge->b);
+    if (length < 0.02 * volume_.voxel()) CHECK(why == Refusal::at_curve);
+  }
+  void insertion_begins(const Vec3& p, const ConflictZone&) override {
+    if (!is_split_) {
+      CHECK(p == x_);
+      CHECK(curves.encroached(p) == curves.edges.end());
+      return;
+    }
+    is_split_ = false;
+    const auto edge = curves.encroached(x_);
+    const auto [a, b, face] = *edge;
+    CHECK((box_faces_at(p, volume_.box()) >> face & 1) == 1);
+    CHECK(std::fabs(volume_.value(p) - kappa_) < 1e-6);
+    CHECK(distance(p, 0.5 * (a + b)) <= 0.5 * distance(a, b));
+    *edge = {a, p, face};
+    curves.edges.push_back({p, b, face});
+  }
+
+ private:
+  Volume volume_;
+  double kappa_, epsilon_ = 0;
+  Program* program_ = nullptr;
+  Vec3 x_;
+  bool is_split_ = false;
+
+ public:
+  Curves curves;
+};
+
+// A run that is watched.
+struct Watched {
+  Watched(const Field& field, paper::Options options)
+      : watch(field), program(field, (options.observer = &watch, options)) {
+    watch.begin(program, options.epsilon);
+  }
+  // Vertices that have facets, but neither a disk nor a half disk.
+  std::size_t count_bad() const {
+    std::size_t bad = 0;
+    for (const auto& [q, d_q] : stars(stored_hits(program.del()))) {
+      bad += !is_good(q, d_q, program.del().del(), watch.curves);
+    }
+    return bad;
+  }
+  std::size_t count_refused() const { return watch.at_curve + watch.vertex_there; }
+
+  Watch watch;
+  Program program;
+};
+
+paper::Options with_lines(std::size_t lines, std::uint64_t seed) {
+  paper::Options options = few_vertices();
+  options.lines = lines;
+  options.seed = seed;
+  return options;
+}
+
+// Ends a run at its first question.
+struct FirstQuestion : paper::Observer {
+  struct Asked {
+    Routine routine;
+    SiteId q;
+  };
+  void asks(Routine routine, Facet, SiteId q, double, const Vec3&) override {
+    throw Asked{routine, q};
+  }
+};
+
+// Returns the vertex whose facets ExtractManifold does not accept, if the curves were these.
+std::optional<SiteId> first_bad(Program& program, const BoundaryCurves& curves) {
+  const Triangulation& t = program.del().del();
+  std::vector<SiteId> ids;
+  for (const Vec3& p : curves.points) {
+    SiteId q = 1;
+    while (t.point(q) != p) ++q;
+    ids.push_back(q);
+  }
+  FirstQuestion first;
+  paper::Options options = program.options;
+  options.observer = &first;
+  Recovery recovery(program.del(), curves, ids, options, program.report);
+  try {
+    recovery.extract_manifold();
+  } catch (const FirstQuestion::Asked& asked) {
+    CHECK(asked.routine == Routine::extract_manifold);
+    return asked.q;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("MultiIntersect leaves no Voronoi edge that meets Sigma twice") {
+  std::size_t before = 0, splits = 0;
+  const auto check = [&](const Field& field, const paper::Options& options) {
+    Watched run(field, options);
+    before += count_met_twice(stored_hits(run.program.del()));
+    run.program.recovery.multi_intersect();
+    CHECK(count_met_twice(stored_hits(run.program.del())) <= run.count_refused());
+    splits += run.watch.split;
+    run.program.recovery.count_left();
+    CHECK(run.program.report.facets_left == count_met_twice(stored_hits(run.program.del())));
+  };
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    check(builtin("linked_tori", 24), with_lines(10, seed));
+  }
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    check(noise(seed, 9), with_lines(5, seed));
+  }
+  CHECK(before > 100);
+  CHECK(splits > 20);
+}
+
+TEST_CASE("ExtractManifold leaves disks, and half disks on the boundary curves alone") {
+  std::size_t half_disks = 0, splits = 0;
+  const auto check = [&](const Field& field, const paper::Options& options) {
+    Watched run(field, options);
+    run.program.recovery.multi_intersect();
+    const std::size_t refused = run.count_refused(), asked = run.watch.asked;
+    CHECK(run.count_bad() > 0);
+    run.program.recovery.extract_manifold();
+    CHECK(run.watch.asked > asked);
+    CHECK(run.count_bad() <= run.count_refused() - refused);
+    half_disks += run.watch.half_disks_asked;
+    splits += run.watch.split;
+    run.program.recovery.count_left();
+    CHECK(run.program.report.vertices_left == run.count_bad());
+  };
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    check(builtin("linked_tori", 24), with_lines(10, seed));
+    check(builtin("gyroid", 16), with_lines(10, seed));
+    check(noise(seed, 9), with_lines(5, seed));
+  }
+  CHECK(half_disks > 10);
+  CHECK(splits > 50);
+}
+
+TEST_CASE("a half disk is good on the boundary curves, between its neighbors there") {
+  Program program(builtin("gyroid", 16), with_lines(50, 1));
+  program.recovery.multi_intersect();
+  program.recovery.extract_manifold();
+  const Triangulation& t = program.del().del();
+  const std::map<SiteId, std::vector<Triangle>> d = stars(stored_hits(program.del()));
+  // The curves as they are now: those edges that only one facet has.
+  std::map<std::pair<SiteId, SiteId>, int> uses;
+  for (const auto& [v, hits] : stored_hits(program.del())) {
+    for (const auto& [a, b] :
+         {std::pair(v[0], v[1]), std::pair(v[1], v[2]), std::pair(v[0], v[2])}) {
+      ++uses[{a, b}];
+    }
+  }
+  BoundaryCurves curves;
+  std::map<SiteId, std::uint32_t> number;
+  for (const auto& [edge, count] : uses) {
+    if (count != 1) continue;
+    for (const SiteId q : {edge.first, edge.second}) {
+      if (number.try_emplace(q, static_cast<std::uint32_t>(curves.points.size())).second) {
+        curves.points.push_back(t.point(q));
+      }
+    }
+    curves.edges.push_back({number[edge.first], number[edge.second], 0});
+  }
+  REQUIRE(curves.edges.size() > 100);
+  CHECK(!first_bad(program, curves));
+  const auto is_half_disk = [&](SiteId q) {
+    return classify_star(VertexId(q.number()), d.at(q)) == Star::half_disk;
+  };
+  // Nobody has marked the points.
+  BoundaryCurves none = curves;
+  none.edges.clear();
+  const std::optional<SiteId> unmarked = first_bad(program, none);
+  REQUIRE(unmarked);
+  CHECK(is_half_disk(*unmarked));
+  // One edge is missing: its two ends have a half disk with one neighbor.
+  BoundaryCurves open = curves;
+  open.edges.pop_back();
+  const std::optional<SiteId> at_gap = first_bad(program, open);
+  REQUIRE(at_gap);
+  CHECK(is_half_disk(*at_gap));
+  // All points are marked, but their neighbors are others.
+  BoundaryCurves wrong = curves;
+  for (auto& edge : wrong.edges)
+    edge.b = (edge.b + 7) % static_cast<std::uint32_t>(wrong.points.size());
+  CHECK(first_bad(program, wrong));
+}
+
+TEST_CASE("ApproximateGeom leaves no facet above r_min that violates a criterion") {
+  struct Limits {
+    double epsilon, lambda, r_min;
+  };
+  constexpr double kNone = 1e9;
+  std::vector<std::size_t> vertices;
+  for (const auto& [epsilon, lambda, r_min] :
+       {Limits{0.2, 2, 0.001}, Limits{0.1, 2, 0.001}, Limits{kNone, 1.2, 0.001},
+        Limits{kNone, kNone, 0.001}, Limits{0.05, 2, 0.08}}) {
+    paper::Options options = few_vertices();
+    options.lambda = lambda;
+    options.r_min = r_min;
+    options.epsilon = epsilon;
+    Watched run(builtin("torus", 24), options);
+    Program& program = run.program;
+    program.recovery.multi_intersect();
+    program.recovery.extract_manifold();
+    const std::size_t before = program.del().del().vertex_capacity();
+    program.recovery.approximate_geom(epsilon);
+    vertices.push_back(program.del().del().vertex_capacity() - before);
+    CHECK(run.count_refused() == 0);
+    for (const auto& [v, hits] : stored_hits(program.del())) {
+      const auto at = [&](std::size_t i) { return program.del().del().point(v[i]); };
+      const Vec3 x = *std::ranges::min_element(
+          hits, {}, [&](const Vec3& hit) { return distance(hit, at(0)); });
+      CHECK(violation(at(0), at(1), at(2), x, epsilon, lambda, program.report.r_min) <= 1);
+    }
+  }
+  CHECK(vertices[0] > 50);
+  CHECK(vertices[1] > 2 * vertices[0]);
+  CHECK(vertices[2] > 20);
+  CHECK(vertices[3] == 0);
+  // Facets up to r_min are left as they are.
+  CHECK(vertices[4] > 0);
+  CHECK(vertices[4] < vertices[1]);
+}
+
+TEST_CASE("Recover is its four steps") {
+  Watched run(builtin("linked_tori", 24), with_lines(10, 1));
+  run.program.recovery.recover();
+  REQUIRE(run.watch.routines.size() >= 3);
+  CHECK(run.watch.routines[0] == Routine::multi_intersect);
+  CHECK(run.watch.routines[1] == Routine::extract_manifold);
+  CHECK(run.watch.routines[2] == Routine::approximate_geom);
+  CHECK(run.count_bad() == 0);
+  Program by_hand(builtin("linked_tori", 24), with_lines(10, 1));
+  by_hand.recovery.multi_intersect();
+  by_hand.recovery.extract_manifold();
+  by_hand.recovery.approximate_geom(by_hand.options.epsilon);
+  by_hand.recovery.extract_manifold();
+  CHECK(by_hand.del().del().vertex_capacity() == run.program.del().del().vertex_capacity());
+  CHECK(by_hand.report.insertions_recover == run.watch.asked);
+}
+
+TEST_CASE("the last ExtractManifold mends what ApproximateGeom left") {
+  int needed = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CAPTURE(seed);
+    Watched run(noise(seed, 6), with_lines(10, seed));
+    run.program.recovery.recover();
+    needed += run.watch.routines.back() == Routine::extract_manifold &&
+              std::ranges::count(run.watch.routines, Routine::approximate_geom) == 1;
+    CHECK(run.count_bad() <= run.count_refused());
+  }
+  CHECK(needed > 0);
+}
+
+TEST_CASE("single stage: a new vertex has the mean pole height of its neighbors") {
+  // Follows the pole heights by itself, and holds the worst violation against them.
+  struct Poles : paper::Observer {
+    const RestrictedDelaunay* del = nullptr;
+    std::vector<double> heights;  // by site; NaN: its facets were no disk
+    std::size_t compared = 0, by_poles = 0;
+    double r_min = 0;
+
+    void site_added(SiteId v) override {
+      std::vector<Facet> star;
+      del->star(v, star);
+      std::set<SiteId> neighbors;
+      for (const Facet f : star) {
+        for (const SiteId q : facet_vertices(del->del(), f)) {
+          if (q != v) neighbors.insert(q);
+        }
+      }
+      double sum = 0;
+      for (const SiteId q : neighbors) sum += heights[q];
+      const bool is_disk = star.size() == neighbors.size() && star.size() > 2;
+      heights.push_back(is_disk ? sum / static_cast<double>(neighbors.size())
+                                : std::numeric_limits<double>::quiet_NaN());
+    }
+    void asks(Routine routine, Facet sigma, SiteId, double value, const Vec3& x) override {
+      if (routine != Routine::approximate_geom) return;
+      const SiteTriangle v = facet_vertices(del->del(), sigma);
+      const double h_sigma = (heights[v[0]] + heights[v[1]] + heights[v[2]]) / 3;
+      if (std::isnan(h_sigma)) return;
+      ++compared;
+      const auto at = [&](std::size_t i) { return del->del().point(v[i]); };
+      const double r = distance(at(0), circumcenter(at(0), at(1), at(2)));
+      const double shape = violation(at(0), at(1), at(2), x, 0.1, 2, r_min);
+      CHECK(value == doctest::Approx(std::max(shape, r / h_sigma / 0.2)));
+      by_poles += r / h_sigma / 0.2 > shape;
+    }
+  } poles;
+  Program program(builtin("torus", 24), few_vertices());
+  program.recovery.recover();
+  const std::size_t before = program.report.insertions_recover;
+  poles.del = &program.del();
+  poles.r_min = program.report.r_min;
+  poles.heights = paper::compute_poles(program.del().del(), program.sigma);
+  const std::vector<double> given = poles.heights;
+  program.options.observer = &poles;
+  program.recovery.refine(given);
+  CHECK(program.report.insertions_recover == before);
+  CHECK(program.report.insertions_refine == poles.heights.size() - given.size());
+  CHECK(poles.compared > 1000);
+  CHECK(poles.by_poles > 100);
+}
