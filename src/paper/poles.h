@@ -11,8 +11,8 @@
 
 namespace deliso::paper {
 
-// Returns h_q of every site. A Voronoi vertex is in the part of its side of Sigma; one outside the
-// box, in that of the place where the segment from q to it leaves the box.
+// Returns h_q of every site. A Voronoi vertex is in the part of its side of Sigma. Beyond the box
+// Sigma goes on along the normal of its faces: g there is that of the nearest point of the box.
 std::vector<double> compute_poles(const Triangulation& del, const Sigma& sigma);
 
 }  // namespace deliso::paper
