@@ -33,10 +33,7 @@ DelaunayShare check_whole(const Field& field, const TriMesh& mesh, const Report&
       clean, MeshTriangulation(clean, volume.box()), Isosurface(volume, report.kappa),
       FreeSpace(VoxelComponents(contour, volume, 0), volume));
   REQUIRE(share.measured);
-  // The dual line of a triangle beside the curves may leave the box before it meets Sigma.
-  const std::size_t outside = share.triangles - share.restricted;
-  CHECK(outside <=
-        share.triangles / 1000 + (report.points_on_curves > 0 ? report.facets_without_point : 0));
+  CHECK(share.share() >= 0.999);
   return share;
 }
 
@@ -111,8 +108,8 @@ TEST_CASE("open surfaces: their boundary is the curves on the box, refined") {
                         {"gyroid", builtin("gyroid", 24), 50},
                         {"ball at a corner of the box", ball({0.3, 15.6, 0.2}, 9.3), 50},
                         {"ball at an edge of the box", ball({0.1, 15.7, 8.2}, 6.3), 50},
-                        {"ball through the edges", ball({7.8, 8.1, 8.2}, 12.2), 50},
-                        {"ball through the faces", ball({7.8, 8.1, 8.2}, 9.2), 50}};
+                        {"ball through the edges", ball({7.7, 8.1, 8.2}, 12.2), 50},
+                        {"ball through the faces", ball({7.7, 8.1, 8.2}, 9.2), 50}};
   int with_gaps = 0;
   for (const auto& [name, field, lines] : cases) {
     CAPTURE(std::string(name));
