@@ -74,10 +74,12 @@ TEST_CASE("closed surfaces: exact topology, restricted Delaunay in a fresh trian
     const char* name;
     int size;
     std::size_t lines;
+    double r_min;
   };
-  for (const auto& [name, size, lines] :
-       {Case{"sphere", 24, 50}, Case{"torus", 24, 50}, Case{"linked_tori", 32, 50},
-        Case{"five_spheres", 32, 500}, Case{"orbital", 48, 50}, Case{"machine", 24, 50}}) {
+  for (const auto& [name, size, lines, r_min] :
+       {Case{"sphere", 24, 50, 0.001}, Case{"torus", 24, 50, 0.001},
+        Case{"linked_tori", 32, 50, 0.001}, Case{"five_spheres", 32, 500, 0.001},
+        Case{"orbital", 48, 50, 0.001}, Case{"machine", 24, 50, 0.02}}) {
     CAPTURE(std::string(name));
     const Field field = builtin(name, size);
     double least = 1;
@@ -85,6 +87,7 @@ TEST_CASE("closed surfaces: exact topology, restricted Delaunay in a fresh trian
       CAPTURE(seed);
       Options options = few_vertices(40'000);
       options.lines = lines;
+      options.r_min = r_min;
       options.seed = seed;
       TriMesh mesh;
       const Report report = ran(field, options, mesh);
@@ -254,6 +257,27 @@ TEST_CASE("more vertices than asked for are an error, in either stage and in S_0
   options.epsilon = options.epsilon1 = options.epsilon2 = options.lambda = 1e9;
   options.lines = 500;
   CHECK_THROWS_AS(ran(field, options, mesh), InputError);
+}
+
+TEST_CASE("random lines go through all of the box, and each hit is a point of S_0") {
+  // A line meets a closed surface an even number of times.
+  const Field field = builtin("torus", 24);
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Options options = few_vertices();
+    options.lines = 1;
+    options.seed = seed;
+    Program program(field, options);
+    CHECK(program.report.points_on_lines % 2 == 0);
+    const Triangulation& t = program.del().del();
+    CHECK(t.vertex_capacity() == 1 + program.report.points_on_lines + kAuxiliaryVertices);
+    for (SiteId q = 1; q < t.vertex_capacity(); ++q) {
+      if (program.del().is_auxiliary(q)) continue;
+      CHECK(std::fabs(field.volume.value(t.point(q)) - program.report.kappa) < 1e-6);
+    }
+    found += program.report.points_on_lines;
+  }
+  CHECK(found > 10);
 }
 
 TEST_CASE("a surface that no line meets is an error; no surface is no mesh") {
