@@ -40,13 +40,13 @@ double under_sheet(const Vec3& p) {
 
 TEST_CASE("pole heights: the nearer of the two furthest Voronoi vertices, one on each side") {
   struct Case {
-    const char* name;
+    std::string name;
     double (*inside)(const Vec3&);
   };
-  for (const auto& [name, inside] :
+  for (const Case& field :
        {Case{"ball", in_ball}, Case{"torus", in_torus}, Case{"sheet", under_sheet}}) {
-    CAPTURE(std::string(name));
-    Program program(known(inside), few_vertices());
+    CAPTURE(field.name);
+    Program program(known(field.inside), few_vertices());
     program.recovery.recover();
     const Triangulation& t = program.del().del();
     const std::vector<double> heights = paper::compute_poles(t, program.sigma);
@@ -63,7 +63,7 @@ TEST_CASE("pole heights: the nearer of the two furthest Voronoi vertices, one on
         const auto& v = t.vertices(c);
         const Vec3 center =
             circumsphere(t.point(v[0]), t.point(v[1]), t.point(v[2]), t.point(v[3])).center;
-        const double g = inside(center);
+        const double g = field.inside(center);
         double& far = g > 0 ? above : below;
         far = std::max(far, distance(center, t.point(q)));
         // The samples are not the function: very near to Sigma the side may be another.

@@ -356,10 +356,10 @@ TEST_CASE("ApproximateGeom leaves no facet above r_min that violates a criterion
     program.recovery.approximate_geom(epsilon);
     vertices.push_back(program.del().del().vertex_capacity() - before);
     CHECK(run.count_refused() == 0);
-    for (const auto& [v, hits] : stored_hits(program.del())) {
-      const auto at = [&](std::size_t i) { return program.del().del().point(v[i]); };
+    for (const auto& facet : stored_hits(program.del())) {
+      const auto at = [&](std::size_t i) { return program.del().del().point(facet.first[i]); };
       const Vec3 x = *std::ranges::min_element(
-          hits, {}, [&](const Vec3& hit) { return distance(hit, at(0)); });
+          facet.second, {}, [&](const Vec3& hit) { return distance(hit, at(0)); });
       CHECK(violation(at(0), at(1), at(2), x, epsilon, lambda, program.report.r_min) <= 1);
     }
   }

@@ -245,11 +245,11 @@ TEST_CASE("of several hits a facet keeps that nearest to its circumcenter") {
       const auto at = [&](std::size_t i) { return t.mesh.points[t.mesh.faces[f].v[i]]; };
       kept.insert(distance(t.duals[f].x, circumcenter(at(0), at(1), at(2))));
     }
-    for (const auto& [v, hits] : all) {
-      const auto at = [&](std::size_t i) { return program.del().del().point(v[i]); };
+    for (const auto& facet : all) {
+      const auto at = [&](std::size_t i) { return program.del().del().point(facet.first[i]); };
       const Vec3 center = circumcenter(at(0), at(1), at(2));
       double least = std::numeric_limits<double>::infinity();
-      for (const Vec3& x : hits) least = std::min(least, distance(x, center));
+      for (const Vec3& x : facet.second) least = std::min(least, distance(x, center));
       nearest.insert(least);
     }
     CHECK(std::ranges::equal(kept, nearest,
@@ -260,7 +260,7 @@ TEST_CASE("of several hits a facet keeps that nearest to its circumcenter") {
 
 TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criterion") {
   struct Case {
-    const char* name;
+    std::string name;
     Field field;
     double r_min;
   };
@@ -268,11 +268,11 @@ TEST_CASE("RefineGeom: E by a walk, D the cone, until no facet violates a criter
                         {"gyroid", builtin("gyroid", 16), 0.05},
                         {"noise", noise(4, 9), 0.03}};
   std::size_t asked = 0, at_curve = 0, not_a_disk = 0, larger = 0;
-  for (const auto& [name, field, r_min] : cases) {
-    CAPTURE(std::string(name));
+  for (const Case& of : cases) {
+    CAPTURE(of.name);
     paper::Options options = few_vertices();
-    options.r_min = r_min;
-    Begun begun(field, options);
+    options.r_min = of.r_min;
+    Begun begun(of.field, options);
     RefineWatch watch(begun.program);
     watch.begin(begun.t);
     begun.program.options.observer = &watch;

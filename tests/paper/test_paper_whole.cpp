@@ -52,6 +52,13 @@ Report ran(const Field& field, const Options& options, TriMesh& mesh) {
   return report;
 }
 
+struct Case {
+  std::string name;
+  Field field;
+  std::size_t lines;
+  double r_min = 0.001;
+};
+
 // What a run says of itself, as it says it.
 class Notes : public paper::Observer {
  public:
@@ -70,43 +77,34 @@ class Notes : public paper::Observer {
 }  // namespace
 
 TEST_CASE("closed surfaces: exact topology, restricted Delaunay in a fresh triangulation") {
-  struct Case {
-    const char* name;
-    int size;
-    std::size_t lines;
-    double r_min;
-  };
-  for (const auto& [name, size, lines, r_min] :
-       {Case{"sphere", 24, 50, 0.001}, Case{"torus", 24, 50, 0.001},
-        Case{"linked_tori", 32, 50, 0.001}, Case{"five_spheres", 32, 500, 0.001},
-        Case{"orbital", 48, 50, 0.001}, Case{"machine", 24, 50, 0.02}}) {
-    CAPTURE(std::string(name));
-    const Field field = builtin(name, size);
+  const Case cases[] = {{"sphere", builtin("sphere", 24), 50},
+                        {"torus", builtin("torus", 24), 50},
+                        {"linked tori", builtin("linked_tori", 32), 50},
+                        {"five spheres", builtin("five_spheres", 32), 500},
+                        {"orbital", builtin("orbital", 48), 50},
+                        {"machine", builtin("machine", 24), 50, 0.02}};
+  for (const Case& of : cases) {
+    CAPTURE(of.name);
     double least = 1;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       CAPTURE(seed);
       Options options = few_vertices(40'000);
-      options.lines = lines;
-      options.r_min = r_min;
+      options.lines = of.lines;
+      options.r_min = of.r_min;
       options.seed = seed;
       TriMesh mesh;
-      const Report report = ran(field, options, mesh);
-      const DelaunayShare share = check_whole(field, mesh, report);
+      const Report report = ran(of.field, options, mesh);
+      const DelaunayShare share = check_whole(of.field, mesh, report);
       CHECK(report.facets_left + report.vertices_left + report.vertices_alone == 0);
       CHECK(report.points_on_curves + report.curve_splits + report.curve_refusals == 0);
       CHECK(mesh_topology(mesh).boundary_edges == 0);
       least = std::min(least, share.share());
     }
-    MESSAGE(std::string(name) << ": at least " << 100 * least << " % of the triangles");
+    MESSAGE(of.name << ": at least " << 100 * least << " % of the triangles");
   }
 }
 
 TEST_CASE("open surfaces: their boundary is the curves on the box, refined") {
-  struct Case {
-    const char* name;
-    Field field;
-    std::size_t lines;
-  };
   const Case cases[] = {{"fuel", builtin("fuel", 24), 500},
                         {"gyroid", builtin("gyroid", 24), 50},
                         {"ball at a corner of the box", ball({0.3, 15.6, 0.2}, 9.3), 50},
@@ -114,16 +112,16 @@ TEST_CASE("open surfaces: their boundary is the curves on the box, refined") {
                         {"ball through the edges", ball({7.7, 8.1, 8.2}, 12.2), 50},
                         {"ball through the faces", ball({7.7, 8.1, 8.2}, 9.2), 50}};
   int with_gaps = 0;
-  for (const auto& [name, field, lines] : cases) {
-    CAPTURE(std::string(name));
+  for (const Case& of : cases) {
+    CAPTURE(of.name);
     double least = 1;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       CAPTURE(seed);
       Options options = few_vertices(20'000);
-      options.lines = lines;
+      options.lines = of.lines;
       options.seed = seed;
       TriMesh mesh;
-      const Report report = ran(field, options, mesh);
+      const Report report = ran(of.field, options, mesh);
       CHECK(report.facets_left + report.vertices_alone == 0);
       // A vertex beside an edge of the curves that is too short to be split.
       if (report.vertices_left > 0) {
@@ -131,7 +129,7 @@ TEST_CASE("open surfaces: their boundary is the curves on the box, refined") {
         ++with_gaps;
         continue;
       }
-      const DelaunayShare share = check_whole(field, mesh, report);
+      const DelaunayShare share = check_whole(of.field, mesh, report);
       std::set<VertexId> ends;
       std::size_t edges = 0;
       for (const Face& face : mesh.faces) {
@@ -145,11 +143,11 @@ TEST_CASE("open surfaces: their boundary is the curves on the box, refined") {
       CHECK(edges == ends.size());
       CHECK(edges == report.points_on_curves + report.curve_splits);
       for (const VertexId v : ends) {
-        CHECK(std::fabs(field.volume.value(mesh.points[v]) - report.kappa) < 1e-6);
+        CHECK(std::fabs(of.field.volume.value(mesh.points[v]) - report.kappa) < 1e-6);
       }
       least = std::min(least, share.share());
     }
-    MESSAGE(std::string(name) << ": at least " << 100 * least << " % of the triangles");
+    MESSAGE(of.name << ": at least " << 100 * least << " % of the triangles");
   }
   CHECK(with_gaps <= 2);
 }
