@@ -212,7 +212,8 @@ TEST_CASE("options of the published program need --paper, and it refuses those i
     for (const std::string option : {"--eps 0.2", "--eps2 0.2", "--lines 50", "--keep-hits",
                                      "--single-stage", "--solver schwarze"}) {
       CAPTURE(option);
-      CHECK(refusal(command + option) == split(option)[0] + " belongs to --paper, the algorithm as published");
+      CHECK(refusal(command + option) ==
+            split(option)[0] + " belongs to --paper, the algorithm as published");
       CHECK(refusal(command + option + " --paper") == "");
       CHECK(refusal("check m.ply a --iso 1 " + option) ==
             split(option)[0] + " has no meaning for deliso check");
@@ -221,13 +222,16 @@ TEST_CASE("options of the published program need --paper, and it refuses those i
          {"--vertices 99", "--triangles 99", "--max-distance 1", "--max-radius 1", "--samples 9",
           "--fingers 1", "--block-side 8", "--min-component 1", "--largest 1"}) {
       CAPTURE(option);
-      CHECK(refusal(command + "--paper " + option) == "--paper and " + split(option)[0] + " exclude each other");
+      CHECK(refusal(command + "--paper " + option) ==
+            "--paper and " + split(option)[0] + " exclude each other");
       CHECK(refusal(command + option) == "");
     }
   }
   CHECK(refusal("a --iso 1 --cap --paper") == "--paper and --cap exclude each other");
-  CHECK(refusal("a --iso 1 --part 1/2 -o p.part --paper") == "--paper and --part exclude each other");
-  CHECK(refusal("a --label all --shared x.ply --paper") == "--paper and --shared exclude each other");
+  CHECK(refusal("a --iso 1 --part 1/2 -o p.part --paper") ==
+        "--paper and --part exclude each other");
+  CHECK(refusal("a --label all --shared x.ply --paper") ==
+        "--paper and --shared exclude each other");
   // Of a check they say what the mesh is held against.
   CHECK(refusal("check m.ply a --iso 1 --paper --max-radius 1 --largest 1 --cap") == "");
 }
@@ -804,9 +808,8 @@ TEST_CASE("--part is parsed, and options that a part cannot have are refused; pa
   const CommandLine line = parsed("a.nrrd -k 1 --part 3/64 -o p.part --cap --largest=2");
   CHECK(line.part == PartChoice{3, 64});
   CHECK(line.words == split("--iso=1 --part=3/64 --output=p.part --cap --largest=2"));
-  for (const std::string other :
-       {"--vertices 100", "--triangles 100", "--float", "--format stl", "--ply-ascii",
-        "--json a.json", "--check"}) {
+  for (const std::string other : {"--vertices 100", "--triangles 100", "--float", "--format stl",
+                                  "--ply-ascii", "--json a.json", "--check"}) {
     CAPTURE(other);
     CHECK(refusal("a.nrrd --iso 1 -o p.part --part 1/2 " + other).starts_with("--part and "));
   }

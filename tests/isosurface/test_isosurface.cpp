@@ -268,7 +268,8 @@ TEST_CASE("a volume without a voxel has no surface") {
   for (const Index3 dims : {Index3{1, 1, 1}, Index3{1, 1, 9}, Index3{9, 8, 1}, Index3{1, 9, 8}}) {
     CAPTURE(dims.i);
     CAPTURE(dims.k);
-    const Volume volume = sampled<float>(dims, {1, 1, 1}, [](int i, int j, int k) { return (i + j + k) % 2; });
+    const Volume volume =
+        sampled<float>(dims, {1, 1, 1}, [](int i, int j, int k) { return (i + j + k) % 2; });
     const Isosurface surface(volume, 0.5);
     SearchCounters counters;
     std::vector<Hit> hits;
