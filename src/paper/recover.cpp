@@ -114,7 +114,12 @@ bool Recovery::is_disk(SiteId q) {
   std::vector<Triangle> facets;
   for (const Facet f : star_) facets.push_back(as_mesh_triangle(facet_vertices(del_.del(), f)));
   const Star star = classify_star(VertexId(q.number()), facets);
-  return star == Star::disk || (star == Star::half_disk && on_curve(q));
+  if (!on_curve(q)) return star == Star::disk;
+  const auto ends_there = [&](const CurveEdge& edge) {
+    const VertexId to(edge.to.number());
+    return std::ranges::count_if(facets, [&](const Triangle& v) { return has_corner(v, to); }) == 1;
+  };
+  return star == Star::half_disk && std::ranges::all_of(curve_[q], ends_there);
 }
 
 double Recovery::pole_of(const SiteTriangle& v) const {

@@ -55,7 +55,7 @@ class Recovery {
   // Calls visit(facet) for all facets of Del S|Sigma, and for those that insertions make meanwhile.
   template <class Visit>
   void for_each_facet(Visit&& visit);
-  // Disk(): D_q is a disk; of a vertex on the curves it may be a half disk.
+  // Disk(): D_q is a disk; of a vertex on the curves a half disk that ends at its neighbors there.
   bool is_disk(SiteId q);
   // Inserts x, a hit of sigma, or splits the curve's edge that x encroaches upon. False: neither.
   bool insert(Facet sigma, const Vec3& x);
