@@ -16,8 +16,7 @@ namespace {
 // other encroach upon each other however short their edges are.
 constexpr double kShortestEdge = 0.02;
 
-}  // namespace
-
+// Returns the hit furthest from p, and that nearest to it. pre: there are hits.
 Vec3 furthest(std::span<const Hit> hits, const Vec3& p) {
   return std::ranges::max_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
       ->point;
@@ -27,6 +26,8 @@ Vec3 nearest(std::span<const Hit> hits, const Vec3& p) {
   return std::ranges::min_element(hits, {}, [&](const Hit& x) { return distance2(x.point, p); })
       ->point;
 }
+
+}  // namespace
 
 Recovery::Recovery(RestrictedDelaunay del, const BoundaryCurves& curves,
                    std::span<const SiteId> ids, const Options& options, Report& report)
@@ -205,7 +206,6 @@ bool Recovery::split(SiteId a, const CurveEdge& edge, Facet sigma) {
 
 void Recovery::put(const Vec3& p) {
   const SiteId v = del_.insert(p);
-  ++inserted_;
   ++(poles_.empty() ? report_.insertions_recover : report_.insertions_refine);
   for (const SiteId q : del_.touched()) queue(q);
   for (const Facet f : del_.created()) queue(f);
